@@ -1,0 +1,22 @@
+# Writes OUTPUT, a C++ file that defines the table of embedded_schemas.hpp, from the files of FOLDER.
+file(GLOB schemas ${FOLDER}/*.schema.json)
+list(SORT schemas)
+set(entries "")
+foreach(schema ${schemas})
+  get_filename_component(name ${schema} NAME)
+  string(REPLACE ".schema.json" "" name ${name})
+  file(READ ${schema} text)
+  string(APPEND entries "    {\"${name}\", R\"schema(${text})schema\"},\n")
+endforeach()
+file(WRITE ${OUTPUT} "#include \"embedded_schemas.hpp\"
+
+namespace beadswim {
+
+const std::vector<EmbeddedSchema>& embedded_schemas() {
+  static const std::vector<EmbeddedSchema> table{
+${entries}  };
+  return table;
+}
+
+}  // namespace beadswim
+")

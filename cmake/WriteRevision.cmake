@@ -1,0 +1,7 @@
+# Writes OUTPUT, a header with the git revision of SOURCE; touches it only if the revision changed.
+execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=10 --exclude=*
+                OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+if(NOT revision)
+  set(revision "unknown")
+endif()
+file(CONFIGURE OUTPUT ${OUTPUT} CONTENT "#define BEADSWIM_REVISION \"@revision@\"\n" @ONLY)

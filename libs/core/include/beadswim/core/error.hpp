@@ -1,0 +1,42 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace beadswim {
+
+/// Exit statuses of every program (the table in docs/exit-status.md).
+enum class ExitStatus : int {
+  fine = 0,
+  negative_verdict = 1,
+  bad_input = 2,
+  failed = 3,
+  stopped_early = 4,
+};
+
+/// Input that a user can mend: says where it is wrong, what is wrong, and what to do. Exit status 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;  ///< of a message that has its place
+  /// where: a flag, a file, or FILE:JSON-POINTER.
+  InputError(const std::string& where, const std::string& what_and_remedy)
+      : std::runtime_error(where + ": " + what_and_remedy) {}
+};
+
+/// The solver or I/O failed after work began. Exit status 3.
+class SolverError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Stopped on purpose, results intact (speed limit, time limit, signal). Exit status 4.
+class StoppedEarly : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The exit status that an exception in flight stands for; call inside a catch block.
+/// Prints "PROGRAM: message" on stderr.
+int report_current_exception(const std::string& program);
+
+}  // namespace beadswim

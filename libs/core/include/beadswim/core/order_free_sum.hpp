@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+// A sum whose bits do not depend on the order of its terms, and so neither on the number of ranks.
+//
+// Each term is cut into two integers, x = coarse 2^-30 + fine 2^-62, and integers are summed. The cut errs
+// by less than 2^-62 (2.2e-19) absolute. Room before an overflow: a coarse sum of 2^33, and 2^31 terms.
+
+namespace beadswim {
+
+class OrderFreeSum {
+ public:
+  /// Adds one term; throws SolverError unless |x| < 2^31 (so also for NaN).
+  void add(double x) {
+    if (!(std::abs(x) < largest_term)) refuse(x);
+    const std::int64_t coarse_part = std::llrint(x * coarse_per_unit);
+    coarse += coarse_part;
+    fine += std::llrint((x - static_cast<double>(coarse_part) / coarse_per_unit) * fine_per_unit);
+  }
+
+  void add(const OrderFreeSum& other) {
+    coarse += other.coarse;
+    fine += other.fine;
+  }
+
+  double value() const {
+    return static_cast<double>(coarse) / coarse_per_unit + static_cast<double>(fine) / fine_per_unit;
+  }
+
+  // Plain data: sums of sums are sums of these two, in messages and in MPI_SUM reductions of MPI_INT64_T.
+  std::int64_t coarse = 0;
+  std::int64_t fine = 0;
+
+ private:
+  static constexpr double largest_term = 0x1p31;
+  static constexpr double coarse_per_unit = 0x1p30;
+  static constexpr double fine_per_unit = 0x1p62;
+
+  [[noreturn]] static void refuse(double x);
+};
+
+}  // namespace beadswim

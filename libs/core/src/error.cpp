@@ -1,0 +1,25 @@
+#include "beadswim/core/error.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+namespace beadswim {
+
+int report_current_exception(const std::string& program) {
+  const auto say = [&program](const std::exception& error, ExitStatus status) {
+    fmt::print(stderr, "{}: {}\n", program, error.what());
+    return static_cast<int>(status);
+  };
+  try {
+    throw;
+  } catch (const InputError& error) {
+    return say(error, ExitStatus::bad_input);
+  } catch (const StoppedEarly& error) {
+    return say(error, ExitStatus::stopped_early);
+  } catch (const std::exception& error) {
+    return say(error, ExitStatus::failed);
+  }
+}
+
+}  // namespace beadswim
