@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/lattice/block.hpp"
+#include "beadswim/lattice/populations.hpp"
+
+namespace beadswim {
+
+/// What closes the lattice on both sides of an axis.
+enum class Wall {
+  periodic,
+  free_slip,  ///< mirror: no flux, no shear stress
+  no_slip,    ///< bounce-back: fluid at rest half a cell outside the last cell
+};
+
+/// Fills the halo of a block before each step: from neighbouring ranks, from the block itself where a
+/// periodic axis is not cut, and by the wall's rule where the lattice ends.
+///
+/// Axis by axis, each over the halo already filled, so that edges and corners need no case of their own;
+/// no-slip walls, which are local to a cell, come last. Only the five directions that enter the block through
+/// a face are filled there; the rest of the halo is unspecified.
+class Halo {
+ public:
+  Halo(const Communicator& communicator, const Decomposition& decomposition,
+       const std::array<Wall, 3>& walls);
+
+  void fill(Populations& populations);
+
+ private:
+  struct Face {
+    Wall closed_by = Wall::periodic;  ///< periodic: open to a neighbour
+    int neighbour = MPI_PROC_NULL;    ///< rank across an open face; this rank if the block is its own image
+    std::vector<double> send, receive;
+
+    bool is_open() const { return closed_by == Wall::periodic; }
+  };
+
+  bool at_wall(int axis, int side, Wall wall) const { return faces_[axis][side].closed_by == wall; }
+
+  void fill_from_neighbours(Populations& populations, int axis);
+
+  MPI_Comm comm_;
+  int rank_;
+  std::array<std::array<Face, 2>, 3> faces_;  ///< [axis][0: low side, 1: high side]
+};
+
+}  // namespace beadswim

@@ -1,0 +1,75 @@
+#include "beadswim/lattice/block.hpp"
+
+#include <fmt/core.h>
+
+#include <limits>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+/// First cell of part p when n cells are cut into `parts`.
+int cut(int n, int parts, int p) {
+  return static_cast<int>(static_cast<long>(n) * p / parts);
+}
+
+/// The grid of `ranks` blocks whose cuts have the least area; grid[a] <= cells[a].
+Index3 least_surface_grid(const Index3& cells, int ranks) {
+  Index3 best = Index3::Zero();
+  double least = std::numeric_limits<double>::infinity();
+  const Eigen::Array3d n = cells.cast<double>();
+  for (int gx = 1; gx <= ranks; ++gx) {
+    if (ranks % gx != 0) continue;
+    for (int gy = 1; gy <= ranks / gx; ++gy) {
+      if ((ranks / gx) % gy != 0) continue;
+      const Index3 grid(gx, gy, ranks / gx / gy);
+      if ((grid > cells).any()) continue;
+      const double surface = gx * n[1] * n[2] + grid[1] * n[0] * n[2] + grid[2] * n[0] * n[1];
+      if (surface < least) {
+        least = surface;
+        best = grid;
+      }
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Decomposition::Decomposition(const Index3& cells, int ranks)
+    : cells_(cells), grid_(least_surface_grid(cells, ranks)) {
+  if ((grid_ == 0).any()) {
+    throw InputError("mpirun -n", fmt::format("{} ranks cannot share {} x {} x {} cells; use fewer ranks",
+                                              ranks, cells[0], cells[1], cells[2]));
+  }
+}
+
+Index3 Decomposition::grid_position(int rank) const {
+  return {rank % grid_[0], rank / grid_[0] % grid_[1], rank / (grid_[0] * grid_[1])};
+}
+
+int Decomposition::rank_at(const Index3& p) const {
+  return p[0] + grid_[0] * (p[1] + grid_[1] * p[2]);
+}
+
+Block Decomposition::block(int rank) const {
+  const Index3 p = grid_position(rank);
+  Block block;
+  for (int a = 0; a < 3; ++a) {
+    block.offset[a] = cut(cells_[a], grid_[a], p[a]);
+    block.size[a] = cut(cells_[a], grid_[a], p[a] + 1) - block.offset[a];
+  }
+  return block;
+}
+
+int Decomposition::rank_of_cell(const Index3& cell) const {
+  Index3 p;
+  for (int a = 0; a < 3; ++a) {
+    // The inverse of cut(): the last part that starts at or before the cell.
+    p[a] = static_cast<int>((static_cast<long>(cell[a] + 1) * grid_[a] - 1) / cells_[a]);
+  }
+  return rank_at(p);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/lattice/block.hpp"
+#include "beadswim/lattice/halo.hpp"
+#include "beadswim/lattice/populations.hpp"
+#include "beadswim/lattice/sweep.hpp"
+
+namespace beadswim::test {
+
+/// A box of fluid without beads, optionally under a uniform body force.
+struct FluidBox {
+  FluidBox(const Index3& cells, const std::array<Wall, 3>& walls, double relaxation_time,
+           MPI_Comm comm = MPI_COMM_SELF)
+      : communicator(comm),
+        decomposition(cells, communicator.size()),
+        block(decomposition.block(communicator.rank())),
+        populations(block.size),
+        halo(communicator, decomposition, walls),
+        rates(relaxation_rates(relaxation_time)) {}
+
+  void step() {
+    halo.fill(populations);
+    stream_and_collide(populations, rates);
+    if (body_force != Vec3::Zero()) add_body_force();
+  }
+
+  void steps(int count) {
+    for (int n = 0; n < count; ++n) step();
+  }
+
+  /// u at a cell: the mid-step velocity, half the force's impulse before the value after collision.
+  Vec3 velocity(int x, int y, int z) const {
+    return cell_moments(populations, populations.cell(x, y, z)).momentum - 0.5 * body_force;
+  }
+
+  /// Sets every own cell to equilibrium at (density - 1, velocity) given at its global coordinates.
+  void set(const std::function<CellMoments(const Index3&)>& state) {
+    for_each_cell(populations, [&](const Index3& p, std::ptrdiff_t cell) {
+      const CellMoments moments = state(p + block.offset);
+      set_equilibrium(populations, cell, moments.density_deviation, moments.momentum);
+    });
+  }
+
+  Communicator communicator;
+  Decomposition decomposition;
+  Block block;
+  Populations populations;
+  Halo halo;
+  RelaxationRates rates;
+  Vec3 body_force = Vec3::Zero();
+
+ private:
+  void add_body_force() {
+    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
+      for (int i = 1; i < d3q19::directions; ++i) {
+        const auto& c = d3q19::velocity[i];
+        populations.outgoing(i, cell) += 3 * d3q19::weight(i) * body_force.dot(Vec3(c[0], c[1], c[2]));
+      }
+    });
+  }
+};
+
+}  // namespace beadswim::test
