@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+
+// What a three-bead swimmer is made of (paper, section 2). Any coherent unit system: a layout's own in
+// theory and layouts, lattice units inside a resolved run.
+
+namespace beadswim {
+
+/// Direction of the driving forces (2.1).
+enum class DrivingFrame {
+  lab,           ///< the external field's own direction, x, whatever the swimmer's orientation
+  initial_axis,  ///< each swimmer's own axis at the start
+  body,          ///< along the arms as they are: free of force and of torque
+};
+
+struct Bead {
+  double radius = 0;   ///< [length]
+  double density = 0;  ///< [mass/length^3]
+};
+
+struct Spring {
+  double stiffness = 0;    ///< k [mass/time^2]
+  double rest_length = 0;  ///< l, between bead centres [length]
+  double damping = 0;      ///< c of the dashpot beside the spring [mass/time]; 0: none
+};
+
+/// Driving forces (2.1): F1 = A sin(w t), F3 = B sin(w t + alpha), F2 = -(F1 + F3).
+struct Driving {
+  std::array<double, 2> amplitude{};  ///< A on bead 1, B on bead 3 [mass length/time^2]
+  double phase = 0;                   ///< alpha [radian]
+  double period = 0;                  ///< T = 2 pi / w [time]
+  DrivingFrame frame = DrivingFrame::lab;
+};
+
+/// Beads 1, 2, 3 in a line; springs[0] joins beads 1 and 2, springs[1] beads 2 and 3.
+struct SwimmerType {
+  std::array<Bead, 3> beads;
+  std::array<Spring, 2> springs;
+  double angular_stiffness = 0;  ///< K_A of U = K_A theta^2 / 2, theta between the arms [energy]
+  Driving driving;
+};
+
+}  // namespace beadswim

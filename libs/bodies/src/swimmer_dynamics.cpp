@@ -1,0 +1,88 @@
+#include "beadswim/bodies/swimmer_dynamics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace beadswim {
+namespace {
+
+struct Phase {
+  BeadVectors position, velocity;
+};
+
+/// d(position, velocity)/dt
+Phase rate_of_change(const Phase& phase, const SwimmerType& type, const Vec3& initial_axis,
+                     const SwimmerLoads& loads, double time) {
+  const BeadVectors spring = spring_forces(type.springs, phase.position, phase.velocity);
+  const BeadVectors angular = angular_spring_forces(type.angular_stiffness, phase.position);
+  const BeadVectors driving = driving_forces(type.driving, time, phase.position, initial_axis);
+  Phase rate;
+  for (int b = 0; b < 3; ++b) {
+    rate.position[b] = phase.velocity[b];
+    rate.velocity[b] = (spring[b] + angular[b] + driving[b] + loads[b].force) / mass(type.beads[b]);
+  }
+  return rate;
+}
+
+Phase moved(const Phase& phase, const Phase& rate, double interval) {
+  Phase result;
+  for (int b = 0; b < 3; ++b) {
+    result.position[b] = phase.position[b] + interval * rate.position[b];
+    result.velocity[b] = phase.velocity[b] + interval * rate.velocity[b];
+  }
+  return result;
+}
+
+}  // namespace
+
+double mass(const Bead& bead) {
+  return 4.0 / 3 * std::numbers::pi * std::pow(bead.radius, 3) * bead.density;
+}
+
+double moment_of_inertia(const Bead& bead) {
+  return 2.0 / 5 * mass(bead) * bead.radius * bead.radius;
+}
+
+int substeps_for(const SwimmerType& type, double step) {
+  const auto& [first, second] = type.springs;
+  const std::array m{mass(type.beads[0]), mass(type.beads[1]), mass(type.beads[2])};
+  // Gershgorin bounds of the stretching modes, for k and for c alike.
+  const auto stretching = [&m](double a, double b) {
+    return std::max({2 * a / m[0], 2 * (a + b) / m[1], 2 * b / m[2]});
+  };
+  // The bending mode moves the beads like (1/l1, -1/l1 - 1/l2, 1/l2).
+  const double g1 = 1 / first.rest_length, g3 = 1 / second.rest_length, g2 = g1 + g3;
+  const double bending = type.angular_stiffness * (g1 * g1 / m[0] + g2 * g2 / m[1] + g3 * g3 / m[2]);
+  const double frequency = std::sqrt(std::max(stretching(first.stiffness, second.stiffness), bending));
+  const double damping_rate = stretching(first.damping, second.damping);
+  return std::max(1, static_cast<int>(std::ceil(4 * step * std::max(frequency, damping_rate))));
+}
+
+void advance_swimmer(SwimmerMotion& motion, const SwimmerType& type, const Vec3& initial_axis,
+                     const SwimmerLoads& loads, double time, double step, int substeps) {
+  Phase phase;
+  for (int b = 0; b < 3; ++b) {
+    phase.position[b] = motion[b].position;
+    phase.velocity[b] = motion[b].velocity;
+  }
+  const double h = step / substeps;
+  for (int n = 0; n < substeps; ++n) {
+    const double t = time + n * h;
+    const auto rate = [&](const Phase& at, double when) {
+      return rate_of_change(at, type, initial_axis, loads, when);
+    };
+    const Phase k1 = rate(phase, t);
+    const Phase k2 = rate(moved(phase, k1, h / 2), t + h / 2);
+    const Phase k3 = rate(moved(phase, k2, h / 2), t + h / 2);
+    const Phase k4 = rate(moved(phase, k3, h), t + h);
+    phase = moved(moved(moved(moved(phase, k1, h / 6), k2, h / 3), k3, h / 3), k4, h / 6);
+  }
+  for (int b = 0; b < 3; ++b) {
+    motion[b].position = phase.position[b];
+    motion[b].velocity = phase.velocity[b];
+    motion[b].angular_velocity += step / moment_of_inertia(type.beads[b]) * loads[b].torque;
+  }
+}
+
+}  // namespace beadswim
