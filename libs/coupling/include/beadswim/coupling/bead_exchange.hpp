@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/coupling/bead_images.hpp"
+#include "beadswim/coupling/bead_on_lattice.hpp"
+#include "beadswim/coupling/scene.hpp"
+#include "beadswim/coupling/swimmer_state.hpp"
+
+namespace beadswim {
+
+/// Messages between the rank that owns a swimmer and those whose cells its beads touch.
+///
+/// The rank whose block holds bead 2 owns the swimmer. Each step it tells the ranks near its beads where they
+/// are (publish), and these return what their cells handed to the beads (collect). Ranks talk to a fixed set
+/// of peers, those within the reach of a swimmer's arms; nothing is global.
+class BeadExchange {
+ public:
+  BeadExchange(const Communicator& communicator, const Decomposition& decomposition,
+               const CoupledScene& scene);
+
+  /// Rank whose block holds a point given in unwrapped coordinates.
+  int owner_of(const Vec3& position) const;
+
+  /// Hands swimmers whose bead 2 has left the block to their new owners, and returns the beads near this
+  /// block, in order of their names. Throws SolverError if an arm is longer than twice its rest length.
+  std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
+
+  /// Returns this rank's impulses to the owners; the totals of owned swimmers' beads come back.
+  std::map<BeadName, Impulse> collect(std::span<const BeadOnLattice> beads);
+
+ private:
+  using Buffers = std::vector<std::vector<char>>;  ///< one a peer
+
+  std::vector<char> announcement(const std::vector<SwimmerState>& owned, int peer) const;
+  Buffers exchange(const Buffers& to_peers, int tag);
+
+  MPI_Comm comm_;
+  int rank_;
+  Decomposition decomposition_;
+  std::vector<BlockInLattice> blocks_;  ///< of all ranks
+  std::vector<int> peers_;
+  const std::vector<SwimmerType>& types_;
+};
+
+}  // namespace beadswim

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+
+#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/core/order_free_sum.hpp"
+#include "beadswim/core/vec3.hpp"
+
+namespace beadswim {
+
+/// Name of a bead in the whole scene.
+struct BeadName {
+  int swimmer = 0;  ///< id
+  int bead = 0;     ///< 0, 1, 2
+
+  auto operator<=>(const BeadName&) const = default;
+};
+
+/// Momentum and angular momentum handed to a bead, in a sum without order.
+struct Impulse {
+  std::array<OrderFreeSum, 3> linear, angular;
+
+  /// Adds the momentum p handed over at `from_centre`.
+  void add(const Vec3& p, const Vec3& from_centre) {
+    const Vec3 l = from_centre.cross(p);
+    for (int a = 0; a < 3; ++a) {
+      linear[a].add(p[a]);
+      angular[a].add(l[a]);
+    }
+  }
+  void add(const Impulse& other) {
+    for (int a = 0; a < 3; ++a) {
+      linear[a].add(other.linear[a]);
+      angular[a].add(other.angular[a]);
+    }
+  }
+  Load value() const {
+    return {Vec3(linear[0].value(), linear[1].value(), linear[2].value()),
+            Vec3(angular[0].value(), angular[1].value(), angular[2].value())};
+  }
+};
+
+/// A bead as the ranks see whose cells it touches.
+struct BeadOnLattice {
+  BeadName name;
+  int owner = 0;  ///< rank that advances it and gathers its impulses
+  double radius = 0;
+  BeadMotion motion;
+  Impulse impulse;  ///< from this rank's cells, since the last time the owner collected
+
+  /// Velocity of the rigid bead at a point relative to its centre.
+  Vec3 velocity_at(const Vec3& from_centre) const {
+    return motion.velocity + motion.angular_velocity.cross(from_centre);
+  }
+};
+
+}  // namespace beadswim

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "beadswim/coupling/bead_exchange.hpp"
+#include "beadswim/coupling/coverage.hpp"
+#include "beadswim/coupling/scene.hpp"
+#include "beadswim/coupling/swimmer_state.hpp"
+#include "beadswim/lattice/halo.hpp"
+#include "beadswim/lattice/populations.hpp"
+#include "beadswim/lattice/totals.hpp"
+#include "beadswim/lattice/trt.hpp"
+
+namespace beadswim {
+
+/// A bead faster than the limit: where a run must stop.
+struct SpeedFault {
+  long step = 0;
+  BeadName bead;
+  Vec3 position = Vec3::Zero();  ///< [cell]
+  double speed = 0;              ///< [cell/step]
+};
+
+/// Sums over the whole scene, in lattice units.
+struct SceneTotals {
+  Vec3 momentum = Vec3::Zero();   ///< of fluid and beads, and of impulses under way between them
+  Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity, covered cells moving with their bead
+  double fluid_density = 1;       ///< mean over uncovered cells
+};
+
+/// Fluid and swimmers on one lattice, advanced together. Lattice units throughout; all ranks of the
+/// communicator construct it and call its functions together.
+class CoupledSystem {
+ public:
+  /// Fluid and beads start at rest. Throws SolverError if beads overlap.
+  CoupledSystem(const CoupledScene& scene, const Communicator& communicator);
+
+  CoupledSystem(const CoupledSystem&) = delete;
+  CoupledSystem& operator=(const CoupledSystem&) = delete;
+
+  /// Advances everything by one step (coupled_step.cpp). Throws SolverError on this rank alone if something
+  /// became unphysical; the caller must then stop all ranks.
+  void step();
+
+  long steps_done() const { return steps_done_; }
+  const std::vector<SwimmerState>& owned_swimmers() const { return owned_; }
+  const Populations& populations() const { return populations_; }
+  const Decomposition& decomposition() const { return decomposition_; }
+  const Coverage& coverage() const { return coverage_; }
+  /// Beads that touch this rank's block; coverage() names them by their place in this list.
+  const std::vector<BeadOnLattice>& beads_here() const { return beads_; }
+
+  /// The earliest bead of any rank that went faster than 1/2 cell a step, if any (the paper's stop rule: a
+  /// bead must not cross half a cell in a step). Collective.
+  std::optional<SpeedFault> speed_fault() const;
+
+  /// All swimmers in order of their id, on rank 0; empty elsewhere. Collective.
+  std::vector<SwimmerState> gather_swimmers() const;
+
+  /// Collective. Throws SolverError if the fluid is no longer finite.
+  SceneTotals totals() const;
+
+ private:
+  void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
+  void watch_speed(const SwimmerState& swimmer);
+
+  const Communicator& communicator_;
+  CoupledScene scene_;
+  RelaxationRates rates_;
+  Decomposition decomposition_;
+  Populations populations_;
+  Halo halo_;
+  BeadExchange exchange_;
+  std::vector<int> substeps_;  ///< of each type
+  std::vector<SwimmerState> owned_;
+  std::vector<BeadOnLattice> beads_, beads_before_;
+  Coverage coverage_, coverage_before_;
+  std::optional<SpeedFault> speed_fault_;
+  long steps_done_ = 0;
+};
+
+}  // namespace beadswim

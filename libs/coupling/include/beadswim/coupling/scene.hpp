@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "beadswim/bodies/swimmer_type.hpp"
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/lattice/halo.hpp"
+
+namespace beadswim {
+
+/// A scene in lattice units: cell = step = mean fluid density = 1. Cell (i,j,k) is the cube from (i,j,k) to
+/// (i+1,j+1,k+1).
+struct CoupledScene {
+  struct Swimmer {
+    int id = 0;
+    int type = 0;                  ///< index into types
+    Vec3 position = Vec3::Zero();  ///< centre of bead 2
+    Vec3 axis = Vec3::UnitX();     ///< unit vector from bead 1 to bead 3
+  };
+
+  Index3 cells = Index3::Zero();
+  std::array<Wall, 3> walls{};
+  double relaxation_time = 1;
+  std::vector<SwimmerType> types;
+  std::vector<Swimmer> swimmers;
+};
+
+}  // namespace beadswim

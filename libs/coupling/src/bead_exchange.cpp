@@ -1,0 +1,189 @@
+#include "beadswim/coupling/bead_exchange.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "beadswim/core/error.hpp"
+#include "swimmer_message.hpp"
+
+namespace beadswim {
+namespace {
+
+/// A bead is announced to ranks this many cells off, so that a rank still hears of one that left it in this
+/// step.
+constexpr int margin = 2;
+
+/// An arm longer than this many rest lengths is torn.
+constexpr double longest_stretch = 2;
+
+constexpr int publish_tag = 1, collect_tag = 2;
+
+/// Farthest that a cell touched by a swimmer's bead may be from bead 2.
+double reach(const CoupledScene& scene) {
+  double farthest = 0;
+  for (const SwimmerType& type : scene.types) {
+    for (int arm = 0; arm < 2; ++arm) {
+      const double radius = std::max(type.beads[2 * arm].radius, type.beads[1].radius);
+      farthest = std::max(farthest, longest_stretch * type.springs[arm].rest_length + radius);
+    }
+  }
+  return farthest + margin + 1;
+}
+
+/// Whether two blocks are within `distance` of each other along every axis.
+bool within(const BlockInLattice& a, const BlockInLattice& b, double distance) {
+  const Vec3 centre = (b.block.offset.cast<double>() + 0.5 * b.block.size.cast<double>()).matrix();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double half = 0.5 * (a.block.size[axis] + b.block.size[axis]) + distance;
+    double gap = std::abs(a.block.offset[axis] + 0.5 * a.block.size[axis] - centre[axis]);
+    if (a.periodic[axis]) gap = std::min(gap, a.cells[axis] - gap);
+    if (gap > half) return false;
+  }
+  return true;
+}
+
+/// Throws SolverError if an arm is torn: its owner would no longer reach the ranks that its beads touch.
+void require_whole_arms(const SwimmerState& swimmer, const SwimmerType& type) {
+  for (int arm = 0; arm < 2; ++arm) {
+    const double length = (swimmer.motion[arm + 1].position - swimmer.motion[arm].position).norm();
+    const double longest = longest_stretch * type.springs[arm].rest_length;
+    if (length <= longest) continue;
+    throw SolverError(
+        fmt::format("arm {} of swimmer {} is {:.2f} cells long, over {} times its rest length; weaker "
+                    "driving or stiffer springs keep it whole",
+                    arm + 1, swimmer.id, length, longest_stretch));
+  }
+}
+
+void put(OutgoingMessage& message, const BeadOnLattice& bead) {
+  message.put(bead.name);
+  message.put(bead.owner);
+  message.put(bead.radius);
+  put(message, bead.motion);
+}
+
+void get(IncomingMessage& message, BeadOnLattice& bead) {
+  message.get(bead.name);
+  message.get(bead.owner);
+  message.get(bead.radius);
+  get(message, bead.motion);
+}
+
+}  // namespace
+
+BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition& decomposition,
+                           const CoupledScene& scene)
+    : comm_(communicator.get()),
+      rank_(communicator.rank()),
+      decomposition_(decomposition),
+      types_(scene.types) {
+  for (int r = 0; r < communicator.size(); ++r) {
+    blocks_.push_back(block_in_lattice(decomposition, r, scene.walls));
+  }
+  for (int r = 0; r < communicator.size(); ++r) {
+    if (within(blocks_[rank_], blocks_[r], reach(scene))) peers_.push_back(r);
+  }
+}
+
+int BeadExchange::owner_of(const Vec3& position) const {
+  Index3 cell = position.array().floor().cast<int>();
+  const Index3& cells = decomposition_.cells();
+  for (int a = 0; a < 3; ++a) cell[a] = ((cell[a] % cells[a]) + cells[a]) % cells[a];
+  return decomposition_.rank_of_cell(cell);
+}
+
+std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owned) {
+  Buffers to_peers(peers_.size());
+  std::vector<SwimmerState> staying;
+  for (const SwimmerState& swimmer : owned) {
+    require_whole_arms(swimmer, types_[swimmer.type]);
+    if (owner_of(swimmer.motion[1].position) == rank_) staying.push_back(swimmer);
+  }
+  for (std::size_t p = 0; p < peers_.size(); ++p) to_peers[p] = announcement(owned, peers_[p]);
+  owned = std::move(staying);
+
+  std::vector<BeadOnLattice> beads;
+  for (std::vector<char>& bytes : exchange(to_peers, publish_tag)) {
+    IncomingMessage message(std::move(bytes));
+    int arrivals = 0;
+    message.get(arrivals);
+    while (arrivals-- > 0) get(message, owned.emplace_back());
+    while (!message.is_at_end()) get(message, beads.emplace_back());
+  }
+  std::ranges::sort(owned, {}, &SwimmerState::id);
+  std::ranges::sort(beads, {}, &BeadOnLattice::name);
+  return beads;
+}
+
+std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& owned, int peer) const {
+  std::vector<const SwimmerState*> departing;
+  OutgoingMessage beads;
+  for (const SwimmerState& swimmer : owned) {
+    const int owner = owner_of(swimmer.motion[1].position);
+    if (owner == peer && owner != rank_) departing.push_back(&swimmer);
+    for (int b = 0; b < 3; ++b) {
+      const BeadOnLattice bead{.name = {swimmer.id, b},
+                               .owner = owner,
+                               .radius = types_[swimmer.type].beads[b].radius,
+                               .motion = swimmer.motion[b],
+                               .impulse = {}};
+      if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) put(beads, bead);
+    }
+  }
+  OutgoingMessage message;
+  message.put(static_cast<int>(departing.size()));
+  for (const SwimmerState* swimmer : departing) put(message, *swimmer);
+  message.append(beads);
+  return message.bytes();
+}
+
+std::map<BeadName, Impulse> BeadExchange::collect(std::span<const BeadOnLattice> beads) {
+  std::vector<OutgoingMessage> messages(peers_.size());
+  for (const BeadOnLattice& bead : beads) {
+    const auto peer = std::ranges::lower_bound(peers_, bead.owner) - peers_.begin();
+    messages[peer].put(bead.name);
+    messages[peer].put(bead.impulse);
+  }
+  Buffers to_peers;
+  for (const OutgoingMessage& message : messages) to_peers.push_back(message.bytes());
+
+  std::map<BeadName, Impulse> totals;
+  for (std::vector<char>& bytes : exchange(to_peers, collect_tag)) {
+    IncomingMessage message(std::move(bytes));
+    while (!message.is_at_end()) {
+      BeadName name;
+      Impulse impulse;
+      message.get(name);
+      message.get(impulse);
+      totals[name].add(impulse);
+    }
+  }
+  return totals;
+}
+
+BeadExchange::Buffers BeadExchange::exchange(const Buffers& to_peers, int tag) {
+  std::vector<MPI_Request> requests;
+  for (std::size_t p = 0; p < peers_.size(); ++p) {
+    if (peers_[p] == rank_) continue;
+    MPI_Isend(to_peers[p].data(), static_cast<int>(to_peers[p].size()), MPI_BYTE, peers_[p], tag, comm_,
+              &requests.emplace_back());
+  }
+  Buffers from_peers(peers_.size());
+  for (std::size_t p = 0; p < peers_.size(); ++p) {
+    if (peers_[p] == rank_) {
+      from_peers[p] = to_peers[p];
+      continue;
+    }
+    MPI_Status status;
+    MPI_Probe(peers_[p], tag, comm_, &status);
+    int bytes = 0;
+    MPI_Get_count(&status, MPI_BYTE, &bytes);
+    from_peers[p].resize(bytes);
+    MPI_Recv(from_peers[p].data(), bytes, MPI_BYTE, peers_[p], tag, comm_, MPI_STATUS_IGNORE);
+  }
+  MPI_Waitall(static_cast<int>(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  return from_peers;
+}
+
+}  // namespace beadswim

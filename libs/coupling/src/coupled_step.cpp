@@ -1,0 +1,51 @@
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/coupling/bead_boundary.hpp"
+#include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/lattice/sweep.hpp"
+
+// The method, step by step. Populations are kept as they are after collision at time n; a step takes fluid
+// and beads from n to n + 1. See docs/method/coupled-step.md.
+
+namespace beadswim {
+
+void CoupledSystem::step() {
+  // Fluid: what streams in from neighbours, walls and beads, then streaming and collision of all cells.
+  halo_.fill(populations_);
+  bounce_back_at_beads(populations_, coverage_, beads_);
+  stream_and_collide(populations_, rates_);
+  reset_covered_cells(populations_, coverage_, beads_);
+
+  // Beads: the fluid's impulses go to the swimmers' owners, who move them and tell where they are.
+  advance_swimmers(exchange_.collect(beads_));
+  std::swap(beads_before_, beads_);
+  beads_ = exchange_.publish(owned_);
+
+  // Cells that changed hands.
+  std::swap(coverage_before_, coverage_);
+  coverage_.update(beads_);
+  exchange_momentum_of_changed_cells(populations_, coverage_before_, beads_before_, coverage_, beads_);
+  ++steps_done_;
+}
+
+void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses) {
+  for (SwimmerState& swimmer : owned_) {
+    // The mean of two steps' impulses: a staircase answers alternate steps differently (Ladd 1994, section
+    // 4).
+    SwimmerLoads loads;
+    for (int b = 0; b < 3; ++b) {
+      const Load impulse = impulses.at({swimmer.id, b}).value();
+      loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
+      loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
+      swimmer.last_impulse[b] = impulse;
+    }
+    advance_swimmer(swimmer.motion, scene_.types[swimmer.type], swimmer.initial_axis, loads,
+                    static_cast<double>(steps_done_), 1, substeps_[swimmer.type]);
+    watch_speed(swimmer);
+  }
+}
+
+}  // namespace beadswim

@@ -1,0 +1,129 @@
+#include "beadswim/coupling/coupled_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "beadswim/core/error.hpp"
+#include "swimmer_message.hpp"
+
+namespace beadswim {
+namespace {
+
+/// The paper's limit [cell/step].
+constexpr double largest_bead_speed = 0.5;
+
+SwimmerState at_rest(const CoupledScene& scene, const CoupledScene::Swimmer& swimmer) {
+  const SwimmerType& type = scene.types[swimmer.type];
+  SwimmerState state{
+      .id = swimmer.id, .type = swimmer.type, .initial_axis = swimmer.axis, .motion = {}, .last_impulse = {}};
+  state.motion[0].position = swimmer.position - type.springs[0].rest_length * swimmer.axis;
+  state.motion[1].position = swimmer.position;
+  state.motion[2].position = swimmer.position + type.springs[1].rest_length * swimmer.axis;
+  return state;
+}
+
+}  // namespace
+
+CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& communicator)
+    : communicator_(communicator),
+      scene_(scene),
+      rates_(relaxation_rates(scene.relaxation_time)),
+      decomposition_(scene.cells, communicator.size()),
+      populations_(decomposition_.block(communicator.rank()).size),
+      halo_(communicator, decomposition_, scene.walls),
+      exchange_(communicator, decomposition_, scene_),
+      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_),
+      coverage_before_(coverage_) {
+  for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
+  for (const CoupledScene::Swimmer& swimmer : scene_.swimmers) {
+    if (exchange_.owner_of(swimmer.position) == communicator.rank())
+      owned_.push_back(at_rest(scene_, swimmer));
+  }
+  beads_ = exchange_.publish(owned_);
+  coverage_.update(beads_);
+}
+
+void CoupledSystem::watch_speed(const SwimmerState& swimmer) {
+  for (int b = 0; b < 3 && !speed_fault_; ++b) {
+    const double speed = swimmer.motion[b].velocity.norm();
+    if (speed <= largest_bead_speed) continue;
+    speed_fault_ = SpeedFault{
+        .step = steps_done_, .bead = {swimmer.id, b}, .position = swimmer.motion[b].position, .speed = speed};
+  }
+}
+
+std::optional<SpeedFault> CoupledSystem::speed_fault() const {
+  struct {
+    double step;
+    int rank;
+  } earliest{speed_fault_ ? static_cast<double>(speed_fault_->step) : std::numeric_limits<double>::infinity(),
+             communicator_.rank()};
+  MPI_Allreduce(MPI_IN_PLACE, &earliest, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator_.get());
+  if (std::isinf(earliest.step)) return std::nullopt;
+
+  SpeedFault fault = speed_fault_.value_or(SpeedFault{});
+  std::array<double, 7> plain{static_cast<double>(fault.step),
+                              static_cast<double>(fault.bead.swimmer),
+                              static_cast<double>(fault.bead.bead),
+                              fault.position[0],
+                              fault.position[1],
+                              fault.position[2],
+                              fault.speed};
+  MPI_Bcast(plain.data(), plain.size(), MPI_DOUBLE, earliest.rank, communicator_.get());
+  return SpeedFault{.step = static_cast<long>(plain[0]),
+                    .bead = {static_cast<int>(plain[1]), static_cast<int>(plain[2])},
+                    .position = Vec3(plain[3], plain[4], plain[5]),
+                    .speed = plain[6]};
+}
+
+std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
+  OutgoingMessage message;
+  for (const SwimmerState& swimmer : owned_) put(message, swimmer);
+  const int bytes = static_cast<int>(message.bytes().size());
+  std::vector<int> sizes(communicator_.size()), starts(communicator_.size());
+  MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator_.get());
+  std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
+  std::vector<char> all(communicator_.is_root() ? starts.back() + sizes.back() : 0);
+  MPI_Gatherv(message.bytes().data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
+              communicator_.get());
+
+  std::vector<SwimmerState> swimmers;
+  IncomingMessage gathered(std::move(all));
+  while (!gathered.is_at_end()) get(gathered, swimmers.emplace_back());
+  std::ranges::sort(swimmers, {}, &SwimmerState::id);
+  return swimmers;
+}
+
+SceneTotals CoupledSystem::totals() const {
+  FluidTotals fluid, everywhere;  // `everywhere`: all cells, covered ones included
+  OrderFreeSum fluid_cells;
+  for_each_cell(populations_, [&](const Index3&, std::ptrdiff_t cell) {
+    const CellMoments moments = cell_moments(populations_, cell);
+    everywhere.add(moments);
+    if (coverage_.bead_at(cell) != Coverage::fluid) return;
+    fluid.add(moments);
+    fluid_cells.add(1);
+  });
+  FluidTotals others;  // beads, and impulses that the fluid has given up and the beads have not yet had
+  for (const SwimmerState& swimmer : owned_) {
+    for (int b = 0; b < 3; ++b) {
+      const double m = mass(scene_.types[swimmer.type].beads[b]);
+      others.add({.density_deviation = 0, .momentum = m * swimmer.motion[b].velocity});
+      others.add({.density_deviation = 0, .momentum = 0.5 * swimmer.last_impulse[b].force});
+    }
+  }
+  for (const BeadOnLattice& bead : beads_) others.add({0, bead.impulse.value().force});
+
+  others.density_deviation = fluid_cells;  // travels in the free place
+  fluid = sum_over_ranks(fluid, communicator_);
+  others = sum_over_ranks(others, communicator_);
+  everywhere = sum_over_ranks(everywhere, communicator_);
+  const double cells = scene_.cells.cast<double>().prod();
+  return {.momentum = fluid.momentum_value() + others.momentum_value(),
+          .mean_flow = everywhere.momentum_value() / cells,
+          .fluid_density = 1 + fluid.density_deviation.value() / others.density_deviation.value()};
+}
+
+}  // namespace beadswim

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstring>
+#include <type_traits>
+#include <vector>
+
+#include "beadswim/core/vec3.hpp"
+
+// Byte messages of plain values.
+
+namespace beadswim {
+
+class OutgoingMessage {
+ public:
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void put(const T& value) {
+    const auto* bytes = reinterpret_cast<const char*>(&value);
+    bytes_.insert(bytes_.end(), bytes, bytes + sizeof(T));
+  }
+  void put(const Vec3& v) {
+    for (int a = 0; a < 3; ++a) put(v[a]);
+  }
+
+  void append(const OutgoingMessage& other) {
+    bytes_.insert(bytes_.end(), other.bytes_.begin(), other.bytes_.end());
+  }
+
+  const std::vector<char>& bytes() const { return bytes_; }
+
+ private:
+  std::vector<char> bytes_;
+};
+
+class IncomingMessage {
+ public:
+  explicit IncomingMessage(std::vector<char> bytes) : bytes_(std::move(bytes)) {}
+
+  template <class T>
+  requires std::is_trivially_copyable_v<T>
+  void get(T& value) {
+    std::memcpy(&value, bytes_.data() + read_, sizeof(T));
+    read_ += sizeof(T);
+  }
+  void get(Vec3& v) {
+    for (int a = 0; a < 3; ++a) get(v[a]);
+  }
+  bool is_at_end() const { return read_ == bytes_.size(); }
+
+ private:
+  std::vector<char> bytes_;
+  std::size_t read_ = 0;
+};
+
+}  // namespace beadswim
