@@ -24,7 +24,17 @@ struct FluidBox {
   void step() {
     halo.fill(populations);
     stream_and_collide(populations, rates);
-    if (body_force != Vec3::Zero()) add_body_force();
+    add_body_force();
+  }
+
+  void add_body_force() {
+    if (body_force == Vec3::Zero()) return;
+    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
+      for (int i = 1; i < d3q19::directions; ++i) {
+        const auto& c = d3q19::velocity[i];
+        populations.outgoing(i, cell) += 3 * d3q19::weight(i) * body_force.dot(Vec3(c[0], c[1], c[2]));
+      }
+    });
   }
 
   void steps(int count) {
@@ -51,16 +61,6 @@ struct FluidBox {
   Halo halo;
   RelaxationRates rates;
   Vec3 body_force = Vec3::Zero();
-
- private:
-  void add_body_force() {
-    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
-      for (int i = 1; i < d3q19::directions; ++i) {
-        const auto& c = d3q19::velocity[i];
-        populations.outgoing(i, cell) += 3 * d3q19::weight(i) * body_force.dot(Vec3(c[0], c[1], c[2]));
-      }
-    });
-  }
 };
 
 }  // namespace beadswim::test

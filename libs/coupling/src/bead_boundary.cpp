@@ -27,9 +27,12 @@ void bounce_back_at_beads(Populations& populations, Coverage& coverage, std::spa
       density_sum += weighted_density_deviation(in, outgoing, wall_velocity);
       weight_sum += d3q19::weight(in);
       if (own_neighbour) {
-        const double returned = bounced(in, outgoing, wall_velocity);
+        const double weight = d3q19::weight(in);
+        const double returned = bounced(in, outgoing, wall_velocity) + weight * bead.mass_source;
         populations.incoming(out, neighbour) = returned;
         bead.impulse.add(link_impulse(in, outgoing, returned), link_centre);
+        bead.impulse.mass.add(outgoing - returned);
+        bead.impulse.link_weight.add(weight);
       }
     }
     covered.density_deviation = weight_sum > 0 ? density_sum / weight_sum : 0;
@@ -45,12 +48,15 @@ void reset_covered_cells(Populations& populations, const Coverage& coverage,
   }
 }
 
-void exchange_momentum_of_changed_cells(const Populations& populations, const Coverage& before,
-                                        std::span<const BeadOnLattice> before_beads, const Coverage& now,
-                                        std::span<BeadOnLattice> beads) {
+void hand_over_changed_cells(const Populations& populations, const Coverage& before,
+                             std::span<const BeadOnLattice> before_beads, const Coverage& now,
+                             std::span<BeadOnLattice> beads) {
   for (const CoveredCell& covered : now.cells()) {
     if (!now.is_own(covered.local) || before.bead_at(covered.cell) != Coverage::fluid) continue;
-    beads[covered.bead].impulse.add(cell_moments(populations, covered.cell).momentum, covered.from_centre);
+    const CellMoments fluid = cell_moments(populations, covered.cell);
+    Impulse& impulse = beads[covered.bead].impulse;
+    impulse.add(fluid.momentum, covered.from_centre);
+    impulse.mass.add(fluid.density_deviation);
   }
   for (const CoveredCell& uncovered : before.cells()) {
     if (!before.is_own(uncovered.local) || now.bead_at(uncovered.cell) != Coverage::fluid) continue;
@@ -59,7 +65,9 @@ void exchange_momentum_of_changed_cells(const Populations& populations, const Co
     if (bead == beads.end() || bead->name != name) {
       throw SolverError("a bead moved farther than a cell in one step");
     }
-    bead->impulse.add(-cell_moments(populations, uncovered.cell).momentum, uncovered.from_centre);
+    const CellMoments fluid = cell_moments(populations, uncovered.cell);
+    bead->impulse.add(-fluid.momentum, uncovered.from_centre);
+    bead->impulse.mass.add(-fluid.density_deviation);
   }
 }
 

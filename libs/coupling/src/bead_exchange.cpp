@@ -60,6 +60,7 @@ void put(OutgoingMessage& message, const BeadOnLattice& bead) {
   message.put(bead.name);
   message.put(bead.owner);
   message.put(bead.radius);
+  message.put(bead.mass_source);
   put(message, bead.motion);
 }
 
@@ -67,6 +68,7 @@ void get(IncomingMessage& message, BeadOnLattice& bead) {
   message.get(bead.name);
   message.get(bead.owner);
   message.get(bead.radius);
+  message.get(bead.mass_source);
   get(message, bead.motion);
 }
 
@@ -127,6 +129,7 @@ std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& ow
                                .owner = owner,
                                .radius = types_[swimmer.type].beads[b].radius,
                                .motion = swimmer.motion[b],
+                               .mass_source = swimmer.mass_source[b],
                                .impulse = {}};
       if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) put(beads, bead);
     }

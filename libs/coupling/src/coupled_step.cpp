@@ -27,7 +27,7 @@ void CoupledSystem::step() {
   // Cells that changed hands.
   std::swap(coverage_before_, coverage_);
   coverage_.update(beads_);
-  exchange_momentum_of_changed_cells(populations_, coverage_before_, beads_before_, coverage_, beads_);
+  hand_over_changed_cells(populations_, coverage_before_, beads_before_, coverage_, beads_);
   ++steps_done_;
 }
 
@@ -37,10 +37,15 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
     // 4).
     SwimmerLoads loads;
     for (int b = 0; b < 3; ++b) {
-      const Load impulse = impulses.at({swimmer.id, b}).value();
+      const Impulse& from_fluid = impulses.at({swimmer.id, b});
+      const Load impulse = from_fluid.value();
       loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
       loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
+      // What fluid mass the bead has come to hold, its links return in the next step, alike in all
+      // directions.
+      swimmer.held_mass[b] += from_fluid.mass.value();
+      swimmer.mass_source[b] = swimmer.held_mass[b] / from_fluid.link_weight.value();
     }
     advance_swimmer(swimmer.motion, scene_.types[swimmer.type], swimmer.initial_axis, loads,
                     static_cast<double>(steps_done_), 1, substeps_[swimmer.type]);

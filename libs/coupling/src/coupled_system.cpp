@@ -97,33 +97,29 @@ std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
 }
 
 SceneTotals CoupledSystem::totals() const {
-  FluidTotals fluid, everywhere;  // `everywhere`: all cells, covered ones included
-  OrderFreeSum fluid_cells;
+  FluidTotals everything;  // fluid, beads, and what the fluid has given up and the beads have not yet had
+  FluidTotals all_cells;   // covered ones included
   for_each_cell(populations_, [&](const Index3&, std::ptrdiff_t cell) {
     const CellMoments moments = cell_moments(populations_, cell);
-    everywhere.add(moments);
-    if (coverage_.bead_at(cell) != Coverage::fluid) return;
-    fluid.add(moments);
-    fluid_cells.add(1);
+    all_cells.add(moments);
+    if (coverage_.bead_at(cell) == Coverage::fluid) everything.add(moments);
   });
-  FluidTotals others;  // beads, and impulses that the fluid has given up and the beads have not yet had
   for (const SwimmerState& swimmer : owned_) {
     for (int b = 0; b < 3; ++b) {
       const double m = mass(scene_.types[swimmer.type].beads[b]);
-      others.add({.density_deviation = 0, .momentum = m * swimmer.motion[b].velocity});
-      others.add({.density_deviation = 0, .momentum = 0.5 * swimmer.last_impulse[b].force});
+      everything.add({.density_deviation = swimmer.held_mass[b], .momentum = m * swimmer.motion[b].velocity});
+      everything.add({.density_deviation = 0, .momentum = 0.5 * swimmer.last_impulse[b].force});
     }
   }
-  for (const BeadOnLattice& bead : beads_) others.add({0, bead.impulse.value().force});
-
-  others.density_deviation = fluid_cells;  // travels in the free place
-  fluid = sum_over_ranks(fluid, communicator_);
-  others = sum_over_ranks(others, communicator_);
-  everywhere = sum_over_ranks(everywhere, communicator_);
+  for (const BeadOnLattice& bead : beads_) {
+    everything.add({.density_deviation = bead.impulse.mass.value(), .momentum = bead.impulse.value().force});
+  }
+  everything = sum_over_ranks(everything, communicator_);
+  all_cells = sum_over_ranks(all_cells, communicator_);
   const double cells = scene_.cells.cast<double>().prod();
-  return {.momentum = fluid.momentum_value() + others.momentum_value(),
-          .mean_flow = everywhere.momentum_value() / cells,
-          .fluid_density = 1 + fluid.density_deviation.value() / others.density_deviation.value()};
+  return {.momentum = everything.momentum_value(),
+          .mean_flow = all_cells.momentum_value() / cells,
+          .mass_excess = everything.density_deviation.value() / cells};
 }
 
 }  // namespace beadswim

@@ -72,6 +72,8 @@ std::string state_sha256(const CoupledSystem& system, const Communicator& commun
   }
   for (const SwimmerState& swimmer : system.gather_swimmers()) {
     for (int b = 0; b < 3; ++b) {
+      const std::array held{swimmer.held_mass[b], swimmer.mass_source[b]};
+      hash.update(std::as_bytes(std::span(held)));
       const BeadMotion& motion = swimmer.motion[b];
       const Load& impulse = swimmer.last_impulse[b];
       for (const Vec3& v :

@@ -25,6 +25,8 @@ inline void put(OutgoingMessage& message, const SwimmerState& swimmer) {
   message.put(swimmer.initial_axis);
   for (int b = 0; b < 3; ++b) {
     put(message, swimmer.motion[b]);
+    message.put(swimmer.held_mass[b]);
+    message.put(swimmer.mass_source[b]);
     message.put(swimmer.last_impulse[b].force);
     message.put(swimmer.last_impulse[b].torque);
   }
@@ -36,6 +38,8 @@ inline void get(IncomingMessage& message, SwimmerState& swimmer) {
   message.get(swimmer.initial_axis);
   for (int b = 0; b < 3; ++b) {
     get(message, swimmer.motion[b]);
+    message.get(swimmer.held_mass[b]);
+    message.get(swimmer.mass_source[b]);
     message.get(swimmer.last_impulse[b].force);
     message.get(swimmer.last_impulse[b].torque);
   }

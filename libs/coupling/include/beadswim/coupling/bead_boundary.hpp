@@ -20,11 +20,11 @@ void bounce_back_at_beads(Populations& populations, Coverage& coverage, std::spa
 void reset_covered_cells(Populations& populations, const Coverage& coverage,
                          std::span<const BeadOnLattice> beads);
 
-/// Momentum that changes hands as `before` gives way to `now`: a bead takes over the momentum of the fluid
-/// that it covers, and leaves behind that of the cells that it uncovers (Aidun, Lu & Ding 1998, section 3.3).
+/// What changes hands as `before` gives way to `now`: a bead takes over momentum and mass of the fluid that
+/// it covers, and leaves behind those of the cells that it uncovers (Aidun, Lu & Ding 1998, section 3.3).
 /// `beads`: those of `now`; `before_beads`: those of `before`.
-void exchange_momentum_of_changed_cells(const Populations& populations, const Coverage& before,
-                                        std::span<const BeadOnLattice> before_beads, const Coverage& now,
-                                        std::span<BeadOnLattice> beads);
+void hand_over_changed_cells(const Populations& populations, const Coverage& before,
+                             std::span<const BeadOnLattice> before_beads, const Coverage& now,
+                             std::span<BeadOnLattice> beads);
 
 }  // namespace beadswim

@@ -16,9 +16,11 @@ struct BeadName {
   auto operator<=>(const BeadName&) const = default;
 };
 
-/// Momentum and angular momentum handed to a bead, in a sum without order.
+/// What the fluid hands to a bead, in sums without order.
 struct Impulse {
-  std::array<OrderFreeSum, 3> linear, angular;
+  std::array<OrderFreeSum, 3> linear, angular;  ///< momentum, and angular momentum about the centre
+  OrderFreeSum mass;                            ///< of fluid, over that of as many cells at density 1
+  OrderFreeSum link_weight;                     ///< sum of w_i over the bead's links
 
   /// Adds the momentum p handed over at `from_centre`.
   void add(const Vec3& p, const Vec3& from_centre) {
@@ -33,6 +35,8 @@ struct Impulse {
       linear[a].add(other.linear[a]);
       angular[a].add(other.angular[a]);
     }
+    mass.add(other.mass);
+    link_weight.add(other.link_weight);
   }
   Load value() const {
     return {Vec3(linear[0].value(), linear[1].value(), linear[2].value()),
@@ -46,7 +50,8 @@ struct BeadOnLattice {
   int owner = 0;  ///< rank that advances it and gathers its impulses
   double radius = 0;
   BeadMotion motion;
-  Impulse impulse;  ///< from this rank's cells, since the last time the owner collected
+  double mass_source = 0;  ///< fluid mass that each link returns in this step, over its weight w_i
+  Impulse impulse;         ///< from this rank's cells, since the last time the owner collected
 
   /// Velocity of the rigid bead at a point relative to its centre.
   Vec3 velocity_at(const Vec3& from_centre) const {

@@ -26,7 +26,7 @@ struct SpeedFault {
 struct SceneTotals {
   Vec3 momentum = Vec3::Zero();   ///< of fluid and beads, and of impulses under way between them
   Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity, covered cells moving with their bead
-  double fluid_density = 1;       ///< mean over uncovered cells
+  double mass_excess = 0;  ///< of fluid over density 1, and of what beads hold of it, over all cells' mass
 };
 
 /// Fluid and swimmers on one lattice, advanced together. Lattice units throughout; all ranks of the

@@ -10,7 +10,9 @@ struct SwimmerState {
   int type = 0;  ///< index into CoupledScene::types
   Vec3 initial_axis = Vec3::UnitX();
   SwimmerMotion motion;
-  SwimmerLoads last_impulse;  ///< handed over by the fluid in the step before
+  std::array<double, 3> held_mass{};    ///< of fluid that covered cells had over density 1, to be returned
+  std::array<double, 3> mass_source{};  ///< BeadOnLattice::mass_source of the coming step
+  SwimmerLoads last_impulse;            ///< handed over by the fluid in the step before
 };
 
 }  // namespace beadswim

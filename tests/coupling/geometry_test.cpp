@@ -1,0 +1,104 @@
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "beadswim/coupling/bead_images.hpp"
+#include "beadswim/coupling/lattice_scales.hpp"
+#include "beadswim/lattice/trt.hpp"
+
+namespace beadswim {
+namespace {
+
+/// All (cell, image) pairs of a block and its halo that lie within a bead, by looking at every cell and
+/// image.
+using Covered = std::set<std::array<int, 6>>;
+
+Covered covered_by_search(const BlockInLattice& at, const Vec3& position, double radius) {
+  Covered covered;
+  const Index3 n = at.block.size;
+  for (int z = -1; z <= n[2]; ++z) {
+    for (int y = -1; y <= n[1]; ++y) {
+      for (int x = -1; x <= n[0]; ++x) {
+        for (int i = 0; i < 9 * 9 * 9; ++i) {
+          const Index3 k(i % 9 - 4, i / 9 % 9 - 4, i / 81 - 4);
+          const Index3 unwrapped = Index3(x, y, z) + at.block.offset + k * at.cells;
+          if ((unwrapped.cast<double>().matrix() + Vec3::Constant(0.5) - position).norm() < radius) {
+            covered.insert({x, y, z, unwrapped[0], unwrapped[1], unwrapped[2]});
+          }
+        }
+      }
+    }
+  }
+  return covered;
+}
+
+Covered covered_by_images(const BlockInLattice& at, const Vec3& position, double radius) {
+  Covered covered;
+  for_each_image(at, 1, position, radius, [&](const BeadImage& image) {
+    for (int z = image.low[2]; z < image.high[2]; ++z) {
+      for (int y = image.low[1]; y < image.high[1]; ++y) {
+        for (int x = image.low[0]; x < image.high[0]; ++x) {
+          const Index3 unwrapped = Index3(x, y, z) + image.shift;
+          if ((unwrapped.cast<double>().matrix() + Vec3::Constant(0.5) - position).norm() < radius) {
+            covered.insert({x, y, z, unwrapped[0], unwrapped[1], unwrapped[2]});
+          }
+        }
+      }
+    }
+  });
+  return covered;
+}
+
+// Catches an image missed at a face, an edge, a corner or many periods away. Seed 1.
+TEST(BeadImages, AreThoseFoundBySearchingAllCells) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-22, 22);
+  for (const int rank : {0, 1, 3}) {
+    const BlockInLattice at = block_in_lattice(Decomposition(Index3(9, 8, 7), 4), rank,
+                                               {Wall::periodic, Wall::periodic, Wall::periodic});
+    for (int trial = 0; trial < 60; ++trial) {
+      const Vec3 position(coordinate(random), coordinate(random), coordinate(random));
+      ASSERT_EQ(covered_by_images(at, position, 2.3), covered_by_search(at, position, 2.3))
+          << position.transpose();
+    }
+  }
+}
+
+// At the paper's own resolution the lattice's numbers are the layout's.
+TEST(LatticeScales, AreOneAtThePapersOwnResolution) {
+  const LatticeChoice choice = choose_lattice(4, 4, 1.5, 1, 1.0 / 3, 4800);
+  EXPECT_EQ(choice.scales.cell, 1);
+  EXPECT_EQ(choice.scales.step, 1);
+  EXPECT_EQ(choice.relaxation_time, 1.5);
+  EXPECT_EQ(choice.steps_per_period, 4800);
+}
+
+// Dimensionless numbers are the same in both units, and a period is a whole number of steps.
+TEST(LatticeScales, KeepDimensionlessNumbers) {
+  SwimmerType type;
+  type.beads.fill({.radius = 2.5e-6, .density = 1100});
+  type.springs.fill({.stiffness = 3e-6, .rest_length = 14e-6, .damping = 2e-9});
+  type.angular_stiffness = 5e-15;
+  type.driving = {.amplitude = {4e-12, 5e-12}, .phase = 1, .period = 0.0123, .frame = DrivingFrame::lab};
+  const double nu = 1e-6, rho = 998;
+  const LatticeChoice choice = choose_lattice(2.5e-6, 5, 0.9, rho, nu, type.driving.period);
+  const SwimmerType lattice = in_lattice_units(type, choice.scales);
+  const double nu_lu = lattice_viscosity(choice.relaxation_time);
+
+  constexpr double roundoff = 1e-12;
+  const auto expect_same = [&](double si, double lu) { EXPECT_NEAR(lu / si, 1, roundoff); };
+  expect_same(type.driving.amplitude[0] / (rho * nu * nu), lattice.driving.amplitude[0] / (nu_lu * nu_lu));
+  expect_same(type.springs[0].stiffness * type.driving.period / (rho * nu * 2.5e-6),
+              lattice.springs[0].stiffness * lattice.driving.period / (nu_lu * lattice.beads[0].radius));
+  expect_same(type.springs[0].damping / (rho * nu * 2.5e-6),
+              lattice.springs[0].damping / (nu_lu * lattice.beads[0].radius));
+  expect_same(type.angular_stiffness / (rho * nu * nu * 2.5e-6),
+              lattice.angular_stiffness / (nu_lu * nu_lu * lattice.beads[0].radius));
+  expect_same(1100.0 / 998, lattice.beads[0].density);
+  expect_same(static_cast<double>(choice.steps_per_period), lattice.driving.period);
+  EXPECT_NEAR(choice.relaxation_time, 0.9, 0.01);
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <numbers>
+
+#include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/coupling/scene.hpp"
+
+namespace beadswim::test {
+
+/// A small strongly driven swimmer, radius 2, arms 7, in a periodic box.
+inline CoupledScene small_swimmer(const Index3& cells, const Vec3& position, const Vec3& axis) {
+  SwimmerType type;
+  type.beads.fill({.radius = 2.2, .density = 1});
+  type.springs.fill({.stiffness = 0.05, .rest_length = 7, .damping = 0});
+  type.angular_stiffness = 25;
+  type.driving = {.amplitude = {0.4, 0.4},
+                  .phase = std::numbers::pi / 2,
+                  .period = 120,
+                  .frame = DrivingFrame::initial_axis};
+  return {.cells = cells,
+          .walls = {Wall::periodic, Wall::periodic, Wall::periodic},
+          .relaxation_time = 1.2,
+          .types = {type},
+          .swimmers = {{.id = 0, .type = 0, .position = position, .axis = axis}}};
+}
+
+inline void advance(CoupledSystem& system, int steps) {
+  for (int n = 0; n < steps; ++n) system.step();
+}
+
+}  // namespace beadswim::test

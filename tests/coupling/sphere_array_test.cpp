@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "fixed_sphere.hpp"
+
+namespace beadswim::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double tau = 1.5;
+
+/// Drag coefficient K of a simple-cubic array of spheres: F = 6 pi eta R K U, U the superficial velocity, F
+/// the body force on the whole cell (it includes the mean pressure gradient on the sphere's volume).
+double array_drag(double volume_fraction, double cells_per_diameter, const Vec3& offset) {
+  const double per_edge = std::cbrt(6 * volume_fraction / pi);  // diameter / spacing
+  const int edge = static_cast<int>(std::lround(cells_per_diameter / per_edge));
+  const double radius = 0.5 * per_edge * edge;
+  FixedSphere sphere(edge, radius, Vec3::Constant(edge / 2.0) + offset, tau);
+  constexpr double g = 1e-6;
+  sphere.fluid.body_force = Vec3(g, 0, 0);
+
+  double superficial = 0, before = 1;
+  while (std::abs(superficial - before) > 1e-7 * std::abs(superficial)) {
+    for (int n = 0; n < 200; ++n) sphere.step();
+    before = superficial;
+    superficial = 0;
+    for_each_cell(sphere.fluid.populations, [&](const Index3& p, std::ptrdiff_t cell) {
+      if (sphere.coverage.bead_at(cell) == Coverage::fluid)
+        superficial += sphere.fluid.velocity(p[0], p[1], p[2])[0];
+    });
+    superficial /= std::pow(edge, 3);
+  }
+  return g * std::pow(edge, 3) / (6 * pi * lattice_viscosity(tau) * radius * superficial);
+}
+
+/// Mean over positions within a cell.
+double mean_array_drag(double volume_fraction, double cells_per_diameter) {
+  constexpr std::array offsets{std::array{0.0, 0.0, 0.0}, std::array{0.5, 0.5, 0.5},
+                               std::array{0.25, 0.1, 0.4}, std::array{0.4, 0.2, 0.0}};
+  double sum = 0;
+  for (const auto& o : offsets)
+    sum += array_drag(volume_fraction, cells_per_diameter, Vec3(o[0], o[1], o[2]));
+  return sum / offsets.size();
+}
+
+struct Measured {
+  double volume_fraction;
+  double drag;         ///< Zick & Homsy, J. Fluid Mech. 115 (1982) 13, table 2
+  double diameter;     ///< [cell]
+  double model_error;  ///< of a staircase at this resolution: radius errors, amplified in close arrays
+};
+
+class SimpleCubicArray : public testing::TestWithParam<Measured> {};
+
+// Catches a wrong momentum exchange, refill or wall velocity: any of them changes the drag by tens of
+// percent.
+TEST_P(SimpleCubicArray, HasTheDragOfZickAndHomsy) {
+  const Measured& m = GetParam();
+  const double drag = mean_array_drag(m.volume_fraction, m.diameter);
+  RecordProperty("relative_error", std::to_string(drag / m.drag - 1));
+  std::printf("phi %.3f, %g cells a diameter: K = %.3f, error %+.2f %%\n", m.volume_fraction, m.diameter,
+              drag, 100 * (drag / m.drag - 1));
+  EXPECT_NEAR(drag / m.drag, 1, m.model_error);
+}
+
+INSTANTIATE_TEST_SUITE_P(FractionsAndResolutions, SimpleCubicArray,
+                         testing::Values(Measured{0.027, 2.008, 8, 0.06}, Measured{0.064, 2.810, 8, 0.06},
+                                         Measured{0.125, 4.292, 8, 0.08}, Measured{0.125, 4.292, 16, 0.04},
+                                         Measured{0.216, 7.442, 12, 0.08}));
+
+// Torque on a slowly turning sphere, 8 pi eta R^3 Omega; the neighbours of a cubic array at phi = 0.027 add
+// about phi to it. Catches a wrong lever arm or sign.
+TEST(TurningSphere, FeelsTheStokesTorque) {
+  constexpr double radius = 4, rate = 1e-5;
+  FixedSphere sphere(22, radius, Vec3(11.2, 10.9, 11), tau);
+  sphere.beads[0].motion.angular_velocity = Vec3(0, 0, rate);
+  Load impulse;
+  for (int n = 0; n < 1500; ++n) impulse = sphere.step();
+  const double stokes = -8 * pi * lattice_viscosity(tau) * std::pow(radius, 3) * rate;
+  constexpr double model = 0.12;  // staircase at 8 cells a diameter: three times its error in radius
+  std::printf("torque / Stokes = %.4f\n", impulse.torque[2] / stokes);
+  EXPECT_NEAR(impulse.torque[2] / stokes, 1.027, model);
+  EXPECT_LT(impulse.force.norm(), 1e-2 * std::abs(stokes));
+}
+
+}  // namespace
+}  // namespace beadswim::test
