@@ -1,0 +1,79 @@
+#include "beadswim/theory/closed_forms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace beadswim {
+
+namespace {
+
+/// The symbols of (4.2) to (4.8) for a swimmer of equal parts.
+struct EqualParts {
+  explicit EqualParts(const CollinearSwimmer& swimmer)
+      : A(swimmer.amplitude[0]),
+        B(swimmer.amplitude[1]),
+        k(swimmer.stiffness[0]),
+        W(std::numbers::pi * swimmer.viscosity * swimmer.angular_frequency() * swimmer.radius[0]),
+        sin_alpha(std::sin(swimmer.phase)),
+        cos_alpha(std::cos(swimmer.phase)) {}
+
+  double A, B, k;
+  double W;  ///< pi eta omega lambda
+  double sin_alpha, cos_alpha;
+
+  /// (k^2 + 4 W^2) (k^2 + 36 W^2), which (4.4) and (4.5) print multiplied out
+  double denominator() const { return (k * k + 4 * W * W) * (k * k + 36 * W * W); }
+  /// N of (4.7)
+  double shift_numerator() const {
+    return 2 * (A * A - B * B) * W * k + A * B * (k * k + 12 * W * W) * sin_alpha;
+  }
+};
+
+/// D^2 of (4.8), powers of k and W collected.
+double shift_denominator_squared(const EqualParts& s) {
+  const double A2 = s.A * s.A, B2 = s.B * s.B, AB = s.A * s.B;
+  const double k2 = s.k * s.k, W2 = s.W * s.W;
+  const double cos_2alpha = 2 * s.cos_alpha * s.cos_alpha - 1;
+  return A2 * B2 * k2 * k2 + 4 * k2 * W2 * (A2 * A2 + 6 * A2 * B2 + B2 * B2) +
+         16 * W2 * W2 * (4 * A2 * A2 + 25 * A2 * B2 + 4 * B2 * B2) +
+         16 * AB * W2 * s.cos_alpha * (A2 + B2) * (k2 + 20 * W2) +
+         8 * A2 * B2 * W2 * (k2 + 16 * W2) * cos_2alpha +
+         4 * AB * s.k * s.W * s.sin_alpha * (A2 - B2) * (k2 + 12 * W2);
+}
+
+}  // namespace
+
+double oseen_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke) {
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  const double G = 7 * lambda / (24 * l * l);
+  return G * stroke.amplitude[0] * stroke.amplitude[1] * swimmer.angular_frequency() *
+         stroke.sin_phase_shift();
+}
+
+double oseen_force_velocity(const CollinearSwimmer& swimmer) {
+  const EqualParts s(swimmer);
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  return 7 * lambda * swimmer.angular_frequency() * s.shift_numerator() / (24 * l * l * s.denominator());
+}
+
+std::array<double, 2> oseen_arm_amplitudes(const CollinearSwimmer& swimmer) {
+  const EqualParts s(swimmer);
+  const double A2 = s.A * s.A, B2 = s.B * s.B, AB = s.A * s.B, k2 = s.k * s.k, W2 = s.W * s.W;
+  const double mixed = 4 * AB * s.W * s.k * s.sin_alpha;
+  const double d1_squared =
+      (A2 * k2 + 4 * W2 * (4 * A2 + B2 + 4 * AB * s.cos_alpha) - mixed) / s.denominator();
+  const double d2_squared =
+      (B2 * k2 + 4 * W2 * (A2 + 4 * B2 + 4 * AB * s.cos_alpha) + mixed) / s.denominator();
+  // An arm at rest may leave a negative roundoff.
+  return {std::sqrt(std::max(d1_squared, 0.0)), std::sqrt(std::max(d2_squared, 0.0))};
+}
+
+double oseen_sin_phase_shift(const CollinearSwimmer& swimmer) {
+  const EqualParts s(swimmer);
+  const double squared = shift_denominator_squared(s);
+  if (!(squared > 0)) return 0;                                            // an arm at rest has no phase
+  return std::clamp(s.shift_numerator() / std::sqrt(squared), -1.0, 1.0);  // roundoff of a shift of pi/2
+}
+
+}  // namespace beadswim

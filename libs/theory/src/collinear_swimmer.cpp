@@ -1,0 +1,66 @@
+#include "beadswim/theory/collinear_swimmer.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+
+namespace {
+
+/// +1 or -1: the direction of the driving forces along the swimmer's axis.
+double driving_direction(DrivingFrame frame, const Vec3& axis) {
+  if (frame != DrivingFrame::lab) return 1;
+  constexpr double largest_sine = 1e-9;  // of the angle to x, as left by normalising the axis
+  if (axis.cross(Vec3::UnitX()).norm() > largest_sine * axis.norm()) {
+    throw InputError("axis",
+                     fmt::format("[{}, {}, {}] is not along x, but the driving is (frame \"lab\"), so the "
+                                 "swimmer leaves its line; theory treats axes along x, or driving of frame "
+                                 "\"initial-axis\" or \"body\"",
+                                 axis.x(), axis.y(), axis.z()));
+  }
+  return axis.x() > 0 ? 1 : -1;
+}
+
+void check_stiffness(const SwimmerType& type) {
+  for (int arm = 0; arm < 2; ++arm) {
+    if (!(type.springs[arm].stiffness > 0)) {
+      throw InputError(fmt::format("springs/{}/stiffness", arm),
+                       fmt::format("{} does not hold the arm's mean length, so no periodic motion exists; "
+                                   "theory needs a stiffness above 0",
+                                   type.springs[arm].stiffness));
+    }
+  }
+}
+
+}  // namespace
+
+double CollinearSwimmer::angular_frequency() const {
+  return 2 * std::numbers::pi / period;
+}
+
+CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, double viscosity) {
+  check_stiffness(type);
+  const double direction = driving_direction(type.driving.frame, axis);
+  CollinearSwimmer swimmer;
+  for (int bead = 0; bead < 3; ++bead) swimmer.radius[bead] = type.beads[bead].radius;
+  for (int arm = 0; arm < 2; ++arm) {
+    swimmer.arm[arm] = type.springs[arm].rest_length;
+    swimmer.stiffness[arm] = type.springs[arm].stiffness;
+    swimmer.damping[arm] = type.springs[arm].damping;
+    swimmer.amplitude[arm] = direction * type.driving.amplitude[arm];
+  }
+  swimmer.phase = type.driving.phase;
+  swimmer.period = type.driving.period;
+  swimmer.viscosity = viscosity;
+  return swimmer;
+}
+
+CollinearMobility rest_mobility(const CollinearSwimmer& swimmer, PairLaw law) {
+  return pairwise_mobility(law, swimmer.radius, swimmer.arm, swimmer.viscosity);
+}
+
+}  // namespace beadswim

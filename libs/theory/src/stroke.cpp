@@ -1,0 +1,28 @@
+#include "beadswim/theory/stroke.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace beadswim {
+
+namespace {
+
+double phase_of(const std::complex<double>& x) {
+  if (std::abs(x) == 0) return 0;  // std::arg of a signed zero may be pi
+  const double phase = std::arg(x);
+  return phase > -std::numbers::pi ? phase : std::numbers::pi;  // -pi comes from an imaginary part of -0
+}
+
+}  // namespace
+
+double Stroke::sin_phase_shift() const {
+  const bool both_move = amplitude[0] > 0 && amplitude[1] > 0;
+  return both_move ? std::sin(phase[0] - phase[1]) : 0;
+}
+
+Stroke stroke_of(const std::array<std::complex<double>, 2>& complex_amplitude) {
+  const auto& [x1, x2] = complex_amplitude;
+  return {.amplitude = {std::abs(x1), std::abs(x2)}, .phase = {phase_of(x1), phase_of(x2)}};
+}
+
+}  // namespace beadswim

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "beadswim/mobility/pair_mobility.hpp"
+
+namespace beadswim {
+
+/// d mu / d r by a central difference: relative error about (step/r)^2 for a power law, plus roundoff.
+inline double central_difference(PairLaw law, double radius_i, double radius_j, double r, double viscosity) {
+  const double step = 1e-5 * r;
+  return (law(radius_i, radius_j, r + step, viscosity).value -
+          law(radius_i, radius_j, r - step, viscosity).value) /
+         (2 * step);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <numbers>
+
+#include "beadswim/mobility/oseen.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/collinear_swimmer.hpp"
+#include "beadswim/theory/perturbation.hpp"
+
+namespace beadswim {
+
+/// Section 4.2 of the paper in lattice units, with unit driving: velocities are v/A^2, amplitudes d/A.
+inline CollinearSwimmer paper_swimmer(double period) {
+  return {.radius = {4, 4, 4},
+          .arm = {20, 20},
+          .stiffness = {0.0347, 0.0347},
+          .damping = {0, 0},
+          .amplitude = {1, 1},
+          .phase = std::numbers::pi / 2,
+          .period = period,
+          .viscosity = 1.0 / 3};
+}
+
+/// Nothing equal, nothing zero.
+inline CollinearSwimmer unequal_swimmer() {
+  return {.radius = {4, 3, 5},
+          .arm = {20, 26},
+          .stiffness = {0.03, 0.05},
+          .damping = {7, 3},
+          .amplitude = {1, 0.6},
+          .phase = 1.1,
+          .period = 3000,
+          .viscosity = 1.0 / 3};
+}
+
+inline double perturbation_velocity(const CollinearSwimmer& swimmer, PairLaw law) {
+  return second_order_motion(swimmer, rest_mobility(swimmer, law)).velocity;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,35 @@
+#include "measured_stroke.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+const SwimmerRecord& swimmer_of(const RunRecord& run, std::optional<int> id, const std::string& path) {
+  const auto is_asked = [&](const SwimmerRecord& swimmer) { return !id || swimmer.id == *id; };
+  const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(), is_asked);
+  if (found != run.swimmers.end()) return *found;
+  const std::string which = id ? fmt::format("swimmer {}", *id) : "swimmers one by one";
+  throw InputError(
+      "--stroke-from " + path,
+      fmt::format("the run record does not list {}; it lists {} swimmers", which, run.swimmers.size()));
+}
+
+}  // namespace
+
+MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> swimmer) {
+  const RunRecord run = read_run_record(path);
+  const SwimmerRecord& record = swimmer_of(run, swimmer, path);
+  if (record.cycles.empty()) {
+    throw InputError("--stroke-from " + path,
+                     fmt::format("swimmer {} has not finished a cycle; run at least one", record.id));
+  }
+  const CycleStatistics& last = record.cycles.back();
+  return {path, run.units, {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
+}
+
+}  // namespace beadswim
