@@ -47,9 +47,11 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       swimmer.held_mass[b] += from_fluid.mass.value();
       swimmer.mass_source[b] = swimmer.held_mass[b] / from_fluid.link_weight.value();
     }
+    const SwimmerMotion before = swimmer.motion;
     advance_swimmer(swimmer.motion, scene_.types[swimmer.type], swimmer.initial_axis, loads,
                     static_cast<double>(steps_done_), 1, substeps_[swimmer.type]);
-    watch_speed(swimmer);
+    // A bead that is too fast waits where it is: ranks agree to stop within some steps, results intact.
+    if (is_too_fast(swimmer)) swimmer.motion = before;
   }
 }
 

@@ -45,13 +45,19 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   coverage_.update(beads_);
 }
 
-void CoupledSystem::watch_speed(const SwimmerState& swimmer) {
-  for (int b = 0; b < 3 && !speed_fault_; ++b) {
+bool CoupledSystem::is_too_fast(const SwimmerState& swimmer) {
+  for (int b = 0; b < 3; ++b) {
     const double speed = swimmer.motion[b].velocity.norm();
     if (speed <= largest_bead_speed) continue;
-    speed_fault_ = SpeedFault{
-        .step = steps_done_, .bead = {swimmer.id, b}, .position = swimmer.motion[b].position, .speed = speed};
+    if (!speed_fault_) {
+      speed_fault_ = SpeedFault{.step = steps_done_,
+                                .bead = {swimmer.id, b},
+                                .position = swimmer.motion[b].position,
+                                .speed = speed};
+    }
+    return true;
   }
+  return false;
 }
 
 std::optional<SpeedFault> CoupledSystem::speed_fault() const {

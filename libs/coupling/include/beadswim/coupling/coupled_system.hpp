@@ -63,7 +63,8 @@ class CoupledSystem {
 
  private:
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
-  void watch_speed(const SwimmerState& swimmer);
+  /// Whether a bead is over the speed limit; notes the first that is.
+  bool is_too_fast(const SwimmerState& swimmer);
 
   const Communicator& communicator_;
   CoupledScene scene_;

@@ -1,0 +1,93 @@
+#!/bin/bash
+# beadswim-run: a tiny scene on several ranks, its outputs, its exit statuses, and what it refuses.
+source "$(dirname "$0")/harness.sh"
+
+small() {
+  beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic "$@"
+}
+# A condition on a JSON document.
+holds() { jq -e "$1" "$2" >/dev/null; }
+quiet=(--cycles 2 --progress none --no-provenance)
+small --period 100 --amplitude 0.02 >layout.json
+
+# --- what it says of itself
+accepts beadswim-run --help
+for flag in output model cycles frames-per-cycle cells-per-radius relaxation-time time-limit flow-every progress; do
+  out_has "--$flag"
+done
+accepts beadswim-run --version
+out_has '^beadswim-run [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
+
+# --- the same bits on 1, 2, 3 and 4 ranks, from a file and from a pipe: record, trajectory, flow
+run beadswim-run layout.json -o 1.h5md "${quiet[@]}" --flow-every 1
+has_status 0
+err_empty
+cp out 1.json
+for ranks in 2 3 4; do
+  run mpirun -n $ranks beadswim-run - -o $ranks.h5md "${quiet[@]}" --flow-every 1 <layout.json
+  has_status 0
+  check "$ranks ranks end in another record" cmp -s out 1.json
+  check "$ranks ranks write another trajectory" cmp -s 1.h5md $ranks.h5md
+  check "$ranks ranks write another flow" cmp -s 1.h5md.flow/000000200.vti $ranks.h5md.flow/000000200.vti
+done
+check "the pvd names its files" grep -q 'file="1.h5md.flow/000000200.vti"' 1.h5md.flow.pvd
+check "no .part file is left" test -z "$(ls ./*.part 2>/dev/null)"
+
+# --- the record
+check "status" test "$(jq -r .status 1.json)" = finished
+check "two cycles" test "$(jq '.swimmers[0].cycles | length' 1.json)" = 2
+check "no cost or provenance" test "$(jq 'has("cost") or has("provenance")' 1.json)" = false
+check "momentum is conserved" holds '.momentum.total | map(fabs < 1e-14) | all' 1.json
+check "mass is conserved" holds '.mass_relative_change | fabs < 1e-14' 1.json
+run beadswim-run layout.json -o 1.h5md --cycles 1 --progress none
+check "cost" holds '.cost.cell_updates == 32*16*16*100 and .cost.ranks == 1 and .cost.mlups > 0' out
+check "provenance names the programs in order" \
+  test "$(jq -r '[.provenance[].program] | join(" ")' out)" = "beadswim-layout beadswim-run"
+if /usr/bin/python3 -c 'import jsonschema' 2>/dev/null; then
+  check "the record is valid" /usr/bin/python3 -W ignore -m jsonschema -i out "$BEADSWIM_SOURCE/schemas/run.schema.json"
+fi
+
+# --- resolution: another number of cells answers in the same units
+run beadswim-run layout.json -o fine.h5md --cycles 1 --cells-per-radius 3 --progress none
+has_status 0
+check "cell size" holds '.resolution.cell_size * 3 - 2 | fabs < 1e-12' out
+check "whole steps" holds '.resolution.time_step * .resolution.steps_per_cycle - 100 | fabs < 1e-9' out
+
+# --- stopped early on purpose: results are there, and exit status 4
+small --period 100 --amplitude 0,1e4 --stiffness 1e-6 >wild.json
+run mpirun -n 2 beadswim-run wild.json -o wild.h5md --progress none
+has_status 4
+check "status" test "$(jq -r .status out)" = stopped-speed
+err_has 'bead [123] of swimmer 0 .* over the limit of 0.5'
+check "the trajectory is whole" test -s wild.h5md
+run beadswim-run layout.json -o long.h5md --cycles 1e5 --time-limit 1 --progress json
+has_status 4
+check "status" test "$(jq -r .status out)" = stopped-time
+err_has 'time limit of 1 s'
+err_has '^\{"step":[0-9]+,.*"seconds_left":'
+
+# --- failed: beads that are pushed into each other stop all ranks, exit status 3, without a finished trajectory
+small --period 4000 --amplitude 1 --phase 3.14159 --stiffness 1e-3 >crash.json
+run timeout 60 mpirun -n 2 beadswim-run crash.json -o crash.h5md --progress none
+has_status 3
+err_has 'overlap|torn|times its rest length'
+check "an unfinished trajectory does not take its name" test ! -e crash.h5md
+
+# --- refusals leave nothing behind
+refuses 'relaxation-time: 0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
+refuses 'cannot be created' beadswim-run layout.json -o no/such/folder/x.h5md
+refuses 'cannot be read' beadswim-run missing.json -o x.h5md
+refuses 'did you mean --cycles' beadswim-run layout.json -o x.h5md --cycels 3
+refuses 'output' beadswim-run layout.json
+refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius nan
+refuses 'not a whole number; the nearest' beadswim-run layout.json -o x.h5md --cells-per-radius 2.3
+beadswim-layout swimmer --preset paper-single --unbounded >open.json
+refuses '/domain: is null' beadswim-run open.json -o x.h5md
+head -c 100 layout.json >cut.json
+refuses 'cut.json' beadswim-run cut.json -o x.h5md
+check "a refused run leaves nothing behind" test -z "$(ls x.h5md* 2>/dev/null)"
+run mpirun -n 2 beadswim-run cut.json -o x.h5md
+has_status 2
+check "the ranks speak with one voice" test "$(grep -c '^beadswim-run: ' err)" = 1
+
+finish

@@ -1,0 +1,66 @@
+#include "flow_output.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+
+#include "beadswim/coupling/gather.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Components slowest, as gather_plane gives them, to components innermost, as VTK wants them.
+std::vector<float> interleaved(const std::vector<double>& plane, int components) {
+  const std::size_t cells = plane.size() / components;
+  std::vector<float> result;
+  result.reserve(plane.size());
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    for (int k = 0; k < components; ++k) result.push_back(static_cast<float>(plane[k * cells + cell]));
+  }
+  return result;
+}
+
+}  // namespace
+
+FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales,
+                       const Communicator& communicator)
+    : stem_(trajectory + ".flow"), scales_(scales), communicator_(communicator) {
+  if (communicator_.is_root()) std::filesystem::create_directories(stem_);
+}
+
+void FlowOutput::write(const CoupledSystem& system) {
+  const auto field = [&](const std::string& name, int components, auto value) {
+    return VtiField{
+        .name = name, .components = components, .plane = [&system, this, components, value](int z) {
+          return interleaved(gather_plane(system, communicator_, z, components, value), components);
+        }};
+  };
+  const double pressure = scales_.density * scales_.velocity() * scales_.velocity() / 3;
+  const std::vector<VtiField> fields{
+      field("velocity", 3,
+            [&](int k, std::ptrdiff_t cell) {
+              return cell_moments(system.populations(), cell).momentum[k] * scales_.velocity();
+            }),
+      field("pressure", 1,
+            [&](int, std::ptrdiff_t cell) {
+              return cell_moments(system.populations(), cell).density_deviation * pressure;
+            }),
+      field("bead", 1, [&](int, std::ptrdiff_t cell) {
+        const int bead = system.coverage().bead_at(cell);
+        return bead == Coverage::fluid ? 0.0 : 1.0 + system.beads_here()[bead].name.bead;
+      })};
+  const Index3& cells = system.decomposition().cells();
+  if (!communicator_.is_root()) {  // give rank 0 what it asks for, in the order in which it writes
+    for (const VtiField& f : fields) {
+      for (int z = 0; z < cells[2]; ++z) f.plane(z);
+    }
+    return;
+  }
+  const std::string file = fmt::format("{:09}.vti", system.steps_done());
+  write_vti(stem_ + "/" + file, cells, scales_.cell, fields);
+  const std::string folder = std::filesystem::path(stem_).filename();
+  entries_.push_back({static_cast<double>(system.steps_done()) * scales_.step, folder + "/" + file});
+  write_pvd(stem_ + ".pvd", entries_);
+}
+
+}  // namespace beadswim

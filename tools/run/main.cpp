@@ -1,0 +1,134 @@
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/version.hpp"
+#include "beadswim/lattice/trt.hpp"
+#include "record.hpp"
+#include "run_loop.hpp"
+
+namespace {
+
+using namespace beadswim;
+
+/// Standard input belongs to rank 0: it reads the text, all ranks get it.
+std::string read_text_once(const std::string& path, const Communicator& communicator) {
+  std::string text, failure;
+  if (communicator.is_root()) {
+    try {
+      text = read_text(path);
+    } catch (const InputError& error) {
+      failure = error.what();
+    }
+  }
+  for (std::string* shared : {&text, &failure}) {
+    std::int64_t size = std::ssize(*shared);
+    MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
+    shared->resize(size);
+    MPI_Bcast(shared->data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
+  }
+  if (!failure.empty()) throw InputError(failure);
+  return text;
+}
+
+TrajectoryHeader header_of(const LayoutDocument& document, const SceneOnLattice& on_lattice) {
+  TrajectoryHeader header;
+  const Domain& domain = *document.layout.domain;
+  header.box_lengths = domain.lengths;
+  for (int a = 0; a < 3; ++a) header.periodic[a] = domain.boundary[a] == Boundary::periodic;
+  for (const CoupledScene::Swimmer& swimmer : on_lattice.scene.swimmers) {
+    for (int b = 0; b < 3; ++b) {
+      header.swimmer.push_back(swimmer.id);
+      header.bead.push_back(b + 1);
+      header.radius.push_back(on_lattice.scene.types[swimmer.type].beads[b].radius *
+                              on_lattice.lattice.scales.cell);
+    }
+  }
+  header.creator_version = version() + " (" + revision() + ")";
+  header.parameters["layout"] = dump_json(layout_to_json(document));
+  return header;
+}
+
+void announce(const SceneOnLattice& on_lattice, const Communicator& communicator) {
+  const Index3& cells = on_lattice.scene.cells;
+  const LatticeChoice& lattice = on_lattice.lattice;
+  const double bytes = 2.0 * d3q19::directions * sizeof(double) * cells.cast<double>().prod();
+  fmt::print(
+      stderr,
+      "beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} swimmers, "
+      "{:.2g} GB on {} ranks\n",
+      cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
+      lattice.steps_per_period, on_lattice.scene.swimmers.size(), 1e-9 * bytes, communicator.size());
+  if (on_lattice.cells_per_radius < 2) {
+    fmt::print(stderr, "beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
+               on_lattice.cells_per_radius);
+  }
+}
+
+int run(int argc, char** argv, const Communicator& communicator) {
+  const auto parsed = parse_run_options(argc, argv);
+  if (const int* status = std::get_if<int>(&parsed)) return *status;
+  const RunOptions& options = std::get<RunOptions>(parsed);
+  const std::string source = options.layout == "-" ? "standard input" : options.layout;
+  const LayoutDocument document =
+      layout_from_json(parse_json(read_text_once(options.layout, communicator), source), source);
+  const SceneOnLattice on_lattice = put_on_lattice(document.layout, options);
+  if (communicator.is_root() && options.progress != ProgressStyle::none) announce(on_lattice, communicator);
+
+  CoupledSystem system(on_lattice.scene, communicator);
+  TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator);
+  Recorder recorder(on_lattice, options.frames_per_cycle, trajectory);
+  std::unique_ptr<FlowOutput> flow;
+  if (options.flow_every)
+    flow = std::make_unique<FlowOutput>(options.output, on_lattice.lattice.scales, communicator);
+  Progress progress(options.progress, total_steps(on_lattice, options),
+                    static_cast<double>(on_lattice.lattice.steps_per_period),
+                    on_lattice.scene.cells.cast<double>().prod());
+  const RunParts parts{communicator, system, recorder, flow.get(), progress};
+
+  const RunOutcome outcome = run_to_end(parts, on_lattice, options);
+  trajectory.finish();
+  const RunRecord record = make_record(parts, on_lattice, document, outcome, options);
+  if (communicator.is_root()) {
+    const auto provenance = options.with_provenance ? RecordProvenance::written : RecordProvenance::left_out;
+    write_text("-", dump_json(run_record_to_json(record, provenance)));
+  }
+  if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);
+  return static_cast<int>(ExitStatus::fine);
+}
+
+/// Wrong input and early stops are known to every rank: rank 0 speaks, all leave. Any other failure may be
+/// known to one rank alone: it speaks and takes the others with it.
+int report_failure(const Communicator& communicator) {
+  constexpr const char* name = "beadswim-run";
+  try {
+    throw;
+  } catch (const InputError&) {
+    return communicator.is_root() ? report_current_exception(name) : static_cast<int>(ExitStatus::bad_input);
+  } catch (const StoppedEarly&) {
+    return communicator.is_root() ? report_current_exception(name)
+                                  : static_cast<int>(ExitStatus::stopped_early);
+  } catch (...) {
+    const int status = report_current_exception(name);
+    fmt::print(stderr, "{}: stopped on rank {}; frames written so far are in the .part file\n", name,
+               communicator.rank());
+    MPI_Abort(communicator.get(), status);
+    return status;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const MpiSession mpi(&argc, &argv);
+  const Communicator communicator(MPI_COMM_WORLD);
+  if (!communicator.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
+  try {
+    return run(argc, argv, communicator);
+  } catch (...) {
+    return report_failure(communicator);
+  }
+}

@@ -1,0 +1,104 @@
+#include "options.hpp"
+
+#include <fmt/core.h>
+
+#include <map>
+
+#include "beadswim/tools/program.hpp"
+
+namespace beadswim {
+namespace {
+
+const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyle::automatic},
+                                                           {"bar", ProgressStyle::bar},
+                                                           {"lines", ProgressStyle::lines},
+                                                           {"json", ProgressStyle::json},
+                                                           {"none", ProgressStyle::none}};
+
+CLI::Validator relaxation_time() {
+  return finite_positive() & CLI::Validator(
+                                 [](const std::string& text) {
+                                   return std::stod(text) > 0.5
+                                              ? std::string{}
+                                              : text +
+                                                    " is not above 0.5, where the viscosity "
+                                                    "(tau - 1/2)/3 vanishes; 0.6 to 3 work well";
+                                 },
+                                 "", "");
+}
+
+void add_flags(CLI::App& program, RunOptions& options, std::string& model, std::string& progress) {
+  program.add_option("LAYOUT", options.layout, "Layout, as beadswim-layout writes it; - for standard input.");
+  program
+      .add_option("-o,--output", options.output,
+                  "Trajectory to write (H5MD); an older file of that name is replaced when the run ends.")
+      ->type_name("FILE.h5md")
+      ->required();
+  program
+      .add_option("--model", model,
+                  "lbm: beads resolved in a lattice-Boltzmann fluid. auto: the best model there is, lbm.")
+      ->check(CLI::IsMember({"lbm", "auto"}))
+      ->type_name("lbm|auto")
+      ->default_val("auto");
+  program
+      .add_option("--cycles", options.cycles,
+                  "Length of the run, in periods of the first type's driving; fractions allowed.")
+      ->check(finite_positive());
+  program
+      .add_option("--frames-per-cycle", options.frames_per_cycle,
+                  "Frames of the trajectory in a cycle; the stroke is fitted to them.")
+      ->check(CLI::Range(4, 1000000).description(""));
+  program
+      .add_option("--cells-per-radius", options.cells_per_radius,
+                  "Cells per smallest bead radius [default: the layout's, else 4]")
+      ->check(finite_positive())
+      ->default_str("");
+  program
+      .add_option(
+          "--relaxation-time", options.relaxation_time,
+          "tau, in time steps; sets the step: nu_lattice = (tau - 1/2)/3. Adjusted so that a period is a "
+          "whole number of steps [default: the layout's, else 1.5]")
+      ->check(relaxation_time())
+      ->default_str("");
+  program
+      .add_option("--time-limit", options.time_limit,
+                  "Stop after this many seconds, results intact, with exit status 4 [default: none]")
+      ->check(finite_positive())
+      ->default_str("");
+  program
+      .add_option(
+          "--flow-every", options.flow_every,
+          "Write velocity, pressure and bead of every cell to FILE.flow.pvd, each so many cycles [default: "
+          "none]")
+      ->check(finite_positive())
+      ->default_str("");
+  program
+      .add_option(
+          "--progress", progress,
+          "Progress on standard error: bar, lines (one each 10 s), json (likewise), none; auto is bar on a "
+          "terminal, else lines.")
+      ->check(CLI::IsMember(progress_styles))
+      ->type_name("auto|bar|lines|json|none")
+      ->default_val("auto");
+  program.add_flag("!--no-provenance", options.with_provenance,
+                   "Leave cost and provenance out of the run record, so that equal runs give equal bytes.");
+}
+
+}  // namespace
+
+std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv) {
+  const auto program = make_program(
+      "beadswim-run",
+      "Runs a layout: bead-spring swimmers resolved in a fluid. Writes bead trajectories (H5MD) and prints "
+      "the run "
+      "record, with velocity and stroke of each cycle, as JSON. Run it under mpirun -n N for N ranks.");
+  RunOptions options;
+  std::string model, progress;
+  add_flags(*program, options, model, progress);
+  if (const auto status = parse_command_line(*program, argc, argv)) return *status;
+  options.progress = progress_styles.at(progress);
+  options.provenance = provenance_record(*program);
+  return options;
+}
+
+}  // namespace beadswim

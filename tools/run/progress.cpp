@@ -1,0 +1,75 @@
+#include "progress.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace beadswim {
+namespace {
+
+ProgressStyle resolved(ProgressStyle style) {
+  if (style != ProgressStyle::automatic) return style;
+  return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
+}
+
+double seconds(std::chrono::steady_clock::duration interval) {
+  return std::chrono::duration<double>(interval).count();
+}
+
+std::string readable(double seconds) {
+  const long s = std::lround(seconds);
+  if (s < 60) return fmt::format("{} s", s);
+  if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
+  return fmt::format("{} h {:02} min", s / 3600, s % 3600 / 60);
+}
+
+}  // namespace
+
+Progress::Progress(ProgressStyle style, long steps, double steps_per_cycle, double cells)
+    : style_(resolved(style)),
+      steps_(static_cast<double>(steps)),
+      steps_per_cycle_(steps_per_cycle),
+      cells_(cells),
+      start_(Clock::now()),
+      last_(start_) {}
+
+void Progress::update(long steps_done) {
+  const double interval = style_ == ProgressStyle::bar ? 0.2 : 10;
+  if (style_ == ProgressStyle::none || seconds(Clock::now() - last_) < interval) return;
+  last_ = Clock::now();
+  print(steps_done);
+}
+
+void Progress::finish(long steps_done) {
+  if (style_ == ProgressStyle::none) return;
+  print(steps_done);
+  if (style_ == ProgressStyle::bar) fmt::print(stderr, "\n");
+}
+
+void Progress::print(long steps_done) {
+  const double done = static_cast<double>(steps_done);
+  const double elapsed = seconds(Clock::now() - start_);
+  const double left = done > 0 ? elapsed * (steps_ - done) / done : 0;
+  const double mlups = elapsed > 0 ? 1e-6 * cells_ * done / elapsed : 0;
+  if (style_ == ProgressStyle::json) {
+    fmt::print(stderr,
+               "{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},\"mlups\":{:.3f},\"seconds_left\":{:.1f}}}\n",
+               steps_done, steps_, done / steps_per_cycle_, mlups, left);
+    return;
+  }
+  const std::string line =
+      fmt::format("cycle {:.2f} of {:.2f}, {:3.0f} %, {:.1f} MLUPS, {} left", done / steps_per_cycle_,
+                  steps_ / steps_per_cycle_, 100 * done / steps_, mlups, readable(left));
+  if (style_ == ProgressStyle::lines) {
+    fmt::print(stderr, "beadswim-run: {}\n", line);
+    return;
+  }
+  constexpr int width = 30;
+  const std::string filled(static_cast<std::size_t>(width * done / steps_), '#');
+  fmt::print(stderr, "\r[{:<{}}] {}\x1b[K", filled, width, line);
+  std::fflush(stderr);
+}
+
+}  // namespace beadswim

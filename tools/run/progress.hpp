@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+
+#include "options.hpp"
+
+namespace beadswim {
+
+/// Tells on stderr how far a run is and how long it will take.
+class Progress {
+ public:
+  Progress(ProgressStyle style, long steps, double steps_per_cycle, double cells);
+
+  void update(long steps_done);
+  void finish(long steps_done);  ///< the last word, and the end of the bar's line
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void print(long steps_done);
+
+  ProgressStyle style_;
+  double steps_, steps_per_cycle_, cells_;
+  Clock::time_point start_, last_;
+};
+
+}  // namespace beadswim

@@ -1,0 +1,85 @@
+#include "record.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/coupling/gather.hpp"
+#include "beadswim/lattice/trt.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Largest resident memory of all ranks together.
+std::int64_t peak_memory_bytes(const Communicator& communicator) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::int64_t bytes = std::int64_t{1024} * usage.ru_maxrss;
+  MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_INT64_T, MPI_SUM, communicator.get());
+  return bytes;
+}
+
+RunCost cost_of(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOutcome& outcome) {
+  const std::int64_t updates = on_lattice.scene.cells.cast<std::int64_t>().prod() *
+                               static_cast<std::int64_t>(parts.system.steps_done());
+  const int ranks = parts.communicator.size();
+  return {.wall_seconds = outcome.wall_seconds,
+          .core_seconds = outcome.wall_seconds * ranks,
+          .ranks = ranks,
+          .cell_updates = updates,
+          .mlups = 1e-6 * static_cast<double>(updates) / outcome.wall_seconds,
+          .peak_memory_bytes = peak_memory_bytes(parts.communicator)};
+}
+
+DimensionlessNumbers numbers_of(const Recorder& recorder, const SceneOnLattice& on_lattice) {
+  double smallest = on_lattice.scene.types.front().beads[0].radius, largest = smallest;
+  for (const SwimmerType& type : on_lattice.scene.types) {
+    for (const Bead& bead : type.beads) {
+      smallest = std::min(smallest, bead.radius);
+      largest = std::max(largest, bead.radius);
+    }
+  }
+  const double nu = lattice_viscosity(on_lattice.lattice.relaxation_time);
+  const double omega = 2 * std::numbers::pi / static_cast<double>(on_lattice.lattice.steps_per_period);
+  return {.reynolds_bead = recorder.largest_bead_speed() * 2 * largest / nu,
+          .penetration_depth_over_radius = std::sqrt(2 * nu / omega) / smallest,
+          .mach = recorder.largest_bead_speed() * std::sqrt(3.0)};
+}
+
+}  // namespace
+
+RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, const LayoutDocument& document,
+                      const RunOutcome& outcome, const RunOptions& options) {
+  const SceneTotals totals = parts.system.totals();
+  const SceneTotals& first = parts.recorder.first_totals();
+  const LatticeScales& scales = on_lattice.lattice.scales;
+  RunRecord record;
+  record.model = "lbm";
+  record.status = outcome.status;
+  record.units = document.layout.units;
+  record.domain = document.layout.domain;
+  record.driving_period = on_lattice.period;
+  record.swimmers = parts.recorder.swimmers();
+  record.momentum = MomentumRecord{.total = totals.momentum * scales.momentum(),
+                                   .initial = first.momentum * scales.momentum()};
+  record.mass_relative_change = (1 + totals.mass_excess) / (1 + first.mass_excess) - 1;
+  record.dimensionless = numbers_of(parts.recorder, on_lattice);
+  record.resolution =
+      LatticeResolution{.cells_per_radius = on_lattice.cells_per_radius,
+                        .cell_size = scales.cell,
+                        .time_step = scales.step,
+                        .relaxation_time = on_lattice.lattice.relaxation_time,
+                        .kinematic_viscosity_lattice = lattice_viscosity(on_lattice.lattice.relaxation_time),
+                        .steps_per_cycle = on_lattice.lattice.steps_per_period,
+                        .bead_boundary = "staircase",
+                        .precision = "double"};
+  record.cost = cost_of(parts, on_lattice, outcome);
+  record.state_sha256 = state_sha256(parts.system, parts.communicator);
+  record.provenance = document.provenance;
+  record.provenance->push_back(options.provenance);
+  return record;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "beadswim/documents/layout_document.hpp"
+#include "run_loop.hpp"
+
+namespace beadswim {
+
+/// The run record; whole on rank 0. Collective.
+RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, const LayoutDocument& layout,
+                      const RunOutcome& outcome, const RunOptions& options);
+
+}  // namespace beadswim

@@ -1,0 +1,69 @@
+#include "run_loop.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadswim {
+namespace {
+
+/// Steps between looks at what may stop the run: ranks agree there, and only there.
+constexpr long steps_between_guards = 20;
+
+std::string describe(const SpeedFault& fault, const LatticeScales& scales) {
+  const Vec3 p = fault.position * scales.cell;
+  return fmt::format(
+      "step {}: bead {} of swimmer {} at ({:.6g}, {:.6g}, {:.6g}) moves {:.3g} cells a step (Mach "
+      "{:.2g}), over the limit of 0.5; drive it less, or take a smaller step by --relaxation-time",
+      fault.step, fault.bead.bead + 1, fault.bead.swimmer, p[0], p[1], p[2], fault.speed,
+      fault.speed * std::sqrt(3.0));
+}
+
+/// Rank 0's clock decides for all.
+bool is_over(double limit, double start, const Communicator& communicator) {
+  int over = MPI_Wtime() - start > limit;
+  MPI_Bcast(&over, 1, MPI_INT, 0, communicator.get());
+  return over != 0;
+}
+
+long steps_between_flows(const SceneOnLattice& on_lattice, double cycles) {
+  return std::max(1L, std::lround(cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
+}
+
+}  // namespace
+
+long total_steps(const SceneOnLattice& on_lattice, const RunOptions& options) {
+  return std::max(1L, std::lround(options.cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
+}
+
+RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options) {
+  auto& [communicator, system, recorder, flow, progress] = parts;
+  const long steps = total_steps(on_lattice, options);
+  const long flow_interval = options.flow_every ? steps_between_flows(on_lattice, *options.flow_every) : 0;
+  const double start = MPI_Wtime();
+  RunOutcome outcome;
+  recorder.record(system);
+  while (system.steps_done() < steps && outcome.status == RunStatus::finished) {
+    system.step();
+    recorder.record(system);
+    const long done = system.steps_done();
+    if (flow != nullptr && done % flow_interval == 0) flow->write(system);
+    if (done % steps_between_guards != 0) continue;
+    if (communicator.is_root()) progress.update(done);
+    if (const auto fault = system.speed_fault()) {
+      outcome = {RunStatus::stopped_speed, describe(*fault, on_lattice.lattice.scales), 0};
+    } else if (options.time_limit && is_over(*options.time_limit, start, communicator)) {
+      outcome = {RunStatus::stopped_time,
+                 fmt::format("step {} of {}: the time limit of {} s is over; a longer "
+                             "--time-limit, or more ranks, take it to the end",
+                             done, steps, *options.time_limit),
+                 0};
+    }
+  }
+  outcome.wall_seconds = MPI_Wtime() - start;
+  if (communicator.is_root()) progress.finish(system.steps_done());
+  return outcome;
+}
+
+}  // namespace beadswim
