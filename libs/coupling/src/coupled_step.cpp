@@ -8,7 +8,7 @@
 #include "beadswim/lattice/sweep.hpp"
 
 // The method, step by step. Populations are kept as they are after collision at time n; a step takes fluid
-// and beads from n to n + 1. See docs/method/coupled-step.md.
+// and beads from n to n + 1. See docs/method/staircase-beads.md.
 
 namespace beadswim {
 
