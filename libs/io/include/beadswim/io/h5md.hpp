@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/io/hdf5.hpp"
+
+// Bead trajectories in H5MD 1.1 (de Buyl, Colberg & Hofling, Comput. Phys. Commun. 185 (2014) 1546), in the
+// subset that MDAnalysis and h5py read: docs/formats/h5md.md. Quantities are in the layout's units.
+
+namespace beadswim {
+
+/// What does not change in a trajectory.
+struct TrajectoryHeader {
+  Vec3 box_lengths = Vec3::Zero();
+  std::array<bool, 3> periodic{};
+  std::vector<int> swimmer;    ///< id of the swimmer of each bead
+  std::vector<int> bead;       ///< 1, 2 or 3 within the swimmer, of each bead
+  std::vector<double> radius;  ///< of each bead
+  std::string creator_version;
+  std::map<std::string, std::string> parameters;  ///< texts for /parameters: layout, units, ...
+};
+
+/// One frame. Beads in the order of the header; rank 0 alone need fill their lists.
+struct TrajectoryFrame {
+  std::int64_t step = 0;
+  double time = 0;
+  std::vector<Vec3> positions;  ///< unwrapped
+  std::vector<Vec3> velocities;
+  Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity of fluid and beads
+  Vec3 momentum = Vec3::Zero();   ///< of fluid and beads
+};
+
+/// Writes a trajectory frame by frame. All ranks construct it and call its functions together. While it is
+/// being written the file is called PATH.part; each frame is flushed, so that a killed run leaves whole
+/// frames there. The same frames give the same bytes, on any number of ranks.
+class TrajectoryWriter {
+ public:
+  /// Throws InputError if the file cannot be created.
+  TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator);
+
+  void append(const TrajectoryFrame& frame);
+
+  /// Gives the file its name, in place of an older one.
+  void finish();
+
+ private:
+  /// A dataset that grows by one row a frame.
+  struct Series {
+    H5Handle dataset;
+    std::vector<hsize_t> row;  ///< shape of one frame's row
+    hid_t type;                ///< in memory
+  };
+
+  void write_metadata(const TrajectoryHeader& header);
+  void create_box(hid_t beads);
+  void create_series(const std::string& name, hid_t type, std::vector<hsize_t> row);
+  /// Group of a time-dependent quantity: datasets value, and step and time that it shares with all others.
+  void create_element(const std::string& name, hid_t type, std::vector<hsize_t> row);
+  void append_row(const std::string& name, const void* data);
+
+  std::string path_;
+  bool root_;
+  MPI_Comm comm_;
+  Vec3 box_lengths_;
+  std::array<bool, 3> periodic_;
+  std::size_t beads_;
+  H5Handle file_;
+  std::map<std::string, Series> series_;  ///< by path in the file
+  std::string step_name_, time_name_;
+  hsize_t frames_ = 0;
+};
+
+}  // namespace beadswim

@@ -1,0 +1,214 @@
+#include "beadswim/io/h5md.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+std::string part_name(const std::string& path) {
+  return path + ".part";
+}
+
+/// Rank 0 tries to create the file, so that every rank throws the same error with the system's reason.
+void require_creatable(const std::string& path, const Communicator& communicator) {
+  int reason = 0;
+  if (communicator.is_root()) {
+    if (std::FILE* file = std::fopen(part_name(path).c_str(), "wb")) {
+      std::fclose(file);
+    } else {
+      reason = errno;
+    }
+  }
+  MPI_Bcast(&reason, 1, MPI_INT, 0, communicator.get());
+  if (reason != 0) {
+    throw InputError("-o",
+                     fmt::format("{} cannot be created: {}; name a file in a folder that exists and can be "
+                                 "written to",
+                                 part_name(path), std::strerror(reason)));
+  }
+}
+
+H5Handle create_file(const std::string& path, const Communicator& communicator) {
+  require_creatable(path, communicator);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are exceptions of ours, not HDF5's stack on stderr
+  const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
+  check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
+  const hid_t file = H5Fcreate(part_name(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  if (file < 0) {
+    throw SolverError(path +
+                      ": HDF5 cannot create the file; on a network file system that does not support locks, "
+                      "set HDF5_USE_FILE_LOCKING=FALSE");
+  }
+  return {file, H5Fclose, path};
+}
+
+/// Frames in a chunk: about 16 KiB, so that neither few beads nor many make chunks of an awkward size.
+hsize_t frames_in_chunk(hsize_t bytes_per_frame) {
+  return std::max<hsize_t>(1, 16384 / bytes_per_frame);
+}
+
+struct WrappedPositions {
+  std::vector<float> position;
+  std::vector<int> image;
+};
+
+WrappedPositions wrap(const std::vector<Vec3>& positions, const Vec3& lengths,
+                      const std::array<bool, 3>& periodic) {
+  WrappedPositions wrapped;
+  for (const Vec3& position : positions) {
+    for (int a = 0; a < 3; ++a) {
+      const double image = periodic[a] ? std::floor(position[a] / lengths[a]) : 0;
+      wrapped.image.push_back(static_cast<int>(image));
+      wrapped.position.push_back(static_cast<float>(position[a] - image * lengths[a]));
+    }
+  }
+  return wrapped;
+}
+
+std::vector<float> flattened(const std::vector<Vec3>& vectors) {
+  std::vector<float> flat;
+  for (const Vec3& v : vectors) {
+    for (int a = 0; a < 3; ++a) flat.push_back(static_cast<float>(v[a]));
+  }
+  return flat;
+}
+
+}  // namespace
+
+TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHeader& header,
+                                   const Communicator& communicator)
+    : path_(path),
+      root_(communicator.is_root()),
+      comm_(communicator.get()),
+      box_lengths_(header.box_lengths),
+      periodic_(header.periodic),
+      beads_(header.bead.size()),
+      file_(create_file(path, communicator)) {
+  write_metadata(header);
+  const H5Handle particles = create_group(file_, "particles");
+  const H5Handle beads = create_group(particles, "beads");
+  create_box(beads);
+  create_element("particles/beads/position", H5T_NATIVE_FLOAT, {beads_, 3});
+  create_element("particles/beads/image", H5T_NATIVE_INT, {beads_, 3});
+  create_element("particles/beads/velocity", H5T_NATIVE_FLOAT, {beads_, 3});
+  write_dataset(beads, "species", header.bead);
+  write_dataset(beads, "swimmer", header.swimmer);
+  write_dataset(beads, "radius", header.radius);
+  const H5Handle observables = create_group(file_, "observables");
+  create_element("observables/mean_flow", H5T_NATIVE_DOUBLE, {3});
+  create_element("observables/momentum", H5T_NATIVE_DOUBLE, {3});
+}
+
+void TrajectoryWriter::write_metadata(const TrajectoryHeader& header) {
+  const H5Handle h5md = create_group(file_, "h5md");
+  write_attribute(h5md, "version", std::array{1, 1});
+  const H5Handle author = create_group(h5md, "author");
+  write_attribute(author, "name", "unknown");
+  const H5Handle creator = create_group(h5md, "creator");
+  write_attribute(creator, "name", "beadswim-run");
+  write_attribute(creator, "version", header.creator_version);
+  const H5Handle parameters = create_group(file_, "parameters");
+  for (const auto& [name, text] : header.parameters) write_dataset(parameters, name, text);
+}
+
+void TrajectoryWriter::create_box(hid_t beads) {
+  const H5Handle box = create_group(beads, "box");
+  write_attribute(box, "dimension", std::array{3});
+  std::array<std::string, 3> boundary;
+  for (int a = 0; a < 3; ++a) boundary[a] = periodic_[a] ? "periodic" : "none";
+  write_attribute(box, "boundary", boundary);
+  create_element("particles/beads/box/edges", H5T_NATIVE_DOUBLE, {3, 3});
+}
+
+void TrajectoryWriter::create_series(const std::string& name, hid_t type, std::vector<hsize_t> row) {
+  std::vector<hsize_t> now{0}, most{H5S_UNLIMITED};
+  hsize_t bytes = H5Tget_size(type);
+  for (const hsize_t n : row) bytes *= n;
+  std::vector<hsize_t> chunk{frames_in_chunk(bytes)};
+  for (auto* shape : {&now, &most, &chunk}) shape->insert(shape->end(), row.begin(), row.end());
+
+  const H5Handle space(H5Screate_simple(static_cast<int>(now.size()), now.data(), most.data()), H5Sclose,
+                       name);
+  const H5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
+  check_hdf5(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), name);
+  check_hdf5(H5Pset_shuffle(creation), name);
+  check_hdf5(H5Pset_deflate(creation, 4), name);
+  check_hdf5(H5Pset_obj_track_times(creation, false), name);
+  H5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
+                   name);
+  series_.emplace(name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type});
+}
+
+void TrajectoryWriter::create_element(const std::string& name, hid_t type, std::vector<hsize_t> row) {
+  const H5Handle group = create_group(file_, name);
+  if (series_.empty()) {
+    step_name_ = name + "/step";
+    time_name_ = name + "/time";
+    create_series(step_name_, H5T_NATIVE_INT64, {});
+    create_series(time_name_, H5T_NATIVE_DOUBLE, {});
+  } else {  // all elements are sampled together: one step and one time, under every name
+    check_hdf5(H5Lcreate_hard(file_, step_name_.c_str(), group, "step", H5P_DEFAULT, H5P_DEFAULT), name);
+    check_hdf5(H5Lcreate_hard(file_, time_name_.c_str(), group, "time", H5P_DEFAULT, H5P_DEFAULT), name);
+  }
+  create_series(name + "/value", type, std::move(row));
+}
+
+void TrajectoryWriter::append_row(const std::string& name, const void* data) {
+  Series& series = series_.at(name);
+  std::vector<hsize_t> extent{frames_ + 1}, start{frames_}, count{1};
+  extent.insert(extent.end(), series.row.begin(), series.row.end());
+  start.insert(start.end(), series.row.size(), 0);
+  count.insert(count.end(), series.row.begin(), series.row.end());
+  const std::string what = path_ + ":/" + name;
+  check_hdf5(H5Dset_extent(series.dataset, extent.data()), what);
+
+  const H5Handle in_file(H5Dget_space(series.dataset), H5Sclose, what);
+  const H5Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose,
+                           what);
+  if (root_) {
+    check_hdf5(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+               what);
+  } else {
+    check_hdf5(H5Sselect_none(in_file), what);
+    check_hdf5(H5Sselect_none(in_memory), what);
+  }
+  const H5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, what);
+  check_hdf5(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
+  check_hdf5(H5Dwrite(series.dataset, series.type, in_memory, in_file, transfer, data), what);
+}
+
+void TrajectoryWriter::append(const TrajectoryFrame& frame) {
+  const WrappedPositions wrapped = wrap(frame.positions, box_lengths_, periodic_);
+  const std::vector<float> velocities = flattened(frame.velocities);
+  const Eigen::Matrix3d edges = box_lengths_.asDiagonal();
+  append_row(step_name_, &frame.step);
+  append_row(time_name_, &frame.time);
+  append_row("particles/beads/box/edges/value", edges.data());
+  append_row("particles/beads/position/value", wrapped.position.data());
+  append_row("particles/beads/image/value", wrapped.image.data());
+  append_row("particles/beads/velocity/value", velocities.data());
+  append_row("observables/mean_flow/value", frame.mean_flow.data());
+  append_row("observables/momentum/value", frame.momentum.data());
+  ++frames_;
+  check_hdf5(H5Fflush(file_, H5F_SCOPE_GLOBAL), path_);
+}
+
+void TrajectoryWriter::finish() {
+  series_.clear();
+  file_.close();
+  MPI_Barrier(comm_);
+  int failed = 0;
+  if (root_) failed = std::rename(part_name(path_).c_str(), path_.c_str());
+  MPI_Bcast(&failed, 1, MPI_INT, 0, comm_);
+  if (failed != 0) throw SolverError(fmt::format("{} cannot be renamed to {}", part_name(path_), path_));
+}
+
+}  // namespace beadswim

@@ -1,0 +1,105 @@
+#include "beadswim/io/hdf5.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+H5Handle fixed_string_type(std::size_t length) {
+  H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
+  check_hdf5(H5Tset_size(type, std::max<std::size_t>(length, 1)), "string type");
+  return type;
+}
+
+H5Handle list_space(hsize_t count) {
+  return {H5Screate_simple(1, &count, nullptr), H5Sclose, "dataspace"};
+}
+
+void write_attribute_data(hid_t object, const std::string& name, hid_t type, hid_t space, const void* data) {
+  const H5Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                           "attribute " + name);
+  check_hdf5(H5Awrite(attribute, type, data), "attribute " + name);
+}
+
+void write_dataset_data(hid_t parent, const std::string& name, hid_t type, hid_t space, const void* data) {
+  const H5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "dataset " + name);
+  check_hdf5(H5Pset_obj_track_times(creation, false), "dataset " + name);
+  const H5Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+                         H5Dclose, "dataset " + name);
+  check_hdf5(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data), "dataset " + name);
+}
+
+}  // namespace
+
+H5Handle::H5Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
+  if (id < 0) throw SolverError(what + ": HDF5 failed");
+}
+
+H5Handle::~H5Handle() {
+  close();
+}
+
+H5Handle::H5Handle(H5Handle&& other) noexcept
+    : id_(std::exchange(other.id_, H5I_INVALID_HID)), close_(other.close_) {}
+
+H5Handle& H5Handle::operator=(H5Handle&& other) noexcept {
+  if (this != &other) {
+    close();
+    id_ = std::exchange(other.id_, H5I_INVALID_HID);
+    close_ = other.close_;
+  }
+  return *this;
+}
+
+void H5Handle::close() {
+  if (id_ >= 0) close_(id_);
+  id_ = H5I_INVALID_HID;
+}
+
+void check_hdf5(herr_t status, const std::string& what) {
+  if (status < 0) throw SolverError(what + ": HDF5 failed");
+}
+
+H5Handle create_group(hid_t parent, const std::string& name) {
+  const H5Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "group " + name);
+  check_hdf5(H5Pset_obj_track_times(creation, false), "group " + name);
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT), H5Gclose, "group " + name};
+}
+
+void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  const H5Handle type = fixed_string_type(text.size());
+  const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "dataspace");
+  write_attribute_data(object, name, type, space, text.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, std::span<const int> values) {
+  write_attribute_data(object, name, H5T_NATIVE_INT, list_space(values.size()), values.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, std::span<const std::string> texts) {
+  std::size_t length = 1;
+  for (const std::string& text : texts) length = std::max(length, text.size());
+  std::vector<char> padded(length * texts.size(), '\0');
+  for (std::size_t i = 0; i < texts.size(); ++i) std::ranges::copy(texts[i], padded.begin() + i * length);
+  write_attribute_data(object, name, fixed_string_type(length), list_space(texts.size()), padded.data());
+}
+
+void write_dataset(hid_t parent, const std::string& name, const std::string& text) {
+  const H5Handle type = fixed_string_type(text.size());
+  const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "dataspace");
+  write_dataset_data(parent, name, type, space, text.data());
+}
+
+void write_dataset(hid_t parent, const std::string& name, std::span<const int> values) {
+  write_dataset_data(parent, name, H5T_NATIVE_INT, list_space(values.size()), values.data());
+}
+
+void write_dataset(hid_t parent, const std::string& name, std::span<const double> values) {
+  write_dataset_data(parent, name, H5T_NATIVE_DOUBLE, list_space(values.size()), values.data());
+}
+
+}  // namespace beadswim

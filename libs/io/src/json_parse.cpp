@@ -1,0 +1,121 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/io/json.hpp"
+#include "json_pointer.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Line and column, from 1, of a byte counted from 1 (as nlohmann-json counts).
+std::string line_and_column(const std::string& text, std::size_t byte) {
+  const std::size_t before = std::min(byte > 0 ? byte - 1 : 0, text.size());
+  const auto line = std::count(text.begin(), text.begin() + before, '\n') + 1;
+  const std::size_t line_start = before == 0 ? std::string::npos : text.rfind('\n', before - 1);
+  const std::size_t column = line_start == std::string::npos ? before + 1 : before - line_start;
+  return fmt::format("line {}, column {}", line, column);
+}
+
+/// Whether the parser stopped inside one of the words that some programs write for a number.
+bool stopped_at_non_finite_word(const std::string& text, std::size_t byte) {
+  const std::string delimiters = " \t\r\n,:[]{}\"";
+  const std::size_t last = text.find_last_of(delimiters, byte > 1 ? byte - 2 : 0);
+  const std::size_t start = last == std::string::npos ? 0 : last + 1;
+  std::string word = text.substr(start, text.find_first_of(delimiters, start) - start);
+  std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.erase(0, 1);
+  return word == "nan" || word == "inf" || word == "infinity";
+}
+
+/// What is wrong, in words: the parser's own without its prefix, or a plainer one.
+std::string explanation(const std::string& text, std::size_t byte, const std::string& parser_says) {
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "empty; a JSON document is needed";
+  if (stopped_at_non_finite_word(text, byte))
+    return "NaN and infinity are not JSON; a finite number is needed";
+  if (byte >= text.size()) {
+    return "the text ends before the document does; is the file truncated?";
+  }
+  const std::size_t column = parser_says.find("column ");
+  const std::size_t colon = parser_says.find(": ", column == std::string::npos ? 0 : column);
+  return colon == std::string::npos ? parser_says : parser_says.substr(colon + 2);
+}
+
+/// Builds a document from the parser's events. Unlike nlohmann-json's own builder it refuses a key given
+/// twice, of which that one keeps the last.
+class DocumentBuilder : public nlohmann::json_sax<Json> {
+ public:
+  DocumentBuilder(const std::string& text, const std::string& source) : text_(text), source_(source) {}
+
+  Json take() { return std::move(root_); }
+
+  bool null() override { return add(nullptr), true; }
+  bool boolean(bool value) override { return add(value), true; }
+  bool number_integer(number_integer_t value) override { return add(value), true; }
+  bool number_unsigned(number_unsigned_t value) override { return add(value), true; }
+  bool number_float(number_float_t value, const string_t&) override { return add(value), true; }
+  bool string(string_t& value) override { return add(std::move(value)), true; }
+  bool binary(binary_t& value) override { return add(std::move(value)), true; }
+  bool start_object(std::size_t) override { return open_.push_back(add(Json::object())), true; }
+  bool start_array(std::size_t) override { return open_.push_back(add(Json::array())), true; }
+  bool end_object() override { return open_.pop_back(), true; }
+  bool end_array() override { return open_.pop_back(), true; }
+
+  bool key(string_t& key) override {
+    auto& members = open_.back()->get_ref<Json::object_t&>();
+    if (members.find(key) != members.end()) {
+      throw InputError(source_ + ":" + open_pointer() + pointer_step(key),
+                       "this key is given twice in one object; leave one");
+    }
+    members.emplace_back(std::move(key), nullptr);
+    return true;
+  }
+
+  bool parse_error(std::size_t byte, const std::string& token, const Json::exception& error) override {
+    constexpr int number_overflow = 406;
+    const std::string what = error.id == number_overflow
+                                 ? fmt::format("{} is beyond the range of a double", token)
+                                 : explanation(text_, byte, error.what());
+    throw InputError(source_, line_and_column(text_, byte) + ": " + what);
+  }
+
+ private:
+  /// Appends to the open array, or gives the open object's last key its value. The pointer stays valid while
+  /// the value is open: only values inside it are added meanwhile.
+  Json* add(Json value) {
+    if (open_.empty()) return &(root_ = std::move(value));
+    if (open_.back()->is_array()) {
+      auto& elements = open_.back()->get_ref<Json::array_t&>();
+      return &elements.emplace_back(std::move(value));
+    }
+    Json& member = open_.back()->get_ref<Json::object_t&>().back().second;
+    return &(member = std::move(value));
+  }
+
+  /// JSON pointer to the innermost open container.
+  std::string open_pointer() const {
+    std::string pointer;
+    for (std::size_t depth = 0; depth + 1 < open_.size(); ++depth) {
+      const Json& container = *open_[depth];
+      pointer += container.is_array() ? fmt::format("/{}", container.size() - 1)
+                                      : pointer_step(container.get_ref<const Json::object_t&>().back().first);
+    }
+    return pointer;
+  }
+
+  const std::string& text_;
+  const std::string& source_;
+  Json root_;
+  std::vector<Json*> open_;
+};
+
+}  // namespace
+
+Json parse_json(const std::string& text, const std::string& source) {
+  DocumentBuilder builder(text, source);
+  Json::sax_parse(text, &builder);
+  return builder.take();
+}
+
+}  // namespace beadswim

@@ -1,0 +1,55 @@
+#include "beadswim/io/schema.hpp"
+
+#include <stdexcept>
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "embedded_schemas.hpp"
+#include "schema_name.hpp"
+#include "value_fault.hpp"
+
+namespace beadswim {
+namespace {
+
+Json embedded_schema(const std::string& name) {
+  for (const EmbeddedSchema& schema : embedded_schemas()) {
+    if (schema.name == name) return Json::parse(schema.text);
+  }
+  throw std::logic_error("no schema " + name + " is built in");
+}
+
+/// Takes "[key]" apart; the first step of valijson's paths, "<root>", is left out.
+std::vector<std::string> path_of(const valijson::ValidationResults::Error& error) {
+  std::vector<std::string> path;
+  for (const std::string& step : error.context) {
+    if (step != "<root>") path.push_back(step.substr(1, step.size() - 2));
+  }
+  return path;
+}
+
+std::vector<SchemaFailure> failures(const nlohmann::json& document, const nlohmann::json& schema) {
+  valijson::Schema rules;
+  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), rules);
+  valijson::Validator validator(valijson::Validator::kStrongTypes);
+  const valijson::adapters::NlohmannJsonAdapter target(document);
+  std::vector<SchemaFailure> found;
+  // Without a place to put results valijson stops at the first failure, and is several times faster.
+  if (validator.validate(rules, target, nullptr)) return found;
+  valijson::ValidationResults results;
+  validator.validate(rules, target, &results);
+  for (const auto& error : results) found.push_back({path_of(error), error.description});
+  return found;
+}
+
+}  // namespace
+
+void validate_json(const Json& document, const std::string& schema_name, const std::string& source) {
+  const Json schema = embedded_schema(schema_name);
+  check_schema_name(document, schema.at("properties").at("schema").at("const").get<std::string>(), source);
+  const auto found = failures(nlohmann::json(document), nlohmann::json(schema));
+  refuse_faulty(source, explain_failures(found, schema, document));
+}
+
+}  // namespace beadswim

@@ -1,0 +1,60 @@
+#include "schema_name.hpp"
+
+#include <fmt/core.h>
+
+#include <optional>
+#include <regex>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+/// "beadswim/KIND/VERSION" taken apart.
+struct SchemaName {
+  std::string kind;
+  int version = 0;
+};
+
+std::optional<SchemaName> parse_schema_name(const std::string& text) {
+  static const std::regex form("beadswim/([a-z-]+)/([0-9]{1,6})");
+  std::smatch part;
+  if (!std::regex_match(text, part, form)) return std::nullopt;
+  return SchemaName{part[1], std::stoi(part[2])};
+}
+
+std::string disagreement(const SchemaName& found, const SchemaName& wanted, const std::string& found_text) {
+  if (found.kind != wanted.kind) {
+    return fmt::format("\"{}\" is another kind of document (\"{}\"); a \"{}\" document is needed here",
+                       found_text, found.kind, wanted.kind);
+  }
+  if (found.version > wanted.version) {
+    return fmt::format("\"{}\" is newer than this program, which reads version {}; update Beadswim",
+                       found_text, wanted.version);
+  }
+  return fmt::format("\"{}\" is a version that this program does not read; it reads version {}", found_text,
+                     wanted.version);
+}
+
+}  // namespace
+
+void check_schema_name(const Json& document, const std::string& expected, const std::string& source) {
+  if (!document.is_object()) {
+    throw InputError(source, fmt::format("the document is {} {}; an object with \"schema\": \"{}\" is needed",
+                                         document.is_array() ? "an" : "a", document.type_name(), expected));
+  }
+  const auto entry = document.find("schema");
+  if (entry == document.end()) {
+    throw InputError(source,
+                     fmt::format("lacks the key \"schema\"; add \"schema\": \"{}\" if it is one", expected));
+  }
+  const std::string place = source + ":/schema";
+  const auto found = entry->is_string() ? parse_schema_name(entry->get<std::string>()) : std::nullopt;
+  if (!found) throw InputError(place, fmt::format("{}: must be \"{}\"", entry->dump(), expected));
+  const SchemaName wanted = parse_schema_name(expected).value();
+  if (found->kind != wanted.kind || found->version != wanted.version) {
+    throw InputError(place, disagreement(*found, wanted, entry->get<std::string>()));
+  }
+}
+
+}  // namespace beadswim

@@ -1,0 +1,79 @@
+#include "subschema.hpp"
+
+#include <initializer_list>
+
+namespace beadswim {
+namespace {
+
+/// Whether a value meets an "if" that asks for one type alone; unknown (true for both branches) otherwise.
+struct Branches {
+  bool then_taken = true;
+  bool else_taken = true;
+};
+
+Branches branches(const Json& condition, const Json* value) {
+  if (!value || condition.size() != 1 || !condition.contains("type")) return {};
+  const bool met = condition["type"] == value->type_name();
+  return {met, !met};
+}
+
+/// Adds a schema and those that it applies to the same value.
+void add_expanded(const Json& root, const Json& schema, const Json* value, Subschemas& found) {
+  if (!schema.is_object()) return;
+  if (const auto reference = schema.find("$ref"); reference != schema.end()) {
+    const std::string pointer = reference->get<std::string>().substr(1);  // without '#'
+    return add_expanded(root, root.at(Json::json_pointer(pointer)), value, found);
+  }
+  found.push_back(&schema);
+  for (const char* keyword : {"allOf", "anyOf", "oneOf"}) {
+    if (!schema.contains(keyword)) continue;
+    for (const Json& part : schema[keyword]) add_expanded(root, part, value, found);
+  }
+  if (!schema.contains("if")) return;
+  const Branches taken = branches(schema["if"], value);
+  if (taken.then_taken && schema.contains("then")) add_expanded(root, schema["then"], value, found);
+  if (taken.else_taken && schema.contains("else")) add_expanded(root, schema["else"], value, found);
+}
+
+/// A schema's own entry for a member or element, or nullptr.
+const Json* entry_for(const Json& schema, const std::string& key) {
+  if (schema.contains("properties") && schema["properties"].contains(key)) return &schema["properties"][key];
+  if (schema.contains("additionalProperties")) return &schema["additionalProperties"];
+  if (schema.contains("items")) return &schema["items"];
+  return nullptr;
+}
+
+}  // namespace
+
+Subschemas document_schemas(const Json& root, const Json& document) {
+  Subschemas found;
+  add_expanded(root, root, &document, found);
+  return found;
+}
+
+Subschemas member_schemas(const Json& root, const Subschemas& parents, const std::string& key,
+                          const Json* value) {
+  Subschemas found;
+  for (const Json* parent : parents) {
+    if (const Json* entry = entry_for(*parent, key)) add_expanded(root, *entry, value, found);
+  }
+  return found;
+}
+
+const Json* find_keyword(const Subschemas& schemas, const std::string& keyword) {
+  for (const Json* schema : schemas) {
+    if (schema->contains(keyword)) return &(*schema)[keyword];
+  }
+  return nullptr;
+}
+
+std::vector<std::string> property_names(const Subschemas& schemas) {
+  std::vector<std::string> names;
+  for (const Json* schema : schemas) {
+    if (!schema->contains("properties")) continue;
+    for (const auto& [name, entry] : (*schema)["properties"].items()) names.push_back(name);
+  }
+  return names;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,149 @@
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/io/json.hpp"
+
+namespace beadswim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string system_says() {
+  return std::strerror(errno);
+}
+
+/// An open file descriptor, closed with the object.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags) : number_(::open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  bool is_open() const { return number_ >= 0; }
+
+  void write_all(const std::string& text, const std::string& path) const {
+    for (std::size_t written = 0; written < text.size();) {
+      const ssize_t count = ::write(number_, text.data() + written, text.size() - written);
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) throw SolverError(fmt::format("{}: cannot be written: {}", path, system_says()));
+      written += static_cast<std::size_t>(count);
+    }
+  }
+
+  void sync(const std::string& path) const {
+    // Folders of some network file systems cannot be synchronised and say EINVAL.
+    if (::fsync(number_) != 0 && errno != EINVAL) {
+      throw SolverError(fmt::format("{}: cannot be written: {}", path, system_says()));
+    }
+  }
+
+ private:
+  int number_;
+};
+
+/// A new file beside `target`, removed with the object unless it has taken the target's place.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const fs::path& target)
+      : target_(target), path_(fmt::format("{}.tmp{}", target.string(), ::getpid())) {}
+  ~TemporaryFile() {
+    if (!path_.empty()) ::unlink(path_.c_str());
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+  void take_targets_place() {
+    if (::rename(path_.c_str(), target_.c_str()) != 0) {
+      throw SolverError(fmt::format("{}: cannot be replaced: {}", target_.string(), system_says()));
+    }
+    path_.clear();
+  }
+
+ private:
+  fs::path target_;
+  fs::path path_;
+};
+
+InputError cannot_be_created(const std::string& path) {
+  return InputError(
+      path,
+      fmt::format("cannot be created: {}; name a file in a folder that exists and that you may write to",
+                  system_says()));
+}
+
+void write_stdout(const std::string& text) {
+  const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
+  if (written != text.size() || std::fflush(stdout) != 0) {
+    throw SolverError(fmt::format("stdout: cannot be written: {}", system_says()));
+  }
+}
+
+void write_in_place(const fs::path& target, const std::string& text) {
+  const Descriptor file(target, O_WRONLY);
+  if (!file.is_open()) throw cannot_be_created(target);
+  file.write_all(text, target);
+}
+
+void replace_file(const fs::path& target, const std::string& text) {
+  if (fs::is_directory(target)) throw InputError(target, "is a folder; name a file");
+  TemporaryFile temporary(target);
+  {
+    const Descriptor file(temporary.path(), O_WRONLY | O_CREAT | O_TRUNC);
+    if (!file.is_open()) throw cannot_be_created(target);
+    file.write_all(text, target);
+    file.sync(target);
+  }
+  temporary.take_targets_place();
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
+  const Descriptor opened_folder(folder, O_RDONLY | O_DIRECTORY);
+  if (opened_folder.is_open()) opened_folder.sync(folder);
+}
+
+}  // namespace
+
+std::string read_text(const std::string& path) {
+  std::ostringstream text;
+  if (path == "-") {
+    text << std::cin.rdbuf();
+    return text.str();
+  }
+  if (fs::is_directory(path)) throw InputError(path, "is a folder; name a file, or - for standard input");
+  const std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw InputError(path,
+                     fmt::format("cannot be read: {}; name a file, or - for standard input", system_says()));
+  }
+  text << file.rdbuf();
+  return text.str();
+}
+
+void write_text(const std::string& path, const std::string& text) {
+  if (path == "-") return write_stdout(text);
+  std::error_code ignored;
+  // Through symbolic links, so that the link stays and its target changes.
+  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path) : fs::path(path);
+  // A pipe or device has no earlier content to keep, and must not be replaced by a file.
+  const fs::file_status status = fs::status(target, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
+    return write_in_place(target, text);
+  }
+  replace_file(target, text);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,195 @@
+#include "value_fault.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "beadswim/core/nearest_name.hpp"
+#include "json_pointer.hpp"
+#include "subschema.hpp"
+
+namespace beadswim {
+namespace {
+
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.rfind(start, 0) == 0;
+}
+
+/// Whether valijson only repeats, for an ancestor, what it says of a descendant.
+bool is_echo(const SchemaFailure& failure) {
+  return starts_with(failure.description, "Failed to validate");
+}
+
+/// The name in single quotes that valijson's words on a missing key hold.
+std::string quoted_name(const std::string& description) {
+  const std::size_t start = description.find('\'') + 1;
+  return description.substr(start, description.rfind('\'') - start);
+}
+
+std::string echo_value(const Json& value) {
+  constexpr std::size_t longest = 60;
+  const std::string text = value.dump();
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+std::string allowed_range(const Subschemas& schemas) {
+  const std::vector<std::pair<std::string, std::string>> bounds{{"exclusiveMinimum", "greater than"},
+                                                                {"minimum", "at least"},
+                                                                {"exclusiveMaximum", "less than"},
+                                                                {"maximum", "at most"}};
+  std::vector<std::string> parts;
+  for (const auto& [keyword, words] : bounds) {
+    if (const Json* bound = find_keyword(schemas, keyword)) parts.push_back(words + " " + bound->dump());
+  }
+  return fmt::format("must be {}", fmt::join(parts, " and "));
+}
+
+std::string allowed_count(const Subschemas& schemas, const Json& value) {
+  const Json* least = find_keyword(schemas, "minItems");
+  const Json* most = find_keyword(schemas, "maxItems");
+  const std::string allowed = least && most && *least == *most ? "exactly " + least->dump()
+                              : least && value.size() < least->get<std::size_t>()
+                                  ? "at least " + least->dump()
+                                  : "at most " + most->dump();
+  return fmt::format("has {} elements; {} are needed", value.size(), allowed);
+}
+
+std::string allowed_names(const Subschemas& schemas, const Json& value) {
+  const Json& names = *find_keyword(schemas, "enum");
+  std::string text = fmt::format("must be one of {}", names.dump());
+  if (!value.is_string()) return text;
+  return text + fmt::format("; did you mean \"{}\"?",
+                            nearest_name(value.get<std::string>(), names.get<std::vector<std::string>>()));
+}
+
+std::string allowed_type(const Subschemas& schemas, const Json& value) {
+  const Json& type = *find_keyword(schemas, "type");
+  const std::string names = type.is_array()
+                                ? fmt::format("{}", fmt::join(type.get<std::vector<std::string>>(), " or "))
+                                : type.get<std::string>();
+  return fmt::format("must be of type {}, not {}", names, value.type_name());
+}
+
+/// What the schema allows in place of a value that valijson has refused.
+std::string allowed(const SchemaFailure& failure, const Subschemas& schemas, const Json& value) {
+  const std::string& says = failure.description;
+  if (starts_with(says, "Value type") && find_keyword(schemas, "type")) return allowed_type(schemas, value);
+  if (starts_with(says, "Failed to match against any enum") && find_keyword(schemas, "enum")) {
+    return allowed_names(schemas, value);
+  }
+  if (starts_with(says, "Failed to match expected value") && find_keyword(schemas, "const")) {
+    return "must be " + find_keyword(schemas, "const")->dump();
+  }
+  if (starts_with(says, "Expected number")) return allowed_range(schemas);
+  if (starts_with(says, "Array should contain")) return allowed_count(schemas, value);
+  return says;
+}
+
+/// " (description)" from the schema, where it has one.
+std::string meaning(const Subschemas& schemas) {
+  const Json* description = find_keyword(schemas, "description");
+  return description ? fmt::format(" ({})", description->get<std::string>()) : "";
+}
+
+DocumentFault explain_value(const SchemaFailure& failure, const std::string& pointer,
+                            const Subschemas& schemas, const Json& value) {
+  const bool about_length = starts_with(failure.description, "Array should contain");
+  const std::string echo = about_length ? "" : echo_value(value) + ": ";
+  return {pointer, echo + allowed(failure, schemas, value) + meaning(schemas)};
+}
+
+/// The failures of one place, gathered.
+struct Place {
+  std::vector<std::string> path;
+  bool has_unknown_keys = false;
+  std::vector<std::string> missing_keys;
+  std::optional<SchemaFailure> value;
+};
+
+void add_failure(const SchemaFailure& failure, Place& place) {
+  if (starts_with(failure.description, "Object contains a property")) {
+    place.has_unknown_keys = true;
+  } else if (starts_with(failure.description, "Missing required property")) {
+    place.missing_keys.push_back(quoted_name(failure.description));
+  } else if (!place.value || starts_with(failure.description, "Value type")) {
+    place.value = failure;  // a wrong type explains whatever else is wrong with a value
+  }
+}
+
+/// Places in the order of their first failure; echoes are left out.
+std::vector<Place> gather_by_place(const std::vector<SchemaFailure>& failures) {
+  std::vector<Place> places;
+  std::map<std::vector<std::string>, std::size_t> index;
+  for (const SchemaFailure& failure : failures) {
+    if (is_echo(failure)) continue;
+    const auto [entry, is_new] = index.try_emplace(failure.path, places.size());
+    if (is_new) places.emplace_back().path = failure.path;
+    add_failure(failure, places[entry->second]);
+  }
+  return places;
+}
+
+/// Explains failures at the places of one document.
+class Explainer {
+ public:
+  Explainer(const Json& schema, const Json& document) : schema_(schema), document_(document) {}
+
+  void explain(const Place& place) {
+    const Json* value = &document_;
+    Subschemas schemas = document_schemas(schema_, document_);
+    std::string pointer;
+    for (const std::string& key : place.path) {
+      value = &(value->is_array() ? value->at(std::stoul(key)) : value->at(key));
+      schemas = member_schemas(schema_, schemas, key, value);
+      pointer += pointer_step(key);
+    }
+    if (place.value) faults.push_back(explain_value(*place.value, pointer, schemas, *value));
+    const std::vector<std::string> meant = explain_unknown_keys(place, pointer, schemas, *value);
+    for (const std::string& key : place.missing_keys) {
+      // A misspelt required key is both unknown and missing; it is said once.
+      if (std::find(meant.begin(), meant.end(), key) != meant.end()) continue;
+      const std::string what = meaning(member_schemas(schema_, schemas, key, nullptr));
+      faults.push_back({pointer, fmt::format("lacks the key \"{}\"{}", key, what)});
+    }
+  }
+
+  std::vector<DocumentFault> faults;
+
+ private:
+  /// Returns the keys that were probably meant.
+  std::vector<std::string> explain_unknown_keys(const Place& place, const std::string& pointer,
+                                                const Subschemas& schemas, const Json& object) {
+    std::vector<std::string> meant;
+    if (!place.has_unknown_keys) return meant;
+    const std::vector<std::string> names = property_names(schemas);
+    std::vector<std::string> absent;  // a key that is there already is a less likely intention
+    for (const std::string& name : names) {
+      if (!object.contains(name)) absent.push_back(name);
+    }
+    for (const auto& [key, value] : object.items()) {
+      if (std::find(names.begin(), names.end(), key) != names.end()) continue;
+      meant.push_back(nearest_name(key, absent.empty() ? names : absent));
+      faults.push_back(
+          {pointer + pointer_step(key), fmt::format("unknown key; did you mean \"{}\"? Allowed here: {}",
+                                                    meant.back(), fmt::join(names, ", "))});
+    }
+    return meant;
+  }
+
+  const Json& schema_;
+  const Json& document_;
+};
+
+}  // namespace
+
+std::vector<DocumentFault> explain_failures(const std::vector<SchemaFailure>& failures, const Json& schema,
+                                            const Json& document) {
+  Explainer explainer(schema, document);
+  for (const Place& place : gather_by_place(failures)) explainer.explain(place);
+  return explainer.faults;
+}
+
+}  // namespace beadswim

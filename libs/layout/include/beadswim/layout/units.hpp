@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "beadswim/layout/layout.hpp"
+
+namespace beadswim {
+
+enum class Quantity { length, time, mass };
+
+/// Names that need no definition, with their size in SI: m ... nm, s ... ns, kg ... fg.
+const std::vector<Units::Unit>& known_units(Quantity quantity);
+
+/// The known unit of that name, or nullptr.
+const Units::Unit* find_known_unit(Quantity quantity, const std::string& name);
+
+}  // namespace beadswim

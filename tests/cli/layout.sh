@@ -1,0 +1,81 @@
+#!/bin/bash
+# beadswim-layout: what it writes, what it says of itself, and that it joins with pipes.
+source "$(dirname "$0")/harness.sh"
+
+# --- what it says of itself
+accepts beadswim-layout --help
+out_has 'swimmer'
+out_has 'check'
+accepts beadswim-layout --version
+out_has '^beadswim-layout [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
+accepts beadswim-layout swimmer --help
+for flag in preset radius arm stiffness damping angular-stiffness bead-density amplitude phase period viscosity density \
+  frame box boundary unbounded; do
+  out_has "^  --$flag"
+done
+accepts beadswim-layout check --help
+
+# --- wrong command lines
+refuses 'a command is needed: swimmer, check' beadswim-layout
+refuses 'swimer: unknown command; did you mean "swimmer"' beadswim-layout swimer
+refuses 'swimer: unknown command' beadswim-layout swimer --help
+refuses '--no-such-flag: unknown flag' beadswim-layout --no-such-flag
+refuses '--raduis: unknown flag; did you mean --radius' beadswim-layout swimmer --raduis=4
+refuses 'needs --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99
+refuses '--preset: "paper-singel".*"paper-single"' beadswim-layout swimmer --preset paper-singel
+refuses '--radius: "-4": must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
+refuses '--radius: "4,5": 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5
+refuses '--radius: given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
+refuses '--radius: needs a value' beadswim-layout swimmer --preset paper-single --radius
+refuses '--period: "": must be' beadswim-layout swimmer --preset paper-single --period ""
+for word in nan inf -inf 1e999 4x ""; do
+  refuses '--amplitude: ' beadswim-layout swimmer --preset paper-single "--amplitude=1,$word"
+done
+refuses 'excludes' beadswim-layout swimmer --preset paper-single --unbounded --box 99,99,99
+refuses '--boundary: "perodic".*"periodic"' beadswim-layout swimmer --preset paper-single --boundary perodic
+refuses '--frame: "labb".*"lab"' beadswim-layout swimmer --preset paper-single --frame labb
+refuses '--units: "pgg".*"pg"' beadswim-layout swimmer --preset paper-single --units um,s,pgg
+refuses 'bead 1, .* not wholly inside the walls along x' beadswim-layout swimmer --preset paper-single --box 20,20,20
+refuses 'overlaps .* through the periodic boundary' \
+  beadswim-layout swimmer --preset paper-single --box 20,20,20 --boundary periodic
+
+# --- layouts
+same_bytes 'beadswim-layout swimmer --preset paper-single' 'cd / && LC_ALL=C TZ=UTC beadswim-layout swimmer --preset paper-single'
+out_has '"schema": "beadswim/layout/1"'
+out_has '"lengths": \[1200.0, 800.0, 800.0\], "boundary": \["free-slip", "free-slip", "free-slip"\]'
+out_has '"angular_stiffness": 138.8'
+out_has '"position": \[600.0, 400.0, 400.0\]'
+out_has '"cells_per_radius": 4.0, "relaxation_time": 1.5'
+cp out paper.json
+
+accepts beadswim-layout swimmer --preset paper-single --radius 3,4,5 --arm 18,27 --stiffness 0.03,0.06 --damping 0,2 \
+  --amplitude 0.2,0 --phase=-0.5 --unbounded
+out_has '"domain": null'
+out_has '"stiffness": 0.06, "rest_length": 27.0, "damping": 2.0'
+out_has '"amplitude": \[0.2, 0.0\], "phase": -0.5'
+
+accepts beadswim-layout swimmer --radius 4 --arm 20 --stiffness 0.03 --amplitude 0.1 --period 1000 --viscosity 0.2 \
+  --density 2 --units um,ms,pg --box 100,50,50 --boundary periodic,no-slip,free-slip --frame body --axis 0,0,-2
+out_has '"units": \{ "length": "um", "time": "ms", "mass": "pg" \}'
+out_has '"axis": \[0.0, 0.0, -1.0\]'
+out_has '"radius": 4.0, "density": 2.0'
+out_has '"phase": 1.5707963267948966'
+
+# --- check, from a file and through a pipe
+accepts beadswim-layout check paper.json
+out_has 'lambda/delta +0.177'
+out_has 'cells in the box +7.68e\+08'
+same_bytes 'beadswim-layout check paper.json' 'beadswim-layout check <paper.json'
+same_bytes 'beadswim-layout check paper.json' 'beadswim-layout swimmer --preset paper-single | beadswim-layout check -'
+run beadswim-layout swimmer --preset paper-single --amplitude 2
+cp out strong.json
+run beadswim-layout check strong.json
+has_status 0
+err_has 'warning: /types/a: the predicted amplitude .* exceeds the gap'
+
+# --- a full disk is not the user's mistake
+run bash -c 'beadswim-layout swimmer --preset paper-single >/dev/full'
+has_status 3
+err_has 'stdout: cannot be written: No space left'
+
+finish

@@ -1,0 +1,69 @@
+#!/bin/bash
+# Bad layouts: each gives one clear error that names the place, exit status 2, and nothing on standard output.
+source "$(dirname "$0")/harness.sh"
+
+beadswim-layout swimmer --preset paper-single --box 72,30,30 --boundary periodic >sound.json || exit 1
+accepts beadswim-layout check sound.json
+
+# Edits of the sound layout (sed -z, so that a pattern may span lines; first match only) and the message due.
+bad() { # NAME SED-SCRIPT REGEX
+  sed -z "$2" sound.json >bad.json
+  check "the edit \"$1\" changes nothing" test "$(cmp -s sound.json bad.json; echo $?)" = 1
+  refuses "bad.json:$3" beadswim-layout check bad.json
+  check "$1: more than one error" test "$(wc -l <err)" = 1
+}
+
+first_bead='{ "radius": 4.0, "density": 1.0 }'
+spring='{ "stiffness": 0.0347, "rest_length": 20.0, "damping": 0.0 }'
+swimmer='{ "id": 0, "type": "a", "position": \[36.0, 15.0, 15.0\], "axis": \[1.0, 0.0, 0.0\] }'
+
+bad 'typo in a key' 's/"radius"/"raduis"/' '/types/a/beads/0/raduis: unknown key; did you mean "radius"'
+bad 'typo in an optional key' 's/"resolution"/"resolutoin"/' '/resolutoin: unknown key; did you mean "resolution"'
+bad 'missing key' 's/, "axis": [^}]*\]//' '/swimmers/0: lacks the key "axis"'
+bad 'NaN' 's/"density": 1.0/"density": NaN/' ' line 4, column .*finite number'
+bad 'infinity' 's/"density": 1.0/"density": -Infinity/' ' line 4, column .*finite number'
+bad 'overflow' 's/"density": 1.0/"density": 1e999/' ' line 4, column .*1e999 is beyond the range'
+bad 'number as text' 's/"density": 1.0/"density": "1.0"/' '/fluid/density: "1.0": must be of type number'
+bad 'negative radius' 's/"radius": 4.0/"radius": -4/' '/types/a/beads/0/radius: -4: must be greater than 0'
+bad 'bead outside the box' 's/\[36.0, 15.0/[73.0, 15.0/' '/swimmers/0/position: \(73, 15, 15\): bead 2 lies outside the box'
+bad 'bead through a wall' 's/\["periodic", "periodic"/["periodic", "no-slip"/; s/\[36.0, 15.0/[36.0, 3.0/' \
+  '/swimmers/0/position: bead 1.*along y: its centre must be between 4 and 26'
+bad 'overlapping beads' "s/$swimmer/{ \"id\": 7, \"type\": \"a\", \"position\": [14, 15, 15], \"axis\": [0, 1, 0] }, $swimmer/" \
+  '/swimmers/1/position: bead 1 of swimmer 0 at .* overlaps bead 2 of swimmer 7'
+bad 'overlap through the seam' 's/\[72.0/[47.0/' '/swimmers/0/position: bead 3 .* overlaps bead 1 .* through the periodic boundary'
+bad 'arm shorter than its beads' 's/"rest_length": 20.0/"rest_length": 7/' '/types/a/springs/0/rest_length: 7: beads 1 and 2 overlap'
+bad 'spring to a bead that is not there' "s/$spring/$spring, $spring/" \
+  '/types/a/springs: has 3 elements; exactly 2 are needed .*no other bead to join'
+bad 'spring with one bead less' "s/$first_bead,[[:space:]]*//" '/types/a/beads: has 2 elements; exactly 3'
+bad 'wrong unit' 's/"lattice"/{ "length": "um", "time": "sec", "mass": "pg" }/' '/units/time: "sec": must be one of .*did you mean "s"'
+bad 'unit of another quantity' 's/"lattice"/{ "length": "s", "time": "s", "mass": "pg" }/' '/units/length: "s": must be one of \["m"'
+bad 'unit that contradicts its name' \
+  's/"lattice"/{ "length": { "name": "um", "si_factor": 1 }, "time": "s", "mass": "pg" }/' \
+  '/units/length/si_factor: 1: one um is 1e-06 in SI'
+bad 'misspelt lattice' 's/"lattice"/"latice"/' '/units: "latice": .*did you mean "lattice"'
+bad 'unknown type' 's/"type": "a"/"type": "b"/' '/swimmers/0/type: "b": no such type under /types; did you mean "a"'
+bad 'id given twice' "s/$swimmer/$swimmer, { \"id\": 0, \"type\": \"a\", \"position\": [36, 25, 15], \"axis\": [1, 0, 0] }/" \
+  '/swimmers/1/id: 0: /swimmers/0 has this id already'
+bad 'axis not of unit length' 's/"axis": \[1.0/"axis": [2.0/' '/swimmers/0/axis: \(2, 0, 0\): has length 2'
+bad 'duplicate key' 's/"id": 0/"id": 0, "id": 0/' '/swimmers/0/id: this key is given twice'
+bad 'newer version' 's#layout/1#layout/2#; s/"fluid"/"medium"/' '/schema: "beadswim/layout/2" is newer than this program'
+bad 'another document' 's#layout/1#run/1#' '/schema: "beadswim/run/1" is another kind of document'
+bad 'no schema' 's/"schema": [^\n]*//' ' lacks the key "schema"'
+bad 'comment' 's/"units"/\/\/ comment\n  "units"/' ' line 3, column '
+bad 'text after the document' 's/$/{}/' ' line '
+
+for length in 1 50 100 500; do
+  head -c $length sound.json >bad.json
+  refuses 'bad.json: line .*truncated' beadswim-layout check bad.json
+done
+: >bad.json
+refuses 'bad.json: .*empty' beadswim-layout check bad.json
+refuses 'missing.json: cannot be read: No such file' beadswim-layout check missing.json
+refuses ': is a folder' beadswim-layout check .
+sed 's/"radius"/"raduis"/' sound.json >bad.json
+run bash -c 'beadswim-layout check - <bad.json'
+has_status 2
+out_empty
+err_has 'standard input:/types/a/beads/0/raduis'
+
+finish

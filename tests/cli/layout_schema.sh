@@ -1,0 +1,37 @@
+#!/bin/bash
+# The schemas, and what the programs write, by a second validator: python3-jsonschema.
+source "$(dirname "$0")/harness.sh"
+
+python=/usr/bin/python3
+$python -c 'import jsonschema' 2>/dev/null || skip "python3-jsonschema is not installed"
+
+for schema in "$BEADSWIM_SOURCE"/schemas/*.schema.json; do
+  accepts $python -c 'import json, sys, jsonschema
+schema = json.load(open(sys.argv[1]))
+assert schema["$schema"] == "http://json-schema.org/draft-07/schema#"
+jsonschema.Draft7Validator.check_schema(schema)' "$schema"
+done
+
+valid() { # NAME FILE   by the schema of that name
+  accepts $python -W ignore -m jsonschema -i "$2" "$BEADSWIM_SOURCE/schemas/$1.schema.json"
+}
+
+beadswim-layout swimmer --preset paper-single >bounded.json
+beadswim-layout swimmer --preset paper-single --unbounded --units um,s,pg >unbounded.json
+beadswim-layout check bounded.json --json >bounded-check.json
+beadswim-layout check unbounded.json --json >unbounded-check.json
+valid layout bounded.json
+valid layout unbounded.json
+valid layout-check bounded-check.json
+valid layout-check unbounded-check.json
+
+# Both validators refuse what the schema alone can see.
+for edit in 's/"radius"/"raduis"/' 's/"lattice"/"latice"/' 's/"lab"/"labb"/' 's/"density": 1.0/"density": "1.0"/' \
+  's/"density": 1.0/"density": 0/' 's/"id": 0/"id": 0.5/' 's/"axis": \[1.0, /"axis": [/'; do
+  sed "$edit" bounded.json >bad.json
+  run $python -W ignore -m jsonschema -i bad.json "$BEADSWIM_SOURCE/schemas/layout.schema.json"
+  has_status 1
+  refuses 'bad.json:/' beadswim-layout check bad.json
+done
+
+finish

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "beadswim/io/json.hpp"
+
+// What all programs share at their command line.
+
+namespace beadswim {
+
+/// A CLI11 application set up as every program of ours: --help, --version, defaults shown.
+std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description);
+
+/// Parses the command line. Returns an exit status if the program is done (--help, --version printed on
+/// stdout); throws InputError for a wrong command line, naming flag, value, what is allowed and, for an
+/// unknown flag, the nearest valid one.
+std::optional<int> parse_command_line(CLI::App& program, int argc, const char* const* argv);
+
+/// Validators with readable messages (CLI11's own accept NaN and print 300-digit ranges).
+CLI::Validator finite();
+CLI::Validator finite_positive();
+CLI::Validator finite_non_negative();
+
+/// For a flag, held as text, of several numbers joined by commas, such as "4" or "3,4,5": how many it may
+/// have, and what each must be.
+CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each);
+
+/// The numbers of such a text.
+std::vector<double> parse_numbers(const std::string& text);
+
+/// One provenance record: { "program", "version", "revision", "arguments" }. `arguments` are the flags that
+/// were given, with their values; input and output file names are left out, so that a pipe and a file give
+/// the same bytes.
+Json provenance_record(const CLI::App& program);
+
+}  // namespace beadswim

@@ -1,0 +1,85 @@
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "beadswim/tools/program.hpp"
+
+namespace beadswim {
+namespace {
+
+/// The number that the whole text is, or nothing; infinite if it is beyond the range of a double.
+std::optional<double> parse_number(const std::string& text) {
+  const char* const first = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
+  const char* const last = text.data() + text.size();
+  double value = 0;
+  const auto [end, error] = std::from_chars(first, last, value);
+  if (end != last || error == std::errc::invalid_argument) return std::nullopt;
+  return error == std::errc::result_out_of_range ? HUGE_VAL : value;
+}
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  for (std::size_t comma; (comma = text.find(',', start)) != std::string::npos; start = comma + 1) {
+    parts.push_back(text.substr(start, comma - start));
+  }
+  parts.push_back(text.substr(start));
+  return parts;
+}
+
+/// A validator of numbers that meet `condition`, named in messages as `allowed`.
+CLI::Validator number_that(bool (*condition)(double), const std::string& allowed) {
+  const auto fault = [condition, allowed](const std::string& text) {
+    const std::optional<double> value = parse_number(text);
+    const bool fine = value && std::isfinite(*value) && condition(*value);
+    return fine ? std::string{} : fmt::format("\"{}\": must be {}", text, allowed);
+  };
+  return CLI::Validator(fault, "");
+}
+
+std::string allowed_counts(const std::vector<std::size_t>& counts) {
+  std::string text;
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    text += fmt::format("{}{}", i == 0 ? "" : " or ", counts[i]);
+  return text;
+}
+
+}  // namespace
+
+CLI::Validator finite() {
+  return number_that([](double) { return true; }, "a finite number");
+}
+
+CLI::Validator finite_positive() {
+  return number_that([](double x) { return x > 0; }, "a finite number greater than 0");
+}
+
+CLI::Validator finite_non_negative() {
+  return number_that([](double x) { return x >= 0; }, "a finite number, 0 or greater");
+}
+
+CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each) {
+  const auto fault = [counts = std::move(counts), each = std::move(each)](const std::string& text) {
+    const std::vector<std::string> parts = split_at_commas(text);
+    if (std::find(counts.begin(), counts.end(), parts.size()) == counts.end()) {
+      return fmt::format("\"{}\": {} values, but {} are needed, joined by commas", text, parts.size(),
+                         allowed_counts(counts));
+    }
+    for (const std::string& part : parts) {
+      const std::string part_fault = each(part);
+      if (!part_fault.empty()) return part_fault;
+    }
+    return std::string{};
+  };
+  return CLI::Validator(fault, "");
+}
+
+std::vector<double> parse_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& part : split_at_commas(text)) numbers.push_back(parse_number(part).value());
+  return numbers;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,147 @@
+#include "beadswim/tools/program.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/version.hpp"
+#include "help_formatter.hpp"
+
+namespace beadswim {
+namespace {
+
+/// The command given, such as "swimmer" of "beadswim-layout swimmer", or the program itself.
+const CLI::App& chosen_command(const CLI::App& program) {
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? program : chosen_command(*chosen.back());
+}
+
+std::vector<std::string> flag_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+  }
+  return names;
+}
+
+std::vector<std::string> command_names(const CLI::App& program) {
+  std::vector<std::string> names;
+  const auto any = [](const CLI::App*) { return true; };
+  for (const CLI::App* command : program.get_subcommands(any)) names.push_back(command->get_name());
+  return names;
+}
+
+/// "beadswim-layout swimmer"
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
+}
+
+bool looks_like_flag(const std::string& argument) {
+  const bool is_negative_number = argument.size() > 1 && argument[1] >= '0' && argument[1] <= '9';
+  return argument.size() > 1 && argument[0] == '-' && !is_negative_number;
+}
+
+/// Throws for the first argument that no flag, command or file name accounts for, if there is one.
+void refuse_leftovers(const CLI::App& program) {
+  const CLI::App& command = chosen_command(program);
+  const std::vector<std::string> leftovers = program.remaining(true);
+  const auto flag = std::find_if(leftovers.begin(), leftovers.end(), looks_like_flag);
+  if (flag != leftovers.end()) {
+    const std::string name = flag->substr(0, flag->find('='));
+    throw InputError(name, fmt::format("unknown flag; did you mean {}? \"{} --help\" lists all",
+                                       nearest_name(name, flag_names(command)), full_name(command)));
+  }
+  if (leftovers.empty()) return;
+  const std::vector<std::string> commands = command_names(command);
+  const std::string remedy = commands.empty() ? "unexpected argument"
+                                              : fmt::format("unknown command; did you mean \"{}\"?",
+                                                            nearest_name(leftovers.front(), commands));
+  throw InputError(leftovers.front(), fmt::format("{}; see \"{} --help\"", remedy, full_name(command)));
+}
+
+/// Throws if a flag is given twice or without its value.
+void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& error) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::string name = option->get_name();
+    if (std::string(error.what()).rfind(name + ":", 0) != 0) continue;
+    throw InputError(name, option->count() > 1 ? fmt::format("given {} times; give it once", option->count())
+                                               : fmt::format("needs a value: {}", option->get_type_name()));
+  }
+}
+
+[[noreturn]] void refuse_command_line(const CLI::App& program, const CLI::ParseError& error) {
+  refuse_leftovers(program);
+  const CLI::App& command = chosen_command(program);
+  if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+    refuse_wrong_counts(command, *mismatch);
+  }
+  const std::string text = error.what();
+  const std::size_t colon = text.find(": ");
+  const bool names_flag = text.rfind("-", 0) == 0 && colon != std::string::npos;
+  if (names_flag) throw InputError(text.substr(0, colon), text.substr(colon + 2));
+  const std::vector<std::string> commands = command_names(command);
+  const std::string what =
+      commands.empty() ? text : fmt::format("a command is needed: {}", fmt::join(commands, ", "));
+  throw InputError("command line", fmt::format("{}; see \"{} --help\"", what, full_name(command)));
+}
+
+/// Flags of one command as they were given, in the order of its help.
+void append_arguments(const CLI::App& command, Json& arguments) {
+  for (const CLI::Option* option : command.get_options()) {
+    const bool names_file = option->get_type_name().find("FILE") != std::string::npos;
+    if (option->count() == 0 || option->get_positional() || names_file) continue;
+    std::string text = option->get_name();
+    if (option->get_items_expected_max() != 0) text += "=" + CLI::detail::join(option->results(), ",");
+    arguments.push_back(text);
+  }
+  for (const CLI::App* chosen : command.get_subcommands()) {
+    arguments.push_back(chosen->get_name());
+    append_arguments(*chosen, arguments);
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description) {
+  auto program = std::make_unique<CLI::App>(description, name);
+  program->formatter(std::make_shared<HelpFormatter>());
+  program->set_help_flag("-h,--help", "Print this help and exit.");
+  program->set_version_flag("--version", fmt::format("{} {} ({})", name, version(), revision()),
+                            "Print version and revision and exit.");
+  program->option_defaults()->always_capture_default();
+  return program;
+}
+
+std::optional<int> parse_command_line(CLI::App& program, int argc, const char* const* argv) {
+  try {
+    program.parse(argc, argv);
+    return std::nullopt;
+  } catch (const CLI::CallForVersion& version_text) {
+    fmt::print("{}\n", version_text.what());
+  } catch (const CLI::Success&) {
+    // Not the program's help for a command that it does not have.
+    const bool lacks_command = program.get_subcommands().empty() && !command_names(program).empty();
+    if (lacks_command) refuse_leftovers(program);
+    fmt::print("{}", program.help());
+  } catch (const CLI::ParseError& error) {
+    refuse_command_line(program, error);
+  }
+  return static_cast<int>(ExitStatus::fine);
+}
+
+Json provenance_record(const CLI::App& program) {
+  Json arguments = Json::array();
+  append_arguments(program, arguments);
+  return {{"program", program.get_name()},
+          {"version", version()},
+          {"revision", revision()},
+          {"arguments", arguments}};
+}
+
+}  // namespace beadswim

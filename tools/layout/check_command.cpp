@@ -1,0 +1,127 @@
+#include "check_command.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "beadswim/documents/layout_document.hpp"
+#include "scene_numbers.hpp"
+
+namespace beadswim {
+namespace {
+
+template <std::size_t n>
+std::string joined(const std::array<double, n>& values) {
+  std::string text;
+  for (const double value : values) text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", value);
+  return text;
+}
+
+std::string row(const std::string& name, const std::string& value) {
+  return fmt::format("  {:<58} {}\n", name, value);
+}
+
+std::string row(const std::string& name, double value) {
+  return row(name, fmt::format("{:.4g}", value));
+}
+
+std::string table_of(const std::string& name, const TypeNumbers& numbers) {
+  std::string text = fmt::format("type {}\n", name);
+  text += row("Re = 2 lambda v/nu, fastest bead", numbers.reynolds);
+  text += row("penetration depth delta = sqrt(2 nu/omega)", numbers.penetration_depth);
+  text += row("lambda/delta", numbers.radius_over_penetration_depth);
+  text += row("l/lambda, arms 1, 2", joined(numbers.arm_over_radius));
+  text += row("gamma omega/k, arms 1, 2", joined(numbers.drag_over_spring));
+  text += row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", joined(numbers.arm_amplitude));
+  text += row("gaps between an arm's beads at rest", joined(numbers.arm_gap));
+  if (numbers.box_over_length) text += row("box/swimmer length, x, y, z", joined(*numbers.box_over_length));
+  return text;
+}
+
+std::string table_of(const ResolutionNumbers& numbers) {
+  std::string text = "resolution hint\n";
+  text += row("cell", numbers.cell);
+  text += row("time step", numbers.time_step);
+  for (const auto& [name, steps] : numbers.steps_per_period) {
+    text += row(fmt::format("steps a period, type {}", name), steps);
+  }
+  if (numbers.cells_in_box) text += row("cells in the box", *numbers.cells_in_box);
+  text += row("Mach number of the fastest bead", numbers.mach);
+  return text;
+}
+
+std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
+  const std::string units = layout.units.lattice
+                                ? "lattice"
+                                : fmt::format("{}, {}, {}", layout.units.length.name, layout.units.time.name,
+                                              layout.units.mass.name);
+  std::string text = "scene\n" + row("swimmers", std::to_string(layout.swimmers.size())) +
+                     row("units", units) +
+                     row("smallest gap between surfaces (beads, images, walls)", numbers.smallest_gap);
+  for (const auto& [name, of_type] : numbers.types) text += table_of(name, of_type);
+  if (numbers.resolution) text += table_of(*numbers.resolution);
+  return text;
+}
+
+Json json_of(const TypeNumbers& numbers) {
+  Json json{{"reynolds_bead", numbers.reynolds},
+            {"penetration_depth", numbers.penetration_depth},
+            {"radius_over_penetration_depth", numbers.radius_over_penetration_depth},
+            {"arm_over_radius", numbers.arm_over_radius},
+            {"drag_over_spring", numbers.drag_over_spring},
+            {"arm_amplitudes", numbers.arm_amplitude},
+            {"arm_gaps", numbers.arm_gap}};
+  if (numbers.box_over_length) json["box_over_swimmer_length"] = *numbers.box_over_length;
+  return json;
+}
+
+Json json_of(const ResolutionNumbers& numbers) {
+  Json json{{"cell", numbers.cell}, {"time_step", numbers.time_step}, {"mach", numbers.mach}};
+  for (const auto& [name, steps] : numbers.steps_per_period) json["steps_per_period"][name] = steps;
+  if (numbers.cells_in_box) json["cells_in_box"] = *numbers.cells_in_box;
+  return json;
+}
+
+Json json_of(const Layout& layout, const SceneNumbers& numbers) {
+  Json json{{"schema", "beadswim/layout-check/1"},
+            {"swimmers", layout.swimmers.size()},
+            {"smallest_gap", numbers.smallest_gap},
+            {"types", Json::object()}};
+  for (const auto& [name, of_type] : numbers.types) json["types"][name] = json_of(of_type);
+  if (numbers.resolution) json["resolution"] = json_of(*numbers.resolution);
+  return json;
+}
+
+/// First order knows no collision; a stroke longer than the gap says that there will be one.
+void warn_of_collisions(const SceneNumbers& numbers) {
+  for (const auto& [name, type] : numbers.types) {
+    for (int arm = 0; arm < 2; ++arm) {
+      if (type.arm_amplitude[arm] < type.arm_gap[arm]) continue;
+      fmt::print(
+          stderr,
+          "beadswim-layout: warning: /types/{}: the predicted amplitude {:.4g} of arm {} exceeds the gap "
+          "{:.4g} "
+          "between its beads, so they will collide; lower the amplitude, or raise stiffness or damping\n",
+          name, type.arm_amplitude[arm], arm + 1, type.arm_gap[arm]);
+    }
+  }
+}
+
+}  // namespace
+
+CheckCommand::CheckCommand(CLI::App& program)
+    : command_(program.add_subcommand(
+          "check",
+          "Check a layout: its form, units, overlaps, arms, box. Prints its dimensionless numbers; a fault "
+          "is named by its JSON pointer, exit status 2.")) {
+  command_->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
+  command_->add_flag("--json", json_, "Print the numbers as JSON.");
+}
+
+void CheckCommand::run() const {
+  const Layout layout = read_layout(file_).layout;
+  const SceneNumbers numbers = scene_numbers(layout);
+  warn_of_collisions(numbers);
+  write_text("-", json_ ? dump_json(json_of(layout, numbers)) : table_of(layout, numbers));
+}
+
+}  // namespace beadswim

@@ -1,0 +1,31 @@
+#include "beadswim/core/error.hpp"
+#include "beadswim/tools/program.hpp"
+#include "check_command.hpp"
+#include "swimmer_command.hpp"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace beadswim;
+  const auto program = make_program("beadswim-layout",
+                                    "Makes and checks layouts: scenes of bead-spring swimmers in a fluid "
+                                    "(layout.json). Layouts and tables go to standard output.");
+  program->require_subcommand(1);
+  SwimmerCommand swimmer(*program);
+  CheckCommand check(*program);
+  if (const auto status = parse_command_line(*program, argc, argv)) return *status;
+
+  if (swimmer.is_chosen()) swimmer.run(*program);
+  if (check.is_chosen()) check.run();
+  return static_cast<int>(ExitStatus::fine);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (...) {
+    return beadswim::report_current_exception("beadswim-layout");
+  }
+}

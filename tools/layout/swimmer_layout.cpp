@@ -1,0 +1,173 @@
+#include "swimmer_flags.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/layout/names.hpp"
+#include "beadswim/layout/presets.hpp"
+#include "beadswim/layout/units.hpp"
+#include "beadswim/tools/program.hpp"
+
+namespace beadswim {
+namespace {
+
+[[noreturn]] void refuse_name(const char* flag, const std::string& name,
+                              const std::vector<std::string>& allowed) {
+  throw InputError(flag, fmt::format("\"{}\": must be one of {}; did you mean \"{}\"?", name,
+                                     fmt::join(allowed, ", "), nearest_name(name, allowed)));
+}
+
+template <typename Enum, std::size_t n>
+Enum named(const EnumNames<Enum, n>& names, const std::string& name, const char* flag) {
+  const std::optional<Enum> value = from_name(names, name);
+  if (!value) refuse_name(flag, name, all_names(names));
+  return *value;
+}
+
+/// Numbers of a flag, one for all `count` places or one each.
+std::vector<double> spread(const std::string& text, std::size_t count) {
+  const std::vector<double> numbers = parse_numbers(text);
+  return numbers.size() == 1 ? std::vector<double>(count, numbers[0]) : numbers;
+}
+
+Vec3 vector_of(const std::string& text) {
+  const std::vector<double> numbers = parse_numbers(text);
+  return Vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+std::vector<std::string> split_names(const std::string& text) {
+  std::vector<std::string> names;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    names.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return names;
+}
+
+Layout preset_layout(const std::string& name) {
+  if (name != "paper-single") refuse_name("--preset", name, {"paper-single"});
+  return paper_single();
+}
+
+Units::Unit unit_named(Quantity quantity, const std::string& name) {
+  if (const Units::Unit* unit = find_known_unit(quantity, name)) return *unit;
+  std::vector<std::string> names;
+  for (const Units::Unit& unit : known_units(quantity)) names.push_back(unit.name);
+  refuse_name("--units", name, names);
+}
+
+}  // namespace
+
+void SwimmerFlags::require_complete() const {
+  if (!preset_.empty()) return;
+  const std::vector<std::pair<const char*, const std::string*>> needed{
+      {"--radius", &radius_},       {"--arm", &arm_},       {"--stiffness", &stiffness_},
+      {"--amplitude", &amplitude_}, {"--period", &period_}, {"--viscosity", &viscosity_}};
+  std::vector<std::string> missing;
+  for (const auto& [flag, text] : needed) {
+    if (text->empty()) missing.push_back(flag);
+  }
+  if (box_.empty() && !unbounded_) missing.push_back("--box or --unbounded");
+  if (missing.empty()) return;
+  throw InputError("command line",
+                   fmt::format("needs {}, or --preset paper-single to start from", fmt::join(missing, ", ")));
+}
+
+void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {
+  if (!radius_.empty()) {
+    const auto radii = spread(radius_, 3);
+    for (int i = 0; i < 3; ++i) type.beads[i].radius = radii[i];
+  }
+  for (Bead& bead : type.beads) {
+    if (!bead_density_.empty()) bead.density = parse_numbers(bead_density_)[0];
+    if (bead.density == 0) bead.density = default_density;
+  }
+}
+
+void SwimmerFlags::apply_springs(SwimmerType& type) const {
+  const auto apply = [&type](const std::string& text, double Spring::*member) {
+    if (text.empty()) return;
+    const auto values = spread(text, 2);
+    for (int i = 0; i < 2; ++i) type.springs[i].*member = values[i];
+  };
+  apply(arm_, &Spring::rest_length);
+  apply(stiffness_, &Spring::stiffness);
+  apply(damping_, &Spring::damping);
+  type.angular_stiffness =
+      angular_stiffness_.empty() ? straightening_stiffness(type) : parse_numbers(angular_stiffness_)[0];
+}
+
+void SwimmerFlags::apply_driving(Driving& driving) const {
+  if (!amplitude_.empty()) {
+    const auto amplitudes = spread(amplitude_, 2);
+    driving.amplitude = {amplitudes[0], amplitudes[1]};
+  }
+  if (preset_.empty()) driving.phase = std::numbers::pi / 2;
+  if (!phase_.empty()) driving.phase = parse_numbers(phase_)[0];
+  if (!period_.empty()) driving.period = parse_numbers(period_)[0];
+  if (!frame_.empty()) driving.frame = named(frame_names, frame_, "--frame");
+}
+
+void SwimmerFlags::apply_fluid(Fluid& fluid) const {
+  if (!viscosity_.empty()) fluid.kinematic_viscosity = parse_numbers(viscosity_)[0];
+  if (!density_.empty()) fluid.density = parse_numbers(density_)[0];
+}
+
+void SwimmerFlags::apply_domain(std::optional<Domain>& domain) const {
+  if (unbounded_) {
+    domain.reset();
+    return;
+  }
+  if (!domain) domain.emplace();
+  if (!box_.empty()) domain->lengths = vector_of(box_);
+  if (boundary_.empty()) return;
+  const std::vector<std::string> names = split_names(boundary_);
+  if (names.size() != 1 && names.size() != 3) {
+    throw InputError("--boundary",
+                     fmt::format("\"{}\": {} names, but 1 or 3 are needed", boundary_, names.size()));
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    domain->boundary[axis] = named(boundary_names, names[names.size() == 1 ? 0 : axis], "--boundary");
+  }
+}
+
+Units SwimmerFlags::units() const {
+  if (units_.empty() || units_ == "lattice") return {};
+  const std::vector<std::string> names = split_names(units_);
+  if (names.size() != 3) {
+    throw InputError("--units",
+                     fmt::format("\"{}\": must be lattice, or three names such as um,s,pg", units_));
+  }
+  return {.lattice = false,
+          .length = unit_named(Quantity::length, names[0]),
+          .time = unit_named(Quantity::time, names[1]),
+          .mass = unit_named(Quantity::mass, names[2])};
+}
+
+Layout SwimmerFlags::layout() const {
+  require_complete();
+  Layout layout = preset_.empty() ? Layout{} : preset_layout(preset_);
+  layout.units = units();
+  apply_fluid(layout.fluid);
+  apply_domain(layout.domain);
+  SwimmerType& type = layout.types["a"];
+  apply_beads(type, layout.fluid.density);
+  apply_springs(type);
+  apply_driving(type.driving);
+
+  Swimmer swimmer{.id = 0, .type = "a"};
+  if (!axis_.empty()) swimmer.axis = vector_of(axis_).stableNormalized();
+  swimmer.position =
+      position_.empty() ? centred_position(type, swimmer.axis, layout.domain) : vector_of(position_);
+  layout.swimmers = {swimmer};
+  if (layout.resolution) layout.resolution = unit_resolution(type, layout.fluid);
+  return layout;
+}
+
+}  // namespace beadswim
