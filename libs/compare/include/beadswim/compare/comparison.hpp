@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "beadswim/compare/swimming.hpp"
+
+// Runs held against references, and the verdict.
+
+namespace beadswim {
+
+/// One swimmer of a run.
+struct RunSwimmer {
+  std::string source;  ///< the run's file
+  int id = 0;
+  Swimming swimming;  ///< knows all quantities
+};
+
+/// One method's answer for a swimmer: a prediction's method, or "run" for another run.
+struct Reference {
+  std::string source;  ///< the reference's file
+  std::string method;
+  bool usable = true;  ///< false: shown, never decides
+  Swimming swimming;
+};
+
+struct Criterion {
+  std::vector<ComparedQuantity> quantities;
+  double tolerance = 0;      ///< largest |relative error| that passes
+  std::size_t deciding = 0;  ///< position of the reference whose rows decide
+};
+
+struct ComparisonRow {
+  ComparedQuantity quantity{};
+  std::optional<int> arm;  ///< 1 or 2 for arm amplitudes
+  std::string run_source;
+  int swimmer = 0;
+  std::string reference_source, method;
+  bool usable = true;
+  double run = 0, reference = 0;
+  double relative_error = 0;
+  double tolerance = 0;
+  bool pass = false;
+  bool decides = false;
+};
+
+/// (run - reference)/|reference|; 0 if both are zero, infinite if the reference alone is.
+double relative_error(double run, double reference);
+
+/// Position of the best usable reference that knows all quantities: inertia-corrected, else multipole-ode,
+/// rpy-ode, rpy-perturbation, else the first; none if there is none.
+std::optional<std::size_t> best_reference(std::span<const Reference> references,
+                                          std::span<const ComparedQuantity> quantities);
+
+/// A row for each number that the run and a reference both have: by quantity, arm, then reference.
+/// Only rows of the deciding reference decide, and only if it is usable.
+std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
+                                           const Criterion& criterion);
+
+/// True if some row decides and all that decide pass.
+bool verdict(std::span<const ComparisonRow> rows);
+
+}  // namespace beadswim

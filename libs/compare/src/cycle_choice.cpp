@@ -1,0 +1,47 @@
+#include "beadswim/compare/cycle_choice.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+
+CycleChoice parse_cycle_choice(const std::string& text) {
+  if (text == "last") return {};
+  constexpr std::string_view mean_prefix = "mean:";
+  const bool mean = text.starts_with(mean_prefix);
+  const std::string_view digits = std::string_view(text).substr(mean ? mean_prefix.size() : 0);
+  int number = 0;
+  const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  if (fault != std::errc{} || end != digits.data() + digits.size() || number < 1) {
+    throw InputError("--cycle",
+                     fmt::format("\"{}\" is not \"last\", a cycle's number from 1, or \"mean:N\" with N "
+                                 "from 1",
+                                 text));
+  }
+  return {mean ? CycleChoice::Kind::last : CycleChoice::Kind::index, number};
+}
+
+std::span<const CycleStatistics> chosen_cycles(std::span<const CycleStatistics> cycles,
+                                               const CycleChoice& choice, const std::string& source) {
+  if (cycles.empty()) {
+    throw InputError(source, "holds no whole cycle; run for one cycle or more");
+  }
+  const auto number = static_cast<std::size_t>(choice.number);
+  if (choice.kind == CycleChoice::Kind::last && number <= cycles.size()) return cycles.last(number);
+  const auto found = std::find_if(cycles.begin(), cycles.end(), [&](const CycleStatistics& cycle) {
+    return choice.kind == CycleChoice::Kind::index && cycle.index == choice.number;
+  });
+  if (found != cycles.end()) return {found, 1};
+  const std::string wanted = choice.kind == CycleChoice::Kind::index
+                                 ? fmt::format("cycle {}", choice.number)
+                                 : fmt::format("{} cycles", choice.number);
+  throw InputError(source, fmt::format("does not hold {}; it holds cycles {} to {}", wanted,
+                                       cycles.front().index, cycles.back().index));
+}
+
+}  // namespace beadswim

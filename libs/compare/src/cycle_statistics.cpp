@@ -1,0 +1,88 @@
+#include "beadswim/compare/cycle_statistics.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "beadswim/compare/stroke_fit.hpp"
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+using Samples = std::span<const SwimmerSample>;
+
+/// Sample times are sums of time steps: how far, in periods, they may miss one period.
+constexpr double period_tolerance = 1e-9;
+
+void require_one_cycle(int index, Samples samples, double period) {
+  const auto fail = [index](const std::string& what) {
+    throw InputError(fmt::format("statistics of cycle {}", index), what);
+  };
+  if (samples.size() < 4) {
+    fail(fmt::format("{} samples; it needs at least 4, both ends of the period among them", samples.size()));
+  }
+  const auto not_later = [](const SwimmerSample& a, const SwimmerSample& b) { return !(a.time < b.time); };
+  if (std::adjacent_find(samples.begin(), samples.end(), not_later) != samples.end()) {
+    fail("the samples' times do not increase");
+  }
+  const double span = samples.back().time - samples.front().time;
+  if (!(std::abs(span - period) <= period_tolerance * period)) {
+    fail(fmt::format("the samples span {} and not one period of {}", span, period));
+  }
+}
+
+/// (1/T) int_0^T value(sample) dt by the trapezoidal rule.
+template <typename Value>
+Vec3 time_average(Samples samples, double period, Value value) {
+  Vec3 integral = Vec3::Zero();
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double step = samples[i].time - samples[i - 1].time;
+    integral += 0.5 * step * (value(samples[i - 1]) + value(samples[i]));
+  }
+  return integral / period;
+}
+
+Vec3 mean_bead_position(const SwimmerSample& sample) {
+  const auto& [x1, x2, x3] = sample.bead_positions;
+  return (x1 + x2 + x3) / 3;
+}
+
+Vec3 direction(const SwimmerSample& sample) {
+  return (sample.bead_positions[2] - sample.bead_positions[0]).normalized();
+}
+
+/// Stroke of one arm (0 joins beads 1 and 2, 1 beads 2 and 3) on the clock of the driving. The last sample
+/// is one period after the first and would count it twice.
+StrokeFit fit_arm(Samples samples, std::size_t arm, double period) {
+  std::vector<double> times, lengths;
+  for (const SwimmerSample& sample : samples.first(samples.size() - 1)) {
+    times.push_back(sample.time);
+    lengths.push_back((sample.bead_positions[arm + 1] - sample.bead_positions[arm]).norm());
+  }
+  return fit_stroke(times, lengths, 2 * std::numbers::pi / period);
+}
+
+}  // namespace
+
+CycleStatistics cycle_statistics(int index, Samples samples, double period) {
+  require_one_cycle(index, samples, period);
+  CycleStatistics cycle;
+  cycle.index = index;
+  cycle.velocity = (mean_bead_position(samples.back()) - mean_bead_position(samples.front())) / period;
+  cycle.axis = time_average(samples, period, direction).normalized();
+  cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
+  cycle.mean_flow = time_average(samples, period, [](const SwimmerSample& s) { return s.mean_flow; });
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    const StrokeFit fit = fit_arm(samples, arm, period);
+    cycle.arm_amplitudes[arm] = fit.amplitude;
+    cycle.arm_phases[arm] = fit.phase;
+    cycle.arm_means[arm] = fit.mean;
+  }
+  return cycle;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,131 @@
+#include "svg.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace beadswim::svg {
+namespace {
+
+constexpr double marker_radius = 3.6;
+constexpr double mean_glyph_width = 0.57;  // of the size; DejaVu Sans, lower case and digits
+
+std::string escaped(const std::string& content) {
+  std::string result;
+  for (const char c : content) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+/// Two decimals, and never "-0.00".
+std::string number(double value) {
+  const double rounded = std::round(value * 100) / 100;
+  return fmt::format("{:.2f}", rounded == 0 ? 0.0 : rounded);
+}
+
+std::string attributes(const Stroke& stroke) {
+  std::string result = fmt::format(R"(stroke="{}" stroke-width="{}")", stroke.colour, number(stroke.width));
+  if (!stroke.dashes.empty()) result += fmt::format(R"( stroke-dasharray="{}")", stroke.dashes);
+  return result;
+}
+
+/// Closed outline through points on the unit disc, scaled and moved.
+std::string outline(Point centre, double radius, const std::vector<Point>& corners) {
+  std::string path;
+  for (const Point& corner : corners) {
+    path += fmt::format("{}{} {}", path.empty() ? "M" : " L", number(centre.x + radius * corner.x),
+                        number(centre.y + radius * corner.y));
+  }
+  return path + " Z";
+}
+
+const std::array<std::vector<Point>, 3>& marker_outlines() {
+  static const std::array<std::vector<Point>, 3> outlines{
+      std::vector<Point>{{-0.89, -0.89}, {0.89, -0.89}, {0.89, 0.89}, {-0.89, 0.89}},  // square
+      std::vector<Point>{{0, -1.2}, {1.1, 0.8}, {-1.1, 0.8}},                          // triangle
+      std::vector<Point>{{0, -1.3}, {1.3, 0}, {0, 1.3}, {-1.3, 0}},                    // diamond
+  };
+  return outlines;
+}
+
+}  // namespace
+
+std::string line(Point from, Point to, const Stroke& stroke) {
+  return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {}/>\n", number(from.x), number(from.y),
+                     number(to.x), number(to.y), attributes(stroke));
+}
+
+std::string polyline(const std::vector<Point>& points, const Stroke& stroke) {
+  std::string list;
+  for (const Point& point : points) {
+    list += fmt::format("{}{},{}", list.empty() ? "" : " ", number(point.x), number(point.y));
+  }
+  return fmt::format("<polyline points=\"{}\" fill=\"none\" stroke-linejoin=\"round\" {}/>\n", list,
+                     attributes(stroke));
+}
+
+std::string rectangle(Point top_left, double width, double height, const Stroke& stroke) {
+  return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"none\" {}/>\n",
+                     number(top_left.x), number(top_left.y), number(width), number(height),
+                     attributes(stroke));
+}
+
+std::string text(Point at, const std::string& content, const TextStyle& style) {
+  constexpr std::array anchors{"start", "middle", "end"};
+  std::string turn;
+  if (style.rotation != 0) {
+    turn = fmt::format(" transform=\"rotate({} {} {})\"", number(style.rotation), number(at.x), number(at.y));
+  }
+  return fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" font-weight=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
+      number(at.x), number(at.y), number(style.size), style.weight,
+      anchors[static_cast<std::size_t>(style.anchor)], turn, escaped(content));
+}
+
+std::string marker(Point centre, int shape, const std::string& colour) {
+  const int form = shape % marker_shapes;
+  const std::string paint = fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.30")",
+                                        form < marker_shapes / 2 ? colour : "#ffffff", colour);
+  const auto corners = static_cast<std::size_t>(form % (marker_shapes / 2));
+  if (corners == 0) {
+    return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", number(centre.x), number(centre.y),
+                       number(marker_radius), paint);
+  }
+  return fmt::format("<path d=\"{}\" {}/>\n", outline(centre, marker_radius, marker_outlines()[corners - 1]),
+                     paint);
+}
+
+double text_width(const std::string& content, double size) {
+  const auto code_points = std::count_if(content.begin(), content.end(),
+                                         [](unsigned char byte) { return (byte & 0xC0U) != 0x80U; });
+  return mean_glyph_width * size * static_cast<double>(code_points);
+}
+
+std::string document(double width, double height, const std::string& title, const std::string& elements) {
+  return fmt::format(
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"DejaVu Sans, sans-serif\" fill=\"#000000\">\n<title>{2}</title>\n"
+      "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n{3}</svg>\n",
+      number(width), number(height), escaped(title), elements);
+}
+
+}  // namespace beadswim::svg

@@ -1,0 +1,54 @@
+#include "beadswim/compare/swimming.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadswim {
+
+std::string name_of(ComparedQuantity quantity) {
+  switch (quantity) {
+    case ComparedQuantity::velocity:
+      return "velocity";
+    case ComparedQuantity::arm_amplitudes:
+      return "arm_amplitudes";
+    case ComparedQuantity::sin_phase_shift:
+      return "sin_phase_shift";
+  }
+  return {};
+}
+
+std::optional<ComparedQuantity> quantity_named(const std::string& name) {
+  const auto found = std::find_if(compared_quantities.begin(), compared_quantities.end(),
+                                  [&](ComparedQuantity quantity) { return name_of(quantity) == name; });
+  return found == compared_quantities.end() ? std::nullopt : std::optional(*found);
+}
+
+double velocity_against_fluid(const CycleStatistics& cycle, const std::array<bool, 3>& periodic) {
+  Vec3 relative = cycle.velocity;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (periodic[axis]) relative[axis] -= cycle.mean_flow[axis];
+  }
+  return relative.dot(cycle.axis);
+}
+
+Swimming swimming_in(const CycleStatistics& cycle, const std::array<bool, 3>& periodic) {
+  const auto& [d1, d2] = cycle.arm_amplitudes;
+  const auto& [delta1, delta2] = cycle.arm_phases;
+  return {{ComparedQuantity::velocity, {velocity_against_fluid(cycle, periodic)}},
+          {ComparedQuantity::arm_amplitudes, {d1, d2}},
+          {ComparedQuantity::sin_phase_shift, {std::sin(delta1 - delta2)}}};
+}
+
+Swimming mean_swimming(std::span<const Swimming> cycles) {
+  Swimming mean = cycles.front();
+  for (auto& [quantity, values] : mean) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      double sum = 0;
+      for (const Swimming& cycle : cycles) sum += cycle.at(quantity)[i];
+      values[i] = sum / static_cast<double>(cycles.size());
+    }
+  }
+  return mean;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,115 @@
+#!/bin/bash
+# beadswim-compare: verdicts as exit statuses, who decides, what it refuses.
+source "$(dirname "$0")/harness.sh"
+cp "$BEADSWIM_SOURCE"/tests/data/compare/*.json .
+
+judged() { # STATUS COMMAND...   a comparison that was made: verdict on standard output, table on standard error
+  local wanted=$1
+  shift
+  run "$@"
+  has_status "$wanted"
+  out_has '"schema": "beadswim/verdict/1"'
+  err_has '^verdict: '
+}
+holds() { # JQ-EXPRESSION   of the verdict in out
+  check "not true of the verdict: $1" test "$(jq "$1" out)" = true
+}
+edited() { jq "$2" "$1"; } # FILE JQ-EDIT
+
+# --- what it says of itself
+accepts beadswim-compare --help
+for flag in reference method quantity tolerance cycle; do out_has "^  --$flag"; done
+accepts beadswim-compare --version
+
+# --- the verdict is the exit status
+judged 0 beadswim-compare run.json prediction.json
+holds '.pass and .decided_by == "multipole-ode"'
+holds '[.rows[].method] | unique | length == 4'
+holds '.cost.core_seconds == 200 and .cost.wall_seconds == 100'
+err_has '^velocity +7.25e-05 +7e-05 +multipole-ode +\+3.57 % +pass$'
+judged 1 beadswim-compare run.json prediction.json --tolerance 0.03
+holds '.pass == false'
+err_has 'verdict: FAIL, decided by multipole-ode, tolerance 3 %'
+judged 1 beadswim-compare run.json prediction.json --tolerance 1e-12
+judged 0 beadswim-compare run.json run.json --tolerance 1e-12
+holds '.decided_by == "run" and all(.rows[]; .relative_error == 0 and .decides)'
+
+# --- who decides
+judged 1 beadswim-compare run.json prediction.json --method oseen-force-closed
+holds '.decided_by == "oseen-force-closed"'
+holds 'all(.rows[]; .decides == (.method == "oseen-force-closed"))'
+judged 0 beadswim-compare run.json prediction.json --tolerance 1000
+holds 'all(.rows[]; .usable or (.decides | not))'
+judged 0 beadswim-compare run.json run.json --reference prediction.json
+holds '.decided_by == "run" and ([.rows[].method] | unique | length == 5)'
+judged 1 beadswim-compare run.json run.json --reference prediction.json --method rpy-perturbation --tolerance 0.04
+edited prediction.json '.predictions |= map(.usable = false)' >unusable.json
+refuses 'unusable.json: holds no usable method' beadswim-compare run.json unusable.json
+refuses '--method: "rpy-force-printed" is marked unusable' \
+  beadswim-compare run.json prediction.json --method rpy-force-printed
+refuses '--method: no reference has "multipole-od"; did you mean "multipole-ode"' \
+  beadswim-compare run.json prediction.json --method multipole-od
+
+# --- which numbers
+judged 0 beadswim-compare run.json prediction.json --quantity arm_amplitudes,sin_phase_shift --tolerance 0.03
+holds '[.rows[] | select(.decides) | [.quantity, .arm]] == [["arm_amplitudes", 1], ["arm_amplitudes", 2], ["sin_phase_shift", null]]'
+judged 0 beadswim-compare run.json prediction.json --cycle 1 --quantity velocity
+holds '.rows[0].run == 6.9e-5'
+judged 0 beadswim-compare run.json prediction.json --cycle mean:2 --quantity velocity
+holds '(.rows[0].run / 7.225e-5 - 1 | fabs) < 1e-12'
+edited run.json '.swimmers[0].cycles[].velocity[0] += 1e-3 | .swimmers[0].cycles[].mean_flow[0] += 1e-3' >carried.json
+judged 0 beadswim-compare carried.json run.json --tolerance 1e-10
+edited carried.json '.domain.boundary[0] = "no-slip"' >walled.json
+judged 1 beadswim-compare walled.json run.json --quantity velocity
+edited run.json '.swimmers += [.swimmers[0] | .id = 1 | .cycles[].velocity[0] *= 2]' >two.json
+judged 0 beadswim-compare two.json prediction.json
+holds '[.rows[].swimmer] | unique == [0]'
+judged 0 beadswim-compare two.json two.json
+holds '[.rows[].swimmer] | unique == [0, 1]'
+refuses 'run.json: holds no swimmer 1; it holds 0' beadswim-compare run.json two.json
+edited run.json 'del(.cost)' >free.json
+judged 0 beadswim-compare free.json prediction.json
+holds '.cost == null'
+judged 0 beadswim-compare run.json free.json prediction.json
+holds '[.rows[].run_file] | unique == ["free.json", "run.json"]'
+err_has '^free.json, swimmer 0:$'
+
+# --- pipes
+same_bytes 'beadswim-compare - prediction.json <run.json | sed "s/standard input/run.json/"' 'beadswim-compare run.json prediction.json'
+same_bytes 'beadswim-compare run.json - <prediction.json | sed "s/standard input/prediction.json/"' 'beadswim-compare run.json prediction.json'
+refuses 'standard input can be read once' beadswim-compare - -
+
+# --- what it refuses
+refuses 'no file given' beadswim-compare
+refuses 'one file given' beadswim-compare run.json
+refuses 'missing.json: cannot be read' beadswim-compare missing.json prediction.json
+refuses 'run.h5md: is a trajectory; give the run record' beadswim-compare run.h5md prediction.json
+refuses 'run.h5md: is a trajectory; give the run record' beadswim-compare run.json run.h5md
+echo '{ "schema": "beadswim/layout/1" }' >layout.json
+refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json prediction.json
+refuses 'layout.json: is a layout; a run record .* or a prediction' beadswim-compare run.json layout.json
+echo '[]' >list.json
+refuses 'list.json: does not say what it is' beadswim-compare run.json list.json
+refuses 'driving period 2000, run.json has 4800' beadswim-compare run.json prediction_shorter_period.json
+edited run.json '.units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >si.json
+judged 0 beadswim-compare si.json si.json
+refuses 'run.json: is in other units than si.json' beadswim-compare si.json run.json
+edited run.json '.status = "failed"' >failed.json
+refuses 'failed.json: is the record of a run that failed' beadswim-compare failed.json prediction.json
+edited run.json '.status = "stopped-time"' >stopped.json
+judged 0 beadswim-compare stopped.json prediction.json
+edited run.json '.swimmers[0].cycles = []' >short.json
+refuses 'short.json: holds no whole cycle' beadswim-compare short.json prediction.json
+edited run.json '.swimmers[0].cycles[0].velocty = 1' >typo.json
+refuses 'typo.json:/swimmers/0/cycles/0/velocty: unknown key; did you mean "velocity"' \
+  beadswim-compare typo.json prediction.json
+refuses 'holds cycles 1 to 3' beadswim-compare run.json prediction.json --cycle 4
+refuses '--cycle: "frist"' beadswim-compare run.json prediction.json --cycle frist
+refuses '--quantity: unknown "velocty"; did you mean "velocity"' \
+  beadswim-compare run.json prediction.json --quantity velocty
+for number in 0 -1 nan inf; do
+  refuses '--tolerance: ' beadswim-compare run.json prediction.json "--tolerance=$number"
+done
+refuses '--metod: unknown flag; did you mean --method' beadswim-compare run.json prediction.json --metod run
+
+finish

@@ -1,0 +1,141 @@
+#!/bin/bash
+# beadswim-theory: predictions of a layout's swimmer, from a file, a pipe and a stream of layouts.
+source "$(dirname "$0")/harness.sh"
+
+schema=$BEADSWIM_SOURCE/schemas/prediction.schema.json
+can_validate=no
+/usr/bin/python3 -c 'import jsonschema' 2>/dev/null && can_validate=yes
+
+# The document in file out is valid, to a validator that is not ours.
+out_is_valid() {
+  [ $can_validate = no ] || check "not a valid prediction" /usr/bin/python3 -W ignore -m jsonschema -i out "$schema"
+}
+
+paper() { beadswim-layout swimmer --preset paper-single --unbounded "$@"; }
+
+# --- what it says of itself
+accepts beadswim-theory --help
+for flag in method swimmer stroke-from jsonl; do out_has "^  --$flag"; done
+out_has 'oseen-force-closed'
+accepts beadswim-theory --version
+out_has '^beadswim-theory [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
+
+# --- predictions: file and pipe alike, every method in the table's order
+paper >paper.json
+accepts beadswim-theory paper.json
+out_is_valid
+out_has '"schema": "beadswim/prediction/1"'
+# A^2 times 1.9731e-3 of (4.3) and 1.9035e-3 of Rotne-Prager at A = 0.2
+out_has '"velocity": 7.892[0-9]+e-05'
+out_has '"velocity": 7.614[0-9]+e-05'
+check "methods are not those of the table" test "$(grep -oE '"method": "[^"]+"' out | cut -d'"' -f4 | xargs)" = \
+  "oseen-force-closed oseen-stroke-closed oseen-perturbation rpy-perturbation"
+same_bytes 'beadswim-theory paper.json' 'beadswim-theory <paper.json'
+same_bytes 'beadswim-theory paper.json' 'beadswim-layout swimmer --preset paper-single --unbounded | beadswim-theory -'
+same_bytes 'beadswim-theory paper.json' 'cd / && LC_ALL=C TZ=UTC beadswim-theory "$OLDPWD/paper.json"'
+
+accepts beadswim-theory --method rpy-perturbation,oseen-force-closed paper.json
+check "methods are not those named" test "$(grep -oE '"method": "[^"]+"' out | cut -d'"' -f4 | xargs)" = \
+  "rpy-perturbation oseen-force-closed"
+refuses "unknown method 'rpy-pertubation'; did you mean 'rpy-perturbation'" beadswim-theory --method rpy-pertubation paper.json
+refuses 'all stands alone' beadswim-theory --method all,rpy-perturbation paper.json
+
+# --- units: lengths in um, so velocities in um/s
+beadswim-layout swimmer --radius 4 --arm 20 --stiffness 0.0347 --amplitude 0.2 --period 4800 --viscosity 0.3333333333333333 \
+  --density 1 --units um,s,pg --unbounded >units.json
+accepts beadswim-theory units.json
+out_is_valid
+out_has '"velocity": 7.614[0-9]+e-05'
+out_has '"length": \{ "name": "um", "si_factor": 1e-06 \}'
+
+# --- what a method cannot treat is left out of all, and an error by name
+paper --radius 4,4,5 --damping 0,3 >unequal.json
+accepts beadswim-theory unequal.json
+check "a closed form treats unequal radii" test "$(grep -c closed out)" -eq 0
+refuses 'oseen-force-closed: cannot treat .* radii 4, 4, 5 differ' beadswim-theory --method oseen-force-closed unequal.json
+
+# --- no motion, no NaN
+paper --amplitude 0 >rest.json
+accepts beadswim-theory rest.json
+out_is_valid
+out_has '"velocity": 0.0'
+out_has '"uncertainty": null'
+paper --amplitude 0,0.2 >one_force.json
+accepts beadswim-theory one_force.json
+out_is_valid
+
+# --- orientation: the lab field drives a swimmer along -x backwards, and none across it
+accepts beadswim-theory --method rpy-perturbation paper.json
+grep -E '"velocity"' out >velocity
+paper --axis=-1,0,0 >minus.json
+accepts beadswim-theory --method rpy-perturbation minus.json
+check "the velocity along the axis differs for -x" cmp -s velocity <(grep -E '"velocity"' out)
+paper --axis 1,1,0 >oblique.json
+refuses 'oblique.json: swimmer 0: axis: .* not along x' beadswim-theory oblique.json
+paper --axis 1,1,0 --frame body >oblique_body.json
+accepts beadswim-theory oblique_body.json
+
+# --- several swimmers
+second() { # OVERRIDES: paper.json with a second swimmer, id 7
+  sed -E 's|("swimmers": \[)(\{ "id": 0, )(.*\})(\],?)$|\1\2\3, { "id": 7, '"$1"'"type": "a", "position": [0, 100, 0], "axis": [1, 0, 0] }\4|'
+}
+second '' <paper.json >alike.json
+accepts beadswim-theory alike.json
+out_has '"swimmer": 0'
+second '"driving": { "phase": 0.3 }, ' <paper.json >different.json
+refuses 'swimmers 0 and 7 differ.*--swimmer ID.*reduce' beadswim-theory different.json
+accepts beadswim-theory --swimmer 7 different.json
+out_is_valid
+out_has '"swimmer": 7'
+refuses '--swimmer: different.json has no swimmer 3' beadswim-theory --swimmer 3 different.json
+
+# --- a stroke from a run
+cat >run.json <<'END'
+{ "schema": "beadswim/run/1", "model": "lbm", "status": "finished", "units": "lattice", "domain": null,
+  "driving": { "period": 4800 },
+  "swimmers": [{ "id": 0, "cycles": [
+    { "index": 1, "velocity": [0, 0, 0], "axis": [1, 0, 0], "speed_along_axis": 0, "mean_flow": [0, 0, 0],
+      "arm_amplitudes": [1, 1], "arm_phases": [0, 0], "arm_means": [20, 20] },
+    { "index": 2, "velocity": [0, 0, 0], "axis": [1, 0, 0], "speed_along_axis": 0, "mean_flow": [0, 0, 0],
+      "arm_amplitudes": [3, 4], "arm_phases": [1.5707963267948966, 0], "arm_means": [20, 20] }] }],
+  "momentum": null, "mass_relative_change": null,
+  "dimensionless": { "reynolds_bead": 0.1, "penetration_depth_over_radius": 5.6, "mach": null },
+  "resolution": null,
+  "state_sha256": "0000000000000000000000000000000000000000000000000000000000000000" }
+END
+# (4.2): 7 lambda / (24 l^2) d1 d2 omega = 7 x 4 / 9600 x 12 x 2 pi / 4800, of the last cycle
+accepts beadswim-theory --method oseen-stroke-closed --stroke-from run.json paper.json
+out_is_valid
+out_has '"velocity": 4.5814[0-9]+e-05'
+out_has '"arm_amplitudes": \[3.0, 4.0\]'
+refuses 'only oseen-stroke-closed uses a stroke' beadswim-theory --method rpy-perturbation --stroke-from run.json paper.json
+refuses 'oseen-stroke-closed cannot treat .* radii' beadswim-theory --stroke-from run.json unequal.json
+refuses 'unit of length' beadswim-theory --stroke-from run.json units.json
+refuses 'does not list swimmer 7' beadswim-theory --swimmer 7 --stroke-from run.json alike.json
+refuses 'paper.json.*another kind' beadswim-theory --stroke-from paper.json paper.json
+sed -E '/"index": 1/,/"index": 2/d; /"arm_amplitudes": \[3/d; s/"cycles": \[$/"cycles": [] }],/' run.json >no_cycle.json
+refuses 'has not finished a cycle' beadswim-theory --stroke-from no_cycle.json paper.json
+
+# --- a stream: one layout a line, one document a line
+tr -d '\n' <paper.json >lines
+echo >>lines
+tr -d '\n' <unequal.json >>lines
+accepts beadswim-theory --jsonl lines
+check "not one document a line" test "$(grep -c '^{"schema":"beadswim/prediction/1".*}$' out)" -eq 2
+same_bytes 'beadswim-theory --jsonl lines' 'beadswim-theory --jsonl <lines'
+head -1 out >first.json
+cp first.json out
+out_is_valid
+echo '{' >>lines
+run beadswim-theory --jsonl lines
+has_status 2
+err_has 'lines line 2'
+
+# --- wrong command lines and files
+refuses '--no-such-flag: unknown flag' beadswim-theory --no-such-flag
+refuses 'missing.json: cannot be read' beadswim-theory missing.json
+refuses 'swimmer' beadswim-theory --swimmer x paper.json
+run bash -c 'beadswim-theory paper.json >/dev/full'
+has_status 3
+
+finish

@@ -1,0 +1,163 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/run_record_document.hpp"
+#include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/documents/verdict_document.hpp"
+#include "beadswim/io/schema.hpp"
+
+namespace beadswim {
+namespace {
+
+/// A record in which every optional member is present and no two numbers are alike.
+RunRecord full_record() {
+  RunRecord record;
+  record.model = "lbm";
+  record.status = RunStatus::stopped_signal;
+  record.units = {false, {"um", 1e-6}, {"ms", 1e-3}, {"pg", 1e-15}};
+  record.domain = Domain{{120, 80, 70}, {Boundary::periodic, Boundary::free_slip, Boundary::no_slip}};
+  record.driving_period = 4800.5;
+  CycleStatistics cycle;
+  cycle.index = 3;
+  cycle.velocity = Vec3(1e-5, 2e-5, 3e-5);
+  cycle.axis = Vec3(0, 0.6, 0.8);
+  cycle.speed_along_axis = 3.6e-5;
+  cycle.mean_flow = Vec3(4e-9, 5e-9, 6e-9);
+  cycle.arm_amplitudes = {3.5, 5.5};
+  cycle.arm_phases = {-1.9, 3.1};
+  cycle.arm_means = {20.25, 20.75};
+  record.swimmers = {{7, {cycle}}, {9, {}}};
+  record.momentum = MomentumRecord{Vec3(1e-9, 2e-9, 3e-9), Vec3(4, 5, 6)};
+  record.mass_relative_change = -1e-14;
+  record.dimensionless = {0.15, 5.6, 0.01};
+  record.resolution = LatticeResolution{.cells_per_radius = 4,
+                                        .cell_size = 0.5,
+                                        .time_step = 0.25,
+                                        .relaxation_time = 1.5,
+                                        .kinematic_viscosity_lattice = 1.0 / 3,
+                                        .steps_per_cycle = 19202,
+                                        .bead_boundary = "cli",
+                                        .precision = "single"};
+  record.cost = RunCost{.wall_seconds = 10.5,
+                        .core_seconds = 21,
+                        .ranks = 2,
+                        .cell_updates = 768000000000,
+                        .mlups = 80,
+                        .peak_memory_bytes = 5000000000};
+  record.state_sha256 = std::string(64, 'a');
+  record.provenance = Json::array({{{"program", "beadswim-run"}}});
+  return record;
+}
+
+/// The record after a way through text, as between two programs.
+RunRecord through_text(const RunRecord& record) {
+  const std::string text = dump_json(run_record_to_json(record, RecordProvenance::written));
+  return run_record_from_json(parse_json(text, "r.json"), "r.json");
+}
+
+// Would catch a member that is written but not read, read from another's key, or rounded.
+TEST(RunRecord, SurvivesTheWayThroughText) {
+  const RunRecord record = full_record();
+  EXPECT_EQ(run_record_to_json(through_text(record), RecordProvenance::written),
+            run_record_to_json(record, RecordProvenance::written));
+  const CycleStatistics cycle = through_text(record).swimmers[0].cycles[0];
+  EXPECT_EQ(cycle.mean_flow, Vec3(4e-9, 5e-9, 6e-9));
+  EXPECT_EQ(cycle.arm_phases[1], 3.1);
+  EXPECT_EQ(through_text(record).resolution->kinematic_viscosity_lattice, 1.0 / 3);
+}
+
+TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
+  RunRecord record = full_record();
+  record.units = {};
+  record.domain.reset();
+  record.momentum.reset();
+  record.mass_relative_change.reset();
+  record.dimensionless.mach.reset();
+  record.resolution.reset();
+  record.cost->cell_updates.reset();
+  record.cost->mlups.reset();
+  const RunRecord read = through_text(record);
+  EXPECT_TRUE(read.units.lattice);
+  EXPECT_FALSE(read.domain || read.momentum || read.mass_relative_change || read.resolution);
+  EXPECT_EQ(run_record_to_json(read, RecordProvenance::written),
+            run_record_to_json(record, RecordProvenance::written));
+}
+
+TEST(RunRecord, LeavesOutWhatDiffersFromRunToRun) {
+  const Json document = run_record_to_json(full_record(), RecordProvenance::left_out);
+  EXPECT_FALSE(document.contains("cost"));
+  EXPECT_FALSE(document.contains("provenance"));
+  EXPECT_NO_THROW(run_record_from_json(document, "r.json"));
+}
+
+TEST(RunRecord, OnlyPeriodicAxesArePeriodic) {
+  EXPECT_EQ(full_record().periodic_axes(), (std::array{true, false, false}));
+  EXPECT_EQ(RunRecord{}.periodic_axes(), (std::array{false, false, false}));
+}
+
+TEST(RunRecord, RefusesValuesThatCannotBe) {
+  const auto refused = [](const char* pointer, const Json& value) {
+    Json document = run_record_to_json(full_record(), RecordProvenance::written);
+    document[Json::json_pointer(pointer)] = value;
+    EXPECT_THROW(run_record_from_json(document, "r.json"), InputError) << pointer;
+  };
+  refused("/status", "done");
+  refused("/driving/period", 0);
+  refused("/domain/boundary/0", "open");
+  refused("/swimmers/0/cycles/0/arm_amplitudes/0", -1);
+  refused("/swimmers/0/cycles/0/arm_phases/0", 3.2);
+  refused("/resolution/relaxation_time", 0.5);
+  refused("/state_sha256", "abc");
+  refused("/unheard_of", 1);
+}
+
+ComparisonRow row_with_error(double relative_error) {
+  ComparisonRow row;
+  row.run_source = "r.json";
+  row.reference_source = "p.json";
+  row.method = "rpy-ode";
+  row.run = 1;
+  row.tolerance = 0.05;
+  row.relative_error = relative_error;
+  row.pass = row.decides = true;
+  return row;
+}
+
+TEST(VerdictDocument, FollowsItsSchema) {
+  const VerdictDocument document{"rpy-ode", {row_with_error(0.01)}, VerdictCost{1, 2, 3}};
+  const Json json = verdict_to_json(document);
+  EXPECT_NO_THROW(validate_json(json, "verdict", "v.json"));
+  EXPECT_EQ(json["pass"], true);
+}
+
+TEST(VerdictDocument, AnInfiniteErrorIsNull) {
+  const VerdictDocument document{"rpy-ode", {row_with_error(std::numeric_limits<double>::infinity())}, {}};
+  const Json json = verdict_to_json(document);
+  EXPECT_TRUE(json["rows"][0]["relative_error"].is_null());
+  EXPECT_NO_THROW(validate_json(json, "verdict", "v.json"));
+  EXPECT_NO_THROW(dump_json(json));
+}
+
+TEST(VerdictDocument, CostIsTheSumOrUnknown) {
+  const RunCost cost{.wall_seconds = 1, .core_seconds = 2, .cell_updates = 3, .mlups = {}};
+  const auto total = total_cost(std::vector<std::optional<RunCost>>{cost, cost});
+  ASSERT_TRUE(total);
+  EXPECT_EQ(total->core_seconds, 4);
+  EXPECT_EQ(total->cell_updates, 6);
+  EXPECT_FALSE(total_cost(std::vector<std::optional<RunCost>>{cost, std::nullopt}));
+}
+
+TEST(Units, AreTheSameOnlyInNameAndSize) {
+  const Units si{false, {"um", 1e-6}, {"s", 1}, {"pg", 1e-15}};
+  Units other = si;
+  EXPECT_TRUE(same_units(si, other));
+  EXPECT_TRUE(same_units({}, {}));
+  EXPECT_FALSE(same_units(si, {}));
+  other.time.si_factor = 2;
+  EXPECT_FALSE(same_units(si, other));
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,202 @@
+#include "comparison_inputs.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+
+namespace beadswim {
+namespace {
+
+struct RunFile {
+  std::string source;
+  RunRecord record;
+};
+
+struct ReferenceFile {
+  std::string source;
+  SwimmingDocument document;
+};
+
+struct Inputs {
+  std::vector<RunFile> runs;
+  std::vector<ReferenceFile> references;  ///< REFERENCE first
+};
+
+void require_one_stdin(const ComparisonRequest& request) {
+  const auto stdins = std::count(request.files.begin(), request.files.end(), "-") +
+                      std::count(request.further_references.begin(), request.further_references.end(), "-");
+  if (stdins > 1) throw InputError("-", "standard input can be read once; name files for the other inputs");
+}
+
+/// What a run that failed says of itself is not to be judged, nor to judge by.
+void require_success(const SwimmingDocument& document, const std::string& source) {
+  const auto* run = std::get_if<RunRecord>(&document);
+  if (run == nullptr || run->status != RunStatus::failed) return;
+  throw InputError(source, "is the record of a run that failed; mend its cause and run again");
+}
+
+ReferenceFile read_reference(const std::string& path) {
+  ReferenceFile file{source_name(path), read_swimming(path)};
+  require_success(file.document, file.source);
+  return file;
+}
+
+RunFile read_run_file(const std::string& path) {
+  RunFile file{source_name(path), read_run(path)};
+  require_success(file.record, file.source);
+  return file;
+}
+
+Inputs read_inputs(const ComparisonRequest& request) {
+  if (request.files.size() < 2) {
+    throw InputError("RUN... REFERENCE",
+                     fmt::format("{} given; name at least one run record, then the reference to compare with",
+                                 request.files.empty() ? "no file" : "one file"));
+  }
+  require_one_stdin(request);
+  Inputs inputs;
+  const std::span files(request.files);
+  for (const std::string& path : files.first(files.size() - 1)) inputs.runs.push_back(read_run_file(path));
+  inputs.references.push_back(read_reference(files.back()));
+  for (const std::string& path : request.further_references)
+    inputs.references.push_back(read_reference(path));
+  return inputs;
+}
+
+// --- the same scene
+
+/// What must agree for two documents to be comparable at all.
+struct Scene {
+  Units units;
+  std::optional<double> period;
+};
+
+Scene scene_of(const SwimmingDocument& document) {
+  if (const auto* run = std::get_if<RunRecord>(&document)) return {run->units, run->driving_period};
+  const auto& prediction = std::get<PredictionDocument>(document);
+  return {prediction.units, driving_period(prediction)};
+}
+
+void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
+  constexpr double period_tolerance = 1e-9;  // relative: periods are copied from the layout, not computed
+  const Scene scene = scene_of(reference.document);
+  const RunRecord& record = run.record;
+  if (!same_units(record.units, scene.units)) {
+    throw InputError(
+        reference.source,
+        fmt::format("is in other units than {}; compare what was made from one layout", run.source));
+  }
+  const double period = scene.period.value_or(record.driving_period);
+  if (std::abs(period - record.driving_period) > period_tolerance * record.driving_period) {
+    throw InputError(
+        reference.source,
+        fmt::format("has the driving period {}, {} has {}; compare what was made from one layout", period,
+                    run.source, record.driving_period));
+  }
+}
+
+// --- references of one swimmer
+
+std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, const CycleChoice& cycle) {
+  if (const auto* run = std::get_if<RunRecord>(&file.document)) {
+    const SwimmerRecord& record = find_swimmer(*run, swimmer, file.source);
+    return {{file.source, "run", true, swimming_of(*run, record, cycle, file.source)}};
+  }
+  std::vector<Reference> references;
+  const auto& document = std::get<PredictionDocument>(file.document);
+  if (document.swimmer != swimmer) return references;
+  for (const Prediction& prediction : document.predictions) {
+    references.push_back({file.source, prediction.method, prediction.usable, swimming_of(prediction)});
+  }
+  return references;
+}
+
+std::vector<int> compared_swimmers(const SwimmingDocument& reference) {
+  if (const auto* prediction = std::get_if<PredictionDocument>(&reference)) return {prediction->swimmer};
+  std::vector<int> ids;
+  for (const SwimmerRecord& swimmer : std::get<RunRecord>(reference).swimmers) ids.push_back(swimmer.id);
+  return ids;
+}
+
+/// REFERENCE's methods first, `own` of them.
+struct References {
+  std::vector<Reference> all;
+  std::size_t own = 0;
+};
+
+References references_for(int swimmer, const Inputs& inputs, const CycleChoice& cycle) {
+  References references{references_for(swimmer, inputs.references.front(), cycle)};
+  references.own = references.all.size();
+  for (const ReferenceFile& file : std::span(inputs.references).subspan(1)) {
+    const std::vector<Reference> more = references_for(swimmer, file, cycle);
+    references.all.insert(references.all.end(), more.begin(), more.end());
+  }
+  return references;
+}
+
+// --- who decides
+
+std::size_t reference_named(const std::string& method, std::span<const Reference> references) {
+  const auto has_name = [&](const Reference& reference) { return reference.method == method; };
+  const auto found = std::find_if(references.begin(), references.end(), has_name);
+  if (found == references.end()) {
+    std::vector<std::string> names;
+    for (const Reference& reference : references) names.push_back(reference.method);
+    throw InputError("--method", fmt::format("no reference has \"{}\"; did you mean \"{}\"? They have {}",
+                                             method, nearest_name(method, names), fmt::join(names, ", ")));
+  }
+  if (!found->usable) {
+    throw InputError("--method", fmt::format("\"{}\" is marked unusable for this layout in {} and cannot "
+                                             "decide; name another",
+                                             method, found->source));
+  }
+  return static_cast<std::size_t>(found - references.begin());
+}
+
+std::size_t deciding_reference(const ComparisonRequest& request, const References& references) {
+  if (request.method) return reference_named(*request.method, references.all);
+  const auto best = best_reference(std::span(references.all).first(references.own), request.quantities);
+  if (best) return *best;
+  throw InputError(source_name(request.files.back()),
+                   "holds no usable method, so that nothing can decide; predict with other methods "
+                   "(beadswim-theory --method)");
+}
+
+/// Adds what the request's runs say of one swimmer.
+void compare_swimmer_in_all_runs(int id, const ComparisonRequest& request, const Inputs& inputs,
+                                 VerdictDocument& result) {
+  const References references = references_for(id, inputs, request.cycle);
+  const std::size_t deciding = deciding_reference(request, references);
+  result.decided_by = references.all[deciding].method;
+  for (const RunFile& run : inputs.runs) {
+    const SwimmerRecord& swimmer = find_swimmer(run.record, id, run.source);
+    const RunSwimmer swims{run.source, id, swimming_of(run.record, swimmer, request.cycle, run.source)};
+    const auto rows =
+        compare_swimmer(swims, references.all, {request.quantities, request.tolerance, deciding});
+    result.rows.insert(result.rows.end(), rows.begin(), rows.end());
+  }
+}
+
+}  // namespace
+
+VerdictDocument compare_files(const ComparisonRequest& request) {
+  const Inputs inputs = read_inputs(request);
+  VerdictDocument result;
+  std::vector<std::optional<RunCost>> costs;
+  for (const RunFile& run : inputs.runs) {
+    for (const ReferenceFile& reference : inputs.references) require_same_scene(run, reference);
+    costs.push_back(run.record.cost);
+  }
+  result.cost = total_cost(costs);
+  for (const int id : compared_swimmers(inputs.references.front().document)) {
+    compare_swimmer_in_all_runs(id, request, inputs, result);
+  }
+  return result;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,62 @@
+#include "verdict_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadswim {
+namespace {
+
+std::string quantity_text(const ComparisonRow& row) {
+  switch (row.quantity) {
+    case ComparedQuantity::velocity:
+      return "velocity";
+    case ComparedQuantity::arm_amplitudes:
+      return fmt::format("arm amplitude d{}", row.arm.value());
+    case ComparedQuantity::sin_phase_shift:
+      return "sin(delta1 - delta2)";
+  }
+  return {};
+}
+
+/// Only rows that decide have a verdict; brackets tell what the others would have said.
+std::string verdict_text(const ComparisonRow& row) {
+  if (!row.usable) return "(unusable)";
+  if (row.decides) return row.pass ? "pass" : "FAIL";
+  return row.pass ? "(pass)" : "(fail)";
+}
+
+std::string error_text(const ComparisonRow& row) {
+  if (!std::isfinite(row.relative_error)) return "-";
+  const double percent = std::round(1e4 * row.relative_error) / 100;
+  return fmt::format("{:+.2f} %", percent == 0 ? 0.0 : percent);  // no "-0"
+}
+
+/// One heading a run and swimmer, where there are several.
+bool begins_section(std::span<const ComparisonRow> rows, std::size_t i) {
+  const auto other = [&](const ComparisonRow& row) {
+    return row.run_source != rows[i].run_source || row.swimmer != rows[i].swimmer;
+  };
+  return std::any_of(rows.begin(), rows.end(), other) && (i == 0 || other(rows[i - 1]));
+}
+
+}  // namespace
+
+std::string verdict_table(const VerdictDocument& document) {
+  constexpr auto line = "{:<21} {:>13} {:>13}  {:<22} {:>10}  {}\n";
+  std::string table = fmt::format(line, "quantity", "run", "reference", "method", "error", "verdict");
+  for (std::size_t i = 0; i < document.rows.size(); ++i) {
+    const ComparisonRow& row = document.rows[i];
+    if (begins_section(document.rows, i))
+      table += fmt::format("{}, swimmer {}:\n", row.run_source, row.swimmer);
+    table +=
+        fmt::format(line, quantity_text(row), fmt::format("{:.5g}", row.run),
+                    fmt::format("{:.5g}", row.reference), row.method, error_text(row), verdict_text(row));
+  }
+  const bool pass = verdict(document.rows);
+  return table + fmt::format("verdict: {}, decided by {}, tolerance {:g} %\n", pass ? "pass" : "FAIL",
+                             document.decided_by, 100 * document.rows.front().tolerance);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "beadswim/io/json.hpp"
+#include "beadswim/layout/layout.hpp"
+#include "beadswim/theory/prediction.hpp"
+
+namespace beadswim {
+
+/// What theory says of one swimmer of a layout (schemas/prediction.schema.json).
+struct PredictionDocument {
+  Units units;      ///< the layout's; all quantities are in them
+  int swimmer = 0;  ///< id of the swimmer in the layout
+  std::vector<Prediction> predictions;
+  Json provenance = Json::array();  ///< one record a program
+};
+
+Json predictions_to_json(const PredictionDocument& document);
+
+/// Validates against the schema and converts. `source` names the document in messages. Throws InputError.
+PredictionDocument predictions_from_json(const Json& document, const std::string& source);
+
+/// Reads a file, or stdin for "-". Throws InputError.
+PredictionDocument read_predictions(const std::string& path);
+
+}  // namespace beadswim

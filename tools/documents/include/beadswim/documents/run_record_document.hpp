@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/io/json.hpp"
+#include "beadswim/layout/layout.hpp"
+
+// The run record, in memory and as JSON (schemas/run.schema.json, docs/formats/run-record.md). Quantities are
+// in the layout's units.
+
+namespace beadswim {
+
+enum class RunStatus { finished, stopped_speed, stopped_time, stopped_signal, failed };
+
+struct SwimmerRecord {
+  int id = 0;
+  std::vector<CycleStatistics> cycles;  ///< whole cycles, in order
+};
+
+/// Of fluid and beads [mass length/time].
+struct MomentumRecord {
+  Vec3 total = Vec3::Zero();
+  Vec3 initial = Vec3::Zero();
+};
+
+struct DimensionlessNumbers {
+  double reynolds_bead = 0;                  ///< largest bead speed x diameter / nu
+  double penetration_depth_over_radius = 0;  ///< sqrt(2 nu/omega) / smallest bead radius
+  std::optional<double> mach;                ///< largest bead speed / lattice speed of sound
+};
+
+/// How a lattice run discretised the scene.
+struct LatticeResolution {
+  double cells_per_radius = 0;             ///< cells per smallest bead radius
+  double cell_size = 0;                    ///< [length]
+  double time_step = 0;                    ///< [time]
+  double relaxation_time = 0;              ///< as used, in time steps
+  double kinematic_viscosity_lattice = 0;  ///< nu in cells^2/step
+  std::int64_t steps_per_cycle = 0;
+  std::string bead_boundary;  ///< "staircase", "cli", "mr" or "psm"
+  std::string precision;      ///< "double" or "single"
+};
+
+struct RunCost {
+  double wall_seconds = 0;
+  double core_seconds = 0;
+  int ranks = 1;
+  std::optional<std::int64_t> cell_updates;
+  std::optional<double> mlups;  ///< 1e6 cell updates a second
+  std::int64_t peak_memory_bytes = 0;
+};
+
+/// Optional members are null in JSON where the model has no such thing; cost and provenance may be absent.
+struct RunRecord {
+  std::string model;
+  RunStatus status = RunStatus::finished;
+  Units units;
+  std::optional<Domain> domain;  ///< none: unbounded fluid
+  double driving_period = 0;     ///< the layout's base period
+  std::vector<SwimmerRecord> swimmers;
+  std::optional<MomentumRecord> momentum;
+  std::optional<double> mass_relative_change;
+  DimensionlessNumbers dimensionless;
+  std::optional<LatticeResolution> resolution;
+  std::optional<RunCost> cost;
+  std::string state_sha256;
+  std::optional<Json> provenance;
+
+  /// Which axes of the box are periodic; none in unbounded fluid.
+  std::array<bool, 3> periodic_axes() const;
+};
+
+/// Whether to write cost and provenance, which differ from run to run.
+enum class RecordProvenance { written, left_out };
+
+std::string name_of(RunStatus status);  ///< "stopped-time", ...
+
+/// Validates against the schema and converts. `source` names the document in messages. Throws InputError.
+RunRecord run_record_from_json(const Json& document, const std::string& source);
+
+/// Reads a file, or stdin for "-". Throws InputError.
+RunRecord read_run_record(const std::string& path);
+
+Json run_record_to_json(const RunRecord& record, RecordProvenance provenance);
+
+}  // namespace beadswim

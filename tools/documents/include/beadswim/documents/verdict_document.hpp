@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "beadswim/compare/comparison.hpp"
+#include "beadswim/documents/run_record_document.hpp"
+#include "beadswim/io/json.hpp"
+
+// What a comparison found (schemas/verdict.schema.json).
+
+namespace beadswim {
+
+/// What the compared runs cost together.
+struct VerdictCost {
+  double wall_seconds = 0;
+  double core_seconds = 0;
+  std::int64_t cell_updates = 0;
+};
+
+struct VerdictDocument {
+  std::string decided_by;  ///< the method whose rows decide
+  std::vector<ComparisonRow> rows;
+  std::optional<VerdictCost> cost;
+};
+
+/// The sum over runs; none if a run's record leaves its cost out.
+std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> runs);
+
+/// "pass" is the verdict of the rows; an infinite relative error is null.
+Json verdict_to_json(const VerdictDocument& document);
+
+}  // namespace beadswim

@@ -1,0 +1,97 @@
+#include "beadswim/documents/prediction_document.hpp"
+
+#include "beadswim/io/schema.hpp"
+#include "units_json.hpp"
+
+namespace beadswim {
+namespace {
+
+using ArmNumbers = std::array<double, 2>;
+
+template <typename Value>
+Json json_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <typename Value>
+std::optional<Value> value_unless_null(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(json.get<Value>());
+}
+
+Json settings_to_json(const std::vector<Prediction::Setting>& settings) {
+  Json json = Json::object();
+  for (const auto& [name, setting] : settings) {
+    std::visit([&json, &name = name](const auto& value) { json[name] = value; }, setting);
+  }
+  return json;
+}
+
+std::vector<Prediction::Setting> settings_from_json(const Json& json) {
+  std::vector<Prediction::Setting> settings;
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_string()) {
+      settings.emplace_back(name, value.get<std::string>());
+    } else {
+      settings.emplace_back(name, value.get<double>());
+    }
+  }
+  return settings;
+}
+
+Json prediction_to_json(const Prediction& prediction) {
+  return {{"method", prediction.method},
+          {"usable", prediction.usable},
+          {"validity", prediction.validity},
+          {"velocity", prediction.velocity},
+          {"uncertainty", json_or_null(prediction.uncertainty)},
+          {"arm_amplitudes", prediction.stroke.amplitude},
+          {"arm_phases", prediction.stroke.phase},
+          {"sin_phase_shift", prediction.sin_phase_shift},
+          {"arm_means", json_or_null(prediction.arm_means)},
+          {"settings", settings_to_json(prediction.settings)}};
+}
+
+Prediction prediction_from_json(const Json& json) {
+  return {.method = json.at("method").get<std::string>(),
+          .usable = json.at("usable").get<bool>(),
+          .validity = json.at("validity").get<std::string>(),
+          .velocity = json.at("velocity").get<double>(),
+          .uncertainty = value_unless_null<double>(json.at("uncertainty")),
+          .stroke = {.amplitude = json.at("arm_amplitudes").get<ArmNumbers>(),
+                     .phase = json.at("arm_phases").get<ArmNumbers>()},
+          .sin_phase_shift = json.at("sin_phase_shift").get<double>(),
+          .arm_means = value_unless_null<ArmNumbers>(json.at("arm_means")),
+          .settings = settings_from_json(json.at("settings"))};
+}
+
+}  // namespace
+
+Json predictions_to_json(const PredictionDocument& document) {
+  Json predictions = Json::array();
+  for (const Prediction& prediction : document.predictions)
+    predictions.push_back(prediction_to_json(prediction));
+  return {{"schema", "beadswim/prediction/1"},
+          {"units", units_to_json(document.units)},
+          {"swimmer", document.swimmer},
+          {"predictions", predictions},
+          {"provenance", document.provenance}};
+}
+
+PredictionDocument predictions_from_json(const Json& json, const std::string& source) {
+  validate_json(json, "prediction", source);
+  PredictionDocument document;
+  document.units = units_from_json(json.at("units"));
+  document.swimmer = json.at("swimmer").get<int>();
+  for (const Json& prediction : json.at("predictions")) {
+    document.predictions.push_back(prediction_from_json(prediction));
+  }
+  document.provenance = json.value("provenance", Json::array());
+  return document;
+}
+
+PredictionDocument read_predictions(const std::string& path) {
+  const std::string source = path == "-" ? "standard input" : path;
+  return predictions_from_json(parse_json(read_text(path), source), source);
+}
+
+}  // namespace beadswim

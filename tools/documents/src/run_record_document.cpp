@@ -1,0 +1,234 @@
+#include "beadswim/documents/run_record_document.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "beadswim/io/schema.hpp"
+#include "units_json.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr std::array<std::pair<RunStatus, const char*>, 5> status_names{{
+    {RunStatus::finished, "finished"},
+    {RunStatus::stopped_speed, "stopped-speed"},
+    {RunStatus::stopped_time, "stopped-time"},
+    {RunStatus::stopped_signal, "stopped-signal"},
+    {RunStatus::failed, "failed"},
+}};
+
+constexpr std::array<std::pair<Boundary, const char*>, 3> boundary_names{{
+    {Boundary::periodic, "periodic"},
+    {Boundary::free_slip, "free-slip"},
+    {Boundary::no_slip, "no-slip"},
+}};
+
+template <typename Table, typename Value>
+std::string name_in(const Table& table, Value value) {
+  return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.first == value; })
+      ->second;
+}
+
+/// The schema lets no other name through.
+template <typename Table>
+auto value_in(const Table& table, const std::string& name) {
+  return std::find_if(table.begin(), table.end(), [&](const auto& entry) { return entry.second == name; })
+      ->first;
+}
+
+Json json_of(const Vec3& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+Vec3 vector_from(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+using ArmNumbers = std::array<double, 2>;
+
+template <typename Value>
+Json json_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+template <typename Value>
+std::optional<Value> value_unless_null(const Json& json) {
+  return json.is_null() ? std::nullopt : std::optional(json.get<Value>());
+}
+
+Json json_of(const std::optional<Domain>& domain) {
+  if (!domain) return nullptr;
+  Json boundary = Json::array();
+  for (const Boundary side : domain->boundary) boundary.push_back(name_in(boundary_names, side));
+  return {{"lengths", json_of(domain->lengths)}, {"boundary", boundary}};
+}
+
+std::optional<Domain> domain_from(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  Domain domain;
+  domain.lengths = vector_from(json.at("lengths"));
+  for (std::size_t i = 0; i < 3; ++i) {
+    domain.boundary[i] = value_in(boundary_names, json.at("boundary").at(i).get<std::string>());
+  }
+  return domain;
+}
+
+Json json_of(const CycleStatistics& cycle) {
+  return {{"index", cycle.index},
+          {"velocity", json_of(cycle.velocity)},
+          {"axis", json_of(cycle.axis)},
+          {"speed_along_axis", cycle.speed_along_axis},
+          {"mean_flow", json_of(cycle.mean_flow)},
+          {"arm_amplitudes", cycle.arm_amplitudes},
+          {"arm_phases", cycle.arm_phases},
+          {"arm_means", cycle.arm_means}};
+}
+
+CycleStatistics cycle_from(const Json& json) {
+  CycleStatistics cycle;
+  cycle.index = json.at("index").get<int>();
+  cycle.velocity = vector_from(json.at("velocity"));
+  cycle.axis = vector_from(json.at("axis"));
+  cycle.speed_along_axis = json.at("speed_along_axis").get<double>();
+  cycle.mean_flow = vector_from(json.at("mean_flow"));
+  cycle.arm_amplitudes = json.at("arm_amplitudes").get<ArmNumbers>();
+  cycle.arm_phases = json.at("arm_phases").get<ArmNumbers>();
+  cycle.arm_means = json.at("arm_means").get<ArmNumbers>();
+  return cycle;
+}
+
+Json json_of(const SwimmerRecord& swimmer) {
+  Json cycles = Json::array();
+  for (const CycleStatistics& cycle : swimmer.cycles) cycles.push_back(json_of(cycle));
+  return {{"id", swimmer.id}, {"cycles", cycles}};
+}
+
+SwimmerRecord swimmer_from(const Json& json) {
+  SwimmerRecord swimmer{json.at("id").get<int>(), {}};
+  for (const Json& cycle : json.at("cycles")) swimmer.cycles.push_back(cycle_from(cycle));
+  return swimmer;
+}
+
+Json json_of(const std::optional<MomentumRecord>& momentum) {
+  if (!momentum) return nullptr;
+  return {{"total", json_of(momentum->total)}, {"initial", json_of(momentum->initial)}};
+}
+
+std::optional<MomentumRecord> momentum_from(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return MomentumRecord{vector_from(json.at("total")), vector_from(json.at("initial"))};
+}
+
+Json json_of(const DimensionlessNumbers& numbers) {
+  return {{"reynolds_bead", numbers.reynolds_bead},
+          {"penetration_depth_over_radius", numbers.penetration_depth_over_radius},
+          {"mach", json_or_null(numbers.mach)}};
+}
+
+DimensionlessNumbers dimensionless_from(const Json& json) {
+  return {json.at("reynolds_bead").get<double>(), json.at("penetration_depth_over_radius").get<double>(),
+          value_unless_null<double>(json.at("mach"))};
+}
+
+Json json_of(const std::optional<LatticeResolution>& resolution) {
+  if (!resolution) return nullptr;
+  return {{"cells_per_radius", resolution->cells_per_radius},
+          {"cell_size", resolution->cell_size},
+          {"time_step", resolution->time_step},
+          {"relaxation_time", resolution->relaxation_time},
+          {"kinematic_viscosity_lattice", resolution->kinematic_viscosity_lattice},
+          {"steps_per_cycle", resolution->steps_per_cycle},
+          {"bead_boundary", resolution->bead_boundary},
+          {"precision", resolution->precision}};
+}
+
+std::optional<LatticeResolution> resolution_from(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return LatticeResolution{
+      .cells_per_radius = json.at("cells_per_radius").get<double>(),
+      .cell_size = json.at("cell_size").get<double>(),
+      .time_step = json.at("time_step").get<double>(),
+      .relaxation_time = json.at("relaxation_time").get<double>(),
+      .kinematic_viscosity_lattice = json.at("kinematic_viscosity_lattice").get<double>(),
+      .steps_per_cycle = json.at("steps_per_cycle").get<std::int64_t>(),
+      .bead_boundary = json.at("bead_boundary").get<std::string>(),
+      .precision = json.at("precision").get<std::string>()};
+}
+
+Json json_of(const RunCost& cost) {
+  return {{"wall_seconds", cost.wall_seconds},
+          {"core_seconds", cost.core_seconds},
+          {"ranks", cost.ranks},
+          {"cell_updates", json_or_null(cost.cell_updates)},
+          {"mlups", json_or_null(cost.mlups)},
+          {"peak_memory_bytes", cost.peak_memory_bytes}};
+}
+
+RunCost cost_from(const Json& json) {
+  return {.wall_seconds = json.at("wall_seconds").get<double>(),
+          .core_seconds = json.at("core_seconds").get<double>(),
+          .ranks = json.at("ranks").get<int>(),
+          .cell_updates = value_unless_null<std::int64_t>(json.at("cell_updates")),
+          .mlups = value_unless_null<double>(json.at("mlups")),
+          .peak_memory_bytes = json.at("peak_memory_bytes").get<std::int64_t>()};
+}
+
+}  // namespace
+
+std::array<bool, 3> RunRecord::periodic_axes() const {
+  std::array<bool, 3> periodic{};
+  for (std::size_t i = 0; i < 3; ++i) periodic[i] = domain && domain->boundary[i] == Boundary::periodic;
+  return periodic;
+}
+
+std::string name_of(RunStatus status) {
+  return name_in(status_names, status);
+}
+
+RunRecord run_record_from_json(const Json& document, const std::string& source) {
+  validate_json(document, "run", source);
+  RunRecord record;
+  record.model = document.at("model").get<std::string>();
+  record.status = value_in(status_names, document.at("status").get<std::string>());
+  record.units = units_from_json(document.at("units"));
+  record.domain = domain_from(document.at("domain"));
+  record.driving_period = document.at("driving").at("period").get<double>();
+  for (const Json& swimmer : document.at("swimmers")) record.swimmers.push_back(swimmer_from(swimmer));
+  record.momentum = momentum_from(document.at("momentum"));
+  record.mass_relative_change = value_unless_null<double>(document.at("mass_relative_change"));
+  record.dimensionless = dimensionless_from(document.at("dimensionless"));
+  record.resolution = resolution_from(document.at("resolution"));
+  if (document.contains("cost")) record.cost = cost_from(document.at("cost"));
+  record.state_sha256 = document.at("state_sha256").get<std::string>();
+  if (document.contains("provenance")) record.provenance = document.at("provenance");
+  return record;
+}
+
+RunRecord read_run_record(const std::string& path) {
+  const std::string source = path == "-" ? "standard input" : path;
+  return run_record_from_json(parse_json(read_text(path), source), source);
+}
+
+Json run_record_to_json(const RunRecord& record, RecordProvenance provenance) {
+  Json swimmers = Json::array();
+  for (const SwimmerRecord& swimmer : record.swimmers) swimmers.push_back(json_of(swimmer));
+  Json document = {{"schema", "beadswim/run/1"},
+                   {"model", record.model},
+                   {"status", name_of(record.status)},
+                   {"units", units_to_json(record.units)},
+                   {"domain", json_of(record.domain)},
+                   {"driving", {{"period", record.driving_period}}},
+                   {"swimmers", swimmers},
+                   {"momentum", json_of(record.momentum)},
+                   {"mass_relative_change", json_or_null(record.mass_relative_change)},
+                   {"dimensionless", json_of(record.dimensionless)},
+                   {"resolution", json_of(record.resolution)}};
+  if (provenance == RecordProvenance::written && record.cost) document["cost"] = json_of(*record.cost);
+  document["state_sha256"] = record.state_sha256;
+  if (provenance == RecordProvenance::written && record.provenance)
+    document["provenance"] = *record.provenance;
+  return document;
+}
+
+}  // namespace beadswim

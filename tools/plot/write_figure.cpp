@@ -1,0 +1,94 @@
+#include "write_figure.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/io/json.hpp"
+
+extern char** environ;
+
+namespace beadswim {
+namespace {
+
+/// Closes, and so removes, a file of std::tmpfile.
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
+
+TemporaryFile temporary_file(const std::string& content) {
+  TemporaryFile file(std::tmpfile());
+  if (!file) throw SolverError(fmt::format("no temporary file: {}", std::strerror(errno)));
+  const std::size_t written = std::fwrite(content.data(), 1, content.size(), file.get());
+  if (written != content.size() || std::fflush(file.get()) != 0) {
+    throw SolverError(fmt::format("temporary file: {}", std::strerror(errno)));
+  }
+  std::rewind(file.get());
+  return file;
+}
+
+std::string content_of(std::FILE* file) {
+  std::rewind(file);
+  std::string content;
+  std::array<char, 65536> chunk{};
+  while (const std::size_t count = std::fread(chunk.data(), 1, chunk.size(), file)) {
+    content.append(chunk.data(), count);
+  }
+  return content;
+}
+
+/// Runs the command with these files as stdin and stdout. Returns its exit status.
+int run_filter(const std::string& what_for, char* const* command, std::FILE* input, std::FILE* output) {
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, fileno(input), 0);
+  posix_spawn_file_actions_adddup2(&actions, fileno(output), 1);
+  pid_t child = 0;
+  const int fault = posix_spawnp(&child, command[0], &actions, nullptr, command, environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (fault != 0) {
+    throw InputError(what_for,
+                     fmt::format("{} cannot be started: {}; install the package librsvg2-bin, or write .svg",
+                                 command[0], std::strerror(fault)));
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/// PNG at twice the size, so that it prints well.
+std::string png_of(const std::string& svg, const std::string& path) {
+  const TemporaryFile input = temporary_file(svg), output = temporary_file("");
+  std::string program = "rsvg-convert", zoom = "--zoom=2", format = "--format=png";
+  const std::array<char*, 4> command{program.data(), zoom.data(), format.data(), nullptr};
+  if (const int status = run_filter(path, command.data(), input.get(), output.get())) {
+    throw SolverError(fmt::format("{}: rsvg-convert failed with status {}", path, status));
+  }
+  return content_of(output.get());
+}
+
+}  // namespace
+
+void require_figure_path(const std::string& path) {
+  if (path == "-" || path.ends_with(".svg") || path.ends_with(".png")) return;
+  throw InputError("--output",
+                   fmt::format("\"{}\" is neither .svg nor .png; name a file that ends so, or - for SVG on "
+                               "standard output",
+                               path));
+}
+
+void write_figure(const std::string& path, const std::string& svg) {
+  write_text(path, path.ends_with(".png") ? png_of(svg, path) : svg);
+}
+
+}  // namespace beadswim
