@@ -1,0 +1,71 @@
+#!/bin/bash
+# The slower checks: sanitizers, a tiny scene through all programs on 1 and 3 ranks, the files in other people's
+# readers, and the README's own commands. Each part has its time limit; all together take under an hour.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+root=$PWD
+
+# What mpirun needs as root in a container and with more ranks than cores.
+if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
+export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_btl_vader_single_copy_mechanism=none
+export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1
+export UBSAN_OPTIONS=print_stacktrace=1
+export LSAN_OPTIONS=suppressions=$root/tests/sanitizers/lsan.supp:print_suppressions=0:fast_unwind_on_malloc=0
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+
+section() { printf '\n== %s\n' "$*"; }
+
+build() { # PRESET CMAKE-ARGUMENT...
+  cmake --preset "$@"
+  timeout 1500 cmake --build --preset "$1"
+}
+
+# A small swimmer for a few hundred steps: enough for every part of a step to run.
+tiny_scene() { # RANKS
+  beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic \
+    --period 100 --amplitude 0.02 >layout.json
+  timeout 600 mpirun -n "$1" beadswim-run layout.json -o "ranks$1.h5md" --cells-per-radius 2 --relaxation-time 1.5 \
+    --cycles 2 --flow-every 1 --progress none --no-provenance >"ranks$1.json"
+}
+
+# The commands of README.md that follow the comment <!-- tested -->, as one script.
+readme_commands() {
+  awk '/<!-- tested -->/ { armed = 1; next }
+       armed && /^```sh$/ { inside = 1; armed = 0; next }
+       /^```$/ { inside = 0 }
+       inside' "$root/README.md"
+}
+
+.ci/install-packages.sh --with-readers
+
+section "Unit tests under the address and undefined-behaviour sanitizers"
+build sanitize
+timeout 1200 ctest --preset sanitize --label-regex unit
+
+section "A tiny scene under the sanitizers, on 1 and 3 ranks"
+cd "$scratch"
+PATH=$root/build/sanitize/bin:$PATH
+for ranks in 1 3; do tiny_scene "$ranks"; done
+cmp ranks1.json ranks3.json
+echo "1 and 3 ranks give the same record."
+
+section "Results in other readers"
+for reader in "$root"/tests/readers/*.py; do
+  # Debian's own Python, which its reader packages are installed for.
+  timeout 300 /usr/bin/python3 "$reader" ranks1.h5md ranks1.json
+done
+
+section "The README's commands"
+cd "$root"
+build ci
+mkdir "$scratch/readme"
+cd "$scratch/readme"
+readme_commands >commands.sh
+[ -s commands.sh ] || { echo "README.md holds no block after <!-- tested -->" >&2; exit 1; }
+cat commands.sh
+PATH=$root/build/ci/bin:$PATH timeout 900 bash -euo pipefail commands.sh
+
+section "All extended checks passed"
