@@ -7,4 +7,4 @@ cd "$(dirname "$0")/.."
 .ci/install-packages.sh
 cmake --preset ci
 cmake --build --preset ci
-ctest --preset ci --label-exclude extended
+ctest --preset ci

@@ -66,11 +66,15 @@ check "status" test "$(jq -r .status out)" = stopped-time
 err_has 'time limit of 1 s'
 err_has '^\{"step":[0-9]+,.*"seconds_left":'
 
+# A fault in the last steps, between two looks of the guards, still stops the run.
+run mpirun -n 2 beadswim-run wild.json -o wild.h5md --cycles 0.09 --progress none
+has_status 4
+
 # --- failed: beads that are pushed into each other stop all ranks, exit status 3, without a finished trajectory
-small --period 4000 --amplitude 1 --phase 3.14159 --stiffness 1e-3 >crash.json
+small --period 4000 --amplitude 1,0 --phase 0 --stiffness 1e-3 >crash.json
 run timeout 60 mpirun -n 2 beadswim-run crash.json -o crash.h5md --progress none
 has_status 3
-err_has 'overlap|torn|times its rest length'
+err_has 'step [0-9]+: .*(overlap|times its rest length)'
 check "an unfinished trajectory does not take its name" test ! -e crash.h5md
 
 # --- refusals leave nothing behind
@@ -81,6 +85,17 @@ refuses 'did you mean --cycles' beadswim-run layout.json -o x.h5md --cycels 3
 refuses 'output' beadswim-run layout.json
 refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius nan
 refuses 'not a whole number; the nearest' beadswim-run layout.json -o x.h5md --cells-per-radius 2.3
+refuses 'a period has 1 of them' beadswim-run layout.json -o x.h5md --relaxation-time 300
+refuses 'is a directory|Is a directory' beadswim-run layout.json -o ./
+refuses 'cycles: ' beadswim-run layout.json -o x.h5md --cycles 1e300
+touch x.h5md.flow
+refuses 'flow-every: the folder' beadswim-run layout.json -o x.h5md --flow-every 1 --progress none
+rm x.h5md.flow
+beadswim-layout swimmer --preset paper-single --box 6000,4000,4000 >huge.json
+refuses 'GB more than this machine has' beadswim-run huge.json -o x.h5md
+beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary no-slip \
+  --position 16,2.2,8 >wall.json
+refuses '/swimmers/0/position: bead 1 is 0.2 from a wall across y' beadswim-run wall.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --unbounded >open.json
 refuses '/domain: is null' beadswim-run open.json -o x.h5md
 head -c 100 layout.json >cut.json

@@ -18,6 +18,7 @@ collection = xml.parse(path + ".flow.pvd").getroot().find("Collection")
 with h5py.File(path) as file:
     times = file["observables/mean_flow/time"][:]
     mean_flow = file["observables/mean_flow/value"][:]
+    velocities = file["particles/beads/velocity/value"][:]
 
 for entry in collection:
     image = xml.parse(os.path.join(os.path.dirname(path), entry.get("file"))).getroot().find("ImageData")
@@ -33,7 +34,11 @@ for entry in collection:
     assert all(len(field) == cells.prod() for field in fields.values())
     frame = np.argmin(abs(times - float(entry.get("timestep"))))
     assert np.allclose(fields["velocity"].mean(axis=0), mean_flow[frame], atol=1e-7)
+    fastest = abs(velocities[frame]).max()
     bead_volume = 4 / 3 * np.pi * record["resolution"]["cells_per_radius"] ** 3
     for bead in (1, 2, 3):
-        assert abs((fields["bead"] == bead).sum() / bead_volume - 1) < 0.5  # a staircase
+        inside = fields["bead"][:, 0] == bead
+        assert abs(inside.sum() / bead_volume - 1) < 0.5  # a staircase
+        moving = fields["velocity"][inside].mean(axis=0)  # the bead's own velocity, a step before
+        assert np.allclose(moving, velocities[frame][bead - 1], atol=0.1 * fastest), (moving, velocities[frame])
 print(f"{len(collection)} flow files hold what the trajectory says")

@@ -18,6 +18,7 @@ record = json.load(open(record_path))
 with h5py.File(path) as file:
     assert list(file["h5md"].attrs["version"]) == [1, 1]
     beads = file["particles/beads"]
+    assert np.ndim(beads["box"].attrs["dimension"]) == 0 and beads["box"].attrs["dimension"] == 3
     steps = beads["position/step"][:]
     wrapped = beads["position/value"][:].astype(float)
     unwrapped = wrapped + beads["image/value"][:] * np.diagonal(beads["box/edges/value"][0])

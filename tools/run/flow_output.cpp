@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <cstring>
 #include <filesystem>
+
+#include "beadswim/core/error.hpp"
 
 #include "beadswim/coupling/gather.hpp"
 
@@ -25,7 +28,15 @@ std::vector<float> interleaved(const std::vector<double>& plane, int components)
 FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales,
                        const Communicator& communicator)
     : stem_(trajectory + ".flow"), scales_(scales), communicator_(communicator) {
-  if (communicator_.is_root()) std::filesystem::create_directories(stem_);
+  std::error_code failure;
+  if (communicator_.is_root()) std::filesystem::create_directories(stem_, failure);
+  int reason = failure.value();
+  MPI_Bcast(&reason, 1, MPI_INT, 0, communicator_.get());
+  if (reason != 0) {
+    throw InputError("--flow-every",
+                     fmt::format("the folder {} cannot be created: {}; move what is in its way", stem_,
+                                 std::strerror(reason)));
+  }
 }
 
 void FlowOutput::write(const CoupledSystem& system) {

@@ -13,6 +13,7 @@ namespace beadswim {
 /// units.
 class FlowOutput {
  public:
+  /// Throws InputError if the folder cannot be created.
   FlowOutput(const std::string& trajectory, const LatticeScales& scales, const Communicator& communicator);
 
   /// Velocity, pressure (over that of the resting fluid) and bead of every cell as they are now. Collective.

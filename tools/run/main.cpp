@@ -1,12 +1,13 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/version.hpp"
-#include "beadswim/lattice/trt.hpp"
+#include "memory.hpp"
 #include "record.hpp"
 #include "run_loop.hpp"
 
@@ -55,19 +56,34 @@ TrajectoryHeader header_of(const LayoutDocument& document, const SceneOnLattice&
 void announce(const SceneOnLattice& on_lattice, const Communicator& communicator) {
   const Index3& cells = on_lattice.scene.cells;
   const LatticeChoice& lattice = on_lattice.lattice;
-  const double bytes = 2.0 * d3q19::directions * sizeof(double) * cells.cast<double>().prod();
   fmt::print(
       stderr,
       "beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} swimmers, "
       "{:.2g} GB on {} ranks\n",
       cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
-      lattice.steps_per_period, on_lattice.scene.swimmers.size(), 1e-9 * bytes, communicator.size());
+      lattice.steps_per_period, on_lattice.scene.swimmers.size(), 1e-9 * population_bytes(on_lattice.scene),
+      communicator.size());
   if (on_lattice.cells_per_radius < 2) {
     fmt::print(stderr, "beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
                on_lattice.cells_per_radius);
   }
 }
 
+constexpr const char* program_name = "beadswim-run";
+
+/// For a failure that may be known to this rank alone: it speaks, and takes the others with it.
+[[noreturn]] void stop_all_ranks(const Communicator& communicator) {
+  report_current_exception(program_name);
+  MPI_Abort(communicator.get(), static_cast<int>(ExitStatus::failed));
+  std::abort();
+}
+
+void print_record(const RunRecord& record, const RunOptions& options) {
+  const auto provenance = options.with_provenance ? RecordProvenance::written : RecordProvenance::left_out;
+  write_text("-", dump_json(run_record_to_json(record, provenance)));
+}
+
+/// Throws InputError alike on all ranks while nothing has begun.
 int run(int argc, char** argv, const Communicator& communicator) {
   const auto parsed = parse_run_options(argc, argv);
   if (const int* status = std::get_if<int>(&parsed)) return *status;
@@ -75,48 +91,46 @@ int run(int argc, char** argv, const Communicator& communicator) {
   const std::string source = options.layout == "-" ? "standard input" : options.layout;
   const LayoutDocument document =
       layout_from_json(parse_json(read_text_once(options.layout, communicator), source), source);
-  const SceneOnLattice on_lattice = put_on_lattice(document.layout, options);
-  if (communicator.is_root() && options.progress != ProgressStyle::none) announce(on_lattice, communicator);
-
-  CoupledSystem system(on_lattice.scene, communicator);
-  TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator);
-  Recorder recorder(on_lattice, options.frames_per_cycle, trajectory);
-  std::unique_ptr<FlowOutput> flow;
-  if (options.flow_every)
-    flow = std::make_unique<FlowOutput>(options.output, on_lattice.lattice.scales, communicator);
+  const SceneOnLattice on_lattice = put_on_lattice(document.layout, options, source);
+  require_memory(on_lattice.scene, communicator);
   Progress progress(options.progress, total_steps(on_lattice, options),
                     static_cast<double>(on_lattice.lattice.steps_per_period),
                     on_lattice.scene.cells.cast<double>().prod());
-  const RunParts parts{communicator, system, recorder, flow.get(), progress};
+  if (communicator.is_root() && options.progress != ProgressStyle::none) announce(on_lattice, communicator);
 
-  const RunOutcome outcome = run_to_end(parts, on_lattice, options);
-  trajectory.finish();
-  const RunRecord record = make_record(parts, on_lattice, document, outcome, options);
-  if (communicator.is_root()) {
-    const auto provenance = options.with_provenance ? RecordProvenance::written : RecordProvenance::left_out;
-    write_text("-", dump_json(run_record_to_json(record, provenance)));
+  CoupledSystem system(on_lattice.scene, communicator);
+  std::unique_ptr<FlowOutput> flow;
+  if (options.flow_every) {
+    flow = std::make_unique<FlowOutput>(options.output, on_lattice.lattice.scales, communicator);
+  }
+  TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator);
+  Recorder recorder(on_lattice, options.frames_per_cycle, trajectory);
+  const RunParts parts{communicator, system, recorder, flow.get(), progress};
+  RunOutcome outcome;
+  try {
+    outcome = run_to_end(parts, on_lattice, options);
+    const RunRecord record = make_record(parts, on_lattice, document, outcome, options);
+    if (communicator.is_root()) print_record(record, options);
+    trajectory.finish();
+  } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
+    stop_all_ranks(communicator);
   }
   if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// Wrong input and early stops are known to every rank: rank 0 speaks, all leave. Any other failure may be
-/// known to one rank alone: it speaks and takes the others with it.
+/// Wrong input and early stops are known to every rank: rank 0 speaks, all leave.
 int report_failure(const Communicator& communicator) {
-  constexpr const char* name = "beadswim-run";
   try {
     throw;
   } catch (const InputError&) {
-    return communicator.is_root() ? report_current_exception(name) : static_cast<int>(ExitStatus::bad_input);
+    return communicator.is_root() ? report_current_exception(program_name)
+                                  : static_cast<int>(ExitStatus::bad_input);
   } catch (const StoppedEarly&) {
-    return communicator.is_root() ? report_current_exception(name)
+    return communicator.is_root() ? report_current_exception(program_name)
                                   : static_cast<int>(ExitStatus::stopped_early);
   } catch (...) {
-    const int status = report_current_exception(name);
-    fmt::print(stderr, "{}: stopped on rank {}; frames written so far are in the .part file\n", name,
-               communicator.rank());
-    MPI_Abort(communicator.get(), status);
-    return status;
+    stop_all_ranks(communicator);
   }
 }
 

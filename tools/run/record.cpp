@@ -33,7 +33,7 @@ RunCost cost_of(const RunParts& parts, const SceneOnLattice& on_lattice, const R
           .peak_memory_bytes = peak_memory_bytes(parts.communicator)};
 }
 
-DimensionlessNumbers numbers_of(const Recorder& recorder, const SceneOnLattice& on_lattice) {
+DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice& on_lattice) {
   double smallest = on_lattice.scene.types.front().beads[0].radius, largest = smallest;
   for (const SwimmerType& type : on_lattice.scene.types) {
     for (const Bead& bead : type.beads) {
@@ -43,9 +43,9 @@ DimensionlessNumbers numbers_of(const Recorder& recorder, const SceneOnLattice& 
   }
   const double nu = lattice_viscosity(on_lattice.lattice.relaxation_time);
   const double omega = 2 * std::numbers::pi / static_cast<double>(on_lattice.lattice.steps_per_period);
-  return {.reynolds_bead = recorder.largest_bead_speed() * 2 * largest / nu,
+  return {.reynolds_bead = largest_bead_speed * 2 * largest / nu,
           .penetration_depth_over_radius = std::sqrt(2 * nu / omega) / smallest,
-          .mach = recorder.largest_bead_speed() * std::sqrt(3.0)};
+          .mach = largest_bead_speed * std::sqrt(3.0)};
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
   record.momentum = MomentumRecord{.total = totals.momentum * scales.momentum(),
                                    .initial = first.momentum * scales.momentum()};
   record.mass_relative_change = (1 + totals.mass_excess) / (1 + first.mass_excess) - 1;
-  record.dimensionless = numbers_of(parts.recorder, on_lattice);
+  record.dimensionless = numbers_of(parts.system.largest_bead_speed(), on_lattice);
   record.resolution =
       LatticeResolution{.cells_per_radius = on_lattice.cells_per_radius,
                         .cell_size = scales.cell,

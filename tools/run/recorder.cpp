@@ -38,7 +38,6 @@ void Recorder::record(const CoupledSystem& system) {
     for (const BeadMotion& bead : swimmer.motion) {
       frame.positions.push_back(bead.position * scales_.cell);
       frame.velocities.push_back(bead.velocity * scales_.velocity());
-      largest_bead_speed_ = std::max(largest_bead_speed_, bead.velocity.norm());
     }
   }
   trajectory_.append(frame);

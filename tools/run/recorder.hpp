@@ -24,7 +24,6 @@ class Recorder {
   void record(const CoupledSystem& system);
 
   const SceneTotals& first_totals() const { return first_totals_; }
-  double largest_bead_speed() const { return largest_bead_speed_; }  ///< at frames, on rank 0 [cell/step]
   const std::vector<SwimmerRecord>& swimmers() const { return swimmers_; }  ///< on rank 0
 
  private:
@@ -38,7 +37,6 @@ class Recorder {
   TrajectoryWriter& trajectory_;
   long next_frame_ = 0;
   SceneTotals first_totals_;
-  double largest_bead_speed_ = 0;
   std::vector<SwimmerRecord> swimmers_;
   std::vector<std::vector<SwimmerSample>> samples_;  ///< of the cycle so far, one list a swimmer
 };

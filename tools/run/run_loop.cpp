@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/core/error.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -31,10 +33,30 @@ long steps_between_flows(const SceneOnLattice& on_lattice, double cycles) {
   return std::max(1L, std::lround(cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
 }
 
+void take_step(CoupledSystem& system, Recorder& recorder) {
+  try {
+    system.step();
+    recorder.record(system);
+  } catch (const NotFiniteError& error) {
+    throw SolverError(
+        fmt::format("step {}: the fluid has become unstable ({}); take a smaller step by "
+                    "--relaxation-time, more cells a radius, or weaker driving",
+                    system.steps_done(), error.what()));
+  } catch (const SolverError& error) {
+    throw SolverError(fmt::format("step {}: {}", system.steps_done(), error.what()));
+  }
+}
+
 }  // namespace
 
 long total_steps(const SceneOnLattice& on_lattice, const RunOptions& options) {
-  return std::max(1L, std::lround(options.cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
+  const double steps = options.cycles * static_cast<double>(on_lattice.lattice.steps_per_period);
+  constexpr double most = 1e15;  // counted exactly in doubles, and out of reach
+  if (steps > most) {
+    throw InputError("--cycles", fmt::format("{:.3g} cycles are {:.3g} steps; at most {:.3g}", options.cycles,
+                                             steps, most));
+  }
+  return std::max(1L, std::lround(steps));
 }
 
 RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options) {
@@ -45,11 +67,10 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
   RunOutcome outcome;
   recorder.record(system);
   while (system.steps_done() < steps && outcome.status == RunStatus::finished) {
-    system.step();
-    recorder.record(system);
+    take_step(system, recorder);
     const long done = system.steps_done();
     if (flow != nullptr && done % flow_interval == 0) flow->write(system);
-    if (done % steps_between_guards != 0) continue;
+    if (done % steps_between_guards != 0 && done != steps) continue;
     if (communicator.is_root()) progress.update(done);
     if (const auto fault = system.speed_fault()) {
       outcome = {RunStatus::stopped_speed, describe(*fault, on_lattice.lattice.scales), 0};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "beadswim/core/error.hpp"
 
@@ -14,51 +15,90 @@ namespace {
 /// What a run uses if neither the command line nor the layout says otherwise: the paper's.
 constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time = 1.5};
 
+/// Fewer steps than this cannot follow a period.
+constexpr long fewest_steps_per_period = 20;
+
+/// A bead nearer to a wall than this would cover the cells along it [cell].
+constexpr double nearest_to_wall = 0.5;
+
 double smallest_radius(const Layout& layout) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& [name, type] : layout.types) {
-    for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);
+  for (const Swimmer& swimmer : layout.swimmers) {
+    for (const Bead& bead : layout.types.at(swimmer.type).beads) smallest = std::min(smallest, bead.radius);
   }
   return smallest;
 }
 
-const Domain& require_box(const Layout& layout) {
-  if (layout.domain) return *layout.domain;
-  throw InputError("/domain",
+void require_box(const Layout& layout, const std::string& source) {
+  if (layout.domain) return;
+  throw InputError(source + ":/domain",
                    "is null (unbounded fluid), which a lattice cannot hold; make the layout with --box "
                    "X,Y,Z and --boundary, or ask beadswim-theory");
 }
 
-double common_period(const Layout& layout) {
+double common_period(const Layout& layout, const std::string& source) {
   const double period = layout.resolved_type(layout.swimmers.front()).driving.period;
-  for (const Swimmer& swimmer : layout.swimmers) {
-    const double own = layout.resolved_type(swimmer).driving.period;
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const double own = layout.resolved_type(layout.swimmers[s]).driving.period;
     if (own == period) continue;
     throw InputError(
-        fmt::format("/swimmers (id {})", swimmer.id),
+        fmt::format("{}:/swimmers/{}", source, s),
         fmt::format("its period {} differs from {}, that of the first swimmer; a run needs one period", own,
                     period));
   }
   return period;
 }
 
-Index3 whole_cells(const Vec3& lengths, double cell) {
+void require_off_walls(const Layout& layout, double cell, const std::string& source) {
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const SwimmerType& type = layout.types.at(layout.swimmers[s].type);
+    const std::array<Vec3, 3> beads = rest_positions(layout.swimmers[s], type);
+    for (int b = 0; b < 3; ++b) {
+      for (int a = 0; a < 3; ++a) {
+        if (layout.domain->boundary[a] == Boundary::periodic) continue;
+        const double to_wall = std::min(beads[b][a], layout.domain->lengths[a] - beads[b][a]);
+        const double gap = to_wall - type.beads[b].radius;
+        if (gap >= nearest_to_wall * cell) continue;
+        throw InputError(
+            fmt::format("{}:/swimmers/{}/position", source, s),
+            fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, {:.3g}", b + 1,
+                        gap, "xyz"[a], nearest_to_wall * cell));
+      }
+    }
+  }
+}
+
+Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) {
+  constexpr double roundoff = 1e-9, most = 1e6;
   Index3 cells;
   for (int a = 0; a < 3; ++a) {
     const double exact = lengths[a] / cell;
     const double whole = std::round(exact);
-    constexpr double roundoff = 1e-9;
+    const std::string place = fmt::format("{}:/domain/lengths/{}", source, a);
+    if (whole > most)
+      throw InputError(place, fmt::format("{} is {:.3g} cells; at most {}", lengths[a], exact, most));
     if (whole < 1 || std::abs(exact - whole) > roundoff * whole) {
-      throw InputError(
-          fmt::format("/domain/lengths/{}", a),
-          fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest are {:.10g} and "
-                      "{:.10g}, or choose another --cells-per-radius",
-                      lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
-                      (std::floor(exact) + 1) * cell));
+      throw InputError(place, fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest are "
+                                          "{:.10g} and {:.10g}, or choose another --cells-per-radius",
+                                          lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
+                                          (std::floor(exact) + 1) * cell));
     }
     cells[a] = static_cast<int>(whole);
   }
   return cells;
+}
+
+LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double relaxation_time,
+                          double period) {
+  const LatticeChoice lattice =
+      choose_lattice(smallest_radius(layout), cells_per_radius, relaxation_time, layout.fluid.density,
+                     layout.fluid.kinematic_viscosity, period);
+  if (lattice.steps_per_period >= fewest_steps_per_period) return lattice;
+  throw InputError(
+      "--relaxation-time",
+      fmt::format("{} makes a step so long that a period has {} of them; at least {} are needed: "
+                  "take a smaller --relaxation-time or a larger --cells-per-radius",
+                  relaxation_time, lattice.steps_per_period, fewest_steps_per_period));
 }
 
 Wall wall_of(Boundary boundary) {
@@ -73,31 +113,39 @@ Wall wall_of(Boundary boundary) {
   throw SolverError("unknown boundary");
 }
 
+/// The layout's swimmers in order of their ids, and the types that they share.
+void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeScales& scales) {
+  std::map<std::string, int> shared_types;  // of swimmers that do not override their type's driving
+  for (const Swimmer& swimmer : layout.swimmers) {
+    int type = static_cast<int>(scene.types.size());
+    if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
+    if (type == std::ssize(scene.types)) {
+      scene.types.push_back(in_lattice_units(layout.resolved_type(swimmer), scales));
+    }
+    scene.swimmers.push_back(
+        {.id = swimmer.id, .type = type, .position = swimmer.position / scales.cell, .axis = swimmer.axis});
+  }
+  std::ranges::sort(scene.swimmers, {}, &CoupledScene::Swimmer::id);  // the order of every list of beads
+}
+
 }  // namespace
 
-SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options) {
-  const Domain& domain = require_box(layout);
+SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, const std::string& source) {
+  require_box(layout, source);
   const Resolution hint = layout.resolution.value_or(default_resolution);
   SceneOnLattice result;
-  result.period = common_period(layout);
+  result.period = common_period(layout, source);
   result.cells_per_radius = options.cells_per_radius.value_or(hint.cells_per_radius);
-  result.lattice = choose_lattice(smallest_radius(layout), result.cells_per_radius,
-                                  options.relaxation_time.value_or(hint.relaxation_time),
-                                  layout.fluid.density, layout.fluid.kinematic_viscosity, result.period);
+  result.lattice = lattice_for(layout, result.cells_per_radius,
+                               options.relaxation_time.value_or(hint.relaxation_time), result.period);
   const LatticeScales& scales = result.lattice.scales;
+  require_off_walls(layout, scales.cell, source);
 
   CoupledScene& scene = result.scene;
   scene.relaxation_time = result.lattice.relaxation_time;
-  scene.cells = whole_cells(domain.lengths, scales.cell);
-  for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(domain.boundary[a]);
-  for (const Swimmer& swimmer : layout.swimmers) {
-    scene.swimmers.push_back({.id = swimmer.id,
-                              .type = static_cast<int>(scene.types.size()),
-                              .position = swimmer.position / scales.cell,
-                              .axis = swimmer.axis});
-    scene.types.push_back(in_lattice_units(layout.resolved_type(swimmer), scales));
-  }
-  std::ranges::sort(scene.swimmers, {}, &CoupledScene::Swimmer::id);  // the order of every list of beads
+  scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
+  for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(layout.domain->boundary[a]);
+  add_swimmers(scene, layout, scales);
   return result;
 }
 

@@ -11,12 +11,13 @@ namespace beadswim {
 struct SceneOnLattice {
   LatticeChoice lattice;
   double cells_per_radius = 0;
-  double period = 0;  ///< base period: the first type's [time]
+  double period = 0;  ///< of all swimmers' driving [time]
   CoupledScene scene;
 };
 
-/// Throws InputError if the layout cannot be run on a lattice: no box, edges that are not whole numbers of
-/// cells, swimmers of different periods.
-SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options);
+/// Throws InputError, `source` naming the layout, if the layout cannot be run on a lattice: no box, edges
+/// that are not whole numbers of cells, beads at walls, swimmers of different periods, too few steps in a
+/// period.
+SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, const std::string& source);
 
 }  // namespace beadswim

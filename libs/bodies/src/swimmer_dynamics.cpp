@@ -1,8 +1,12 @@
 #include "beadswim/bodies/swimmer_dynamics.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "beadswim/core/error.hpp"
 
 namespace beadswim {
 namespace {
@@ -56,7 +60,15 @@ int substeps_for(const SwimmerType& type, double step) {
   const double bending = type.angular_stiffness * (g1 * g1 / m[0] + g2 * g2 / m[1] + g3 * g3 / m[2]);
   const double frequency = std::sqrt(std::max(stretching(first.stiffness, second.stiffness), bending));
   const double damping_rate = stretching(first.damping, second.damping);
-  return std::max(1, static_cast<int>(std::ceil(4 * step * std::max(frequency, damping_rate))));
+  const double substeps = std::ceil(4 * step * std::max(frequency, damping_rate));
+  constexpr double most = 10000;
+  if (!(substeps <= most)) {
+    throw InputError("springs",
+                     fmt::format("so stiff or damped that a step needs {:.3g} sub-steps, over {}; soften "
+                                 "them or take a smaller step",
+                                 substeps, most));
+  }
+  return std::max(1, static_cast<int>(substeps));
 }
 
 void advance_swimmer(SwimmerMotion& motion, const SwimmerType& type, const Vec3& initial_axis,

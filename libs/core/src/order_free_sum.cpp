@@ -7,8 +7,11 @@
 namespace beadswim {
 
 void OrderFreeSum::refuse(double x) {
-  throw SolverError(
-      fmt::format("a term of {} does not fit an order-free sum (|term| < {})", x, largest_term));
+  throw NotFiniteError(fmt::format("a term of {} in a sum of terms below {}", x, largest_term));
+}
+
+void OrderFreeSum::overflow() {
+  throw SolverError("a sum over cells or links has grown too large to be held");
 }
 
 }  // namespace beadswim

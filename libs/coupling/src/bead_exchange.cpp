@@ -14,10 +14,13 @@ namespace {
 /// step.
 constexpr int margin = 2;
 
+/// Gap between a bead and a wall below which the first cells along the wall would be covered [cell].
+constexpr double nearest_to_wall = 0.5;
+
 /// An arm longer than this many rest lengths is torn.
 constexpr double longest_stretch = 2;
 
-constexpr int publish_tag = 1, collect_tag = 2;
+constexpr int publish_tag = 11, collect_tag = 12;  // the halo has 0 and 1
 
 /// Farthest that a cell touched by a swimmer's bead may be from bead 2.
 double reach(const CoupledScene& scene) {
@@ -56,6 +59,21 @@ void require_whole_arms(const SwimmerState& swimmer, const SwimmerType& type) {
   }
 }
 
+/// Throws SolverError if a bead comes so near to a wall that it would cover cells along it.
+void require_off_walls(const SwimmerState& swimmer, const SwimmerType& type, const BlockInLattice& at) {
+  for (int b = 0; b < 3; ++b) {
+    const double nearest = type.beads[b].radius + nearest_to_wall;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double place = swimmer.motion[b].position[axis];
+      if (at.periodic[axis] || (place >= nearest && place <= at.cells[axis] - nearest)) continue;
+      throw SolverError(
+          fmt::format("bead {} of swimmer {} touches the wall across axis {} (centre at {:.2f} of {} "
+                      "cells); a larger box keeps it off",
+                      b + 1, swimmer.id, "xyz"[axis], place, at.cells[axis]));
+    }
+  }
+}
+
 void put(OutgoingMessage& message, const BeadOnLattice& bead) {
   message.put(bead.name);
   message.put(bead.owner);
@@ -91,7 +109,10 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
 int BeadExchange::owner_of(const Vec3& position) const {
   Index3 cell = position.array().floor().cast<int>();
   const Index3& cells = decomposition_.cells();
-  for (int a = 0; a < 3; ++a) cell[a] = ((cell[a] % cells[a]) + cells[a]) % cells[a];
+  for (int a = 0; a < 3; ++a) {
+    const bool periodic = blocks_[rank_].periodic[a];
+    cell[a] = periodic ? ((cell[a] % cells[a]) + cells[a]) % cells[a] : std::clamp(cell[a], 0, cells[a] - 1);
+  }
   return decomposition_.rank_of_cell(cell);
 }
 
@@ -100,6 +121,7 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
   std::vector<SwimmerState> staying;
   for (const SwimmerState& swimmer : owned) {
     require_whole_arms(swimmer, types_[swimmer.type]);
+    require_off_walls(swimmer, types_[swimmer.type], blocks_[rank_]);
     if (owner_of(swimmer.motion[1].position) == rank_) staying.push_back(swimmer);
   }
   for (std::size_t p = 0; p < peers_.size(); ++p) to_peers[p] = announcement(owned, peers_[p]);

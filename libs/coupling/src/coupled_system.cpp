@@ -12,7 +12,7 @@ namespace beadswim {
 namespace {
 
 /// The paper's limit [cell/step].
-constexpr double largest_bead_speed = 0.5;
+constexpr double speed_limit = 0.5;
 
 SwimmerState at_rest(const CoupledScene& scene, const CoupledScene::Swimmer& swimmer) {
   const SwimmerType& type = scene.types[swimmer.type];
@@ -48,7 +48,10 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
 bool CoupledSystem::is_too_fast(const SwimmerState& swimmer) {
   for (int b = 0; b < 3; ++b) {
     const double speed = swimmer.motion[b].velocity.norm();
-    if (speed <= largest_bead_speed) continue;
+    if (speed <= speed_limit) {
+      largest_bead_speed_ = std::max(largest_bead_speed_, speed);
+      continue;
+    }
     if (!speed_fault_) {
       speed_fault_ = SpeedFault{.step = steps_done_,
                                 .bead = {swimmer.id, b},
@@ -82,6 +85,12 @@ std::optional<SpeedFault> CoupledSystem::speed_fault() const {
                     .bead = {static_cast<int>(plain[1]), static_cast<int>(plain[2])},
                     .position = Vec3(plain[3], plain[4], plain[5]),
                     .speed = plain[6]};
+}
+
+double CoupledSystem::largest_bead_speed() const {
+  double largest = largest_bead_speed_;
+  MPI_Allreduce(MPI_IN_PLACE, &largest, 1, MPI_DOUBLE, MPI_MAX, communicator_.get());
+  return largest;
 }
 
 std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {

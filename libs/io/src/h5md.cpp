@@ -1,6 +1,9 @@
 #include "beadswim/io/h5md.hpp"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -17,16 +20,28 @@ std::string part_name(const std::string& path) {
   return path + ".part";
 }
 
+/// Puts the file on the disk and gives it its name; the system's reason if that fails, else 0.
+int name_finished_file(const std::string& path) {
+  const int file = open(part_name(path).c_str(), O_RDONLY);
+  const bool failed = file < 0 || fsync(file) != 0 || std::rename(part_name(path).c_str(), path.c_str()) != 0;
+  const int reason = failed ? errno : 0;
+  if (file >= 0) close(file);
+  return reason;
+}
+
+/// Why a file of this name cannot be made, or 0.
+int creation_fault(const std::string& path) {
+  struct stat existing {};
+  if (path.ends_with('/') || (stat(path.c_str(), &existing) == 0 && S_ISDIR(existing.st_mode))) return EISDIR;
+  std::FILE* file = std::fopen(part_name(path).c_str(), "wb");
+  if (file == nullptr) return errno;
+  std::fclose(file);
+  return 0;
+}
+
 /// Rank 0 tries to create the file, so that every rank throws the same error with the system's reason.
 void require_creatable(const std::string& path, const Communicator& communicator) {
-  int reason = 0;
-  if (communicator.is_root()) {
-    if (std::FILE* file = std::fopen(part_name(path).c_str(), "wb")) {
-      std::fclose(file);
-    } else {
-      reason = errno;
-    }
-  }
+  int reason = communicator.is_root() ? creation_fault(path) : 0;
   MPI_Bcast(&reason, 1, MPI_INT, 0, communicator.get());
   if (reason != 0) {
     throw InputError("-o",
@@ -43,17 +58,17 @@ H5Handle create_file(const std::string& path, const Communicator& communicator) 
   check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
   const hid_t file = H5Fcreate(part_name(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (file < 0) {
-    throw SolverError(path +
-                      ": HDF5 cannot create the file; on a network file system that does not support locks, "
-                      "set HDF5_USE_FILE_LOCKING=FALSE");
+    throw InputError(
+        "-o", path +
+                  ": HDF5 cannot create the file; on a network file system that does not support locks, "
+                  "set HDF5_USE_FILE_LOCKING=FALSE");
   }
   return {file, H5Fclose, path};
 }
 
-/// Frames in a chunk: about 16 KiB, so that neither few beads nor many make chunks of an awkward size.
-hsize_t frames_in_chunk(hsize_t bytes_per_frame) {
-  return std::max<hsize_t>(1, 16384 / bytes_per_frame);
-}
+/// A frame at least so large is a chunk of its own, and compressed; smaller ones share a chunk as they are.
+/// Either way a later frame moves nothing of an earlier one.
+constexpr hsize_t chunk_bytes = 16384;
 
 struct WrappedPositions {
   std::vector<float> position;
@@ -121,7 +136,7 @@ void TrajectoryWriter::write_metadata(const TrajectoryHeader& header) {
 
 void TrajectoryWriter::create_box(hid_t beads) {
   const H5Handle box = create_group(beads, "box");
-  write_attribute(box, "dimension", std::array{3});
+  write_attribute(box, "dimension", 3);
   std::array<std::string, 3> boundary;
   for (int a = 0; a < 3; ++a) boundary[a] = periodic_[a] ? "periodic" : "none";
   write_attribute(box, "boundary", boundary);
@@ -132,15 +147,17 @@ void TrajectoryWriter::create_series(const std::string& name, hid_t type, std::v
   std::vector<hsize_t> now{0}, most{H5S_UNLIMITED};
   hsize_t bytes = H5Tget_size(type);
   for (const hsize_t n : row) bytes *= n;
-  std::vector<hsize_t> chunk{frames_in_chunk(bytes)};
+  std::vector<hsize_t> chunk{std::max<hsize_t>(1, chunk_bytes / bytes)};
   for (auto* shape : {&now, &most, &chunk}) shape->insert(shape->end(), row.begin(), row.end());
 
   const H5Handle space(H5Screate_simple(static_cast<int>(now.size()), now.data(), most.data()), H5Sclose,
                        name);
   const H5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   check_hdf5(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), name);
-  check_hdf5(H5Pset_shuffle(creation), name);
-  check_hdf5(H5Pset_deflate(creation, 4), name);
+  if (bytes >= chunk_bytes) {
+    check_hdf5(H5Pset_shuffle(creation), name);
+    check_hdf5(H5Pset_deflate(creation, 4), name);
+  }
   check_hdf5(H5Pset_obj_track_times(creation, false), name);
   H5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
                    name);
@@ -202,13 +219,15 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame) {
 }
 
 void TrajectoryWriter::finish() {
-  series_.clear();
-  file_.close();
+  for (auto& [name, series] : series_) series.dataset.close_checked(path_ + ":/" + name);
+  file_.close_checked(path_);
   MPI_Barrier(comm_);
-  int failed = 0;
-  if (root_) failed = std::rename(part_name(path_).c_str(), path_.c_str());
-  MPI_Bcast(&failed, 1, MPI_INT, 0, comm_);
-  if (failed != 0) throw SolverError(fmt::format("{} cannot be renamed to {}", part_name(path_), path_));
+  int reason = root_ ? name_finished_file(path_) : 0;
+  MPI_Bcast(&reason, 1, MPI_INT, 0, comm_);
+  if (reason != 0) {
+    throw SolverError(
+        fmt::format("{} cannot be renamed to {}: {}", part_name(path_), path_, std::strerror(reason)));
+  }
 }
 
 }  // namespace beadswim

@@ -12,6 +12,8 @@ namespace {
 H5Handle fixed_string_type(std::size_t length) {
   H5Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
   check_hdf5(H5Tset_size(type, std::max<std::size_t>(length, 1)), "string type");
+  check_hdf5(H5Tset_strpad(type, H5T_STR_NULLPAD), "string type");
+  check_hdf5(H5Tset_cset(type, H5T_CSET_UTF8), "string type");
   return type;
 }
 
@@ -60,6 +62,12 @@ void H5Handle::close() {
   id_ = H5I_INVALID_HID;
 }
 
+void H5Handle::close_checked(const std::string& what) {
+  const hid_t id = std::exchange(id_, H5I_INVALID_HID);
+  if (id >= 0 && close_(id) < 0)
+    throw SolverError(what + ": HDF5 could not finish writing; is the disk full?");
+}
+
 void check_hdf5(herr_t status, const std::string& what) {
   if (status < 0) throw SolverError(what + ": HDF5 failed");
 }
@@ -74,6 +82,11 @@ void write_attribute(hid_t object, const std::string& name, const std::string& t
   const H5Handle type = fixed_string_type(text.size());
   const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "dataspace");
   write_attribute_data(object, name, type, space, text.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, int value) {
+  const H5Handle space(H5Screate(H5S_SCALAR), H5Sclose, "dataspace");
+  write_attribute_data(object, name, H5T_NATIVE_INT, space, &value);
 }
 
 void write_attribute(hid_t object, const std::string& name, std::span<const int> values) {

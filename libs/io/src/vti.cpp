@@ -93,8 +93,8 @@ void write_vti(const std::string& path, const Index3& cells, double spacing,
       extent, spacing);
   for (const VtiField& field : fields) write_field(file.get(), cells, field);
   fmt::print(file.get(), "      </CellData>\n    </Piece>\n  </ImageData>\n</VTKFile>\n");
-  const bool failed = std::ferror(file.get()) != 0 || std::fflush(file.get()) != 0;
-  file.reset();
+  const bool written = std::ferror(file.get()) == 0;
+  const bool failed = std::fclose(file.release()) != 0 || !written;
   if (failed || std::rename(part.c_str(), path.c_str()) != 0) {
     throw SolverError(path + " cannot be written; is the disk full?");
   }

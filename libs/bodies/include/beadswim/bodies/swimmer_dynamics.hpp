@@ -31,6 +31,7 @@ double moment_of_inertia(const Bead& bead);  ///< 2/5 m R^2
 
 /// Sub-steps that resolve the swimmer's fastest vibration (of springs, dashpots and angular spring, with the
 /// arms at rest length) within `step`: |eigenvalue| x sub-step <= 1/4, a tenth of what the integrator bears.
+/// Throws InputError if that takes more than 10000.
 int substeps_for(const SwimmerType& type, double step);
 
 /// Advances the beads from `time` to `time + step` under their inner and driving forces, and `loads` held

@@ -29,6 +29,12 @@ class SolverError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A number that should be finite is not: the calculation has become unstable. Exit status 3.
+class NotFiniteError : public SolverError {
+ public:
+  using SolverError::SolverError;
+};
+
 /// Stopped on purpose, results intact (speed limit, time limit, signal). Exit status 4.
 class StoppedEarly : public std::runtime_error {
  public:

@@ -6,23 +6,24 @@
 // A sum whose bits do not depend on the order of its terms, and so neither on the number of ranks.
 //
 // Each term is cut into two integers, x = coarse 2^-30 + fine 2^-62, and integers are summed. The cut errs
-// by less than 2^-62 (2.2e-19) absolute. Room before an overflow: a coarse sum of 2^33, and 2^31 terms.
+// by less than 2^-62 (2.2e-19) absolute. There is room for sums up to 2^33 and for 2^31 terms at least; an
+// overflow throws.
 
 namespace beadswim {
 
 class OrderFreeSum {
  public:
-  /// Adds one term; throws SolverError unless |x| < 2^31 (so also for NaN).
+  /// Adds one term. Throws NotFiniteError unless |x| < 2^31 (so for NaN), SolverError if the sum overflows.
   void add(double x) {
     if (!(std::abs(x) < largest_term)) refuse(x);
     const std::int64_t coarse_part = std::llrint(x * coarse_per_unit);
-    coarse += coarse_part;
-    fine += std::llrint((x - static_cast<double>(coarse_part) / coarse_per_unit) * fine_per_unit);
+    add(coarse, coarse_part);
+    add(fine, std::llrint((x - static_cast<double>(coarse_part) / coarse_per_unit) * fine_per_unit));
   }
 
   void add(const OrderFreeSum& other) {
-    coarse += other.coarse;
-    fine += other.fine;
+    add(coarse, other.coarse);
+    add(fine, other.fine);
   }
 
   double value() const {
@@ -38,7 +39,12 @@ class OrderFreeSum {
   static constexpr double coarse_per_unit = 0x1p30;
   static constexpr double fine_per_unit = 0x1p62;
 
+  static void add(std::int64_t& sum, std::int64_t term) {
+    if (__builtin_add_overflow(sum, term, &sum)) overflow();
+  }
+
   [[noreturn]] static void refuse(double x);
+  [[noreturn]] static void overflow();
 };
 
 }  // namespace beadswim

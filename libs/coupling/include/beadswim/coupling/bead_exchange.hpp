@@ -26,7 +26,8 @@ class BeadExchange {
   int owner_of(const Vec3& position) const;
 
   /// Hands swimmers whose bead 2 has left the block to their new owners, and returns the beads near this
-  /// block, in order of their names. Throws SolverError if an arm is longer than twice its rest length.
+  /// block, in order of their names. Throws SolverError if an arm is longer than twice its rest length,
+  /// or a bead within half a cell of a wall.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
   /// Returns this rank's impulses to the owners; the totals of owned swimmers' beads come back.

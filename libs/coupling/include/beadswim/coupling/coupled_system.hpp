@@ -26,7 +26,9 @@ struct SpeedFault {
 struct SceneTotals {
   Vec3 momentum = Vec3::Zero();   ///< of fluid and beads, and of impulses under way between them
   Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity, covered cells moving with their bead
-  double mass_excess = 0;  ///< of fluid over density 1, and of what beads hold of it, over all cells' mass
+  /// Mass of the fluid, and of what beads hold of it, beyond density 1, relative to the mass of a box of
+  /// fluid.
+  double mass_excess = 0;
 };
 
 /// Fluid and swimmers on one lattice, advanced together. Lattice units throughout; all ranks of the
@@ -55,6 +57,9 @@ class CoupledSystem {
   /// bead must not cross half a cell in a step). Collective.
   std::optional<SpeedFault> speed_fault() const;
 
+  /// Largest speed that any bead had at the end of any step [cell/step]. Collective.
+  double largest_bead_speed() const;
+
   /// All swimmers in order of their id, on rank 0; empty elsewhere. Collective.
   std::vector<SwimmerState> gather_swimmers() const;
 
@@ -63,7 +68,7 @@ class CoupledSystem {
 
  private:
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
-  /// Whether a bead is over the speed limit; notes the first that is.
+  /// Whether a bead is over the speed limit; notes the first that is, and the largest speed.
   bool is_too_fast(const SwimmerState& swimmer);
 
   const Communicator& communicator_;
@@ -78,6 +83,7 @@ class CoupledSystem {
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_, coverage_before_;
   std::optional<SpeedFault> speed_fault_;
+  double largest_bead_speed_ = 0;  ///< of owned swimmers
   long steps_done_ = 0;
 };
 

@@ -24,10 +24,12 @@ class H5Handle {
 
   operator hid_t() const { return id_; }
 
-  /// Closes before the end of the scope; nothing is left to close then.
-  void close();
+  /// Closes before the end of the scope. Throws SolverError if what was left to write could not be.
+  void close_checked(const std::string& what);
 
  private:
+  void close();
+
   hid_t id_ = H5I_INVALID_HID;
   Close close_ = nullptr;
 };
@@ -39,6 +41,7 @@ void check_hdf5(herr_t status, const std::string& what);
 H5Handle create_group(hid_t parent, const std::string& name);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
+void write_attribute(hid_t object, const std::string& name, int value);
 void write_attribute(hid_t object, const std::string& name, std::span<const int> values);
 /// One fixed-length string an element, padded with zeros.
 void write_attribute(hid_t object, const std::string& name, std::span<const std::string> texts);

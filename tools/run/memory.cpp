@@ -1,0 +1,43 @@
+#include "memory.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/lattice/d3q19.hpp"
+
+namespace beadswim {
+namespace {
+
+double installed_bytes() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+int ranks_on_this_node(const Communicator& communicator) {
+  MPI_Comm node = MPI_COMM_NULL;
+  int ranks = 1;
+  MPI_Comm_split_type(communicator.get(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+  MPI_Comm_size(node, &ranks);
+  MPI_Comm_free(&node);
+  return ranks;
+}
+
+}  // namespace
+
+double population_bytes(const CoupledScene& scene) {
+  constexpr double copies = 2;
+  return copies * d3q19::directions * sizeof(double) * scene.cells.cast<double>().prod();
+}
+
+void require_memory(const CoupledScene& scene, const Communicator& communicator) {
+  const double needed = population_bytes(scene) / communicator.size() * ranks_on_this_node(communicator);
+  double lack = needed - installed_bytes();
+  MPI_Allreduce(MPI_IN_PLACE, &lack, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
+  if (lack <= 0) return;
+  throw InputError(
+      "box", fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take a "
+                         "smaller --box in the layout, fewer --cells-per-radius, or more machines",
+                         scene.cells.cast<double>().prod(), 1e-9 * population_bytes(scene), 1e-9 * lack));
+}
+
+}  // namespace beadswim
