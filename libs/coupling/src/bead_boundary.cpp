@@ -7,35 +7,43 @@
 
 namespace beadswim {
 
+namespace {
+
+/// The links between one covered cell and the fluid around it.
+void bounce_back_around(CoveredCell& covered, Populations& populations, const Coverage& coverage,
+                        BeadOnLattice& bead) {
+  const bool own = coverage.is_own(covered.local);
+  double density_sum = 0, weight_sum = 0;
+  for (int out = 1; out < d3q19::directions; ++out) {  // from the covered cell into the fluid
+    const std::ptrdiff_t neighbour = covered.cell + populations.shift(out);
+    const auto& c = d3q19::velocity[out];
+    const Index3 local = covered.local + Index3(c[0], c[1], c[2]);
+    if (!coverage.is_in_halo_or_own(local) || coverage.bead_at(neighbour) != Coverage::fluid) continue;
+    const bool own_neighbour = coverage.is_own(local);
+    if (!own && !own_neighbour) continue;
+
+    const int in = d3q19::opposite(out);
+    const double weight = d3q19::weight(in);
+    const Vec3 link_centre = covered.from_centre + 0.5 * Vec3(c[0], c[1], c[2]);
+    const Vec3 wall_velocity = bead.velocity_at(link_centre);
+    const double outgoing = populations.outgoing(in, neighbour);
+    density_sum += weighted_density_deviation(in, outgoing, wall_velocity);
+    weight_sum += weight;
+    if (!own_neighbour) continue;  // its owner's link
+    const double returned = bounced(in, outgoing, wall_velocity) + weight * bead.mass_source;
+    populations.incoming(out, neighbour) = returned;
+    bead.impulse.add(link_impulse(in, outgoing, returned), link_centre);
+    bead.impulse.mass.add(outgoing - returned);
+    bead.impulse.link_weight.add(weight);
+  }
+  covered.density_deviation = weight_sum > 0 ? density_sum / weight_sum : 0;
+}
+
+}  // namespace
+
 void bounce_back_at_beads(Populations& populations, Coverage& coverage, std::span<BeadOnLattice> beads) {
   for (CoveredCell& covered : coverage.cells()) {
-    BeadOnLattice& bead = beads[covered.bead];
-    const bool own = coverage.is_own(covered.local);
-    double density_sum = 0, weight_sum = 0;
-    for (int out = 1; out < d3q19::directions; ++out) {  // from the covered cell to its neighbour
-      const std::ptrdiff_t neighbour = covered.cell + populations.shift(out);
-      const auto& c = d3q19::velocity[out];
-      const Index3 local = covered.local + Index3(c[0], c[1], c[2]);
-      if (!coverage.is_in_halo_or_own(local) || coverage.bead_at(neighbour) != Coverage::fluid) continue;
-      const bool own_neighbour = coverage.is_own(local);
-      if (!own && !own_neighbour) continue;
-
-      const int in = d3q19::opposite(out);
-      const Vec3 link_centre = covered.from_centre + 0.5 * Vec3(c[0], c[1], c[2]);
-      const Vec3 wall_velocity = bead.velocity_at(link_centre);
-      const double outgoing = populations.outgoing(in, neighbour);
-      density_sum += weighted_density_deviation(in, outgoing, wall_velocity);
-      weight_sum += d3q19::weight(in);
-      if (own_neighbour) {
-        const double weight = d3q19::weight(in);
-        const double returned = bounced(in, outgoing, wall_velocity) + weight * bead.mass_source;
-        populations.incoming(out, neighbour) = returned;
-        bead.impulse.add(link_impulse(in, outgoing, returned), link_centre);
-        bead.impulse.mass.add(outgoing - returned);
-        bead.impulse.link_weight.add(weight);
-      }
-    }
-    covered.density_deviation = weight_sum > 0 ? density_sum / weight_sum : 0;
+    bounce_back_around(covered, populations, coverage, beads[covered.bead]);
   }
 }
 

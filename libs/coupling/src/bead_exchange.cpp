@@ -74,22 +74,6 @@ void require_off_walls(const SwimmerState& swimmer, const SwimmerType& type, con
   }
 }
 
-void put(OutgoingMessage& message, const BeadOnLattice& bead) {
-  message.put(bead.name);
-  message.put(bead.owner);
-  message.put(bead.radius);
-  message.put(bead.mass_source);
-  put(message, bead.motion);
-}
-
-void get(IncomingMessage& message, BeadOnLattice& bead) {
-  message.get(bead.name);
-  message.get(bead.owner);
-  message.get(bead.radius);
-  message.get(bead.mass_source);
-  get(message, bead.motion);
-}
-
 }  // namespace
 
 BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition& decomposition,
@@ -131,9 +115,9 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
   for (std::vector<char>& bytes : exchange(to_peers, publish_tag)) {
     IncomingMessage message(std::move(bytes));
     int arrivals = 0;
-    message.get(arrivals);
-    while (arrivals-- > 0) get(message, owned.emplace_back());
-    while (!message.is_at_end()) get(message, beads.emplace_back());
+    message(arrivals);
+    while (arrivals-- > 0) transfer_swimmer(message, owned.emplace_back());
+    while (!message.is_at_end()) transfer_bead(message, beads.emplace_back());
   }
   std::ranges::sort(owned, {}, &SwimmerState::id);
   std::ranges::sort(beads, {}, &BeadOnLattice::name);
@@ -153,12 +137,12 @@ std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& ow
                                .motion = swimmer.motion[b],
                                .mass_source = swimmer.mass_source[b],
                                .impulse = {}};
-      if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) put(beads, bead);
+      if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) transfer_bead(beads, bead);
     }
   }
   OutgoingMessage message;
-  message.put(static_cast<int>(departing.size()));
-  for (const SwimmerState* swimmer : departing) put(message, *swimmer);
+  message(static_cast<int>(departing.size()));
+  for (const SwimmerState* swimmer : departing) transfer_swimmer(message, *swimmer);
   message.append(beads);
   return message.bytes();
 }
@@ -167,8 +151,7 @@ std::map<BeadName, Impulse> BeadExchange::collect(std::span<const BeadOnLattice>
   std::vector<OutgoingMessage> messages(peers_.size());
   for (const BeadOnLattice& bead : beads) {
     const auto peer = std::ranges::lower_bound(peers_, bead.owner) - peers_.begin();
-    messages[peer].put(bead.name);
-    messages[peer].put(bead.impulse);
+    messages[peer](bead.name, bead.impulse);
   }
   Buffers to_peers;
   for (const OutgoingMessage& message : messages) to_peers.push_back(message.bytes());
@@ -179,8 +162,7 @@ std::map<BeadName, Impulse> BeadExchange::collect(std::span<const BeadOnLattice>
     while (!message.is_at_end()) {
       BeadName name;
       Impulse impulse;
-      message.get(name);
-      message.get(impulse);
+      message(name, impulse);
       totals[name].add(impulse);
     }
   }

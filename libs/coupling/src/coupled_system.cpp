@@ -95,7 +95,7 @@ double CoupledSystem::largest_bead_speed() const {
 
 std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
   OutgoingMessage message;
-  for (const SwimmerState& swimmer : owned_) put(message, swimmer);
+  for (const SwimmerState& swimmer : owned_) transfer_swimmer(message, swimmer);
   const int bytes = static_cast<int>(message.bytes().size());
   std::vector<int> sizes(communicator_.size()), starts(communicator_.size());
   MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator_.get());
@@ -106,7 +106,7 @@ std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
 
   std::vector<SwimmerState> swimmers;
   IncomingMessage gathered(std::move(all));
-  while (!gathered.is_at_end()) get(gathered, swimmers.emplace_back());
+  while (!gathered.is_at_end()) transfer_swimmer(gathered, swimmers.emplace_back());
   std::ranges::sort(swimmers, {}, &SwimmerState::id);
   return swimmers;
 }

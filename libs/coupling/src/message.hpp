@@ -6,12 +6,25 @@
 
 #include "beadswim/core/vec3.hpp"
 
-// Byte messages of plain values.
+// Messages of plain values. Both kinds are called with a list of values, so that one function
+// (swimmer_message.hpp) serves both directions.
 
 namespace beadswim {
 
 class OutgoingMessage {
  public:
+  template <class... T>
+  void operator()(const T&... values) {
+    (put(values), ...);
+  }
+
+  void append(const OutgoingMessage& other) {
+    bytes_.insert(bytes_.end(), other.bytes_.begin(), other.bytes_.end());
+  }
+
+  const std::vector<char>& bytes() const { return bytes_; }
+
+ private:
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void put(const T& value) {
@@ -22,13 +35,6 @@ class OutgoingMessage {
     for (int a = 0; a < 3; ++a) put(v[a]);
   }
 
-  void append(const OutgoingMessage& other) {
-    bytes_.insert(bytes_.end(), other.bytes_.begin(), other.bytes_.end());
-  }
-
-  const std::vector<char>& bytes() const { return bytes_; }
-
- private:
   std::vector<char> bytes_;
 };
 
@@ -36,6 +42,14 @@ class IncomingMessage {
  public:
   explicit IncomingMessage(std::vector<char> bytes) : bytes_(std::move(bytes)) {}
 
+  template <class... T>
+  void operator()(T&... values) {
+    (get(values), ...);
+  }
+
+  bool is_at_end() const { return read_ == bytes_.size(); }
+
+ private:
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void get(T& value) {
@@ -45,9 +59,7 @@ class IncomingMessage {
   void get(Vec3& v) {
     for (int a = 0; a < 3; ++a) get(v[a]);
   }
-  bool is_at_end() const { return read_ == bytes_.size(); }
 
- private:
   std::vector<char> bytes_;
   std::size_t read_ = 0;
 };

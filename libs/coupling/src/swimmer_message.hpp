@@ -1,48 +1,32 @@
 #pragma once
 
-#include "beadswim/coupling/swimmer_state.hpp"
 #include "message.hpp"
 
-// Swimmers as bytes.
+// What travels of swimmers and beads, in its order: the same list writes and reads.
 
 namespace beadswim {
 
-inline void put(OutgoingMessage& message, const BeadMotion& motion) {
-  message.put(motion.position);
-  message.put(motion.velocity);
-  message.put(motion.angular_velocity);
+/// Motion: BeadMotion, const to write.
+template <class Message, class Motion>
+void transfer_motion(Message& message, Motion& motion) {
+  message(motion.position, motion.velocity, motion.angular_velocity);
 }
 
-inline void get(IncomingMessage& message, BeadMotion& motion) {
-  message.get(motion.position);
-  message.get(motion.velocity);
-  message.get(motion.angular_velocity);
-}
-
-inline void put(OutgoingMessage& message, const SwimmerState& swimmer) {
-  message.put(swimmer.id);
-  message.put(swimmer.type);
-  message.put(swimmer.initial_axis);
+/// Swimmer: SwimmerState, const to write.
+template <class Message, class Swimmer>
+void transfer_swimmer(Message& message, Swimmer& swimmer) {
+  message(swimmer.id, swimmer.type, swimmer.initial_axis, swimmer.held_mass, swimmer.mass_source);
   for (int b = 0; b < 3; ++b) {
-    put(message, swimmer.motion[b]);
-    message.put(swimmer.held_mass[b]);
-    message.put(swimmer.mass_source[b]);
-    message.put(swimmer.last_impulse[b].force);
-    message.put(swimmer.last_impulse[b].torque);
+    transfer_motion(message, swimmer.motion[b]);
+    message(swimmer.last_impulse[b].force, swimmer.last_impulse[b].torque);
   }
 }
 
-inline void get(IncomingMessage& message, SwimmerState& swimmer) {
-  message.get(swimmer.id);
-  message.get(swimmer.type);
-  message.get(swimmer.initial_axis);
-  for (int b = 0; b < 3; ++b) {
-    get(message, swimmer.motion[b]);
-    message.get(swimmer.held_mass[b]);
-    message.get(swimmer.mass_source[b]);
-    message.get(swimmer.last_impulse[b].force);
-    message.get(swimmer.last_impulse[b].torque);
-  }
+/// Bead: BeadOnLattice, const to write; its impulse stays behind.
+template <class Message, class Bead>
+void transfer_bead(Message& message, Bead& bead) {
+  message(bead.name, bead.owner, bead.radius, bead.mass_source);
+  transfer_motion(message, bead.motion);
 }
 
 }  // namespace beadswim

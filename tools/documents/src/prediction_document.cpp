@@ -1,22 +1,13 @@
 #include "beadswim/documents/prediction_document.hpp"
 
 #include "beadswim/io/schema.hpp"
+#include "nullable_json.hpp"
 #include "units_json.hpp"
 
 namespace beadswim {
 namespace {
 
 using ArmNumbers = std::array<double, 2>;
-
-template <typename Value>
-Json json_or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-template <typename Value>
-std::optional<Value> value_unless_null(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional(json.get<Value>());
-}
 
 Json settings_to_json(const std::vector<Prediction::Setting>& settings) {
   Json json = Json::object();

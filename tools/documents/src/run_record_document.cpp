@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "beadswim/io/schema.hpp"
+#include "nullable_json.hpp"
 #include "units_json.hpp"
 
 namespace beadswim {
@@ -46,16 +47,6 @@ Vec3 vector_from(const Json& json) {
 }
 
 using ArmNumbers = std::array<double, 2>;
-
-template <typename Value>
-Json json_or_null(const std::optional<Value>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-template <typename Value>
-std::optional<Value> value_unless_null(const Json& json) {
-  return json.is_null() ? std::nullopt : std::optional(json.get<Value>());
-}
 
 Json json_of(const std::optional<Domain>& domain) {
   if (!domain) return nullptr;

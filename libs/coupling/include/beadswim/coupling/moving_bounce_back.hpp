@@ -15,11 +15,15 @@
 
 namespace beadswim {
 
+/// c_i.u_w
+inline double approach_speed(int i, const Vec3& wall_velocity) {
+  const auto& c = d3q19::velocity[i];
+  return c[0] * wall_velocity[0] + c[1] * wall_velocity[1] + c[2] * wall_velocity[2];
+}
+
 /// What comes back along ibar when `outgoing` leaves along i.
 inline double bounced(int i, double outgoing, const Vec3& wall_velocity) {
-  const auto& c = d3q19::velocity[i];
-  const double approach = c[0] * wall_velocity[0] + c[1] * wall_velocity[1] + c[2] * wall_velocity[2];
-  return outgoing - 6 * d3q19::weight(i) * approach;
+  return outgoing - 6 * d3q19::weight(i) * approach_speed(i, wall_velocity);
 }
 
 /// Momentum that the link hands to the bead in one step.
@@ -30,9 +34,7 @@ inline Vec3 link_impulse(int i, double outgoing, double returned) {
 
 /// Share of one link in the density around a covered cell: w_i r = f_i* - 3 w_i c_i.u_w to first order.
 inline double weighted_density_deviation(int i, double outgoing, const Vec3& wall_velocity) {
-  const auto& c = d3q19::velocity[i];
-  const double approach = c[0] * wall_velocity[0] + c[1] * wall_velocity[1] + c[2] * wall_velocity[2];
-  return outgoing - 3 * d3q19::weight(i) * approach;
+  return outgoing - 3 * d3q19::weight(i) * approach_speed(i, wall_velocity);
 }
 
 }  // namespace beadswim
