@@ -34,7 +34,7 @@ set(BEADSWIM_MPI_ENVIRONMENT
 function(beadswim_mpi_test name)
   cmake_parse_arguments(arg "" "" "RANKS;SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi_main.cpp)
-  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} MPI::MPI_C GTest::gtest)
+  target_link_libraries(${name} PRIVATE ${arg_DEPENDS} MPI::MPI_C GTest::gtest GTest::gmock)
   foreach(ranks ${arg_RANKS})
     add_test(NAME ${name}.np${ranks}
              COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)
