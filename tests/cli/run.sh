@@ -66,6 +66,17 @@ check "status" test "$(jq -r .status out)" = stopped-time
 err_has 'time limit of 1 s'
 err_has '^\{"step":[0-9]+,.*"seconds_left":'
 
+beadswim-run layout.json -o long.h5md --cycles 1e5 --progress none >out 2>err &
+for _ in $(seq 100); do [ -s long.h5md.part ] && break; sleep 0.1; done
+sleep 1  # well into the run
+command_line="kill -TERM (a running beadswim-run)"
+kill -TERM $!
+wait $!
+status=$?
+has_status 4
+check "status" test "$(jq -r .status out)" = stopped-signal
+check "the trajectory is whole" test ! -e long.h5md.part
+
 # A fault in the last steps, between two looks of the guards, still stops the run.
 run mpirun -n 2 beadswim-run wild.json -o wild.h5md --cycles 0.09 --progress none
 has_status 4

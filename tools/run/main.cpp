@@ -10,6 +10,7 @@
 #include "memory.hpp"
 #include "record.hpp"
 #include "run_loop.hpp"
+#include "stop_signal.hpp"
 
 namespace {
 
@@ -106,6 +107,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
   TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator);
   Recorder recorder(on_lattice, options.frames_per_cycle, trajectory);
   const RunParts parts{communicator, system, recorder, flow.get(), progress};
+  catch_stop_signals();
   RunOutcome outcome;
   try {
     outcome = run_to_end(parts, on_lattice, options);

@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "beadswim/core/error.hpp"
+#include "stop_signal.hpp"
 
 namespace beadswim {
 namespace {
@@ -22,11 +25,23 @@ std::string describe(const SpeedFault& fault, const LatticeScales& scales) {
       fault.speed * std::sqrt(3.0));
 }
 
-/// Rank 0's clock decides for all.
-bool is_over(double limit, double start, const Communicator& communicator) {
-  int over = MPI_Wtime() - start > limit;
-  MPI_Bcast(&over, 1, MPI_INT, 0, communicator.get());
-  return over != 0;
+/// Why the run should stop here although nothing is wrong: a signal to any rank, or the time limit by rank
+/// 0's clock. The same answer on all ranks.
+std::optional<RunOutcome> asked_to_stop(double start, const RunOptions& options,
+                                        const Communicator& communicator) {
+  const double seconds = MPI_Wtime() - start;
+  std::array<int, 2> asked{stop_signal(),
+                           communicator.is_root() && seconds > options.time_limit.value_or(seconds)};
+  MPI_Allreduce(MPI_IN_PLACE, asked.data(), asked.size(), MPI_INT, MPI_MAX, communicator.get());
+  if (asked[0] != 0)
+    return RunOutcome{RunStatus::stopped_signal, fmt::format("stopped by signal {}", asked[0]), 0};
+  if (asked[1] == 0) return std::nullopt;
+  return RunOutcome{
+      RunStatus::stopped_time,
+      fmt::format("the time limit of {} s is over; a longer --time-limit, or more ranks, take the run to "
+                  "its end",
+                  *options.time_limit),
+      0};
 }
 
 long steps_between_flows(const SceneOnLattice& on_lattice, double cycles) {
@@ -74,12 +89,9 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     if (communicator.is_root()) progress.update(done);
     if (const auto fault = system.speed_fault()) {
       outcome = {RunStatus::stopped_speed, describe(*fault, on_lattice.lattice.scales), 0};
-    } else if (options.time_limit && is_over(*options.time_limit, start, communicator)) {
-      outcome = {RunStatus::stopped_time,
-                 fmt::format("step {} of {}: the time limit of {} s is over; a longer "
-                             "--time-limit, or more ranks, take it to the end",
-                             done, steps, *options.time_limit),
-                 0};
+    } else if (const auto stop = asked_to_stop(start, options, communicator)) {
+      outcome = *stop;
+      outcome.reason = fmt::format("step {} of {}: {}", done, steps, stop->reason);
     }
   }
   outcome.wall_seconds = MPI_Wtime() - start;

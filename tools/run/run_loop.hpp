@@ -24,7 +24,7 @@ struct RunParts {
   Progress& progress;
 };
 
-/// Advances until the last step, a speed fault or the time limit. Collective.
+/// Advances until the last step, a speed fault, the time limit or a signal. Collective.
 RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options);
 
 /// Steps of the whole run.

@@ -1,0 +1,11 @@
+#pragma once
+
+namespace beadswim {
+
+/// From now on SIGINT, SIGTERM and SIGUSR1 ask the run to stop instead of killing it.
+void catch_stop_signals();
+
+/// The signal that has asked this rank to stop, or 0.
+int stop_signal();
+
+}  // namespace beadswim
