@@ -95,6 +95,7 @@ refuses 'cannot be read' beadswim-run missing.json -o x.h5md
 refuses 'did you mean --cycles' beadswim-run layout.json -o x.h5md --cycels 3
 refuses 'output' beadswim-run layout.json
 refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius nan
+refuses 'may cover no cell' beadswim-run layout.json -o x.h5md --cells-per-radius 0.5
 refuses 'not a whole number; the nearest' beadswim-run layout.json -o x.h5md --cells-per-radius 2.3
 refuses 'a period has 1 of them' beadswim-run layout.json -o x.h5md --relaxation-time 300
 refuses 'is a directory|Is a directory' beadswim-run layout.json -o ./

@@ -21,6 +21,9 @@ constexpr long fewest_steps_per_period = 20;
 /// A bead nearer to a wall than this would cover the cells along it [cell].
 constexpr double nearest_to_wall = 0.5;
 
+/// A smaller bead can slip between the centres of cells and cover none [cell].
+constexpr double smallest_bead = 1;
+
 double smallest_radius(const Layout& layout) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Swimmer& swimmer : layout.swimmers) {
@@ -93,6 +96,12 @@ LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double 
   const LatticeChoice lattice =
       choose_lattice(smallest_radius(layout), cells_per_radius, relaxation_time, layout.fluid.density,
                      layout.fluid.kinematic_viscosity, period);
+  if (cells_per_radius < smallest_bead) {
+    throw InputError("--cells-per-radius",
+                     fmt::format("{} leaves beads that may cover no cell at all; at least {}, and "
+                                 "3 or more to resolve them",
+                                 cells_per_radius, smallest_bead));
+  }
   if (lattice.steps_per_period >= fewest_steps_per_period) return lattice;
   throw InputError(
       "--relaxation-time",

@@ -1,8 +1,5 @@
-#include <fmt/core.h>
-
 #include <utility>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/coupling/bead_boundary.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/lattice/sweep.hpp"
@@ -33,8 +30,7 @@ void CoupledSystem::step() {
 
 void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses) {
   for (SwimmerState& swimmer : owned_) {
-    // The mean of two steps' impulses: a staircase answers alternate steps differently (Ladd 1994, section
-    // 4).
+    // The mean of two steps' impulses: a staircase answers alternate steps differently (Ladd 1994).
     SwimmerLoads loads;
     for (int b = 0; b < 3; ++b) {
       const Impulse& from_fluid = impulses.at({swimmer.id, b});
@@ -42,8 +38,7 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
       loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
-      // What fluid mass the bead has come to hold, its links return in the next step, alike in all
-      // directions.
+      // Its links return the fluid mass that it has come to hold in the next step, alike in all directions.
       swimmer.held_mass[b] += from_fluid.mass.value();
       swimmer.mass_source[b] = swimmer.held_mass[b] / from_fluid.link_weight.value();
     }
