@@ -33,6 +33,21 @@ done
 check "the pvd names its files" grep -q 'file="1.h5md.flow/000000200.vti"' 1.h5md.flow.pvd
 check "no .part file is left" test -z "$(ls ./*.part 2>/dev/null)"
 
+# A swimmer across the box's corner, strongly driven: where ranks share every sum.
+small --period 100 --amplitude 0.3 --position 0.3,0.2,15.9 >corner.json
+for ranks in 1 4; do
+  run mpirun -n $ranks beadswim-run corner.json -o corner$ranks.h5md --cycles 1 --progress none --no-provenance
+  has_status 0
+done
+check "4 ranks write another trajectory" cmp -s corner1.h5md corner4.h5md
+run bash -c 'beadswim-run layout.json -o 1.h5md --cycles 0.1 2>/dev/full'
+has_status 0
+run bash -c 'beadswim-run --no-such-flag 2>/dev/full'
+has_status 2
+run bash -c 'beadswim-run layout.json -o closed.h5md --cycles 0.1 --progress none | true; exit ${PIPESTATUS[0]}'
+has_status 3
+check "the trajectory is whole although nobody read the record" test -s closed.h5md
+
 # --- the record
 check "status" test "$(jq -r .status 1.json)" = finished
 check "two cycles" test "$(jq '.swimmers[0].cycles | length' 1.json)" = 2
@@ -98,7 +113,16 @@ refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius
 refuses 'may cover no cell' beadswim-run layout.json -o x.h5md --cells-per-radius 0.5
 refuses 'not a whole number; the nearest' beadswim-run layout.json -o x.h5md --cells-per-radius 2.3
 refuses 'a period has 1 of them' beadswim-run layout.json -o x.h5md --relaxation-time 300
-refuses 'is a directory|Is a directory' beadswim-run layout.json -o ./
+refuses 'not the name of a file' beadswim-run layout.json -o ./
+mkfifo pipe
+refuses 'exists and is no regular file' beadswim-run layout.json -o pipe
+refuses 'not the name of a file' beadswim-run layout.json -o -
+refuses 'is the input' beadswim-run layout.json -o layout.json
+(flock 9 && sleep 3) 9>x.h5md.part &
+sleep 0.3
+refuses 'being written by another run' beadswim-run layout.json -o x.h5md
+wait
+rm x.h5md.part
 refuses 'cycles: ' beadswim-run layout.json -o x.h5md --cycles 1e300
 touch x.h5md.flow
 refuses 'flow-every: the folder' beadswim-run layout.json -o x.h5md --flow-every 1 --progress none

@@ -89,7 +89,7 @@ int run(int argc, const char* const* argv) {
   apply(flags, request);
   const VerdictDocument result = compare_files(request);
   write_text("-", dump_json(verdict_to_json(result)));
-  fmt::print(stderr, "{}", verdict_table(result));
+  tell(verdict_table(result));
   return static_cast<int>(verdict(result.rows) ? ExitStatus::fine : ExitStatus::negative_verdict);
 }
 

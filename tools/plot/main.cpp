@@ -75,6 +75,7 @@ int run(int argc, const char* const* argv) {
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   require_kind(request.kind);
   require_figure_path(request.output);
+  for (const std::string& file : request.files) require_other_file(file, request.output);
   write_figure(request.output, figure_to_svg(draw(request)));
   return static_cast<int>(ExitStatus::fine);
 }

@@ -1,12 +1,15 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/version.hpp"
+#include "beadswim/tools/program.hpp"
 #include "memory.hpp"
 #include "record.hpp"
 #include "run_loop.hpp"
@@ -54,19 +57,33 @@ TrajectoryHeader header_of(const LayoutDocument& document, const SceneOnLattice&
   return header;
 }
 
+double lightest_bead(const CoupledScene& scene) {
+  double lightest = std::numeric_limits<double>::infinity();
+  for (const SwimmerType& type : scene.types) {
+    for (const Bead& bead : type.beads) lightest = std::min(lightest, bead.density);
+  }
+  return lightest;
+}
+
 void announce(const SceneOnLattice& on_lattice, const Communicator& communicator) {
   const Index3& cells = on_lattice.scene.cells;
   const LatticeChoice& lattice = on_lattice.lattice;
-  fmt::print(
-      stderr,
-      "beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} swimmers, "
-      "{:.2g} GB on {} ranks\n",
-      cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
-      lattice.steps_per_period, on_lattice.scene.swimmers.size(), 1e-9 * population_bytes(on_lattice.scene),
-      communicator.size());
+  tell(
+      fmt::format("beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} "
+                  "swimmers, {:.2g} GB on "
+                  "{} ranks\n",
+                  cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step,
+                  lattice.relaxation_time, lattice.steps_per_period, on_lattice.scene.swimmers.size(),
+                  1e-9 * population_bytes(on_lattice.scene), communicator.size()));
   if (on_lattice.cells_per_radius < 2) {
-    fmt::print(stderr, "beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
-               on_lattice.cells_per_radius);
+    tell(fmt::format("beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
+                     on_lattice.cells_per_radius));
+  }
+  if (lightest_bead(on_lattice.scene) < 0.5) {
+    tell(fmt::format(
+        "beadswim-run: warning: beads of {:.3g} times the fluid's density; the coupling is explicit, and "
+        "below about one half it becomes unstable\n",
+        lightest_bead(on_lattice.scene)));
   }
 }
 
@@ -89,6 +106,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
   const auto parsed = parse_run_options(argc, argv);
   if (const int* status = std::get_if<int>(&parsed)) return *status;
   const RunOptions& options = std::get<RunOptions>(parsed);
+  require_other_file(options.layout, options.output);
   const std::string source = options.layout == "-" ? "standard input" : options.layout;
   const LayoutDocument document =
       layout_from_json(parse_json(read_text_once(options.layout, communicator), source), source);
@@ -112,8 +130,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
   try {
     outcome = run_to_end(parts, on_lattice, options);
     const RunRecord record = make_record(parts, on_lattice, document, outcome, options);
-    if (communicator.is_root()) print_record(record, options);
     trajectory.finish();
+    if (communicator.is_root()) print_record(record, options);
   } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
     stop_all_ranks(communicator);
   }

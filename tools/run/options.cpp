@@ -46,7 +46,7 @@ void add_flags(CLI::App& program, RunOptions& options, std::string& model, std::
       ->check(finite_positive());
   program
       .add_option("--frames-per-cycle", options.frames_per_cycle,
-                  "Frames of the trajectory in a cycle; the stroke is fitted to them.")
+                  "Frames of the trajectory in a cycle, at most one a step; the stroke is fitted to them.")
       ->check(CLI::Range(4, 1000000).description(""));
   program
       .add_option("--cells-per-radius", options.cells_per_radius,

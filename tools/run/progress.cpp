@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "beadswim/core/error.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -45,7 +47,7 @@ void Progress::update(long steps_done) {
 void Progress::finish(long steps_done) {
   if (style_ == ProgressStyle::none) return;
   print(steps_done);
-  if (style_ == ProgressStyle::bar) fmt::print(stderr, "\n");
+  if (style_ == ProgressStyle::bar) tell("\n");
 }
 
 void Progress::print(long steps_done) {
@@ -54,22 +56,21 @@ void Progress::print(long steps_done) {
   const double left = done > 0 ? elapsed * (steps_ - done) / done : 0;
   const double mlups = elapsed > 0 ? 1e-6 * cells_ * done / elapsed : 0;
   if (style_ == ProgressStyle::json) {
-    fmt::print(stderr,
-               "{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},\"mlups\":{:.3f},\"seconds_left\":{:.1f}}}\n",
-               steps_done, steps_, done / steps_per_cycle_, mlups, left);
+    tell(fmt::format(
+        "{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},\"mlups\":{:.3f},\"seconds_left\":{:.1f}}}\n",
+        steps_done, steps_, done / steps_per_cycle_, mlups, left));
     return;
   }
   const std::string line =
       fmt::format("cycle {:.2f} of {:.2f}, {:3.0f} %, {:.1f} MLUPS, {} left", done / steps_per_cycle_,
                   steps_ / steps_per_cycle_, 100 * done / steps_, mlups, readable(left));
   if (style_ == ProgressStyle::lines) {
-    fmt::print(stderr, "beadswim-run: {}\n", line);
+    tell(fmt::format("beadswim-run: {}\n", line));
     return;
   }
   constexpr int width = 30;
   const std::string filled(static_cast<std::size_t>(width * done / steps_), '#');
-  fmt::print(stderr, "\r[{:<{}}] {}\x1b[K", filled, width, line);
-  std::fflush(stderr);
+  tell(fmt::format("\r[{:<{}}] {}\x1b[K", filled, width, line));
 }
 
 }  // namespace beadswim

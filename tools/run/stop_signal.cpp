@@ -15,6 +15,7 @@ void note(int signal) {
 }  // namespace
 
 void catch_stop_signals() {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is an error of writing, and no sudden death
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, note);
 }
 

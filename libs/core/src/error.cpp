@@ -6,9 +6,14 @@
 
 namespace beadswim {
 
+void tell(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
+}
+
 int report_current_exception(const std::string& program) {
   const auto say = [&program](const std::exception& error, ExitStatus status) {
-    fmt::print(stderr, "{}: {}\n", program, error.what());
+    tell(fmt::format("{}: {}\n", program, error.what()));
     return static_cast<int>(status);
   };
   try {

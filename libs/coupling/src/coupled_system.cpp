@@ -1,5 +1,7 @@
 #include "beadswim/coupling/coupled_system.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,6 +50,9 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
 bool CoupledSystem::is_too_fast(const SwimmerState& swimmer) {
   for (int b = 0; b < 3; ++b) {
     const double speed = swimmer.motion[b].velocity.norm();
+    if (!std::isfinite(speed)) {
+      throw NotFiniteError(fmt::format("bead {} of swimmer {} has a speed of {}", b + 1, swimmer.id, speed));
+    }
     if (speed <= speed_limit) {
       largest_bead_speed_ = std::max(largest_bead_speed_, speed);
       continue;
@@ -127,7 +132,8 @@ SceneTotals CoupledSystem::totals() const {
     }
   }
   for (const BeadOnLattice& bead : beads_) {
-    everything.add({.density_deviation = bead.impulse.mass.value(), .momentum = bead.impulse.value().force});
+    everything.density_deviation.add(bead.impulse.mass);  // as sums: a rank's part must not be rounded
+    for (int a = 0; a < 3; ++a) everything.momentum[a].add(bead.impulse.linear[a]);
   }
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);

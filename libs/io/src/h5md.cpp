@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -29,30 +30,35 @@ int name_finished_file(const std::string& path) {
   return reason;
 }
 
-/// Why a file of this name cannot be made, or 0.
-int creation_fault(const std::string& path) {
+/// Why no trajectory of this name can be made; empty if it can. `part` becomes PATH.part, locked by this
+/// process.
+std::string creation_fault(const std::string& path, int& part) {
   struct stat existing {};
-  if (path.ends_with('/') || (stat(path.c_str(), &existing) == 0 && S_ISDIR(existing.st_mode))) return EISDIR;
-  std::FILE* file = std::fopen(part_name(path).c_str(), "wb");
-  if (file == nullptr) return errno;
-  std::fclose(file);
-  return 0;
+  if (path == "-" || path.ends_with('/')) return "not the name of a file";
+  if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
+    return path + " exists and is no regular file";
+  part = open(part_name(path).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (part < 0) return fmt::format("{} cannot be created: {}", part_name(path), std::strerror(errno));
+  if (flock(part, LOCK_EX | LOCK_NB) != 0) return part_name(path) + " is being written by another run";
+  return "";
 }
 
-/// Rank 0 tries to create the file, so that every rank throws the same error with the system's reason.
-void require_creatable(const std::string& path, const Communicator& communicator) {
-  int reason = communicator.is_root() ? creation_fault(path) : 0;
-  MPI_Bcast(&reason, 1, MPI_INT, 0, communicator.get());
-  if (reason != 0) {
-    throw InputError("-o",
-                     fmt::format("{} cannot be created: {}; name a file in a folder that exists and can be "
-                                 "written to",
-                                 part_name(path), std::strerror(reason)));
+/// Rank 0 tries and all ranks throw the same InputError. Returns rank 0's lock, which lasts until it is
+/// closed.
+int lock_output(const std::string& path, const Communicator& communicator) {
+  int part = -1;
+  std::string fault = communicator.is_root() ? creation_fault(path, part) : "";
+  int length = static_cast<int>(fault.size());
+  MPI_Bcast(&length, 1, MPI_INT, 0, communicator.get());
+  fault.resize(length);
+  MPI_Bcast(fault.data(), length, MPI_CHAR, 0, communicator.get());
+  if (!fault.empty()) {
+    throw InputError("-o", fault + "; name a file in a folder that exists and can be written to");
   }
+  return part;
 }
 
 H5Handle create_file(const std::string& path, const Communicator& communicator) {
-  require_creatable(path, communicator);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are exceptions of ours, not HDF5's stack on stderr
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
@@ -106,6 +112,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
       box_lengths_(header.box_lengths),
       periodic_(header.periodic),
       beads_(header.bead.size()),
+      lock_(lock_output(path, communicator)),
       file_(create_file(path, communicator)) {
   write_metadata(header);
   const H5Handle particles = create_group(file_, "particles");
@@ -216,6 +223,10 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame) {
   append_row("observables/momentum/value", frame.momentum.data());
   ++frames_;
   check_hdf5(H5Fflush(file_, H5F_SCOPE_GLOBAL), path_);
+}
+
+TrajectoryWriter::Lock::~Lock() {
+  if (descriptor >= 0) close(descriptor);
 }
 
 void TrajectoryWriter::finish() {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
@@ -133,6 +134,12 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
     refuse_command_line(program, error);
   }
   return static_cast<int>(ExitStatus::fine);
+}
+
+void require_other_file(const std::string& input, const std::string& output) {
+  std::error_code not_there;
+  if (input == "-" || !std::filesystem::equivalent(input, output, not_there)) return;
+  throw InputError(output, "is the input, which the output would replace; name another file");
 }
 
 Json provenance_record(const CLI::App& program) {

@@ -41,6 +41,9 @@ class StoppedEarly : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Writes to stderr; a stderr that is closed or full is no reason to fail.
+void tell(const std::string& text);
+
 /// The exit status that an exception in flight stands for; call inside a catch block.
 /// Prints "PROGRAM: message" on stderr.
 int report_current_exception(const std::string& program);

@@ -42,7 +42,7 @@ struct TrajectoryFrame {
 /// frames there. The same frames give the same bytes, on any number of ranks.
 class TrajectoryWriter {
  public:
-  /// Throws InputError if the file cannot be created.
+  /// Throws InputError if the file cannot be created, or another process is writing it.
   TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator);
 
   void append(const TrajectoryFrame& frame);
@@ -58,6 +58,15 @@ class TrajectoryWriter {
     hid_t type;                ///< in memory
   };
 
+  /// A file descriptor with a lock on the file, on rank 0.
+  struct Lock {
+    explicit Lock(int locked) : descriptor(locked) {}
+    ~Lock();
+    Lock(const Lock&) = delete;
+    Lock& operator=(const Lock&) = delete;
+    int descriptor;
+  };
+
   void write_metadata(const TrajectoryHeader& header);
   void create_box(hid_t beads);
   void create_series(const std::string& name, hid_t type, std::vector<hsize_t> row);
@@ -71,6 +80,7 @@ class TrajectoryWriter {
   Vec3 box_lengths_;
   std::array<bool, 3> periodic_;
   std::size_t beads_;
+  Lock lock_;
   H5Handle file_;
   std::map<std::string, Series> series_;  ///< by path in the file
   std::string step_name_, time_name_;

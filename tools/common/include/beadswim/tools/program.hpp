@@ -32,6 +32,9 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
 /// The numbers of such a text.
 std::vector<double> parse_numbers(const std::string& text);
 
+/// Throws InputError if an output is to replace an input: both names mean one file.
+void require_other_file(const std::string& input, const std::string& output);
+
 /// One provenance record: { "program", "version", "revision", "arguments" }. `arguments` are the flags that
 /// were given, with their values; input and output file names are left out, so that a pipe and a file give
 /// the same bytes.
