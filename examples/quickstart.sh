@@ -1,7 +1,7 @@
 #!/bin/bash
 # From a clean clone to a simulated swimmer beside its prediction: installs what is missing, builds, runs one
 # swimmer resolved in the fluid, and ends with a table and a figure in out/quickstart/. The run takes 5 to 7 minutes
-# at 19 million cell updates a second (measured on two busy cores); a smaller box, shorter period or fewer cycles less.
+# on two cores; a smaller box, shorter period or fewer cycles less.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
