@@ -118,10 +118,10 @@ mkfifo pipe
 refuses 'exists and is no regular file' beadswim-run layout.json -o pipe
 refuses 'not the name of a file' beadswim-run layout.json -o -
 refuses 'is the input' beadswim-run layout.json -o layout.json
-(flock 9 && sleep 3) 9>x.h5md.part &
-sleep 0.3
+exec 9>x.h5md.part
+flock 9
 refuses 'being written by another run' beadswim-run layout.json -o x.h5md
-wait
+exec 9>&-
 rm x.h5md.part
 refuses 'cycles: ' beadswim-run layout.json -o x.h5md --cycles 1e300
 touch x.h5md.flow
