@@ -10,7 +10,7 @@ accepts beadswim-layout --version
 out_has '^beadswim-layout [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
 accepts beadswim-layout swimmer --help
 for flag in preset radius arm stiffness damping angular-stiffness bead-density amplitude phase period viscosity density \
-  frame box boundary unbounded; do
+  frame box boundary unbounded jsonl; do
   out_has "^  --$flag"
 done
 accepts beadswim-layout check --help
@@ -61,6 +61,13 @@ out_has '"axis": \[0.0, 0.0, -1.0\]'
 out_has '"radius": 4.0, "density": 2.0'
 out_has '"phase": 1.5707963267948966'
 
+# --- on one line, for streams: the same scene
+accepts beadswim-layout swimmer --preset paper-single --jsonl
+check 'the layout is not on one line' test "$(wc -l <out)" -eq 1
+cp out line.json
+check 'the scene on one line is another' cmp -s <(jq 'del(.provenance)' line.json) <(jq 'del(.provenance)' paper.json)
+same_bytes 'beadswim-layout check - <line.json' 'beadswim-layout check paper.json'
+
 # --- check, from a file and through a pipe
 accepts beadswim-layout check paper.json
 out_has 'lambda/delta +0.177'
@@ -77,5 +84,9 @@ err_has 'warning: /types/a: the predicted amplitude .* exceeds the gap'
 run bash -c 'beadswim-layout swimmer --preset paper-single >/dev/full'
 has_status 3
 err_has 'stdout: cannot be written: No space left'
+for flag in --help --version; do
+  run bash -c "beadswim-layout $flag >/dev/full"
+  has_status 3
+done
 
 finish

@@ -12,8 +12,12 @@ drawn() { # NUMBER ELEMENT   how often the element is in out
 
 # --- what it says of itself
 accepts beadswim-plot --help
-for flag in '-o,--output' --method --cycle; do out_has "^  $flag"; done
+for flag in '-o,--output' --method --cycle --relative-to --against --axes; do out_has "^  $flag"; done
 accepts beadswim-plot --version
+for flag in --help --version; do
+  run bash -c "beadswim-plot $flag >/dev/full"
+  has_status 3
+done
 
 # --- stroke
 accepts beadswim-plot stroke run.json prediction.json
@@ -42,6 +46,93 @@ out_has '>period T \(lattice units\)<'
 accepts beadswim-plot velocity-against-period si.json --cycle 2
 out_has '>velocity \(10⁻⁵ um/s\)<'
 
+# --- sweeps: documents made of prediction.json, one a line, in no order
+swept() { # KEY VALUE JQ-EDIT   the settings have that number, and the edit knows it as $x
+  jq -c --argjson x "$2" "(.predictions[].settings.$1 = \$x) | .predictions |= map($3)" prediction.json
+}
+series() { # COLOUR   the coordinates of its first line in out, one point a line
+  grep -oE "<polyline points=\"[^\"]*\".* stroke=\"$1\"" out | head -1 | cut -d'"' -f2 | tr ' ' '\n'
+}
+colour() { # METHOD   of its key, the line before its name
+  grep -B1 ">$1<" out | grep -oE 'stroke="#[0-9A-F]+"' | cut -d'"' -f2
+}
+straight() { # points on standard input, to the rounding of their coordinates
+  python3 -c 'import sys
+p = [tuple(map(float, line.split(","))) for line in sys.stdin]
+(a, b), (c, d) = p[0], p[-1]
+sys.exit(len(p) < 3 or max(abs(b + (x - a) * (d - b) / (c - a) - y) for x, y in p) > 0.02)'
+}
+
+# --- separation: v = 1/x^2, over two decades, is a straight line
+for x in 20 2 12 30 5; do swept separation_ratio $x '.velocity = 1 / ($x * $x)'; done >by_separation.jsonl
+accepts beadswim-plot separation by_separation.jsonl --method multipole-ode,oseen-force-closed
+well_formed out
+drawn 4 polyline   # two methods and their legends
+out_has '>separation of neighbouring beads over their radius, l/λ<'
+check 'a power law is not straight' straight < <(series "$(colour multipole-ode)")
+check 'predictions are not joined in order' sort -cn < <(series "$(colour multipole-ode)" | cut -d, -f1)
+check 'methods are out of order' \
+  test "$(grep -oE '>(multipole-ode|oseen-force-closed)<' out | tr -d '<>' | xargs)" = 'multipole-ode oseen-force-closed'
+run beadswim-plot separation by_separation.jsonl --method multipole-ode --axes linear
+check 'a power law is straight on linear axes' bash -c '! "$@"' - test "$(series '#0072B2' | straight; echo $?)" = 0
+accepts beadswim-plot separation by_separation.jsonl --method all
+out_has '>rpy-force-printed<'
+out_has '>Predictions: T = 4800<'
+out_has '>Thin and pale: '
+accepts beadswim-plot separation by_separation.jsonl run.json --method multipole-ode
+drawn 8 circle     # one run, at 20/4; five open points, and their legends
+same_bytes 'beadswim-plot separation by_separation.jsonl' 'beadswim-plot separation - <by_separation.jsonl'
+split -l 1 by_separation.jsonl one.
+same_bytes 'beadswim-plot separation by_separation.jsonl' 'beadswim-plot separation one.*'
+
+# --- what is not usable may have poles: it moves no axis, and is thin
+swept separation_ratio 4 '(.velocity = 1) | (select(.method == "rpy-force-printed") | .velocity) = 1e30' >poles.jsonl
+cat by_separation.jsonl >>poles.jsonl
+swept separation_ratio 4 '.velocity = 1' | cat - by_separation.jsonl >no_poles.jsonl
+lines() { beadswim-plot separation "$1" --method multipole-ode,rpy-force-printed | grep -v 'opacity=\|^<path'; }
+export -f lines
+same_bytes 'lines poles.jsonl' 'lines no_poles.jsonl'
+run beadswim-plot separation poles.jsonl --method multipole-ode,rpy-force-printed
+out_has '<polyline .* opacity="0\.'
+swept separation_ratio 4 '.velocity = (if .usable then 1 else -1 end)' | cat - by_separation.jsonl >negative.jsonl
+accepts beadswim-plot separation negative.jsonl --method all
+out_has '>Lines break where the velocity is not positive'
+
+# --- relative to a method: at the same abscissa, in percent
+for x in 3000 1000 4800; do
+  swept period $x '.velocity = $x * (if .method == "multipole-ode" then 1.5 else 1 end)'
+done >by_period.jsonl
+accepts beadswim-plot velocity-against-period by_period.jsonl --method multipole-ode --relative-to oseen-force-closed
+out_has '>Swimming velocity relative to oseen-force-closed, against driving period<'
+out_has '>difference in velocity \(%\)<'
+out_has '>50<'     # the level of the line: a tick of it
+check 'the line is not level' test "$(series '#0072B2' | cut -d, -f2 | sort -u | wc -l)" -eq 1
+accepts beadswim-plot velocity-against-period by_period.jsonl run.json --relative-to oseen-force-closed
+drawn 6 circle     # one run, three predictions, and the legends
+refuses 'run_shorter_period.json: no prediction by oseen-force-closed at period 2000' \
+  beadswim-plot velocity-against-period by_period.jsonl run_shorter_period.json --relative-to oseen-force-closed
+refuses 'predicts another velocity than prediction.json, both by multipole-ode' \
+  beadswim-plot velocity-against-period prediction.json by_period.jsonl --relative-to multipole-ode
+accepts beadswim-plot separation by_separation.jsonl --relative-to oseen-force-closed
+refuses 'run.json: is a run, and runs are compared at equal period' \
+  beadswim-plot separation by_separation.jsonl run.json --relative-to oseen-force-closed
+
+# --- stroke against the driving
+for x in 2 0.5 1; do swept amplitude_ratio $x '.arm_amplitudes = [2 * $x, 5]'; done >by_ratio.jsonl
+accepts beadswim-plot stroke --against amplitude-ratio by_ratio.jsonl --method multipole-ode,oseen-force-closed
+well_formed out
+out_has '>d₁, multipole-ode<'
+out_has '>ratio of the driving amplitudes, A/B<'
+check 'd1 is not proportional to A/B' straight < <(series '#0072B2')
+for x in -3.14 0 1.57; do swept phase $x '.sin_phase_shift = 0.3 * $x'; done >by_phase.jsonl
+accepts beadswim-plot stroke --against phase by_phase.jsonl
+out_has '>phase of the driving, α \(rad\)<'
+check 'the sine is not proportional to the phase' straight < <(series '#009E73')
+refuses 'run.json: does not say the phase of the driving, α; leave the run out' \
+  beadswim-plot stroke --against phase by_phase.jsonl run.json
+refuses 'line 1: the settings of multipole-ode lack the number "amplitude_ratio".*left out where B = 0' \
+  beadswim-plot stroke --against amplitude-ratio by_phase.jsonl
+
 # --- files
 accepts beadswim-plot stroke run.json prediction.json -o figure.svg
 out_empty
@@ -58,15 +149,34 @@ refuses '/no/such/folder/x.svg: cannot be created' beadswim-plot stroke run.json
 refuses '--output: "x.pdf" is neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
 
 # --- what it refuses
-refuses 'KIND: none given; there are stroke, velocity-against-period' beadswim-plot
+refuses 'KIND: none given; there are stroke, velocity-against-period, separation' beadswim-plot
 refuses 'KIND: unknown "strok"; did you mean "stroke"' beadswim-plot strok run.json
 refuses 'no file given' beadswim-plot stroke
 refuses 'no run with a whole cycle' beadswim-plot stroke prediction.json
 refuses 'in other units' beadswim-plot stroke si.json run.json
 refuses '--method: no prediction has "multipol"; did you mean "multipole-ode"' \
   beadswim-plot stroke run.json prediction.json --method multipol
+refuses '--method: no prediction has "foo"; did you mean "multipole-ode"\? They have rpy-force-printed, oseen' \
+  beadswim-plot stroke run.json prediction.json --method foo
+refuses '--method: "foo" is wanted, but no prediction is given' beadswim-plot stroke run.json --method foo
+refuses '--relative-to: no prediction has "multipol"; did you mean "multipole-ode"' \
+  beadswim-plot velocity-against-period prediction.json --relative-to multipol
+refuses '--relative-to: has no meaning for stroke' beadswim-plot stroke run.json --relative-to multipole-ode
+refuses '--against: has no meaning for separation' beadswim-plot separation prediction.json --against phase
+refuses '--against: unknown "phas"; did you mean "phase"' beadswim-plot stroke prediction.json --against phas
+refuses '--axes: unknown "log"; did you mean "log-y"' beadswim-plot separation prediction.json --axes log
 jq 'del(.predictions[].settings.period)' prediction.json >timeless.json
-refuses 'timeless.json: does not say the period' beadswim-plot velocity-against-period timeless.json
+refuses 'timeless.json: the settings of multipole-ode lack the number "period"' beadswim-plot velocity-against-period timeless.json
+refuses 'prediction.json: .* lack the number "separation_ratio"' beadswim-plot separation prediction.json
+(cat by_period.jsonl && echo && echo '{ "schema": ') >cut.jsonl
+refuses 'cut.jsonl line 5: line 1, column' beadswim-plot velocity-against-period cut.jsonl
+(head -1 by_period.jsonl && jq -c '.swimmer = "x"' prediction.json) >typo.jsonl
+refuses 'typo.jsonl line 2:/swimmer: ' beadswim-plot velocity-against-period typo.jsonl
+refuses 'standard input line 2:/swimmer: ' beadswim-plot velocity-against-period - < <(cat typo.jsonl)
+echo '{ "schema": "beadswim/layout/1" }' >layout.json
+refuses 'layout.json: is "beadswim/layout/1"; a run record .* or a prediction' beadswim-plot stroke layout.json
+: >empty.json
+refuses 'empty.json: is empty' beadswim-plot stroke empty.json
 refuses 'standard input can be read once' beadswim-plot stroke - -
 refuses 'run.h5md: is a trajectory' beadswim-plot stroke run.h5md
 

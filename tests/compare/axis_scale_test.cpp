@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "beadswim/compare/axis_scale.hpp"
 #include "tolerances.hpp"
 
@@ -50,6 +52,41 @@ TEST(AxisScale, CyclesAreWhole) {
             (std::vector<std::string>{"0", "5", "10", "15", "20", "25", "30", "35", "40"}));
   EXPECT_EQ(labels(nice_scale(0.5, 6.5, TickKind::integers)),
             (std::vector<std::string>{"1", "2", "3", "4", "5", "6"}));
+}
+
+// Equal ratios are equal lengths; would catch a scale that is logarithmic in its ticks alone.
+TEST(LogarithmicScale, EqualRatiosAreEqualLengths) {
+  const AxisScale scale = logarithmic_scale(1e-7, 1e-4);
+  const double decade = scale.fraction(1e-5) - scale.fraction(1e-6);
+  EXPECT_NEAR(scale.fraction(1e-4) - scale.fraction(1e-5), decade, roundoff(10));
+  EXPECT_NEAR(scale.fraction(3e-6) - scale.fraction(3e-7), decade, roundoff(10));
+  EXPECT_GT(scale.fraction(1e-7), 0);
+  EXPECT_LT(scale.fraction(1e-4), 1);
+}
+
+TEST(LogarithmicScale, DecadesAreLabelledAsPowers) {
+  const AxisScale scale = logarithmic_scale(2e-7, 2e-4);
+  EXPECT_EQ(labels(scale), (std::vector<std::string>{"10⁻⁶", "10⁻⁵", "10⁻⁴"}));
+  EXPECT_EQ(scale.exponent, 0);
+}
+
+TEST(LogarithmicScale, OneDecadeIsLabelledInDigits) {
+  const AxisScale plain = logarithmic_scale(3, 30);
+  EXPECT_EQ(labels(plain), (std::vector<std::string>{"3", "5", "10", "20", "30"}));
+  const AxisScale small = logarithmic_scale(1.5e-6, 2.5e-5);
+  EXPECT_EQ(small.exponent, -6);
+  EXPECT_EQ(labels(small), (std::vector<std::string>{"2", "3", "5", "10", "20"}));
+}
+
+TEST(LogarithmicScale, LessThanADecadeHasRoundTicks) {
+  EXPECT_EQ(labels(logarithmic_scale(1.9, 4.1)),
+            (std::vector<std::string>{"2.0", "2.5", "3.0", "3.5", "4.0"}));
+  EXPECT_GE(logarithmic_scale(5, 5).ticks.size(), 2U);
+}
+
+TEST(LogarithmicScale, HasNoPlaceForWhatIsNotPositive) {
+  EXPECT_FALSE(std::isfinite(logarithmic_scale(1, 10).fraction(0)));
+  EXPECT_FALSE(std::isfinite(logarithmic_scale(1, 10).fraction(-1)));
 }
 
 }  // namespace

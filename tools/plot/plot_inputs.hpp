@@ -19,7 +19,6 @@ struct PlottedRun {
 struct PlottedPrediction {
   std::string source;
   Prediction prediction;
-  double period = 0;  ///< of the driving
 };
 
 /// All in the same units; each group in the order of the command line.
@@ -27,22 +26,17 @@ struct PlotInputs {
   Units units;
   std::vector<PlottedRun> runs;
   std::vector<PlottedPrediction> predictions;
+  std::vector<std::string> methods;           ///< of the predictions, in the order of drawing
+  std::vector<PlottedPrediction> references;  ///< by the method that others are drawn relative to
 };
 
-/// Reads run records and predictions. `methods` are the ones to draw of each prediction; none: the best
-/// usable one of each. Throws InputError, also for differing units, a method that no prediction has, and a
-/// prediction that does not say its period.
-PlotInputs read_plot_inputs(const std::vector<std::string>& files, const std::vector<std::string>& methods);
+struct MethodChoice {
+  std::vector<std::string> methods{};  ///< of each prediction; none: its best usable one; "all": all
+  std::string relative_to{};           ///< the method of the references; empty: none
+};
 
-/// "um", "s" and "um/s"; "lattice units" in lattice units.
-std::string length_unit(const Units& units);
-std::string time_unit(const Units& units);
-std::string velocity_unit(const Units& units);
-
-/// A line on each run: what it is of and how it was resolved.
-std::vector<std::string> run_notes(const PlotInputs& inputs);
-
-/// "lbm", or "lbm FILE" where several runs must be told apart.
-std::string run_label(const PlotInputs& inputs, const PlottedRun& run);
+/// Reads run records and predictions: files of one document, or of one document a line. Throws InputError
+/// naming file and line, also for differing units and for a method that no prediction has.
+PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& choice);
 
 }  // namespace beadswim

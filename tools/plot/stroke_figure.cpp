@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
+#include "curves.hpp"
+#include "plot_labels.hpp"
 
 namespace beadswim {
 namespace {
@@ -15,11 +17,21 @@ struct StrokeNumber {
   std::size_t position;  ///< among the quantity's numbers
   std::string symbol;
   int colour;
+
+  double in(const Swimming& swimming) const { return swimming.at(quantity)[position]; }
 };
 
-const StrokeNumber amplitude1{ComparedQuantity::arm_amplitudes, 0, "d₁", 0};
-const StrokeNumber amplitude2{ComparedQuantity::arm_amplitudes, 1, "d₂", 1};
-const StrokeNumber phase_shift{ComparedQuantity::sin_phase_shift, 0, "sin(δ₁ − δ₂)", 2};
+using StrokeNumbers = std::vector<StrokeNumber>;
+
+const StrokeNumbers amplitudes{{ComparedQuantity::arm_amplitudes, 0, "d₁", 0},
+                               {ComparedQuantity::arm_amplitudes, 1, "d₂", 1}};
+const StrokeNumbers phase_shift{{ComparedQuantity::sin_phase_shift, 0, "sin(δ₁ − δ₂)", 2}};
+
+AxisLabel amplitude_label(const PlotInputs& inputs) {
+  return {"arm amplitude", length_unit(inputs.units)};
+}
+
+const AxisLabel phase_shift_label{"sine of the phase shift"};
 
 struct CycleRange {
   int first = 0, last = 0;
@@ -35,31 +47,40 @@ CycleRange cycles_of(const PlotInputs& inputs) {
       }
     }
   }
-  if (range.first == 0) throw InputError("stroke", "no run with a whole cycle is given; add a run record");
+  if (range.first == 0) {
+    throw InputError(
+        "stroke",
+        "no run with a whole cycle is given; add a run record, or draw predictions with --against "
+        "amplitude-ratio or phase");
+  }
   return range;
 }
 
-Series run_series(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number) {
-  const PlottedRun& run = inputs.runs[run_index];
-  Series series{.label = fmt::format("{}, {}", number.symbol, run_label(inputs, run)),
-                .mark = Mark::points,
-                .colour = number.colour,
-                .shape = static_cast<int>(run_index)};
-  for (const SwimmerRecord& swimmer : run.record.swimmers) {
+Series empty_run_series(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number) {
+  return {.label = fmt::format("{}, {}", number.symbol, run_label(inputs, inputs.runs[run_index])),
+          .mark = Mark::points,
+          .colour = number.colour,
+          .shape = static_cast<int>(run_index)};
+}
+
+Series run_by_cycle(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number) {
+  const RunRecord& record = inputs.runs[run_index].record;
+  Series series = empty_run_series(inputs, run_index, number);
+  for (const SwimmerRecord& swimmer : record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
       series.x.push_back(cycle.index);
-      series.y.push_back(swimming_in(cycle, run.record.periodic_axes()).at(number.quantity)[number.position]);
+      series.y.push_back(number.in(swimming_in(cycle, record.periodic_axes())));
     }
   }
   return series;
 }
 
 /// A level line that reaches past the first and the last cycle.
-Series prediction_series(const PlotInputs& inputs, std::size_t index, const StrokeNumber& number,
-                         const CycleRange& cycles) {
+Series level_line(const PlotInputs& inputs, std::size_t index, const StrokeNumber& number,
+                  const CycleRange& cycles) {
   constexpr double overhang = 0.4;  // of a cycle
   const Prediction& prediction = inputs.predictions[index].prediction;
-  const double value = swimming_of(prediction).at(number.quantity)[number.position];
+  const double value = number.in(swimming_of(prediction));
   return {.label = fmt::format("{}, {}", number.symbol, prediction.method),
           .x = {cycles.first - overhang, cycles.last + overhang},
           .y = {value, value},
@@ -68,16 +89,61 @@ Series prediction_series(const PlotInputs& inputs, std::size_t index, const Stro
           .dash = static_cast<int>(index)};
 }
 
-Panel stroke_panel(const PlotInputs& inputs, const std::vector<StrokeNumber>& numbers,
-                   const AxisLabel& y_label) {
+Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label) {
   const CycleRange cycles = cycles_of(inputs);
   Panel panel{.x_label = {"cycle"}, .y_label = y_label, .x_ticks = TickKind::integers};
   for (const StrokeNumber& number : numbers) {
     for (std::size_t i = 0; i < inputs.runs.size(); ++i) {
-      panel.series.push_back(run_series(inputs, i, number));
+      panel.series.push_back(run_by_cycle(inputs, i, number));
     }
     for (std::size_t i = 0; i < inputs.predictions.size(); ++i) {
-      panel.series.push_back(prediction_series(inputs, i, number, cycles));
+      panel.series.push_back(level_line(inputs, i, number, cycles));
+    }
+  }
+  return panel;
+}
+
+/// What the panels' x axis is.
+struct Sweep {
+  Abscissa abscissa;
+  CycleChoice cycle;
+};
+
+Series run_in_sweep(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number,
+                    const Sweep& sweep) {
+  const PlottedRun& run = inputs.runs[run_index];
+  Series series = empty_run_series(inputs, run_index, number);
+  for (const SwimmerRecord& swimmer : run.record.swimmers) {
+    series.x.push_back(abscissa_of(run, swimmer, sweep.abscissa, sweep.cycle));
+    series.y.push_back(number.in(swimming_of(run.record, swimmer, sweep.cycle, run.source)));
+  }
+  return series;
+}
+
+std::vector<Series> method_in_sweep(const MethodPredictions& method, std::size_t position,
+                                    const StrokeNumber& number) {
+  std::vector<CurvePoint> points;
+  for (const PlacedPrediction& placed : method.predictions) {
+    const Prediction& prediction = placed.plotted.prediction;
+    points.push_back({placed.x, number.in(swimming_of(prediction)), prediction.usable});
+  }
+  return curve_series(points, {.label = fmt::format("{}, {}", number.symbol, method.method),
+                               .colour = number.colour,
+                               .shape = method_shape(position),
+                               .dash = static_cast<int>(position)});
+}
+
+Panel panel_in_sweep(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label,
+                     const Sweep& sweep) {
+  Panel panel{.x_label = axis_label(sweep.abscissa, inputs.units), .y_label = y_label};
+  const auto methods = predictions_by_method(inputs, sweep.abscissa);
+  for (const StrokeNumber& number : numbers) {
+    for (std::size_t i = 0; i < inputs.runs.size(); ++i) {
+      panel.series.push_back(run_in_sweep(inputs, i, number, sweep));
+    }
+    for (std::size_t i = 0; i < methods.size(); ++i) {
+      const auto curve = method_in_sweep(methods[i], i, number);
+      panel.series.insert(panel.series.end(), curve.begin(), curve.end());
     }
   }
   return panel;
@@ -85,12 +151,22 @@ Panel stroke_panel(const PlotInputs& inputs, const std::vector<StrokeNumber>& nu
 
 }  // namespace
 
-Figure stroke_figure(const PlotInputs& inputs) {
-  const AxisLabel amplitude{"arm amplitude", length_unit(inputs.units)};
+Figure stroke_by_cycle(const PlotInputs& inputs) {
   return {.title = "Stroke by cycle",
-          .panels = {stroke_panel(inputs, {amplitude1, amplitude2}, amplitude),
-                     stroke_panel(inputs, {phase_shift}, {"sine of the phase shift"})},
+          .panels = {panel_by_cycle(inputs, amplitudes, amplitude_label(inputs)),
+                     panel_by_cycle(inputs, phase_shift, phase_shift_label)},
           .notes = run_notes(inputs)};
+}
+
+Figure stroke_against(const PlotInputs& inputs, Abscissa abscissa, const CycleChoice& cycle) {
+  const Sweep sweep{abscissa, cycle};
+  std::vector<std::string> notes = prediction_notes(inputs, abscissa);
+  const auto more = run_notes(inputs);
+  notes.insert(notes.end(), more.begin(), more.end());
+  return {.title = "Stroke against " + axis_label(abscissa, inputs.units).quantity,
+          .panels = {panel_in_sweep(inputs, amplitudes, amplitude_label(inputs), sweep),
+                     panel_in_sweep(inputs, phase_shift, phase_shift_label, sweep)},
+          .notes = notes};
 }
 
 }  // namespace beadswim

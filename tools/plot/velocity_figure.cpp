@@ -1,73 +1,149 @@
 #include "velocity_figure.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
+
+#include "beadswim/core/error.hpp"
+#include "curves.hpp"
+#include "plot_labels.hpp"
+#include "relative_velocity.hpp"
 
 namespace beadswim {
 namespace {
+
+bool is_relative(const PlotInputs& inputs) {
+  return !inputs.references.empty();
+}
 
 /// The series of that label, begun at the end of the list if there is none yet.
 Series& series_labelled(const std::string& label, std::vector<Series>& all) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const Series& series) { return series.label == label; });
   if (found != all.end()) return *found;
-  all.push_back({.label = label});
+  const auto position = static_cast<int>(all.size());
+  all.push_back({.label = label, .colour = position, .shape = position});
   return all.back();
 }
 
-std::vector<Series> run_series(const PlotInputs& inputs, const CycleChoice& cycle) {
+void append_point(const PlotInputs& inputs, const VelocityFigureOptions& options, const PlottedRun& run,
+                  const SwimmerRecord& swimmer, Series& series) {
+  const double x = abscissa_of(run, swimmer, options.abscissa, options.cycle);
+  const Swimming swimming = swimming_of(run.record, swimmer, options.cycle, run.source);
+  const double velocity = swimming.at(ComparedQuantity::velocity).front();
+  series.x.push_back(x);
+  series.y.push_back(
+      is_relative(inputs)
+          ? relative_difference(velocity, reference_at(inputs, options.abscissa, x, run.source))
+          : velocity);
+}
+
+std::vector<Series> run_series(const PlotInputs& inputs, const VelocityFigureOptions& options) {
+  if (is_relative(inputs) && options.abscissa != Abscissa::period && !inputs.runs.empty()) {
+    throw InputError(inputs.runs.front().source,
+                     "is a run, and runs are compared at equal period; leave it out, or --relative-to");
+  }
   std::vector<Series> all;
   for (const PlottedRun& run : inputs.runs) {
     Series& series = series_labelled(run.record.model, all);
     for (const SwimmerRecord& swimmer : run.record.swimmers) {
-      const Swimming swimming = swimming_of(run.record, swimmer, cycle, run.source);
-      series.x.push_back(run.record.driving_period);
-      series.y.push_back(swimming.at(ComparedQuantity::velocity).front());
+      append_point(inputs, options, run, swimmer, series);
     }
   }
   return all;
 }
 
-std::vector<Series> prediction_series(const PlotInputs& inputs) {
-  std::vector<PlottedPrediction> by_period = inputs.predictions;
-  std::stable_sort(by_period.begin(), by_period.end(),
-                   [](const auto& a, const auto& b) { return a.period < b.period; });
+CurvePoint curve_point(const PlotInputs& inputs, Abscissa abscissa, const PlacedPrediction& placed) {
+  const auto& [x, plotted] = placed;
+  const Prediction& prediction = plotted.prediction;
+  if (!is_relative(inputs)) return {x, prediction.velocity, prediction.usable};
+  const Prediction& reference = reference_at(inputs, abscissa, x, plotted.source);
+  return {x, relative_difference(prediction.velocity, reference), prediction.usable && reference.usable};
+}
+
+/// Colours go on where those of the runs end.
+std::vector<Series> prediction_series(const PlotInputs& inputs, Abscissa abscissa, int first_colour) {
   std::vector<Series> all;
-  for (const PlottedPrediction& plotted : by_period) {
-    Series& series = series_labelled(plotted.prediction.method, all);
-    series.x.push_back(plotted.period);
-    series.y.push_back(plotted.prediction.velocity);
+  const auto methods = predictions_by_method(inputs, abscissa);
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    std::vector<CurvePoint> points;
+    for (const PlacedPrediction& placed : methods[i].predictions) {
+      points.push_back(curve_point(inputs, abscissa, placed));
+    }
+    const auto position = static_cast<int>(i);
+    const auto curve = curve_series(points, {.label = methods[i].method,
+                                             .colour = first_colour + position,
+                                             .shape = method_shape(i),
+                                             .dash = position});
+    all.insert(all.end(), curve.begin(), curve.end());
   }
   return all;
 }
 
-/// Open points tell predictions from runs, and where between the lines a prediction was made.
-void style(std::vector<Series>& runs, std::vector<Series>& predictions) {
-  constexpr int first_open_shape = 4;
-  int colour = 0;
-  for (Series& series : runs) {
-    series.shape = series.colour = colour++;
+/// Whether the values that shape the axis are positive and span over two decades.
+bool spans_decades(const std::vector<Series>& all) {
+  constexpr double two_decades = 100;
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const Series& series : all) {
+    if (series.emphasis == Emphasis::faint) continue;
+    for (const double value : series.y) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
   }
-  for (std::size_t i = 0; i < predictions.size(); ++i) {
-    predictions[i].mark = Mark::line_and_points;
-    predictions[i].colour = colour++;
-    predictions[i].shape = first_open_shape + static_cast<int>(i);
-    predictions[i].dash = static_cast<int>(i);
-  }
+  return low > 0 && high > two_decades * low;
+}
+
+Axes chosen_axes(const VelocityFigureOptions& options, const std::vector<Series>& all) {
+  if (options.axes != Axes::automatic) return options.axes;
+  if (!spans_decades(all)) return Axes::linear;
+  return options.abscissa == Abscissa::separation_ratio ? Axes::log_log : Axes::log_y;
+}
+
+/// What a logarithmic axis has no place for must not go unsaid.
+void note_what_is_missing(const Panel& panel, std::vector<std::string>& notes) {
+  if (panel.y_scale == ScaleKind::linear) return;
+  const auto is_missing = [](double value) { return value <= 0; };
+  const auto lacks_some = [&](const Series& series) {
+    return std::any_of(series.y.begin(), series.y.end(), is_missing);
+  };
+  if (std::none_of(panel.series.begin(), panel.series.end(), lacks_some)) return;
+  notes.push_back("Lines break where the velocity is not positive: the axis is logarithmic");
+}
+
+std::string title_of(const PlotInputs& inputs, Abscissa abscissa) {
+  const std::string against = abscissa == Abscissa::period ? "driving period" : "separation of the beads";
+  if (!is_relative(inputs)) return "Swimming velocity against " + against;
+  return fmt::format("Swimming velocity relative to {}, against {}",
+                     inputs.references.front().prediction.method, against);
+}
+
+AxisLabel velocity_label(const PlotInputs& inputs) {
+  if (!is_relative(inputs)) return {"velocity", velocity_unit(inputs.units)};
+  return {"difference in velocity", "%"};
 }
 
 }  // namespace
 
-Figure velocity_figure(const PlotInputs& inputs, const CycleChoice& cycle) {
-  std::vector<Series> series = run_series(inputs, cycle);
-  std::vector<Series> predictions = prediction_series(inputs);
-  style(series, predictions);
-  series.insert(series.end(), predictions.begin(), predictions.end());
-  return {.title = "Swimming velocity against driving period",
-          .panels = {{.x_label = {"period T", time_unit(inputs.units)},
-                      .y_label = {"velocity", velocity_unit(inputs.units)},
-                      .series = std::move(series)}},
-          .notes = run_notes(inputs)};
+Figure velocity_figure(const PlotInputs& inputs, const VelocityFigureOptions& options) {
+  std::vector<Series> series = run_series(inputs, options);
+  const auto curves = prediction_series(inputs, options.abscissa, static_cast<int>(series.size()));
+  series.insert(series.end(), curves.begin(), curves.end());
+  const Axes axes = chosen_axes(options, series);
+  Panel panel{.x_label = axis_label(options.abscissa, inputs.units),
+              .y_label = velocity_label(inputs),
+              .series = std::move(series),
+              .x_scale = axes == Axes::log_log ? ScaleKind::logarithmic : ScaleKind::linear,
+              .y_scale = axes == Axes::linear ? ScaleKind::linear : ScaleKind::logarithmic};
+  std::vector<std::string> notes = prediction_notes(inputs, options.abscissa);
+  note_what_is_missing(panel, notes);
+  const auto more = run_notes(inputs);
+  notes.insert(notes.end(), more.begin(), more.end());
+  return {.title = title_of(inputs, options.abscissa), .panels = {std::move(panel)}, .notes = notes};
 }
 
 }  // namespace beadswim

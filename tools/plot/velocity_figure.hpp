@@ -1,12 +1,27 @@
 #pragma once
 
+#include "abscissa.hpp"
 #include "beadswim/compare/figure.hpp"
 #include "plot_inputs.hpp"
 
 namespace beadswim {
 
-/// Velocity along the axis, against the fluid, over the driving's period: runs as points, one series a model;
-/// predictions joined in order of period, one series a method.
-Figure velocity_figure(const PlotInputs& inputs, const CycleChoice& cycle);
+enum class Axes {
+  automatic,  ///< logarithmic where positive velocities span over two decades; the separation then, too
+  linear,
+  log_y,
+  log_log,
+};
+
+struct VelocityFigureOptions {
+  Abscissa abscissa = Abscissa::period;
+  CycleChoice cycle{};  ///< of the runs
+  Axes axes = Axes::automatic;
+};
+
+/// Velocity along the axis, against the fluid: runs as points, one series a model; predictions joined in
+/// order of the abscissa, one curve a method, faint where not usable. With inputs.references, the difference
+/// of all from them at the same abscissa, in percent. Throws InputError.
+Figure velocity_figure(const PlotInputs& inputs, const VelocityFigureOptions& options);
 
 }  // namespace beadswim

@@ -9,13 +9,16 @@
 
 #include "beadswim/core/error.hpp"
 #include "svg.hpp"
+#include "visible_stretches.hpp"
 
 namespace beadswim {
 namespace {
 
 // Okabe and Ito's palette for all kinds of colour vision, without yellow, which is faint on white.
 constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
-constexpr std::array dashes{"", "6 4", "1.5 3", "8 3 2 3"};
+constexpr std::array dashes{"", "6 4", "1.5 3", "8 3 2 3", "13 4", "8 3 2 3 2 3"};
+constexpr double line_width = 1.8, faint_line_width = 1.1;
+constexpr double faint_opacity = 0.65;
 
 // The page, in px.
 constexpr double margin = 16;
@@ -27,7 +30,7 @@ constexpr double panel_pitch = plot_height + 66;  // leaves room for tick labels
 constexpr double legend_left = plot_left + plot_width + 18;
 constexpr double legend_key_width = 30;
 constexpr double line_pitch = 18;
-constexpr double tick_length = 5;
+constexpr double tick_length = 5, minor_tick_length = 3;
 constexpr double title_size = 14, label_size = 12.5, tick_size = 11, note_size = 10;
 
 const svg::Stroke frame_stroke{"#000000", 1, ""};
@@ -42,6 +45,10 @@ struct PlotArea {
     return {plot_left + plot_width * x.fraction(data_x), top + plot_height * (1 - y.fraction(data_y))};
   }
   double bottom() const { return top + plot_height; }
+  /// False also for a point that is not finite.
+  bool holds(const svg::Point& point) const {
+    return std::isfinite(point.x) && point.y >= top && point.y <= bottom();
+  }
 };
 
 struct Range {
@@ -54,37 +61,53 @@ struct Range {
   }
 };
 
-bool drawable(const Series& series, std::size_t i) {
-  return std::isfinite(series.x[i]) && std::isfinite(series.y[i]);
+/// Whether an axis of that scale has a place for the value.
+bool has_place(double value, ScaleKind scale) {
+  return std::isfinite(value) && (scale == ScaleKind::linear || value > 0);
 }
 
-PlotArea plot_area(const Panel& panel, double top) {
+struct PanelRange {
   Range x, y;
-  for (const Series& series : panel.series) {
+
+  void include(const Series& series, const Panel& panel) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      if (!drawable(series, i)) continue;
+      if (!has_place(series.x[i], panel.x_scale) || !has_place(series.y[i], panel.y_scale)) continue;
       x.include(series.x[i]);
       y.include(series.y[i]);
     }
   }
-  if (x.high < x.low)
-    throw InputError("figure", fmt::format("no finite point to draw for \"{}\"", panel.y_label.quantity));
-  return {top, nice_scale(x.low, x.high, panel.x_ticks), nice_scale(y.low, y.high, TickKind::any)};
+  bool is_empty() const { return x.high < x.low; }
+};
+
+/// Of the plain series, or of all if they have nothing to draw; along x always of all.
+PanelRange panel_range(const Panel& panel) {
+  PanelRange plain, all;
+  for (const Series& series : panel.series) {
+    all.include(series, panel);
+    if (series.emphasis == Emphasis::plain) plain.include(series, panel);
+  }
+  if (all.is_empty()) {
+    const bool logarithmic = panel.y_scale == ScaleKind::logarithmic;
+    throw InputError("figure", fmt::format("no {} point to draw for \"{}\"",
+                                           logarithmic ? "positive" : "finite", panel.y_label.quantity));
+  }
+  return {all.x, plain.is_empty() ? all.y : plain.y};
 }
 
-/// "⁻⁵" for -5.
-std::string superscript(int exponent) {
-  constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string text = exponent < 0 ? "⁻" : "";
-  for (const char digit : std::to_string(std::abs(exponent))) {
-    text += digits[static_cast<std::size_t>(digit - '0')];
-  }
-  return text;
+AxisScale axis_scale(const Range& range, ScaleKind scale, TickKind ticks) {
+  return scale == ScaleKind::linear ? nice_scale(range.low, range.high, ticks)
+                                    : logarithmic_scale(range.low, range.high);
+}
+
+PlotArea plot_area(const Panel& panel, double top) {
+  const PanelRange range = panel_range(panel);
+  return {top, axis_scale(range.x, panel.x_scale, panel.x_ticks),
+          axis_scale(range.y, panel.y_scale, TickKind::any)};
 }
 
 /// "velocity (10⁻⁵ um/s)": the unit with the power of ten that the tick labels leave out.
 std::string label_text(const AxisLabel& label, int exponent) {
-  const std::string power = exponent == 0 ? "" : "10" + superscript(exponent);
+  const std::string power = exponent == 0 ? "" : power_of_ten(exponent);
   const std::string gap = power.empty() || label.unit.empty() ? "" : " ";
   const std::string unit = power + gap + label.unit;
   return unit.empty() ? label.quantity : fmt::format("{} ({})", label.quantity, unit);
@@ -97,6 +120,10 @@ std::string draw_x_axis(const PlotArea& area, const AxisLabel& label) {
     elements += svg::line({x, area.top}, {x, area.bottom()}, grid_stroke);
     elements += svg::line({x, area.bottom()}, {x, area.bottom() + tick_length}, frame_stroke);
     elements += svg::text({x, area.bottom() + 18}, area.x.tick_label(tick), {tick_size, svg::Anchor::middle});
+  }
+  for (const double tick : area.x.minor_ticks) {
+    const double x = area.at(tick, area.y.low).x;
+    elements += svg::line({x, area.bottom()}, {x, area.bottom() + minor_tick_length}, frame_stroke);
   }
   return elements + svg::text({plot_left + plot_width / 2, area.bottom() + 38},
                               label_text(label, area.x.exponent), {label_size, svg::Anchor::middle});
@@ -111,40 +138,54 @@ std::string draw_y_axis(const PlotArea& area, const AxisLabel& label) {
     elements += svg::text({plot_left - tick_length - 4, y + 4}, area.y.tick_label(tick),
                           {tick_size, svg::Anchor::end});
   }
+  for (const double tick : area.y.minor_ticks) {
+    const double y = area.at(area.x.low, tick).y;
+    elements += svg::line({plot_left - minor_tick_length, y}, {plot_left, y}, frame_stroke);
+  }
   return elements + svg::text({margin + 8, area.top + plot_height / 2}, label_text(label, area.y.exponent),
                               {label_size, svg::Anchor::middle, -90});
 }
 
 svg::Stroke line_stroke(const Series& series) {
-  return {palette[static_cast<std::size_t>(series.colour) % palette.size()], 1.8,
-          dashes[static_cast<std::size_t>(series.dash) % dashes.size()]};
+  const bool plain = series.emphasis == Emphasis::plain;
+  return {palette[static_cast<std::size_t>(series.colour) % palette.size()],
+          plain ? line_width : faint_line_width,
+          dashes[static_cast<std::size_t>(series.dash) % dashes.size()], plain ? 1.0 : faint_opacity};
 }
 
-std::string draw_line(const Series& series, const std::vector<svg::Point>& points) {
-  return series.mark == Mark::points ? "" : svg::polyline(points, line_stroke(series));
+std::string draw_line(const Series& series, const Stretch& stretch) {
+  return series.mark == Mark::points ? "" : svg::polyline(stretch, line_stroke(series));
 }
 
-std::string draw_points(const Series& series, const std::vector<svg::Point>& points) {
+std::string draw_points(const Series& series, const Stretch& stretch) {
   std::string elements;
   if (series.mark == Mark::line) return elements;
-  for (const svg::Point& point : points) {
-    elements += svg::marker(point, series.shape, line_stroke(series).colour);
+  const svg::Stroke stroke = line_stroke(series);
+  for (const svg::Point& point : stretch) {
+    elements += svg::marker(point, series.shape, stroke.colour, stroke.opacity);
   }
   return elements;
 }
 
 std::string draw_series(const PlotArea& area, const Series& series) {
   std::vector<svg::Point> points;
+  Stretch inside;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
-    if (drawable(series, i)) points.push_back(area.at(series.x[i], series.y[i]));
+    points.push_back(area.at(series.x[i], series.y[i]));
+    if (area.holds(points.back())) inside.push_back(points.back());
   }
-  return draw_line(series, points) + draw_points(series, points);
+  std::string elements;
+  for (const Stretch& stretch : visible_stretches(points, area.top, area.bottom())) {
+    elements += draw_line(series, stretch);
+  }
+  return elements + draw_points(series, inside);
 }
 
 std::string draw_legend(const PlotArea& area, const std::vector<Series>& all_series) {
   std::string elements;
   double y = area.top + 10;
   for (const Series& series : all_series) {
+    if (series.label.empty()) continue;
     const double right = legend_left + legend_key_width;
     elements += draw_line(series, {{legend_left, y}, {right, y}});
     elements += draw_points(series, {{legend_left + legend_key_width / 2, y}});

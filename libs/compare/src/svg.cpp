@@ -41,10 +41,14 @@ std::string number(double value) {
   return fmt::format("{:.2f}", rounded == 0 ? 0.0 : rounded);
 }
 
+std::string opacity_attribute(double opacity) {
+  return opacity == 1 ? "" : fmt::format(R"( opacity="{}")", number(opacity));
+}
+
 std::string attributes(const Stroke& stroke) {
   std::string result = fmt::format(R"(stroke="{}" stroke-width="{}")", stroke.colour, number(stroke.width));
   if (!stroke.dashes.empty()) result += fmt::format(R"( stroke-dasharray="{}")", stroke.dashes);
-  return result;
+  return result + opacity_attribute(stroke.opacity);
 }
 
 /// Closed outline through points on the unit disc, scaled and moved.
@@ -100,10 +104,11 @@ std::string text(Point at, const std::string& content, const TextStyle& style) {
       anchors[static_cast<std::size_t>(style.anchor)], turn, escaped(content));
 }
 
-std::string marker(Point centre, int shape, const std::string& colour) {
+std::string marker(Point centre, int shape, const std::string& colour, double opacity) {
   const int form = shape % marker_shapes;
-  const std::string paint = fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.30")",
-                                        form < marker_shapes / 2 ? colour : "#ffffff", colour);
+  const std::string fill = form < marker_shapes / 2 ? colour : "#ffffff";
+  const std::string paint =
+      fmt::format(R"(fill="{}" stroke="{}" stroke-width="1.30")", fill, colour) + opacity_attribute(opacity);
   const auto corners = static_cast<std::size_t>(form % (marker_shapes / 2));
   if (corners == 0) {
     return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {}/>\n", number(centre.x), number(centre.y),

@@ -16,6 +16,7 @@ struct Stroke {
   std::string colour;
   double width = 1;
   std::string dashes;  ///< as in stroke-dasharray; empty: solid
+  double opacity = 1;
 };
 
 enum class Anchor { start, middle, end };
@@ -35,7 +36,7 @@ std::string rectangle(Point top_left, double width, double height, const Stroke&
 std::string text(Point at, const std::string& content, const TextStyle& style);
 
 /// Shape 0 to 3: filled circle, square, triangle, diamond; 4 to 7: the same, open.
-std::string marker(Point centre, int shape, const std::string& colour);
+std::string marker(Point centre, int shape, const std::string& colour, double opacity);
 
 /// An estimate, on the safe side, of the width of a line of DejaVu Sans; counts code points.
 double text_width(const std::string& content, double size);

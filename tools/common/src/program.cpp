@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 #include "beadswim/core/error.hpp"
@@ -124,12 +123,12 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
     program.parse(argc, argv);
     return std::nullopt;
   } catch (const CLI::CallForVersion& version_text) {
-    fmt::print("{}\n", version_text.what());
+    write_text("-", fmt::format("{}\n", version_text.what()));
   } catch (const CLI::Success&) {
     // Not the program's help for a command that it does not have.
     const bool lacks_command = program.get_subcommands().empty() && !command_names(program).empty();
     if (lacks_command) refuse_leftovers(program);
-    fmt::print("{}", program.help());
+    write_text("-", program.help());
   } catch (const CLI::ParseError& error) {
     refuse_command_line(program, error);
   }

@@ -11,14 +11,21 @@ namespace beadswim {
 
 enum class Mark { points, line, line_and_points };
 
-/// Points (x[i], y[i]); those that are not finite are left out.
+enum class Emphasis {
+  plain,
+  faint,  ///< thin and pale; has no say in where the y axis ends, and is cut off there
+};
+
+/// Points (x[i], y[i]). Those that are not finite, or not positive on a logarithmic axis, are left out, and
+/// a line breaks there.
 struct Series {
-  std::string label;  ///< its line in the legend
+  std::string label;  ///< its line in the legend; none if empty
   std::vector<double> x{}, y{};
   Mark mark = Mark::points;
   int colour = 0;  ///< position in the palette of Okabe and Ito; wraps round
   int shape = 0;   ///< of the points: filled circle, square, triangle, diamond, then open ones; wraps round
-  int dash = 0;    ///< of the line: solid, dashed, dotted, dash-dotted; wraps round
+  int dash = 0;    ///< of the line: solid, dashed, dotted, dash-dotted, long, dash-dot-dotted; wraps round
+  Emphasis emphasis = Emphasis::plain;
 };
 
 /// "quantity (unit)" or, without unit, "quantity".
@@ -31,6 +38,7 @@ struct Panel {
   AxisLabel x_label, y_label;
   std::vector<Series> series{};
   TickKind x_ticks = TickKind::any;
+  ScaleKind x_scale = ScaleKind::linear, y_scale = ScaleKind::linear;
 };
 
 /// Panels one above the other, each with its legend at the right; notes (parameters, sources) below.
@@ -40,7 +48,7 @@ struct Figure {
   std::vector<std::string> notes{};
 };
 
-/// A whole SVG document. Throws InputError if a panel holds no finite point.
+/// A whole SVG document. Throws InputError if a panel holds no point that can be drawn.
 std::string figure_to_svg(const Figure& figure);
 
 }  // namespace beadswim

@@ -1,0 +1,96 @@
+#include "abscissa.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+std::string time_unit(const Units& units) {
+  return units.lattice ? "lattice units" : units.time.name;
+}
+
+double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
+  const auto& resolution = run.record.resolution;
+  if (!resolution) {
+    throw InputError(run.source,
+                     "does not say the beads' radius, which the separation l/λ needs; leave it out");
+  }
+  const auto cycles = chosen_cycles(swimmer.cycles, choice, run.source);
+  std::array<double, 2> arms{};
+  for (const CycleStatistics& cycle : cycles) {
+    for (std::size_t arm = 0; arm < 2; ++arm) arms[arm] += cycle.arm_means[arm];
+  }
+  const double radius = resolution->cells_per_radius * resolution->cell_size;
+  return std::min(arms[0], arms[1]) / static_cast<double>(cycles.size()) / radius;
+}
+
+/// A/B or alpha, if the record says it; A/B is infinite, and so not drawn, where B = 0.
+std::optional<double> driving_number(const RunRecord& run, Abscissa abscissa) {
+  if (!run.driving) return std::nullopt;
+  const auto& [A, B] = run.driving->amplitude;
+  return abscissa == Abscissa::phase ? run.driving->phase : A / B;
+}
+
+}  // namespace
+
+std::string key_of(Abscissa abscissa) {
+  switch (abscissa) {
+    case Abscissa::period:
+      return "period";
+    case Abscissa::separation_ratio:
+      return "separation_ratio";
+    case Abscissa::amplitude_ratio:
+      return "amplitude_ratio";
+    case Abscissa::phase:
+      return "phase";
+  }
+  return {};
+}
+
+AxisLabel axis_label(Abscissa abscissa, const Units& units) {
+  switch (abscissa) {
+    case Abscissa::period:
+      return {"period T", time_unit(units)};
+    case Abscissa::separation_ratio:
+      return {"separation of neighbouring beads over their radius, l/λ"};
+    case Abscissa::amplitude_ratio:
+      return {"ratio of the driving amplitudes, A/B"};
+    case Abscissa::phase:
+      return {"phase of the driving, α", "rad"};
+  }
+  return {};
+}
+
+std::optional<double> number_setting(const Prediction& prediction, const std::string& key) {
+  for (const auto& [name, value] : prediction.settings) {
+    if (name == key && std::holds_alternative<double>(value)) return std::get<double>(value);
+  }
+  return std::nullopt;
+}
+
+double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {
+  const auto value = number_setting(plotted.prediction, key_of(abscissa));
+  if (value) return *value;
+  const std::string hint = abscissa == Abscissa::amplitude_ratio ? " (it is left out where B = 0)" : "";
+  throw InputError(plotted.source,
+                   fmt::format("the settings of {} lack the number \"{}\", which the figure is "
+                               "drawn against{}; leave the prediction out or make it anew",
+                               plotted.prediction.method, key_of(abscissa), hint));
+}
+
+double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
+                   const CycleChoice& cycle) {
+  if (abscissa == Abscissa::period) return run.record.driving_period;
+  if (abscissa == Abscissa::separation_ratio) return separation_of(run, swimmer, cycle);
+  if (const auto number = driving_number(run.record, abscissa)) return *number;
+  throw InputError(run.source,
+                   fmt::format("does not say the {}; leave the run out of this figure, or draw it with "
+                               "--against cycle",
+                               axis_label(abscissa, run.record.units).quantity));
+}
+
+}  // namespace beadswim

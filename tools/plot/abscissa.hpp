@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "beadswim/compare/figure.hpp"
+#include "plot_inputs.hpp"
+
+// What theory's curves and runs are drawn against.
+
+namespace beadswim {
+
+enum class Abscissa {
+  period,            ///< T of the driving [time]
+  separation_ratio,  ///< l/lambda, of the closest neighbours
+  amplitude_ratio,   ///< A/B of the driving forces
+  phase,             ///< alpha between them [radian]
+};
+
+/// Its key in the settings of a prediction.
+std::string key_of(Abscissa abscissa);
+
+AxisLabel axis_label(Abscissa abscissa, const Units& units);
+
+/// A number among the prediction's settings, if it is there.
+std::optional<double> number_setting(const Prediction& prediction, const std::string& key);
+
+/// Throws InputError, naming source and key, if the settings lack it.
+double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa);
+
+/// Of a run: the period; or the separation, from the smaller mean arm in these cycles and the radius of the
+/// smallest bead. Throws InputError for what a run record does not say: all else, and the radius of beads
+/// without a lattice.
+double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
+                   const CycleChoice& cycle);
+
+}  // namespace beadswim

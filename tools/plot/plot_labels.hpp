@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "abscissa.hpp"
+#include "plot_inputs.hpp"
+
+// What figures say in words.
+
+namespace beadswim {
+
+/// "um" and "um/s"; "lattice units" in lattice units.
+std::string length_unit(const Units& units);
+std::string velocity_unit(const Units& units);
+
+/// "lbm", or "lbm FILE" where several runs must be told apart.
+std::string run_label(const PlotInputs& inputs, const PlottedRun& run);
+
+/// A line on each run: what it is of and how it was resolved.
+std::vector<std::string> run_notes(const PlotInputs& inputs);
+
+/// What all predictions were made for, but for the abscissa: "Predictions: T = 4800, A/B = 1"; a second line
+/// if some are marked unusable. Parameters that a prediction does not say are left out.
+std::vector<std::string> prediction_notes(const PlotInputs& inputs, Abscissa abscissa);
+
+}  // namespace beadswim

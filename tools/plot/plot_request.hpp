@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "abscissa.hpp"
+#include "beadswim/tools/program.hpp"
+#include "velocity_figure.hpp"
+
+namespace beadswim {
+
+inline constexpr const char* stroke_kind = "stroke";
+inline constexpr const char* period_kind = "velocity-against-period";
+inline constexpr const char* separation_kind = "separation";
+
+/// The command line, as text.
+struct PlotRequest {
+  std::string kind;
+  std::vector<std::string> files;
+  std::string output = "-";
+  std::vector<std::string> methods;
+  std::string relative_to;
+  std::string against = "cycle";
+  std::string axes = "auto";
+  std::string cycle = "last";
+};
+
+void add_flags(CLI::App& program, PlotRequest& request);
+
+/// Throws InputError for an unknown kind, and for a flag that the kind has no use for.
+void require_consistent(const PlotRequest& request);
+
+/// None: against the cycle. Throws InputError for an unknown name, as does the other.
+std::optional<Abscissa> parse_against(const std::string& name);
+Axes parse_axes(const std::string& name);
+
+}  // namespace beadswim
