@@ -19,6 +19,7 @@ RunRecord full_record() {
   record.units = {false, {"um", 1e-6}, {"ms", 1e-3}, {"pg", 1e-15}};
   record.domain = Domain{{120, 80, 70}, {Boundary::periodic, Boundary::free_slip, Boundary::no_slip}};
   record.driving_period = 4800.5;
+  record.driving = DrivingRecord{{0.2, 0.4}, -1.5};
   CycleStatistics cycle;
   cycle.index = 3;
   cycle.velocity = Vec3(1e-5, 2e-5, 3e-5);
@@ -71,6 +72,7 @@ TEST(RunRecord, SurvivesTheWayThroughText) {
 TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
   RunRecord record = full_record();
   record.units = {};
+  record.driving.reset();
   record.domain.reset();
   record.momentum.reset();
   record.mass_relative_change.reset();

@@ -48,6 +48,16 @@ DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice&
           .mach = largest_bead_speed * std::sqrt(3.0)};
 }
 
+/// None if the swimmers' driving differs.
+std::optional<DrivingRecord> shared_driving(const Layout& layout) {
+  const Driving first = layout.resolved_type(layout.swimmers.front()).driving;
+  for (const Swimmer& swimmer : layout.swimmers) {
+    const Driving other = layout.resolved_type(swimmer).driving;
+    if (other.amplitude != first.amplitude || other.phase != first.phase) return std::nullopt;
+  }
+  return DrivingRecord{first.amplitude, first.phase};
+}
+
 }  // namespace
 
 RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, const LayoutDocument& document,
@@ -61,6 +71,7 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
   record.units = document.layout.units;
   record.domain = document.layout.domain;
   record.driving_period = on_lattice.period;
+  record.driving = shared_driving(document.layout);
   record.swimmers = parts.recorder.swimmers();
   record.momentum = MomentumRecord{.total = totals.momentum * scales.momentum(),
                                    .initial = first.momentum * scales.momentum()};

@@ -65,6 +65,20 @@ std::optional<Domain> domain_from(const Json& json) {
   return domain;
 }
 
+Json driving_json(const RunRecord& record) {
+  Json json = {{"period", record.driving_period}};
+  if (record.driving) {
+    json["amplitude"] = record.driving->amplitude;
+    json["phase"] = record.driving->phase;
+  }
+  return json;
+}
+
+std::optional<DrivingRecord> driving_from(const Json& json) {
+  if (!json.contains("amplitude") || !json.contains("phase")) return std::nullopt;
+  return DrivingRecord{json.at("amplitude").get<ArmNumbers>(), json.at("phase").get<double>()};
+}
+
 Json json_of(const CycleStatistics& cycle) {
   return {{"index", cycle.index},
           {"velocity", json_of(cycle.velocity)},
@@ -185,6 +199,7 @@ RunRecord run_record_from_json(const Json& document, const std::string& source) 
   record.units = units_from_json(document.at("units"));
   record.domain = domain_from(document.at("domain"));
   record.driving_period = document.at("driving").at("period").get<double>();
+  record.driving = driving_from(document.at("driving"));
   for (const Json& swimmer : document.at("swimmers")) record.swimmers.push_back(swimmer_from(swimmer));
   record.momentum = momentum_from(document.at("momentum"));
   record.mass_relative_change = value_unless_null<double>(document.at("mass_relative_change"));
@@ -209,7 +224,7 @@ Json run_record_to_json(const RunRecord& record, RecordProvenance provenance) {
                    {"status", name_of(record.status)},
                    {"units", units_to_json(record.units)},
                    {"domain", json_of(record.domain)},
-                   {"driving", {{"period", record.driving_period}}},
+                   {"driving", driving_json(record)},
                    {"swimmers", swimmers},
                    {"momentum", json_of(record.momentum)},
                    {"mass_relative_change", json_or_null(record.mass_relative_change)},

@@ -22,6 +22,12 @@ struct SwimmerRecord {
   std::vector<CycleStatistics> cycles;  ///< whole cycles, in order
 };
 
+/// Of the driving forces (2.1).
+struct DrivingRecord {
+  std::array<double, 2> amplitude{};  ///< A, B [mass length/time^2]
+  double phase = 0;                   ///< alpha [radian]
+};
+
 /// Of fluid and beads [mass length/time].
 struct MomentumRecord {
   Vec3 total = Vec3::Zero();
@@ -60,8 +66,9 @@ struct RunRecord {
   std::string model;
   RunStatus status = RunStatus::finished;
   Units units;
-  std::optional<Domain> domain;  ///< none: unbounded fluid
-  double driving_period = 0;     ///< the layout's base period
+  std::optional<Domain> domain;          ///< none: unbounded fluid
+  double driving_period = 0;             ///< the layout's base period
+  std::optional<DrivingRecord> driving;  ///< none where the swimmers' differ
   std::vector<SwimmerRecord> swimmers;
   std::optional<MomentumRecord> momentum;
   std::optional<double> mass_relative_change;
