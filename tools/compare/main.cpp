@@ -96,9 +96,5 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (...) {
-    return beadswim::report_current_exception("beadswim-compare");
-  }
+  return beadswim::guarded_main("beadswim-compare", [&] { return run(argc, argv); });
 }

@@ -23,9 +23,5 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (...) {
-    return beadswim::report_current_exception("beadswim-layout");
-  }
+  return beadswim::guarded_main("beadswim-layout", [&] { return run(argc, argv); });
 }

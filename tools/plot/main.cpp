@@ -40,9 +40,5 @@ int run(int argc, const char* const* argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (...) {
-    return beadswim::report_current_exception("beadswim-plot");
-  }
+  return beadswim::guarded_main("beadswim-plot", [&] { return run(argc, argv); });
 }

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/coupling/bead_exchange.hpp"
 
 namespace beadswim {
 namespace {
@@ -17,9 +18,6 @@ constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time 
 
 /// Fewer steps than this cannot follow a period.
 constexpr long fewest_steps_per_period = 20;
-
-/// A bead nearer to a wall than this would cover the cells along it [cell].
-constexpr double nearest_to_wall = 0.5;
 
 /// A smaller bead can slip between the centres of cells and cover none [cell].
 constexpr double smallest_bead = 1;

@@ -14,9 +14,6 @@ namespace {
 /// step.
 constexpr int margin = 2;
 
-/// Gap between a bead and a wall below which the first cells along the wall would be covered [cell].
-constexpr double nearest_to_wall = 0.5;
-
 /// An arm longer than this many rest lengths is torn.
 constexpr double longest_stretch = 2;
 

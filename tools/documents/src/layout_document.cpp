@@ -5,17 +5,10 @@
 #include "beadswim/layout/check.hpp"
 #include "beadswim/layout/names.hpp"
 #include "beadswim/layout/units.hpp"
+#include "domain_json.hpp"
 
 namespace beadswim {
 namespace {
-
-Vec3 vec3_from(const Json& json) {
-  return Vec3(json[0].get<double>(), json[1].get<double>(), json[2].get<double>());
-}
-
-Json json_of(const Vec3& v) {
-  return Json::array({v[0], v[1], v[2]});
-}
 
 // --- units
 
@@ -42,23 +35,6 @@ Json json_of(const Units& units) {
   return {{"length", json_of(units.length, Quantity::length)},
           {"time", json_of(units.time, Quantity::time)},
           {"mass", json_of(units.mass, Quantity::mass)}};
-}
-
-// --- domain
-
-Domain domain_from(const Json& json) {
-  Domain domain{.lengths = vec3_from(json["lengths"])};
-  for (int axis = 0; axis < 3; ++axis) {
-    domain.boundary[axis] = from_name(boundary_names, json["boundary"][axis].get<std::string>()).value();
-  }
-  return domain;
-}
-
-Json json_of(const std::optional<Domain>& domain) {
-  if (!domain) return nullptr;
-  Json boundary = Json::array();
-  for (const Boundary closes : domain->boundary) boundary.push_back(to_name(boundary_names, closes));
-  return {{"lengths", json_of(domain->lengths)}, {"boundary", boundary}};
 }
 
 // --- driving
@@ -129,8 +105,8 @@ Json json_of(const SwimmerType& type) {
 Swimmer swimmer_from(const Json& json, const std::map<std::string, SwimmerType>& types) {
   Swimmer swimmer{.id = json["id"].get<int>(),
                   .type = json["type"].get<std::string>(),
-                  .position = vec3_from(json["position"]),
-                  .axis = vec3_from(json["axis"])};
+                  .position = vec3_from_json(json["position"]),
+                  .axis = vec3_from_json(json["axis"])};
   const auto type = types.find(swimmer.type);  // an unknown one is a fault, which check_layout finds
   if (json.contains("driving") && type != types.end()) {
     swimmer.driving = overridden(type->second.driving, json["driving"]);
@@ -141,8 +117,8 @@ Swimmer swimmer_from(const Json& json, const std::map<std::string, SwimmerType>&
 Json json_of(const Swimmer& swimmer, const SwimmerType& type) {
   Json json{{"id", swimmer.id},
             {"type", swimmer.type},
-            {"position", json_of(swimmer.position)},
-            {"axis", json_of(swimmer.axis)}};
+            {"position", vec3_to_json(swimmer.position)},
+            {"axis", vec3_to_json(swimmer.axis)}};
   if (swimmer.driving) json["driving"] = difference(*swimmer.driving, type.driving);
   return json;
 }
@@ -151,7 +127,7 @@ Layout layout_from(const Json& json) {
   Layout layout;
   layout.units = units_from(json["units"]);
   layout.fluid = {json["fluid"]["density"].get<double>(), json["fluid"]["kinematic_viscosity"].get<double>()};
-  if (!json["domain"].is_null()) layout.domain = domain_from(json["domain"]);
+  layout.domain = domain_from_json(json["domain"]);
   for (const auto& [name, type] : json["types"].items()) layout.types[name] = type_from(type);
   for (const Json& swimmer : json["swimmers"]) layout.swimmers.push_back(swimmer_from(swimmer, layout.types));
   if (json.contains("resolution")) {
@@ -186,7 +162,7 @@ Json layout_to_json(const LayoutDocument& document) {
             {"units", json_of(layout.units)},
             {"fluid",
              {{"density", layout.fluid.density}, {"kinematic_viscosity", layout.fluid.kinematic_viscosity}}},
-            {"domain", json_of(layout.domain)},
+            {"domain", domain_to_json(layout.domain)},
             {"types", Json::object()},
             {"swimmers", Json::array()}};
   for (const auto& [name, type] : layout.types) json["types"][name] = json_of(type);

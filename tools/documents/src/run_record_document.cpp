@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "beadswim/io/schema.hpp"
+#include "domain_json.hpp"
 #include "nullable_json.hpp"
 #include "units_json.hpp"
 
@@ -17,12 +18,6 @@ constexpr std::array<std::pair<RunStatus, const char*>, 5> status_names{{
     {RunStatus::stopped_time, "stopped-time"},
     {RunStatus::stopped_signal, "stopped-signal"},
     {RunStatus::failed, "failed"},
-}};
-
-constexpr std::array<std::pair<Boundary, const char*>, 3> boundary_names{{
-    {Boundary::periodic, "periodic"},
-    {Boundary::free_slip, "free-slip"},
-    {Boundary::no_slip, "no-slip"},
 }};
 
 template <typename Table, typename Value>
@@ -38,32 +33,7 @@ auto value_in(const Table& table, const std::string& name) {
       ->first;
 }
 
-Json json_of(const Vec3& vector) {
-  return {vector.x(), vector.y(), vector.z()};
-}
-
-Vec3 vector_from(const Json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
 using ArmNumbers = std::array<double, 2>;
-
-Json json_of(const std::optional<Domain>& domain) {
-  if (!domain) return nullptr;
-  Json boundary = Json::array();
-  for (const Boundary side : domain->boundary) boundary.push_back(name_in(boundary_names, side));
-  return {{"lengths", json_of(domain->lengths)}, {"boundary", boundary}};
-}
-
-std::optional<Domain> domain_from(const Json& json) {
-  if (json.is_null()) return std::nullopt;
-  Domain domain;
-  domain.lengths = vector_from(json.at("lengths"));
-  for (std::size_t i = 0; i < 3; ++i) {
-    domain.boundary[i] = value_in(boundary_names, json.at("boundary").at(i).get<std::string>());
-  }
-  return domain;
-}
 
 Json driving_json(const RunRecord& record) {
   Json json = {{"period", record.driving_period}};
@@ -81,10 +51,10 @@ std::optional<DrivingRecord> driving_from(const Json& json) {
 
 Json json_of(const CycleStatistics& cycle) {
   return {{"index", cycle.index},
-          {"velocity", json_of(cycle.velocity)},
-          {"axis", json_of(cycle.axis)},
+          {"velocity", vec3_to_json(cycle.velocity)},
+          {"axis", vec3_to_json(cycle.axis)},
           {"speed_along_axis", cycle.speed_along_axis},
-          {"mean_flow", json_of(cycle.mean_flow)},
+          {"mean_flow", vec3_to_json(cycle.mean_flow)},
           {"arm_amplitudes", cycle.arm_amplitudes},
           {"arm_phases", cycle.arm_phases},
           {"arm_means", cycle.arm_means}};
@@ -93,10 +63,10 @@ Json json_of(const CycleStatistics& cycle) {
 CycleStatistics cycle_from(const Json& json) {
   CycleStatistics cycle;
   cycle.index = json.at("index").get<int>();
-  cycle.velocity = vector_from(json.at("velocity"));
-  cycle.axis = vector_from(json.at("axis"));
+  cycle.velocity = vec3_from_json(json.at("velocity"));
+  cycle.axis = vec3_from_json(json.at("axis"));
   cycle.speed_along_axis = json.at("speed_along_axis").get<double>();
-  cycle.mean_flow = vector_from(json.at("mean_flow"));
+  cycle.mean_flow = vec3_from_json(json.at("mean_flow"));
   cycle.arm_amplitudes = json.at("arm_amplitudes").get<ArmNumbers>();
   cycle.arm_phases = json.at("arm_phases").get<ArmNumbers>();
   cycle.arm_means = json.at("arm_means").get<ArmNumbers>();
@@ -117,12 +87,12 @@ SwimmerRecord swimmer_from(const Json& json) {
 
 Json json_of(const std::optional<MomentumRecord>& momentum) {
   if (!momentum) return nullptr;
-  return {{"total", json_of(momentum->total)}, {"initial", json_of(momentum->initial)}};
+  return {{"total", vec3_to_json(momentum->total)}, {"initial", vec3_to_json(momentum->initial)}};
 }
 
 std::optional<MomentumRecord> momentum_from(const Json& json) {
   if (json.is_null()) return std::nullopt;
-  return MomentumRecord{vector_from(json.at("total")), vector_from(json.at("initial"))};
+  return MomentumRecord{vec3_from_json(json.at("total")), vec3_from_json(json.at("initial"))};
 }
 
 Json json_of(const DimensionlessNumbers& numbers) {
@@ -197,7 +167,7 @@ RunRecord run_record_from_json(const Json& document, const std::string& source) 
   record.model = document.at("model").get<std::string>();
   record.status = value_in(status_names, document.at("status").get<std::string>());
   record.units = units_from_json(document.at("units"));
-  record.domain = domain_from(document.at("domain"));
+  record.domain = domain_from_json(document.at("domain"));
   record.driving_period = document.at("driving").at("period").get<double>();
   record.driving = driving_from(document.at("driving"));
   for (const Json& swimmer : document.at("swimmers")) record.swimmers.push_back(swimmer_from(swimmer));
@@ -223,7 +193,7 @@ Json run_record_to_json(const RunRecord& record, RecordProvenance provenance) {
                    {"model", record.model},
                    {"status", name_of(record.status)},
                    {"units", units_to_json(record.units)},
-                   {"domain", json_of(record.domain)},
+                   {"domain", domain_to_json(record.domain)},
                    {"driving", driving_json(record)},
                    {"swimmers", swimmers},
                    {"momentum", json_of(record.momentum)},

@@ -12,6 +12,9 @@
 
 namespace beadswim {
 
+/// Gap between a bead and a wall below which the first cells along the wall would be covered [cell].
+constexpr double nearest_to_wall = 0.5;
+
 /// Messages between the rank that owns a swimmer and those whose cells its beads touch.
 ///
 /// The rank whose block holds bead 2 owns the swimmer. Each step it tells the ranks near its beads where they
@@ -27,7 +30,7 @@ class BeadExchange {
 
   /// Hands swimmers whose bead 2 has left the block to their new owners, and returns the beads near this
   /// block, in order of their names. Throws SolverError if an arm is longer than twice its rest length,
-  /// or a bead within half a cell of a wall.
+  /// or a bead nearer than nearest_to_wall to one.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
   /// Returns this rank's impulses to the owners; the totals of owned swimmers' beads come back.

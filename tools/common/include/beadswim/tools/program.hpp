@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
 
 // What all programs share at their command line.
@@ -14,6 +15,17 @@ namespace beadswim {
 
 /// A CLI11 application set up as every program of ours: --help, --version, defaults shown.
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description);
+
+/// The body of main(): runs `run` and returns its exit status, or that of the exception that it ends with,
+/// which is told on stderr under the program's name.
+template <typename Run>
+int guarded_main(const char* name, const Run& run) {
+  try {
+    return run();
+  } catch (...) {
+    return report_current_exception(name);
+  }
+}
 
 /// Parses the command line. Returns an exit status if the program is done (--help, --version printed on
 /// stdout); throws InputError for a wrong command line, naming flag, value, what is allowed and, for an
