@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "beadswim/mobility/collinear_mobility.hpp"
 #include "beadswim/mobility/oseen.hpp"
@@ -82,10 +84,87 @@ TEST(RotnePrager, DissipatesForTouchingSpheresOfAnyRadii) {
   for (const double small : {1.0, 0.1, 0.01}) {
     for (const std::array<double, 3>& radii :
          {std::array<double, 3>{1, small, 1}, {small, 1, small}, {1, 1, small}}) {
-      const std::array<double, 2> arms{radii[0] + radii[1], radii[1] + radii[2]};
-      const Eigen::Matrix3d mobility = pairwise_mobility(rotne_prager, radii, arms, eta).value;
+      const LinePositions touching{-radii[0] - radii[1], 0, radii[1] + radii[2]};
+      const Eigen::Matrix3d mobility = pairwise_mobility(rotne_prager, radii, touching, eta).value;
       EXPECT_GT(mobility.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0) << "small = " << small;
     }
+  }
+}
+
+// Value and slope of the branches are the same where spheres touch, and where one just holds the other.
+TEST(RotnePrager, IsSmoothWhereBranchesMeet) {
+  constexpr double roundoff = 4e-15;  // relative
+  for (const double a_j : {5.0, 2.0, 0.5}) {
+    const double a_i = 5, touching = a_i + a_j, inside = a_i - a_j;
+    const PairMobility apart = rotne_prager_apart(a_i, a_j, touching, eta);
+    const PairMobility overlap = rotne_prager_overlapping(a_i, a_j, touching, eta);
+    EXPECT_NEAR(overlap.value / apart.value, 1, roundoff) << "a_j = " << a_j;
+    EXPECT_NEAR(overlap.slope / apart.slope, 1, roundoff) << "a_j = " << a_j;
+    if (inside == 0) continue;  // concentric equal spheres have no slope
+    const PairMobility held = rotne_prager_overlapping(a_i, a_j, inside, eta);
+    EXPECT_NEAR(held.value / self_mobility(a_i, eta), 1, 10 * roundoff) << "a_j = " << a_j;
+    EXPECT_NEAR(held.slope * a_i / self_mobility(a_i, eta), 0, roundoff) << "a_j = " << a_j;
+  }
+}
+
+/// sin(x)/x, the mean of exp(ikz) over a sphere's surface at x = ka.
+double surface_mean(double x) {
+  return x == 0 ? 1 : std::sin(x) / x;
+}
+
+/// (1/2) int (1 - c^2) exp(ixc) dc over -1 < c < 1: the Oseen tensor's xx part over all directions of k.
+double oseen_direction_mean(double x) {
+  return x < 1e-2 ? 2.0 / 3 - x * x / 15 : 2 * (std::sin(x) / x - std::cos(x)) / (x * x);
+}
+
+/// The Oseen tensor's xx part averaged over both surfaces, as an integral over k up to `cutoff`:
+/// (1 / (2 pi^2 eta)) int dk surface_mean(k a_i) surface_mean(k a_j) oseen_direction_mean(k r).
+/// The integrand is even and limited to the band a_i + a_j + r, so that the trapezoid rule is exact.
+double oseen_averaged_over_surfaces(double a_i, double a_j, double r, double cutoff) {
+  const double step = 3 / (a_i + a_j + r);
+  double sum = 0;
+  for (double k = 0; k < cutoff; k += step) {
+    const double term = surface_mean(k * a_i) * surface_mean(k * a_j) * oseen_direction_mean(k * r);
+    sum += k == 0 ? term / 2 : term;
+  }
+  return sum * step / (2 * std::numbers::pi * std::numbers::pi * eta);
+}
+
+// The definition of the law, in every branch: apart, cutting, one within the other, concentric.
+TEST(RotnePrager, IsOseenAveragedOverBothSurfaces) {
+  constexpr double truncation =
+      1e-9;  // relative: cut off at k a_j, k r >= 2000, where the rest falls as k^-3
+  for (const double a_j : {4.0, 1.5, 0.4}) {
+    for (const double r : {9.0, 8.0, 5.0, 4.2, 3.0, 1.0, 0.1}) {
+      const double average = oseen_averaged_over_surfaces(4, a_j, r, 2000 / std::min(a_j, r));
+      EXPECT_NEAR(rotne_prager(4, a_j, r, eta).value / average, 1, truncation)
+          << "a_j = " << a_j << ", r = " << r;
+    }
+  }
+}
+
+TEST(RotnePrager, OverlappingIsSymmetricAndSlopeIsDerivative) {
+  constexpr double truncation = 1e-8;  // central difference of step 1e-5 r, relative
+  for (const double r : {3.5, 4.0, 4.9}) {
+    EXPECT_EQ(rotne_prager(4, 1, r, eta).value, rotne_prager(1, 4, r, eta).value);
+    const double slope = central_difference(rotne_prager, 4, 1, r, eta);
+    EXPECT_NEAR(rotne_prager(1, 4, r, eta).slope / slope, 1, truncation) << "r = " << r;
+  }
+}
+
+// A branch that is too large somewhere makes a mobility that gains energy from the fluid.
+TEST(RotnePrager, DissipatesForRandomOverlappingSpheres) {
+  constexpr unsigned seed = 20170301;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> log_radius(0, std::log(10.0)), place(-12, 12);
+  for (int trial = 0; trial < 2000; ++trial) {
+    std::array<double, 3> radii;
+    for (double& radius : radii) radius = std::exp(log_radius(random));
+    LinePositions x{place(random), place(random), place(random)};
+    std::sort(x.begin(), x.end());
+    const Eigen::Matrix3d mobility = pairwise_mobility(rotne_prager, radii, x, eta).value;
+    EXPECT_GT(mobility.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0) << "trial " << trial;
   }
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <complex>
+
+#include "beadswim/mobility/line_kernel.hpp"
+
+// Unsteady Stokes flow of an oscillating force exp(i omega t) along x in unbounded fluid, along x.
+//
+//   (i omega rho - eta laplacian) u + grad p = f,      alpha^2 = i omega rho / eta,   Re alpha > 0
+//
+//   helmholtz = 1/(4 pi eta) [ e^{-alpha r}/r - (1/alpha^2) d^2/dx^2 (e^{-alpha r}/r) ]
+//   harmonic  = 1/(4 pi eta alpha^2) d^2/dx^2 (1/r)
+//   whole     = helmholtz + harmonic = G_xx
+//
+// rho is the density, (x, distance from the line squared) the receiver as seen from the force. For |alpha| r
+// < 1 the whole is summed as a power series in alpha r, as its two parts cancel: it keeps 13 digits at any
+// alpha r, and at alpha -> 0 is (I + rr/r^2)_xx/(8 pi eta r) - alpha/(6 pi eta) + ...
+//
+// References: Landau and Lifshitz, Fluid Mechanics, section 24; Kim and Karrila, Microhydrodynamics (1991),
+// chapter 6. Page: docs/method/unsteady-stokes.md.
+
+namespace beadswim {
+
+/// The two parts of the flow and their sum, as functions of the displacement along the line.
+struct UnsteadyLine {
+  LineValue<std::complex<double>> helmholtz, harmonic, whole;
+};
+
+/// viscosity is dynamic [mass/(length time)], alpha [1/length], x and line_distance_squared as above; not
+/// both 0.
+UnsteadyLine unsteady_stokeslet(double viscosity, std::complex<double> alpha, double x,
+                                double line_distance_squared);
+
+}  // namespace beadswim

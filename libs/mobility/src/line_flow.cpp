@@ -1,0 +1,113 @@
+#include "beadswim/mobility/line_flow.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/periodic_unsteady_stokes.hpp"
+
+namespace beadswim {
+
+namespace {
+
+SteadyLine unbounded_steady(double viscosity, double displacement) {
+  const double r = std::abs(displacement);
+  const double oseen = 1 / (4 * std::numbers::pi * viscosity * r);
+  const double laplacian = -oseen / (3 * r * r);
+  return {.oseen = {.value = oseen, .slope = -oseen / displacement},
+          .laplacian = {.value = laplacian, .slope = -3 * laplacian / displacement}};
+}
+
+/// f(x_r - x_s).
+template <class T>
+LineKernel<T> by_places(const LineValue<T>& direct) {
+  return {.value = direct.value, .by_receiver = direct.slope, .by_source = -direct.slope};
+}
+
+/// f(x_r - x_s) - f(x_r + x_s).
+template <class T>
+LineKernel<T> by_places(const LineValue<T>& direct, const LineValue<T>& mirrored) {
+  return {.value = direct.value - mirrored.value,
+          .by_receiver = direct.slope - mirrored.slope,
+          .by_source = -direct.slope - mirrored.slope};
+}
+
+template <class... Line>
+SteadyFlow steady_flow(const Line&... lines) {
+  return {.oseen = by_places(lines.oseen...), .laplacian = by_places(lines.laplacian...)};
+}
+
+template <class... Line>
+UnsteadyFlow unsteady_flow(const Line&... lines) {
+  return {.helmholtz = by_places(lines.helmholtz...),
+          .harmonic = by_places(lines.harmonic...),
+          .whole = by_places(lines.whole...)};
+}
+
+void check_alpha(std::complex<double> alpha) {
+  constexpr double roundoff = 1e-9;
+  const bool fine = std::isfinite(std::abs(alpha)) && alpha.real() > 0 &&
+                    std::abs(alpha.imag()) <= alpha.real() * (1 + roundoff);
+  if (fine) return;
+  throw InputError("flow on a line", "alpha is " + std::to_string(alpha.real()) + " + " +
+                                         std::to_string(alpha.imag()) +
+                                         " i; take the root of i omega rho / eta with positive real part");
+}
+
+}  // namespace
+
+LineFlow::LineFlow(double viscosity, const Box& box, double y, double z)
+    : viscosity_(viscosity), periodic_(PeriodicStokes(viscosity, periodic_line(box, y, z))) {
+  if (box.free_slip[0]) wall_ = box.lengths[0];
+}
+
+void LineFlow::check_places(double receiver, double source) const {
+  const double distance = receiver - source;
+  if (periodic_ ? std::remainder(distance, periodic_->line().period) == 0 : distance == 0) {
+    throw InputError("flow on a line", "receiver and source are both at x = " + std::to_string(receiver) +
+                                           ": move one of them");
+  }
+  check_between_walls(receiver);
+  check_between_walls(source);
+}
+
+void LineFlow::check_between_walls(double place) const {
+  if (!wall_ || (place > 0 && place < *wall_)) return;
+  throw InputError("flow on a line", "x = " + std::to_string(place) + " is not between the walls at 0 and " +
+                                         std::to_string(*wall_));
+}
+
+SteadyFlow LineFlow::steady(double receiver, double source) const {
+  check_places(receiver, source);
+  if (!periodic_) return steady_flow(unbounded_steady(viscosity_, receiver - source));
+  const SteadyLine direct = periodic_->at(receiver - source);
+  return wall_ ? steady_flow(direct, periodic_->at(receiver + source)) : steady_flow(direct);
+}
+
+SteadyFlow LineFlow::steady_images(double place) const {
+  check_between_walls(place);
+  if (!periodic_) return {};
+  const SteadyLine images = periodic_->images();
+  return wall_ ? steady_flow(images, periodic_->at(2 * place)) : steady_flow(images);
+}
+
+UnsteadyFlow LineFlow::unsteady(std::complex<double> alpha, double receiver, double source) const {
+  check_alpha(alpha);
+  check_places(receiver, source);
+  if (!periodic_) return unsteady_flow(unsteady_stokeslet(viscosity_, alpha, receiver - source, 0));
+  const PeriodicUnsteadyStokes periodic(*periodic_, alpha);
+  const UnsteadyLine direct = periodic.at(receiver - source);
+  return wall_ ? unsteady_flow(direct, periodic.at(receiver + source)) : unsteady_flow(direct);
+}
+
+UnsteadyFlow LineFlow::unsteady_images(std::complex<double> alpha, double place) const {
+  check_alpha(alpha);
+  check_between_walls(place);
+  if (!periodic_) return {};
+  const PeriodicUnsteadyStokes periodic(*periodic_, alpha);
+  const UnsteadyLine images = periodic.images();
+  return wall_ ? unsteady_flow(images, periodic.at(2 * place)) : unsteady_flow(images);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,102 @@
+#include "multipole_sphere.hpp"
+
+#include <cmath>
+
+namespace beadswim::multipole {
+
+namespace {
+
+/// B_0 .. B_L of own flows in 2L rows.
+Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
+  const Eigen::Index order = own_flow.rows() / 2;
+  Eigen::MatrixXd phi(order + 1, own_flow.cols());
+  phi.row(0) = -own_flow.row(1);
+  phi.bottomRows(order) = own_flow.bottomRows(order);
+  return phi;
+}
+
+}  // namespace
+
+// No slip on r = 1, with X = A + alpha, Y = B + beta, component P_l:
+//   tangential  (l-2)/(2l-1) X_l-1 + (l+3)/(2l+3) X_l+1 + Y_l = 0
+//   and, radial + (l+1) tangential,
+//   A_l-1 = (2l-1)/(2(l+1)) [(l-2)(2l+1)/(2l-1) alpha_l-1 + (l+1) alpha_l+1 + (2l+1) beta_l]
+Sphere::Sphere(int order) : order_(order) {
+  const Eigen::ArrayXd l = Eigen::ArrayXd::LinSpaced(order, 1, order);
+  alpha_below_ = (l - 2) * (2 * l + 1) / (2 * (l + 1));
+  alpha_above_ = (2 * l - 1) / 2;
+  beta_level_ = (2 * l - 1) * (2 * l + 1) / (2 * (l + 1));
+  tangential_below_ = (l - 2) / (2 * l - 1);
+  tangential_above_ = (l + 3) / (2 * l + 3);
+}
+
+Eigen::MatrixXd Sphere::answer(const Incoming& flow) const {
+  const int n = order_;
+  const auto below = flow.alpha.topRows(n).array();
+  const auto above = flow.alpha.bottomRows(n).array();
+  const auto level = flow.beta.bottomRows(n).array();
+
+  Eigen::MatrixXd own(2 * n, flow.alpha.cols());
+  auto a = own.topRows(n).array();
+  auto b = own.bottomRows(n).array();
+  a = below.colwise() * alpha_below_ + above.colwise() * alpha_above_ + level.colwise() * beta_level_;
+  b = -level - (a + below).colwise() * tangential_below_ - above.colwise() * tangential_above_;
+  b.topRows(n - 2) -= a.bottomRows(n - 2).colwise() * tangential_above_.head(n - 2);
+  return own;
+}
+
+Eigen::VectorXd Sphere::moving() const {
+  Eigen::VectorXd own = Eigen::VectorXd::Zero(unknowns());
+  own[0] = -0.75;
+  own[order_] = 0.25;
+  return own;
+}
+
+Eigen::MatrixXd translation(const Pair& pair) {
+  const double receiver_step = std::abs(pair.receiver_radius / pair.offset) * (pair.offset > 0 ? -1 : 1);
+  const double source_step = std::abs(pair.source_radius / pair.offset) * (pair.offset > 0 ? 1 : -1);
+  Eigen::MatrixXd t(pair.receiver_order + 2, pair.source_order + 1);
+  t(0, 0) = std::abs(source_step);
+  for (int m = 1; m < t.cols(); ++m) t(0, m) = t(0, m - 1) * source_step;
+  const Eigen::ArrayXd ratio = receiver_step / Eigen::ArrayXd::LinSpaced(t.rows() - 1, 1, t.rows() - 1);
+  for (int m = 0; m < t.cols(); ++m) {
+    for (int n = 0; n + 1 < t.rows(); ++n) t(n + 1, m) = t(n, m) * (n + m + 1) * ratio[n];
+  }
+  return t;
+}
+
+// phi is (z - z_j) chi_j + phi_j = (z - z_i) chi_j + [(z_i - z_j) chi_j + phi_j], so that
+//   alpha = T A,   beta = (a_j/a_i) T B + (offset/a_i) T A
+Incoming unit_flows(const Pair& pair, const Eigen::MatrixXd& translation) {
+  const int sources = pair.source_order, rows = pair.receiver_order;
+  const double radius_ratio = pair.source_radius / pair.receiver_radius;
+  Incoming flow{.alpha = Eigen::MatrixXd::Zero(rows + 2, 2 * sources),
+                .beta = Eigen::MatrixXd(rows + 1, 2 * sources)};
+  flow.alpha.leftCols(sources) = translation.leftCols(sources);
+  flow.beta.leftCols(sources) =
+      pair.offset / pair.receiver_radius * translation.topLeftCorner(rows + 1, sources);
+  flow.beta.col(1) -= radius_ratio * translation.col(0).head(rows + 1);  // B_0 = -A_1
+  flow.beta.rightCols(sources) = radius_ratio * translation.topRightCorner(rows + 1, sources);
+  return flow;
+}
+
+// T_nm falls as |offset|^-(n+m+1): d T_nm / d offset = -(n+m+1) T_nm / offset.
+Incoming flow_slopes(const Pair& pair, const Eigen::MatrixXd& translation, const Eigen::MatrixXd& own_flow) {
+  const Eigen::MatrixXd& t = translation;
+  const Eigen::Index rows = t.rows(), columns = t.cols();
+  const Eigen::ArrayXd n = Eigen::ArrayXd::LinSpaced(rows, 0, rows - 1);
+  const Eigen::ArrayXd m_plus_1 = Eigen::ArrayXd::LinSpaced(columns, 1, columns);
+  const auto slope = [&](const Eigen::MatrixXd& part) -> Eigen::ArrayXXd {
+    const Eigen::MatrixXd weighted = (part.array().colwise() * m_plus_1.head(part.rows())).matrix();
+    const auto used = t.leftCols(part.rows());
+    const Eigen::ArrayXXd by_receiver = (used * part).array().colwise() * n;
+    return (by_receiver + (used * weighted).array()) / -pair.offset;
+  };
+  const Eigen::MatrixXd chi = own_flow.topRows(columns - 1);
+  const Eigen::ArrayXXd chi_slope = slope(chi);
+  const Eigen::ArrayXXd beta = pair.source_radius * slope(phi_part(own_flow)) + pair.offset * chi_slope +
+                               (t.leftCols(columns - 1) * chi).array();
+  return {.alpha = chi_slope.matrix(), .beta = (beta.topRows(rows - 1) / pair.receiver_radius).matrix()};
+}
+
+}  // namespace beadswim::multipole

@@ -1,0 +1,96 @@
+#include "beadswim/mobility/periodic_line.hpp"
+
+#include <numbers>
+#include <string>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+void check(const Box& box) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double length = box.lengths[axis];
+    if (std::isfinite(length) && length > 0) continue;
+    throw InputError("box", std::string("its length along ") + axis_names[axis] + " is " +
+                                std::to_string(length) + "; it must be finite and positive");
+  }
+}
+
+PeriodicLine::Axis transverse_axis(const Box& box, int axis, double place) {
+  const double length = box.lengths[axis];
+  if (!box.free_slip[axis]) return {.period = length, .mirror = 0};
+  if (!(place > 0 && place < length)) {
+    throw InputError("box", std::string("the line at ") + axis_names[axis] + " = " + std::to_string(place) +
+                                " is not between the walls at 0 and " + std::to_string(length));
+  }
+  return {.period = 2 * length, .mirror = 2 * place};
+}
+
+/// Wavenumbers k >= 0 of one axis: k^2, and the sum of cos(k d) over both signs and over the copies.
+std::vector<PeriodicLine::Wave> axis_waves(const PeriodicLine::Axis& axis, double longest) {
+  std::vector<PeriodicLine::Wave> waves;
+  const double spacing = 2 * std::numbers::pi / axis.period;
+  for (int n = 0; n * spacing < longest; ++n) {
+    const double k = n * spacing;
+    const double copies = axis.mirror > 0 ? 1 + std::cos(k * axis.mirror) : 1;
+    waves.push_back({.square = k * k, .weight = (n == 0 ? 1 : 2) * copies});
+  }
+  return waves;
+}
+
+/// Squared distances along one axis to the images of the line.
+std::vector<double> axis_images(const PeriodicLine::Axis& axis, double reach) {
+  std::vector<double> squares;
+  const auto add_lattice_of = [&](double offset) {
+    const double last = std::floor((reach - offset) / axis.period);
+    for (double n = std::ceil((-reach - offset) / axis.period); n <= last; ++n) {
+      const double distance = offset + n * axis.period;
+      squares.push_back(distance * distance);
+    }
+  };
+  add_lattice_of(0);
+  if (axis.mirror > 0) add_lattice_of(axis.mirror);
+  return squares;
+}
+
+}  // namespace
+
+PeriodicLine periodic_line(const Box& box, double y, double z) {
+  check(box);
+  // Images nearer than 6/xi = V^(1/3): about four of them, whatever the shape of the box.
+  constexpr double splitting_of_unit_volume = 6;
+  const double volume = box.lengths[0] * box.lengths[1] * box.lengths[2];
+  return {.period = (box.free_slip[0] ? 2 : 1) * box.lengths[0],
+          .y = transverse_axis(box, 1, y),
+          .z = transverse_axis(box, 2, z),
+          .splitting = splitting_of_unit_volume / std::cbrt(volume)};
+}
+
+std::vector<PeriodicLine::Wave> transverse_waves(const PeriodicLine& line, double longest) {
+  std::vector<PeriodicLine::Wave> waves;
+  const auto z_waves = axis_waves(line.z, longest);
+  for (const auto& y : axis_waves(line.y, longest)) {
+    for (const auto& z : z_waves) {
+      const double square = y.square + z.square;
+      if (square < longest * longest) waves.push_back({square, y.weight * z.weight});
+    }
+  }
+  return waves;
+}
+
+std::vector<double> image_lines(const PeriodicLine& line, double reach) {
+  std::vector<double> squares;
+  const auto z_squares = axis_images(line.z, reach);
+  for (const double y2 : axis_images(line.y, reach)) {
+    for (const double z2 : z_squares) {
+      if (y2 + z2 <= reach * reach) squares.push_back(y2 + z2);
+    }
+  }
+  return squares;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,106 @@
+#include "beadswim/mobility/periodic_stokes.hpp"
+
+#include <complex>
+#include <numbers>
+
+#include "ewald_cutoff.hpp"
+
+namespace beadswim {
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct TransverseSum {
+  double oseen = 0;      ///< sum of k_t^2/k^4 (1 + k^2 tau) exp(-k^2 tau)
+  double laplacian = 0;  ///< the same times -k^2/6
+};
+
+TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, double k_x, double splitting) {
+  const double tau = 1 / (4 * splitting * splitting);
+  const double longest = longest_wave(splitting);
+  TransverseSum sum;
+  for (const auto& wave : waves) {
+    const double k2 = k_x * k_x + wave.square;
+    if (wave.square == 0 || k2 > longest * longest) continue;
+    const double term = wave.weight * wave.square / k2 * (1 + k2 * tau) * std::exp(-k2 * tau);
+    sum.oseen += term / k2;
+    sum.laplacian -= term / 6;
+  }
+  return sum;
+}
+
+/// One image's part below the cut, times 4 pi eta; the last line of its laplacian belongs to the cut itself.
+SteadyLine screened_image(double x, double rho2, double xi) {
+  const double r2 = x * x + rho2, r = std::sqrt(r2), xi2 = xi * xi;
+  const double gaussian = 2 * xi / std::sqrt(pi) * std::exp(-xi2 * r2);
+  const double b0 = std::erfc(xi * r) / r;
+  const double b1 = (b0 + gaussian) / r2;
+  const double b2 = (3 * b1 + 2 * xi2 * gaussian) / r2;
+  const double b3 = (5 * b2 + 4 * xi2 * xi2 * gaussian) / r2;
+  const double cut = 2 * xi2 * gaussian;
+  return {.oseen = {.value = b0 - rho2 * b1 / 2, .slope = x * (-b1 + rho2 * b2 / 2)},
+          .laplacian = {.value = (rho2 * b2 - 2 * b1 + cut * (1 - xi2 * rho2)) / 6,
+                        .slope = x * (2 * b2 - rho2 * b3 - 2 * xi2 * cut * (1 - xi2 * rho2)) / 6}};
+}
+
+}  // namespace
+
+PeriodicStokes::PeriodicStokes(double viscosity, const PeriodicLine& line)
+    : viscosity_(viscosity), line_(line), image_lines_(image_lines(line, image_reach(line.splitting))) {
+  const double longest = longest_wave(line.splitting);
+  const auto waves = transverse_waves(line, longest);
+  const double spacing = 2 * pi / line.period;
+  for (int n = 0; n * spacing < longest; ++n) {
+    const auto sum = transverse_sum(waves, n * spacing, line.splitting);
+    const double scale = (n == 0 ? 1 : 2) / (viscosity * line.volume());
+    wave_sums_.push_back({.oseen = scale * sum.oseen, .laplacian = scale * sum.laplacian});
+  }
+}
+
+SteadyLine PeriodicStokes::waves(double displacement) const {
+  const double spacing = 2 * pi / line_.period;
+  const std::complex<double> step = std::polar(1.0, spacing * displacement);
+  std::complex<double> phase = 1;
+  SteadyLine sum;
+  double k = 0;
+  for (const auto& wave : wave_sums_) {
+    sum.oseen += wave.oseen * LineValue<double>{phase.real(), -k * phase.imag()};
+    sum.laplacian += wave.laplacian * LineValue<double>{phase.real(), -k * phase.imag()};
+    phase *= step;
+    k += spacing;
+  }
+  return sum;
+}
+
+SteadyLine PeriodicStokes::near_images(double displacement) const {
+  SteadyLine sum;
+  const double scale = 1 / (4 * pi * viscosity_);
+  for_each_image(line_.period, image_lines_, image_reach(line_.splitting), displacement,
+                 [&](double x, double rho2) {
+                   const auto image = screened_image(x, rho2, line_.splitting);
+                   sum.oseen += scale * image.oseen;
+                   sum.laplacian += scale * image.laplacian;
+                 });
+  return sum;
+}
+
+SteadyLine PeriodicStokes::at(double displacement) const {
+  SteadyLine flow = waves(displacement);
+  const SteadyLine images = near_images(displacement);
+  flow.oseen += images.oseen;
+  flow.laplacian += images.laplacian;
+  return flow;
+}
+
+SteadyLine PeriodicStokes::images() const {
+  SteadyLine flow = at(0);
+  // The waves hold the source's own flow above the cut too: add the limit of screened minus plain at r = 0.
+  const double xi = line_.splitting;
+  const double own = xi / (2 * viscosity_ * std::pow(pi, 1.5));
+  flow.oseen.value -= own;
+  flow.laplacian.value += 5 * own * xi * xi / 9;
+  return flow;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,238 @@
+#include "beadswim/mobility/periodic_unsteady_stokes.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "ewald_cutoff.hpp"
+#include "gauss_legendre.hpp"
+
+namespace beadswim {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double pi = std::numbers::pi;
+
+/// (1 - e^{-z})/z.
+Complex mean_decay(Complex z) {
+  if (std::abs(z) > 0.5) return (1.0 - std::exp(-z)) / z;
+  Complex sum = 1, term = 1;
+  for (int n = 2; n <= 16; ++n) {  // 0.5^15/16! = 1e-18
+    term *= -z / static_cast<double>(n);
+    sum += term;
+  }
+  return sum;
+}
+
+/// Power series of the complementary error function, |z| < 1.5: largest term about 4.
+Complex complementary_error_function(Complex z) {
+  Complex sum = 0, term = z;  // (-1)^n z^{2n+1}/n!
+  for (int n = 0; n <= 40; ++n) {
+    sum += term / (2 * n + 1.0);
+    term *= -z * z / (n + 1.0);
+  }
+  return 1.0 - 2 / std::sqrt(pi) * sum;
+}
+
+struct TransverseSum {
+  Complex once;   ///< sum of exp(-k^2 tau)/(k^2 + alpha^2)
+  Complex twice;  ///< sum of exp(-k^2 tau)/(k^2 (k^2 + alpha^2)) without k = 0
+};
+
+TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, double k_x, Complex alpha2,
+                             double splitting) {
+  const double tau = 1 / (4 * splitting * splitting);
+  const double longest = longest_wave(splitting);
+  TransverseSum sum;
+  for (const auto& wave : waves) {
+    const double k2 = k_x * k_x + wave.square;
+    if (k2 > longest * longest) continue;
+    const Complex term = wave.weight * std::exp(-k2 * tau) / (k2 + alpha2);
+    sum.once += term;
+    if (k2 > 0) sum.twice += term / k2;
+  }
+  return sum;
+}
+
+/// A node of the integral over s = 1/(4 p^2) < tau and what multiplies exp(-p^2 r^2) and its d^2/dx^2 there.
+struct HeatNode {
+  double p = 0;
+  Complex plain;  ///< in both parts
+  Complex helmholtz_curved, whole_curved;
+};
+
+/// integral_0^tau f(s) g_s ds = (2 pi^{3/2})^{-1} integral_xi^oo f e^{-p^2 r^2} dp, up to the p where the
+/// nearest image's Gaussian ends; in ln p, in which the integrand varies on a scale of 1.
+std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
+  const Complex alpha2 = alpha * alpha;
+  const double span = std::log(std::max(gaussian_reach / (xi * nearest), 1.2));
+  constexpr double longest_panel = 0.7;
+  const int panels = static_cast<int>(std::ceil(span / longest_panel));
+  std::vector<HeatNode> nodes;
+  for (int panel = 0; panel < panels; ++panel) {
+    gauss_legendre(span * panel / panels, span * (panel + 1) / panels, [&](double y, double weight) {
+      const double p = xi * std::exp(y), s = 1 / (4 * p * p);
+      const double scale = weight * p / (2 * std::pow(pi, 1.5));
+      const Complex decay = scale * std::exp(-alpha2 * s);
+      nodes.push_back({p, decay, -decay / alpha2, scale * s * mean_decay(alpha2 * s)});
+    });
+  }
+  return nodes;
+}
+
+/// Distance of a source's nearest image: no sphere is wider, as it would overlap its image.
+double nearest_image(const PeriodicLine& line) {
+  double nearest = line.period;
+  for (const auto& axis : {line.y, line.z}) {
+    nearest = std::min(nearest, axis.period);
+    if (axis.mirror > 0) nearest = std::min({nearest, axis.mirror, axis.period - axis.mirror});
+  }
+  return nearest;
+}
+
+struct Place {
+  double x, rho2;
+};
+
+double nearest_distance(const std::vector<Place>& places) {
+  double r2 = places.front().x * places.front().x + places.front().rho2;
+  for (const auto& place : places) r2 = std::min(r2, place.x * place.x + place.rho2);
+  return std::sqrt(r2);
+}
+
+}  // namespace
+
+PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Complex alpha)
+    : steady_(steady), alpha_(alpha) {
+  const auto& line = steady.line();
+  if (decays_within_the_box()) {
+    constexpr double decay_length = 40;  // e^-40 = 4e-18, of the flow at the surface of the widest sphere
+    reach_ = decay_length / alpha.real() + nearest_image(line);
+    image_lines_ = image_lines(line, reach_);
+    return;
+  }
+  reach_ = image_reach(line.splitting);
+  image_lines_ = image_lines(line, reach_);
+  const double longest = longest_wave(line.splitting), spacing = 2 * pi / line.period;
+  const double tau = 1 / (4 * line.splitting * line.splitting);
+  const Complex alpha2 = alpha * alpha, decay = std::exp(-alpha2 * tau),
+                growth = tau * mean_decay(alpha2 * tau);
+  const auto waves = transverse_waves(line, longest);
+  for (int n = 0; n * spacing < longest; ++n) {
+    const double kx2 = n * spacing * n * spacing;
+    const double scale = (n == 0 ? 1 : 2) / (steady.viscosity() * line.volume());
+    const auto sum = transverse_sum(waves, n * spacing, alpha2, line.splitting);
+    wave_sums_.push_back({scale * decay * (1.0 + kx2 / alpha2) * sum.once,
+                          scale * ((decay - kx2 * growth) * sum.once - kx2 * sum.twice)});
+  }
+}
+
+/// Against the splitting, whose 6/xi is the cube root of the box's volume.
+bool PeriodicUnsteadyStokes::decays_within_the_box() const {
+  return std::abs(alpha_) > 13.0 / 6 * steady_.line().splitting;
+}
+
+PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::waves(double displacement) const {
+  const double spacing = 2 * pi / steady_.line().period;
+  const Complex step = std::polar(1.0, spacing * displacement);
+  Complex phase = 1;
+  Parts sum;
+  double k = 0;
+  for (const auto& wave : wave_sums_) {
+    const LineValue<double> shape{phase.real(), -k * phase.imag()};
+    sum.helmholtz += wave.helmholtz * shape;
+    sum.whole += wave.whole * shape;
+    phase *= step;
+    k += spacing;
+  }
+  return sum;
+}
+
+PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displacement) const {
+  const auto& line = steady_.line();
+  std::vector<Place> places;
+  for_each_image(line.period, image_lines_, reach_, displacement, [&](double x, double rho2) {
+    places.push_back({x, rho2});
+  });
+  Parts sum;
+  if (places.empty()) return sum;
+  for (const auto& node : heat_nodes(line.splitting, alpha_, nearest_distance(places))) {
+    const double p2 = node.p * node.p;
+    LineValue<double> plain, curved;  // sums over images of e^{-p^2 r^2} and of its second derivative
+    for (const auto& [x, rho2] : places) {
+      const double gaussian = std::exp(-p2 * (x * x + rho2)), px2 = p2 * x * x;
+      plain += LineValue<double>{gaussian, -2 * p2 * x * gaussian};
+      curved +=
+          LineValue<double>{2 * p2 * (2 * px2 - 1) * gaussian, 4 * p2 * p2 * x * (3 - 2 * px2) * gaussian};
+    }
+    sum.helmholtz += node.plain * plain;
+    sum.helmholtz += node.helmholtz_curved * curved;
+    sum.whole += node.plain * plain;
+    sum.whole += node.whole_curved * curved;
+  }
+  const double scale = 1 / steady_.viscosity();
+  return {scale * sum.helmholtz, scale * sum.whole};
+}
+
+/// The integral over s > tau at r = 0, which the waves hold of the source itself:
+/// I = integral_0^xi e^{-alpha^2/(4 p^2)} dp = xi e^{-alpha^2 tau} - (alpha/2) sqrt(pi) erfc(alpha/(2 xi)).
+PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::own_part_above_the_cut() const {
+  const double xi = steady_.line().splitting, tau = 1 / (4 * xi * xi);
+  const Complex alpha2 = alpha_ * alpha_, decay = std::exp(-alpha2 * tau);
+  const Complex integral =
+      xi * decay - alpha_ / 2.0 * std::sqrt(pi) * complementary_error_function(alpha_ / (2 * xi));
+  const double scale = 1 / (3 * std::pow(pi, 1.5) * steady_.viscosity());
+  const double xi3 = xi * xi * xi;
+  return {.helmholtz = {scale * (integral + xi3 * decay / alpha2), 0},
+          .whole = {scale * (integral - xi3 * tau * mean_decay(alpha2 * tau)), 0}};
+}
+
+PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::ewald_sum(double displacement) const {
+  Parts parts = waves(displacement);
+  const Parts images = near_images(displacement);
+  parts.helmholtz += images.helmholtz;
+  parts.whole += images.whole;
+  return parts;
+}
+
+LineValue<Complex> PeriodicUnsteadyStokes::helmholtz_images(double displacement) const {
+  LineValue<Complex> sum;
+  for_each_image(steady_.line().period, image_lines_, reach_, displacement, [&](double x, double rho2) {
+    sum += unsteady_stokeslet(steady_.viscosity(), alpha_, x, rho2).helmholtz;
+  });
+  return sum;
+}
+
+LineValue<Complex> PeriodicUnsteadyStokes::harmonic(const LineValue<double>& steady_laplacian) const {
+  const double neutral = steady_.line().copies() / (steady_.viscosity() * steady_.line().volume());
+  const Complex alpha2 = alpha_ * alpha_;
+  return {(neutral - 6 * steady_laplacian.value) / alpha2, -6 * steady_laplacian.slope / alpha2};
+}
+
+UnsteadyLine PeriodicUnsteadyStokes::flow(double displacement,
+                                          const LineValue<double>& steady_laplacian) const {
+  const auto potential = harmonic(steady_laplacian);
+  if (decays_within_the_box()) {
+    const auto decaying = helmholtz_images(displacement);
+    auto whole = decaying;
+    whole += potential;
+    return {.helmholtz = decaying, .harmonic = potential, .whole = whole};
+  }
+  const Parts parts = ewald_sum(displacement);
+  return {.helmholtz = parts.helmholtz, .harmonic = potential, .whole = parts.whole};
+}
+
+UnsteadyLine PeriodicUnsteadyStokes::at(double displacement) const {
+  return flow(displacement, steady_.at(displacement).laplacian);
+}
+
+UnsteadyLine PeriodicUnsteadyStokes::images() const {
+  UnsteadyLine images = flow(0, steady_.images().laplacian);
+  if (decays_within_the_box()) return images;
+  const Parts own = own_part_above_the_cut();
+  images.helmholtz += -1.0 * own.helmholtz;
+  images.whole += -1.0 * own.whole;
+  return images;
+}
+
+}  // namespace beadswim

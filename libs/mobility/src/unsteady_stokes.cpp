@@ -1,0 +1,76 @@
+#include "beadswim/mobility/unsteady_stokes.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace beadswim {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// A radial function h(r) and D h, D^2 h, D^3 h with D = (1/r) d/dr.
+using RadialDerivatives = std::array<Complex, 4>;
+
+RadialDerivatives decaying(Complex z, double r) {
+  const Complex decay = std::exp(-z) / r;
+  const double r2 = r * r;
+  return {decay, -decay * (1.0 + z) / r2, decay * (3.0 + z * (3.0 + z)) / (r2 * r2),
+          -decay * (15.0 + z * (15.0 + z * (6.0 + z))) / (r2 * r2 * r2)};
+}
+
+RadialDerivatives coulomb(double r) {
+  return decaying(0, r);
+}
+
+/// (e^{-alpha r} - 1)/r = sum_{m >= 1} (-alpha)^m r^{m-1}/m!, and D r^n = n r^{n-2}; |z| < 1. The term m = 1
+/// is constant in space: left out of the function itself too, which only its derivatives are wanted of.
+RadialDerivatives decaying_less_coulomb(Complex z, double r) {
+  constexpr int last = 22;  // 1/22! = 9e-22
+  const double r2 = r * r;
+  RadialDerivatives sum{};
+  Complex power = -z / r;  // (-z)^m / (m! r)
+  for (int m = 2; m <= last; ++m) {
+    power *= -z / static_cast<double>(m);
+    Complex term = power;
+    for (int order = 1; order < 4; ++order) {
+      term *= (m + 1 - 2 * order) / r2;
+      sum[order] += term;
+    }
+  }
+  return sum;
+}
+
+RadialDerivatives difference(const RadialDerivatives& a, const RadialDerivatives& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
+}
+
+LineValue<Complex> plain(const RadialDerivatives& h, double x) {
+  return {h[0], x * h[1]};
+}
+
+LineValue<Complex> second_derivative(const RadialDerivatives& h, double x) {
+  return {h[1] + x * x * h[2], 3 * x * h[2] + x * x * x * h[3]};
+}
+
+}  // namespace
+
+UnsteadyLine unsteady_stokeslet(double viscosity, Complex alpha, double x, double line_distance_squared) {
+  const double r = std::hypot(x, std::sqrt(line_distance_squared));
+  const Complex z = alpha * r;
+  const auto yukawa = decaying(z, r);
+  const auto excess = std::abs(z) < 1 ? decaying_less_coulomb(z, r) : difference(yukawa, coulomb(r));
+  const double scale = 1 / (4 * std::numbers::pi * viscosity);
+  const Complex potential_scale = scale / (alpha * alpha);
+
+  UnsteadyLine flow;
+  flow.helmholtz = scale * plain(yukawa, x);
+  flow.whole = flow.helmholtz;
+  flow.helmholtz += -potential_scale * second_derivative(yukawa, x);
+  flow.harmonic = potential_scale * second_derivative(coulomb(r), x);
+  flow.whole += -potential_scale * second_derivative(excess, x);
+  return flow;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,202 @@
+#include "beadswim/mobility/periodic_unsteady_stokes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/line_flow.hpp"
+#include "beadswim/mobility/unsteady_sphere.hpp"
+
+namespace beadswim {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double eta = 1.0 / 3;  // [mass/(length time)]
+constexpr double pi = std::numbers::pi;
+
+Complex alpha_of_modulus(double modulus) {
+  return std::polar(modulus, pi / 4);
+}
+
+void expect_near(const LineValue<Complex>& a, const LineValue<Complex>& b, double tolerance) {
+  EXPECT_NEAR(std::abs(a.value - b.value), 0, tolerance);
+  EXPECT_NEAR(std::abs(a.slope - b.slope), 0, tolerance);
+}
+
+/// Roundoff of the whole, and of its parts, that may be far larger and cancel.
+void expect_near(const UnsteadyLine& a, const UnsteadyLine& b, double of_whole, double of_parts) {
+  expect_near(a.whole, b.whole, of_whole);
+  expect_near(a.helmholtz, b.helmholtz, of_parts);
+  expect_near(a.harmonic, b.harmonic, of_parts);
+}
+
+// Splitting also chooses between Ewald's sum and plain images: all must agree. Catches a wrong own term.
+TEST(PeriodicUnsteadyStokes, DoesNotDependOnSplitting) {
+  PeriodicLine line = periodic_line({.lengths = {128, 80, 96}, .free_slip = {false, true, true}}, 31, 40);
+  const double balanced = line.splitting;
+  const PeriodicStokes steady(eta, line);
+  for (const double modulus : {1e-5, 1e-3, 0.06, 0.12, 0.14}) {
+    const Complex alpha = alpha_of_modulus(modulus);
+    const PeriodicUnsteadyStokes reference(steady, alpha);
+    const UnsteadyLine largest = reference.at(9);
+    const double of_whole = 1e-14 * std::abs(largest.whole.value);
+    const double of_parts = 1e-13 * std::abs(largest.harmonic.value);
+    for (const double ratio : {0.5, 1.5, 2.5}) {
+      line.splitting = ratio * balanced;
+      const PeriodicStokes other_steady(eta, line);
+      const PeriodicUnsteadyStokes other(other_steady, alpha);
+      for (const double d : {9.0, 40.0, 70.0}) expect_near(other.at(d), reference.at(d), of_whole, of_parts);
+      expect_near(other.images(), reference.images(), of_whole, of_parts);
+    }
+  }
+}
+
+// Three sums of different origin: the whole, and its parts, of which the harmonic is of the steady lattice.
+TEST(PeriodicUnsteadyStokes, WholeIsSumOfParts) {
+  const PeriodicStokes steady(
+      eta, periodic_line({.lengths = {128, 80, 96}, .free_slip = {false, true, false}}, 31, 40));
+  for (const double modulus : {1e-3, 1e-2, 0.1, 0.2}) {
+    const PeriodicUnsteadyStokes flow(steady, alpha_of_modulus(modulus));
+    const double roundoff = 1e-13 * std::abs(flow.at(9).harmonic.value);  // the largest part
+    for (const auto& [helmholtz, harmonic, whole] : {flow.at(9), flow.at(50), flow.images()}) {
+      EXPECT_NEAR(std::abs(helmholtz.value + harmonic.value - whole.value), 0, roundoff);
+      EXPECT_NEAR(std::abs(helmholtz.slope + harmonic.slope - whole.slope), 0, roundoff);
+    }
+  }
+}
+
+/// The sphere's induced force in k, over its total: surface share j0, volume share 3 j1(x)/x.
+Complex form_factor(Complex kappa, double x) {
+  if (x == 0) return 1;
+  const double surface = std::sin(x) / x, volume = 3 * (surface - std::cos(x)) / (x * x);
+  return ((1.0 + kappa) * surface + kappa * kappa / 3.0 * volume) / induced_force_factor(kappa);
+}
+
+// Two spheres by summing over k as it stands. A Gaussian exp(-k^2 smear) makes it converge: spread by it,
+// helmholtz flow grows by exp(alpha^2 smear) and harmonic flow not at all, as long as it stays in the gap.
+TEST(PeriodicUnsteadyStokes, AgreesWithSumOverWavesOfTwoSpheres) {
+  const double a = 4, b = 3, d = 19, smear = 1.5;  // gap^2/(4 smear) = 24
+  const std::array<double, 3> box{44, 36, 40};
+  const int last = 36;  // k^2 smear = 40
+  for (const double modulus : {0.02, 0.15}) {
+    const Complex alpha = alpha_of_modulus(modulus), alpha2 = alpha * alpha;
+    Complex sum = 0;
+    for (int i = 0; i <= last; ++i) {
+      for (int j = 0; j <= last; ++j) {
+        for (int l = 0; l <= last; ++l) {
+          const double kx = 2 * pi * i / box[0], ky = 2 * pi * j / box[1], kz = 2 * pi * l / box[2];
+          const double k2 = kx * kx + ky * ky + kz * kz, k = std::sqrt(k2);
+          const double signs = (i ? 2 : 1) * (j ? 2 : 1) * (l ? 2 : 1);
+          const double across = k2 > 0 ? 1 - kx * kx / k2 : 1;
+          sum += signs * across * std::exp(-k2 * smear) * std::cos(kx * d) / (k2 + alpha2) *
+                 form_factor(alpha * a, k * a) * form_factor(alpha * b, k * b);
+        }
+      }
+    }
+    sum /= eta * box[0] * box[1] * box[2];
+    const LineFlow flow(eta, {.lengths = box, .free_slip = {}}, 1, 2);
+    const SizeFactor spread{std::exp(alpha2 * smear) - 1.0};
+    const auto pair =
+        combined(flow.unsteady(alpha, d, 0), sphere_factor(alpha * a) * sphere_factor(alpha * b) * spread);
+    constexpr double truncation = 1e-9;  // tails of the Gaussian over the gap
+    EXPECT_NEAR(std::abs(pair.value / sum - 1.0), 0, truncation) << "alpha = " << modulus;
+  }
+}
+
+// Differences between places know nothing of the uniform flow; they differ from steady flow as omega. The own
+// place has the regular part of its own flow, -alpha/(6 pi eta) (Basset's force), beside its images.
+TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowOfForcesThatSumToZero) {
+  const Box box{.lengths = {128, 80, 80}, .free_slip = {false, true, false}};
+  const LineFlow flow(eta, box, 31, 40);
+  const auto difference = [&](double modulus) {
+    const Complex alpha = alpha_of_modulus(modulus);
+    const Complex own = flow.unsteady_images(alpha, 60).whole.value - alpha / (6 * pi * eta);
+    return flow.unsteady(alpha, 60, 40).whole.value - own -
+           (flow.steady(60, 40).oseen.value - flow.steady_images(60).oseen.value);
+  };
+  EXPECT_NEAR(std::log2(std::abs(difference(1e-3) / difference(5e-4))), 2, 1e-3);
+  EXPECT_NEAR(std::abs(difference(1e-5)), 0, 1e-8);
+}
+
+// Walls on x leave no uniform flow at all.
+TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowBetweenEndWalls) {
+  const LineFlow flow(eta, {.lengths = {128, 80, 80}, .free_slip = {true, true, false}}, 31, 40);
+  const auto difference = [&](double modulus) {
+    const Complex alpha = alpha_of_modulus(modulus);
+    const auto unsteady = flow.unsteady(alpha, 60, 40).whole;
+    const auto steady = flow.steady(60, 40).oseen;
+    return std::abs(unsteady.value - steady.value) + std::abs(unsteady.by_source - steady.by_source);
+  };
+  EXPECT_NEAR(std::log2(difference(1e-3) / difference(5e-4)), 2, 1e-2);
+  EXPECT_NEAR(difference(1e-6), 0, 1e-9);
+}
+
+TEST(PeriodicUnsteadyStokes, IsUnchangedByDoublingTheBoxWithItsForces) {
+  const LineFlow single(eta, {.lengths = {60, 50, 40}, .free_slip = {}}, 3, 4);
+  const LineFlow doubled(eta, {.lengths = {120, 50, 40}, .free_slip = {}}, 3, 4);
+  const LineFlow walls(eta, {.lengths = {60, 50, 40}, .free_slip = {false, true, true}}, 25, 20);
+  constexpr double roundoff = 1e-13;
+  for (const double modulus : {0.01, 0.1, 1.0}) {
+    const Complex alpha = alpha_of_modulus(modulus);
+    const Complex pair = single.unsteady(alpha, 17, 0).whole.value;
+    const Complex two_pairs =
+        doubled.unsteady(alpha, 17, 0).whole.value + doubled.unsteady(alpha, 17, 60).whole.value;
+    EXPECT_NEAR(std::abs(two_pairs / pair - 1.0), 0, roundoff) << "alpha = " << modulus;
+    EXPECT_NEAR(std::abs(walls.unsteady(alpha, 17, 0).whole.value / pair - 1.0), 0, roundoff);
+  }
+}
+
+TEST(PeriodicUnsteadyStokes, DoesNotCrossAFreeSlipWall) {
+  const LineFlow flow(eta, {.lengths = {90, 60, 50}, .free_slip = {true, true, false}}, 20, 10);
+  constexpr double near = 1e-9, slope_over_near_wall = 1e-9;
+  for (const double modulus : {1e-3, 0.1, 1.0}) {
+    const auto by_wall = flow.unsteady(alpha_of_modulus(modulus), near, 30);
+    EXPECT_NEAR(std::abs(by_wall.whole.value), 0, slope_over_near_wall);
+    EXPECT_NEAR(std::abs(by_wall.helmholtz.value) * modulus * modulus, 0, slope_over_near_wall);
+  }
+}
+
+TEST(PeriodicUnsteadyStokes, DerivativesByPlacesAreDerivatives) {
+  const LineFlow flow(eta, {.lengths = {90, 60, 50}, .free_slip = {true, true, false}}, 20, 10);
+  const double h = 1e-3, receiver = 70, source = 55;
+  constexpr double truncation = 1e-6;  // of order (h/distance)^2 and (alpha h)^2, relative
+  for (const double modulus : {1e-3, 0.1, 1.0}) {
+    const Complex alpha = alpha_of_modulus(modulus);
+    const auto here = flow.unsteady(alpha, receiver, source).whole;
+    const Complex by_receiver = (flow.unsteady(alpha, receiver + h, source).whole.value -
+                                 flow.unsteady(alpha, receiver - h, source).whole.value) /
+                                (2 * h);
+    const Complex by_source = (flow.unsteady(alpha, receiver, source + h).whole.value -
+                               flow.unsteady(alpha, receiver, source - h).whole.value) /
+                              (2 * h);
+    EXPECT_NEAR(std::abs(by_receiver / here.by_receiver - 1.0), 0, truncation);
+    EXPECT_NEAR(std::abs(by_source / here.by_source - 1.0), 0, truncation);
+  }
+}
+
+// With the viscous layer far shorter than the box, images reach over it by potential flow alone.
+TEST(PeriodicUnsteadyStokes, FeelsImagesAsPotentialFlowAtHighFrequency) {
+  const PeriodicStokes steady(eta, periodic_line({.lengths = {60, 60, 60}, .free_slip = {}}, 0, 0));
+  constexpr double roundoff = 1e-12;
+  for (const double modulus : {2.0, 1000.0 / 60}) {
+    const Complex alpha = alpha_of_modulus(modulus);
+    const PeriodicUnsteadyStokes flow(steady, alpha);
+    const auto free = unsteady_stokeslet(eta, alpha, 6, 0).helmholtz.value;
+    EXPECT_NEAR(std::abs(flow.at(6).helmholtz.value - free), 0, roundoff * std::abs(free));
+    // Lorentz: images of a cubic lattice of dipoles and its neutral background give 1/(3 V) at a dipole.
+    const Complex lorentz = 1.0 / (3 * eta * alpha * alpha * std::pow(60.0, 3));
+    EXPECT_NEAR(std::abs(flow.images().whole.value / lorentz - 1.0), 0, roundoff);
+  }
+}
+
+TEST(PeriodicUnsteadyStokes, RefusesAlphaWithoutPositiveRealPart) {
+  const LineFlow flow(eta);
+  EXPECT_THROW(flow.unsteady(0, 1, 0), InputError);
+  EXPECT_THROW(flow.unsteady({-1, 1}, 1, 0), InputError);
+  EXPECT_THROW(flow.unsteady({1, 1.1}, 1, 0), InputError);
+}
+
+}  // namespace
+}  // namespace beadswim
