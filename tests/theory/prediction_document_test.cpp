@@ -16,6 +16,7 @@ PredictionDocument two_predictions() {
                     .velocity = -1.5e-5,
                     .uncertainty = std::nullopt,
                     .stroke = {.amplitude = {3.25, 0}, .phase = {-0.5, 0}},
+                    .stroke_uncertainty = std::nullopt,
                     .sin_phase_shift = 0,
                     .arm_means = std::nullopt,
                     .settings = {}};
@@ -23,10 +24,16 @@ PredictionDocument two_predictions() {
   full.method = "rpy-perturbation";
   full.usable = true;
   full.uncertainty = 0.1;
+  full.stroke_uncertainty = StrokeUncertainty{.arm_amplitudes = {0.01, 0.02}, .sin_phase_shift = 0.003};
   full.arm_means = {20.01, 19.99};
   full.settings = {{"fluid", "unbounded"}, {"period", 4800.0}};
   const Units units{.lattice = false, .length = {"um", 1e-6}, .time = {"ms", 1e-3}, .mass = {"pg", 1e-15}};
-  return {.units = units, .swimmer = 7, .predictions = {sparse, full}, .provenance = Json::array()};
+  return {.units = units,
+          .swimmer = 7,
+          .predictions = {sparse, full},
+          .left_out = {{"rpy-ode", "contact"}},
+          .warnings = {"large"},
+          .provenance = Json::array()};
 }
 
 // Whatever is written is read back bit by bit, so writing it again gives the same bytes.
@@ -39,6 +46,9 @@ TEST(PredictionDocument, SurvivesWritingAndReading) {
   EXPECT_FALSE(read.predictions[0].usable);
   EXPECT_FALSE(read.predictions[0].arm_means.has_value());
   EXPECT_EQ(read.predictions[1].uncertainty, 0.1);
+  EXPECT_EQ(read.predictions[1].stroke_uncertainty->arm_amplitudes[1], 0.02);
+  EXPECT_EQ(read.left_out.at(0).reason, "contact");
+  EXPECT_EQ(read.warnings, std::vector<std::string>{"large"});
   EXPECT_EQ(read.predictions[1].settings, two_predictions().predictions[1].settings);
 }
 

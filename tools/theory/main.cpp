@@ -1,5 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <map>
 #include <sstream>
 
 #include "beadswim/core/error.hpp"
@@ -18,11 +20,20 @@ std::string method_names() {
   return names;
 }
 
+std::string stroke_methods() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) {
+    if (method.input != Method::Input::driving) names.push_back(method.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
-  auto program =
-      make_program("beadswim-theory",
-                   "Predicts velocity and stroke of one swimmer in unbounded fluid without inertia, in the "
-                   "layout's units. Reads a layout, writes predictions as JSON on stdout.");
+  auto program = make_program(
+      "beadswim-theory",
+      "Predicts velocity and stroke of one swimmer by every formula and method that can treat it, "
+      "each with its limits: from closed forms to exact Stokes flow, in open space or in the layout's "
+      "box, with and without inertia. In the layout's units; JSON on stdout.");
   program->add_option("LAYOUT", request.layout_path, "Layout file; - is stdin.");
   program
       ->add_option("--method", request.methods,
@@ -37,13 +48,21 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
                    "Predict the swimmer of this id; needed if the swimmers differ.")
       ->type_name("ID");
   program
-      ->add_option(
-          "--stroke-from", request.stroke_path,
-          "Run record whose last cycle gives oseen-stroke-closed the stroke, of the swimmer of --swimmer or "
-          "of the first.")
+      ->add_option("--stroke-from", request.stroke_path,
+                   "Run record whose last cycle gives the stroke formulas (" + stroke_methods() +
+                       ") their stroke, of the "
+                       "swimmer of --swimmer or of the first.")
       ->type_name("FILE");
-  program->add_flag("--jsonl", request.json_lines,
-                    "Read one layout a line, write one prediction document a line.");
+  program
+      ->add_option("--tolerance", request.tolerance,
+                   "Warn where second order in amplitude is off by more than this, relative to the velocity.")
+      ->type_name("E")
+      ->check(finite_positive())
+      ->capture_default_str();
+  program->add_flag(
+      "--jsonl", request.json_lines,
+      "Read one layout a line, write one prediction document a line; stops at the first line that is "
+      "no layout.");
   return program;
 }
 
@@ -58,16 +77,54 @@ Json predictions_json(PredictionDocument predicted, const CLI::App& program) {
   return predictions_to_json(predicted);
 }
 
+/// A line a reason, with all methods that were left out for it.
+void tell_left_out(const std::vector<LeftOutMethod>& left_out) {
+  std::map<std::string, std::vector<std::string>> methods_by_reason;
+  for (const auto& [method, reason] : left_out) methods_by_reason[reason].push_back(method);
+  for (const auto& [reason, names] : methods_by_reason) {
+    tell(fmt::format("beadswim-theory: left out {}: {}\n", fmt::join(names, ", "), reason));
+  }
+}
+
+void tell_of(const PredictionDocument& predicted) {
+  for (const std::string& warning : predicted.warnings) tell("beadswim-theory: warning: " + warning + "\n");
+  tell_left_out(predicted.left_out);
+}
+
+/// What to look up in a sweep's documents.
+struct Tally {
+  int layouts = 0, warned = 0, incomplete = 0;
+
+  void count(const PredictionDocument& predicted) {
+    ++layouts;
+    warned += predicted.warnings.empty() ? 0 : 1;
+    incomplete += predicted.left_out.empty() ? 0 : 1;
+  }
+
+  void report() const {
+    if (warned > 0)
+      tell(fmt::format("beadswim-theory: {} of {} layouts have warnings: see \"warnings\" of each\n", warned,
+                       layouts));
+    if (incomplete > 0) {
+      tell(fmt::format("beadswim-theory: {} of {} layouts left methods out: see \"left_out\" of each\n",
+                       incomplete, layouts));
+    }
+  }
+};
+
 void predict_lines(const TheoryRequest& request, const std::optional<MeasuredStroke>& measured,
                    const CLI::App& program) {
   std::istringstream lines(read_text(request.layout_path));
   int number = 0;
+  Tally tally;
   for (std::string line; std::getline(lines, line);) {
     const std::string source = fmt::format("{} line {}", layout_source(request), ++number);
     const LayoutDocument layout = layout_from_json(parse_json(line, source), source);
     const PredictionDocument predicted = predict_layout(layout, source, request, measured);
     write_text("-", dump_json_line(predictions_json(predicted, program)));
+    tally.count(predicted);
   }
+  tally.report();
 }
 
 int run(int argc, char** argv) {
@@ -82,6 +139,7 @@ int run(int argc, char** argv) {
     const PredictionDocument predicted =
         predict_layout(read_layout(request.layout_path), layout_source(request), request, measured);
     write_text("-", dump_json(predictions_json(predicted, *program)));
+    tell_of(predicted);
   }
   return static_cast<int>(ExitStatus::fine);
 }
@@ -90,9 +148,5 @@ int run(int argc, char** argv) {
 }  // namespace beadswim
 
 int main(int argc, char** argv) {
-  try {
-    return beadswim::run(argc, argv);
-  } catch (...) {
-    return beadswim::report_current_exception("beadswim-theory");
-  }
+  return beadswim::guarded_main("beadswim-theory", [&] { return beadswim::run(argc, argv); });
 }

@@ -8,10 +8,11 @@
 
 namespace beadswim {
 
-/// A stroke and the unit system that its amplitudes are in.
+/// A stroke, the unit system that it is in, and its period.
 struct MeasuredStroke {
   std::string source;  ///< the file, for messages
   Units units;
+  double period = 0;  ///< of the driving
   Stroke stroke;
 };
 

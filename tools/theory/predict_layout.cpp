@@ -1,17 +1,19 @@
 #include "predict_layout.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/theory/methods.hpp"
+#include "surroundings.hpp"
 
 namespace beadswim {
 namespace {
 
 constexpr const char* all_methods = "all";
-constexpr const char* stroke_method = "oseen-stroke-closed";
 
 /// The swimmer as theory sees it; messages name layout and swimmer.
 CollinearSwimmer collinear(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
@@ -45,45 +47,88 @@ const Swimmer& swimmer_like_all(const Layout& layout, const std::string& source)
   return first;
 }
 
-bool same_length_unit(const Units& a, const Units& b) {
+bool same_unit(const Units::Unit& a, const Units::Unit& b) {
+  return a.si_factor == b.si_factor;
+}
+
+bool same_units(const Units& a, const Units& b) {
   if (a.lattice || b.lattice) return a.lattice == b.lattice;
-  return a.length.si_factor == b.length.si_factor;
+  return same_unit(a.length, b.length) && same_unit(a.time, b.time);
 }
 
-Stroke stroke_in_units_of(const Layout& layout, const MeasuredStroke& measured) {
-  if (same_length_unit(layout.units, measured.units)) return measured.stroke;
-  throw InputError("--stroke-from " + measured.source,
-                   "its unit of length is not the layout's; give a run of the same layout");
-}
-
-std::vector<Prediction> predictions_by_all(const Question& question) {
-  std::vector<Prediction> predictions;
-  for (const Method& method : methods()) {
-    if (!method.obstacle(question)) predictions.push_back(predict(method, question));
+/// The measured stroke, of a run with the layout's units and period.
+Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured) {
+  const std::string where = "--stroke-from " + measured.source;
+  if (!same_units(layout.units, measured.units)) {
+    throw InputError(where,
+                     "its units of length and time are not the layout's; give a run of the same layout");
   }
-  return predictions;
+  constexpr double conversion = 1e-9;
+  if (std::abs(measured.period / swimmer.period - 1) > conversion) {
+    throw InputError(where,
+                     fmt::format("its driving has period {}, the layout's {}; give a run of the same layout",
+                                 measured.period, swimmer.period));
+  }
+  return measured.stroke;
 }
 
-std::vector<Prediction> predictions_by(const std::vector<std::string>& names, const Question& question) {
-  if (names == std::vector<std::string>{all_methods}) return predictions_by_all(question);
-  std::vector<Prediction> predictions;
+/// Whether it is no surprise that a method of `all` has nothing to say.
+bool lacks_its_input(const Method& method, const Question& question) {
+  const bool lacks_stroke = method.input == Method::Input::stroke && !question.measured_stroke;
+  const bool lacks_box =
+      method.name.find("-box-") != std::string::npos && !question.box && question.box_obstacle.empty();
+  return lacks_stroke || lacks_box;
+}
+
+void predict_by_all(const Question& question, PredictionDocument& document) {
+  for (const Method& method : methods()) {
+    if (lacks_its_input(method, question)) continue;
+    if (const auto obstacle = method.obstacle(question)) {
+      document.left_out.push_back({method.name, *obstacle});
+      continue;
+    }
+    try {
+      document.predictions.push_back(predict(method, question));
+    } catch (const InputError& error) {
+      document.left_out.push_back({method.name, error.what()});
+    } catch (const SolverError& error) {
+      document.left_out.push_back({method.name, error.what()});
+    }
+  }
+  if (document.predictions.empty()) {
+    throw InputError("--method all", "no method can treat this swimmer: " + document.left_out.front().reason);
+  }
+}
+
+void predict_by(const std::vector<std::string>& names, const Question& question,
+                PredictionDocument& document) {
+  if (names == std::vector<std::string>{all_methods}) return predict_by_all(question, document);
   for (const std::string& name : names) {
     if (name == all_methods)
       throw InputError("--method", "all stands alone; leave it out, or the other names");
-    predictions.push_back(predict(find_method(name), question));
+    document.predictions.push_back(predict(find_method(name), question));
   }
-  return predictions;
 }
 
-/// A stroke was given to be used: its method must be among those asked for.
-void check_stroke_is_used(const std::vector<Prediction>& predictions, const Question& question) {
+/// A stroke was given to be used: a method that does must be among those asked for.
+void check_stroke_is_used(const PredictionDocument& document, const Question& question) {
   if (!question.measured_stroke) return;
-  const auto uses_it = [](const Prediction& prediction) { return prediction.method == stroke_method; };
-  if (std::any_of(predictions.begin(), predictions.end(), uses_it)) return;
-  const auto obstacle = find_method(stroke_method).obstacle(question);
-  throw InputError("--stroke-from",
-                   obstacle ? fmt::format("{} cannot treat this swimmer: {}", stroke_method, *obstacle)
-                            : fmt::format("only {} uses a stroke; add it to --method", stroke_method));
+  std::vector<std::string> users, reasons;
+  for (const Method& method : methods()) {
+    if (method.input != Method::Input::driving) users.push_back(method.name);
+  }
+  const auto uses_it = [&](const Prediction& prediction) {
+    return std::find(users.begin(), users.end(), prediction.method) != users.end();
+  };
+  if (std::any_of(document.predictions.begin(), document.predictions.end(), uses_it)) return;
+  for (const LeftOutMethod& left_out : document.left_out) {
+    if (std::find(users.begin(), users.end(), left_out.method) == users.end()) continue;
+    throw InputError("--stroke-from",
+                     fmt::format("no method can use the stroke; {}: {}", left_out.method, left_out.reason));
+  }
+  throw InputError(
+      "--stroke-from",
+      fmt::format("no method asked for uses a stroke; add one of {} to --method", fmt::join(users, ", ")));
 }
 
 }  // namespace
@@ -94,16 +139,21 @@ PredictionDocument predict_layout(const LayoutDocument& document, const std::str
   const Layout& layout = document.layout;
   const Swimmer& swimmer =
       request.swimmer ? swimmer_of_id(layout, *request.swimmer, source) : swimmer_like_all(layout, source);
-  Question question{.swimmer = collinear(layout, swimmer, source),
-                    .fluid_density = layout.fluid.density,
-                    .measured_stroke = {}};
-  if (measured) question.measured_stroke = stroke_in_units_of(layout, *measured);
+  const Surroundings surroundings = surroundings_of(layout, swimmer);
+  Question question = with_exact_reference({.swimmer = collinear(layout, swimmer, source),
+                                            .fluid_density = layout.fluid.density,
+                                            .box = surroundings.box,
+                                            .box_obstacle = surroundings.obstacle,
+                                            .measured_stroke = {},
+                                            .exact = {}});
+  if (measured) question.measured_stroke = stroke_for(layout, question.swimmer, *measured);
 
   PredictionDocument predicted;
   predicted.units = layout.units;
   predicted.swimmer = swimmer.id;
-  predicted.predictions = predictions_by(request.methods, question);
-  check_stroke_is_used(predicted.predictions, question);
+  predict_by(request.methods, question, predicted);
+  check_stroke_is_used(predicted, question);
+  predicted.warnings = warnings(question, request.tolerance);
   predicted.provenance = document.provenance;
   return predicted;
 }

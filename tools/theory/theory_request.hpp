@@ -12,7 +12,8 @@ struct TheoryRequest {
   std::vector<std::string> methods{"all"};
   std::optional<int> swimmer;              ///< id of the swimmer to predict; none: the swimmers must be alike
   std::optional<std::string> stroke_path;  ///< run record whose stroke is used
-  bool json_lines = false;                 ///< one layout a line in, one document a line out
+  double tolerance = 0.05;  ///< relative error of the velocity at finite amplitude that is not warned of
+  bool json_lines = false;  ///< one layout a line in, one document a line out
 };
 
 }  // namespace beadswim

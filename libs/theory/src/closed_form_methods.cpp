@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "beadswim/mobility/oseen.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/closed_forms.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
-#include "beadswim/theory/truncation_error.hpp"
 #include "confidence.hpp"
 #include "method_rows.hpp"
 
@@ -14,7 +14,7 @@ namespace beadswim {
 
 namespace {
 
-constexpr const char* remedy = "oseen-perturbation and rpy-perturbation treat any";
+constexpr const char* remedy = "the -perturbation methods treat any";
 
 bool equal(double a, double b) {
   constexpr double roundoff = 1e-12;  // of a conversion of units
@@ -59,64 +59,197 @@ Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
   return stroke;
 }
 
-/// An `applied` expression against the best known velocity of the same swimmer.
-void add_confidence(const Question& question, double applied, const SecondOrderMotion& reference,
-                    Prediction& prediction) {
-  const std::optional<double> exact = estimated_exact_velocity(question.swimmer, reference);
-  prediction.uncertainty = relative_uncertainty(
-      applied, exact, finite_amplitude_change(question.swimmer, prediction.stroke.amplitude));
-  if (exact) {
-    prediction.validity += fmt::format(", here about {:+.0f} % from exact Stokes flow at l/lambda {:.3g}",
-                                       100 * (applied / *exact - 1), separation_ratio(question.swimmer));
+constexpr const char* measured_origin = "measured";
+constexpr const char* driven_origin = "predicted by (4.4) to (4.8)";
+
+/// What a formula says: its velocity and stroke, and where the stroke is from.
+struct Formula {
+  double velocity = 0;
+  Stroke stroke;
+  double sin_phase_shift = 0;
+  std::string stroke_origin;
+  std::string verdict;
+  std::string pairs;
+};
+
+/// A printed formula is usable while it is nearer to exact Stokes flow than this, relative.
+constexpr double usable_distance = 0.25;
+
+/// A formula's prediction, judged by exact Stokes flow: of the swimmer, or of the same stroke where that was
+/// measured and the geometry factor alone can be wrong.
+Prediction judged(const Question& question, const Formula& formula) {
+  const bool measured = formula.stroke_origin == measured_origin;
+  const std::optional<double> exact =
+      measured ? exact_velocity_of(question, formula.stroke) : exact_velocity(question);
+  Prediction prediction;
+  prediction.velocity = formula.velocity;
+  prediction.stroke = formula.stroke;
+  prediction.sin_phase_shift = formula.sin_phase_shift;
+  prediction.validity = formula.verdict + ": " + distance_from_exact(question, formula.velocity, exact) +
+                        (measured ? ", of this stroke" : "");
+  if (question.exact) {
+    prediction.uncertainty = relative_uncertainty(formula.velocity, exact, question.exact->amplitude_change);
   }
-  prediction.settings.emplace_back("pair_mobility", "Oseen");
+  prediction.settings.emplace_back("mobility", formula.pairs);
+  prediction.settings.emplace_back("stroke", formula.stroke_origin);
   add_common_limits(question, prediction);
+  return prediction;
 }
 
-SecondOrderMotion rotne_prager_motion(const CollinearSwimmer& swimmer) {
-  return second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager));
+/// The same, of a formula that may be far off.
+Prediction judged_if_near(const Question& question, const Formula& formula) {
+  Prediction prediction = judged(question, formula);
+  const bool measured = formula.stroke_origin == measured_origin;
+  const std::optional<double> exact =
+      measured ? exact_velocity_of(question, formula.stroke) : exact_velocity(question);
+  const bool near = exact && std::abs(formula.velocity / *exact - 1) < usable_distance;
+  if (!near)
+    refuse(prediction,
+           fmt::format("not known to be within {:.0f} % of exact Stokes flow", 100 * usable_distance));
+  return prediction;
+}
+
+/// A formula beside the driven stroke, to first order with pairs that interact by `law`.
+Formula driven(const Question& question, PairLaw law, const std::string& pairs) {
+  Formula formula;
+  formula.pairs = pairs;
+  formula.stroke = first_order_stroke(question.swimmer, law);
+  formula.stroke_origin = "predicted, " + pairs + " pairs";
+  formula.sin_phase_shift = formula.stroke.sin_phase_shift();
+  return formula;
+}
+
+/// A formula that is fed a stroke: the measured one, else the driven one.
+Formula fed(const Question& question, PairLaw law, const std::string& pairs) {
+  Formula formula = driven(question, law, pairs);
+  if (!question.measured_stroke) return formula;
+  formula.stroke = *question.measured_stroke;
+  formula.stroke_origin = measured_origin;
+  formula.sin_phase_shift = formula.stroke.sin_phase_shift();
+  return formula;
 }
 
 }  // namespace
 
-std::optional<std::string> oseen_force_obstacle(const Question& question) {
-  if (auto obstacle = perturbation_obstacle(question)) return obstacle;
-  if (auto obstacle = unequal_shape(question.swimmer)) return obstacle;
+std::optional<std::string> equal_shape_obstacle(const Question& question) {
+  if (auto obstacle = overlap_obstacle(question)) return obstacle;
+  return unequal_shape(question.swimmer);
+}
+
+std::optional<std::string> equal_parts_obstacle(const Question& question) {
+  if (auto obstacle = equal_shape_obstacle(question)) return obstacle;
   return unequal_response(question.swimmer);
 }
 
-Prediction predict_oseen_force(const Question& question) {
-  Prediction prediction;
-  prediction.velocity = oseen_force_velocity(question.swimmer);
-  prediction.stroke = lowest_order_stroke(question.swimmer);
-  prediction.sin_phase_shift = oseen_sin_phase_shift(question.swimmer);
-  prediction.validity = "(4.3) with (4.4) to (4.8): lowest order in lambda/l";
-  add_confidence(question, prediction.velocity, rotne_prager_motion(question.swimmer), prediction);
-  return prediction;
+std::optional<std::string> rpy_force_printed_obstacle(const Question& question) {
+  if (auto obstacle = equal_parts_obstacle(question)) return obstacle;
+  const auto& [A, B] = question.swimmer.amplitude;
+  if (equal(A, B)) return std::nullopt;
+  return fmt::format("(4.23) is printed for A = B, and they are {}, {}; rpy-force-repaired treats any", A, B);
 }
 
 std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
-  if (auto obstacle = perturbation_obstacle(question)) return obstacle;
-  if (auto obstacle = unequal_shape(question.swimmer)) return obstacle;
   // A measured stroke holds whatever made it; a predicted one needs (4.4) to (4.8).
-  return question.measured_stroke ? std::nullopt : unequal_response(question.swimmer);
+  return question.measured_stroke ? equal_shape_obstacle(question) : equal_parts_obstacle(question);
+}
+
+std::optional<std::string> measured_stroke_obstacle(const Question& question) {
+  if (auto obstacle = exact_obstacle(question)) return obstacle;
+  if (question.measured_stroke) return std::nullopt;
+  return "it needs a measured stroke; give one with --stroke-from RUN.json";
+}
+
+Prediction predict_oseen_force(const Question& question) {
+  return judged(question, {.velocity = oseen_force_velocity(question.swimmer),
+                           .stroke = lowest_order_stroke(question.swimmer),
+                           .sin_phase_shift = oseen_sin_phase_shift(question.swimmer),
+                           .stroke_origin = driven_origin,
+                           .verdict = "(4.3) with (4.4) to (4.8), right to lowest order in lambda/l",
+                           .pairs = "Oseen"});
 }
 
 Prediction predict_oseen_stroke(const Question& question) {
-  const bool measured = question.measured_stroke.has_value();
+  Formula formula;
+  if (question.measured_stroke) {
+    formula = fed(question, oseen, "Oseen");
+  } else {
+    formula.stroke = lowest_order_stroke(question.swimmer);
+    formula.stroke_origin = driven_origin;
+    formula.sin_phase_shift = oseen_sin_phase_shift(question.swimmer);
+    formula.pairs = "Oseen";
+  }
+  formula.velocity = oseen_stroke_velocity(question.swimmer, formula.stroke);
+  formula.verdict = "(4.2), right to lowest order in lambda/l";
+  return judged(question, formula);
+}
+
+Prediction predict_oseen_ratio_printed(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  Prediction prediction;
-  prediction.stroke = measured ? *question.measured_stroke : lowest_order_stroke(swimmer);
-  prediction.velocity = oseen_stroke_velocity(swimmer, prediction.stroke);
-  prediction.sin_phase_shift =
-      measured ? prediction.stroke.sin_phase_shift() : oseen_sin_phase_shift(swimmer);
-  prediction.settings.emplace_back("stroke", measured ? "measured" : "predicted by (4.4) to (4.8)");
-  prediction.validity = "(4.2): lowest order in lambda/l";
-  // Of a measured stroke the geometry factor alone can be wrong: (4.2) is judged on the Rotne-Prager stroke.
-  const SecondOrderMotion reference = rotne_prager_motion(swimmer);
-  const double applied = measured ? oseen_stroke_velocity(swimmer, reference.stroke) : prediction.velocity;
-  add_confidence(question, applied, reference, prediction);
+  Prediction prediction =
+      judged(question, {.velocity = oseen_ratio_printed(swimmer) * oseen_force_velocity(swimmer),
+                        .stroke = lowest_order_stroke(swimmer),
+                        .sin_phase_shift = oseen_sin_phase_shift(swimmer),
+                        .stroke_origin = driven_origin,
+                        .verdict = "(4.9) as printed, v_S from v_F of (4.3)",
+                        .pairs = "Oseen"});
+  refuse(prediction,
+         "with (4.4) to (4.8) v_S of (4.2) and v_F of (4.3) are the same, so this ratio does not hold");
   return prediction;
+}
+
+Prediction predict_oseen_ratio_repaired(const Question& question) {
+  Formula formula = fed(question, oseen, "Oseen");
+  formula.velocity =
+      oseen_stroke_velocity(question.swimmer, formula.stroke) / oseen_ratio_repaired(question.swimmer);
+  formula.verdict =
+      "(4.9) as it should be, (4.2) over the right ratio: untruncated Oseen theory of this stroke";
+  return judged(question, formula);
+}
+
+Prediction predict_rpy_force_printed(const Question& question) {
+  Formula formula = driven(question, rotne_prager, "Rotne-Prager");
+  formula.velocity = rpy_force_velocity_printed(question.swimmer);
+  formula.verdict =
+      "(4.23) as printed, wrong: 8l - 33 lambda should be 10l - 33 lambda, a factor sin alpha is missing, "
+      "and its "
+      "k^4 term vanishes at l = 5 lambda";
+  return judged_if_near(question, formula);
+}
+
+Prediction predict_rpy_force_repaired(const Question& question) {
+  Formula formula = driven(question, rotne_prager, "Rotne-Prager");
+  formula.velocity = rpy_force_velocity_repaired(question.swimmer);
+  formula.verdict =
+      "(4.23) mended in its own scheme, which truncates in lambda/l, drops the mean change of the arms and "
+      "is poor "
+      "at small l/lambda";
+  return judged_if_near(question, formula);
+}
+
+Prediction predict_rpy_stroke_printed(const Question& question) {
+  Formula formula = fed(question, rotne_prager, "Rotne-Prager");
+  formula.velocity = rpy_stroke_velocity(question.swimmer, formula.stroke);
+  formula.verdict = "(4.24), right as a truncation in lambda/l, with a pole at l = 4.25 lambda";
+  return judged_if_near(question, formula);
+}
+
+Prediction predict_rpy_equal_weight(const Question& question) {
+  Formula formula = fed(question, rotne_prager, "Rotne-Prager");
+  formula.velocity = equal_weight_velocity(question.swimmer, formula.stroke);
+  formula.verdict =
+      "equal-weight mean of the beads' velocities as in (4.18), without truncation in lambda/l but without "
+      "the mean "
+      "change of the arms, which the periodic motion has";
+  return judged(question, formula);
+}
+
+Prediction predict_multipole_stroke(const Question& question) {
+  Formula formula = fed(question, rotne_prager, "exact");
+  const Stroke& stroke = formula.stroke;
+  formula.velocity = geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() *
+                     stroke.amplitude[0] * stroke.amplitude[1] * stroke.sin_phase_shift();
+  formula.verdict = "exact Stokes flow of three spheres (axisymmetric multipoles)";
+  return judged(question, formula);
 }
 
 }  // namespace beadswim

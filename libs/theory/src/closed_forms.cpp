@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/mobility/rotne_prager.hpp"
+
 namespace beadswim {
 
 namespace {
@@ -42,13 +44,73 @@ double shift_denominator_squared(const EqualParts& s) {
          4 * AB * s.k * s.W * s.sin_alpha * (A2 - B2) * (k2 + 12 * W2);
 }
 
+/// omega d1 d2 sin(delta1 - delta2): what every stroke formula multiplies by its geometry factor.
+double stroke_area_rate(const CollinearSwimmer& swimmer, const Stroke& stroke) {
+  return stroke.amplitude[0] * stroke.amplitude[1] * swimmer.angular_frequency() * stroke.sin_phase_shift();
+}
+
+/// omega lambda (28l - 45 lambda) / 192 l^3 [..], the common part of both forms of (4.23); `coefficient` is
+/// that of l in their k^2 W^2 term.
+double rpy_force_prefactor(const CollinearSwimmer& swimmer, double coefficient) {
+  const EqualParts s(swimmer);
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0], k2 = s.k * s.k, W2 = s.W * s.W;
+  const double bracket =
+      (l - 5 * lambda) * k2 * k2 + 4 * W2 * (coefficient * l - 33 * lambda) * k2 + 144 * W2 * W2 * l;
+  return swimmer.angular_frequency() * lambda * (28 * l - 45 * lambda) / (192 * l * l * l * bracket);
+}
+
+/// (2l - 5 lambda) k^2 + 24 W^2 l of (4.23).
+double rpy_force_symmetric_part(const CollinearSwimmer& swimmer) {
+  const EqualParts s(swimmer);
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  return (2 * l - 5 * lambda) * s.k * s.k + 24 * s.W * s.W * l;
+}
+
 }  // namespace
 
 double oseen_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   const double lambda = swimmer.radius[0], l = swimmer.arm[0];
-  const double G = 7 * lambda / (24 * l * l);
-  return G * stroke.amplitude[0] * stroke.amplitude[1] * swimmer.angular_frequency() *
-         stroke.sin_phase_shift();
+  return 7 * lambda / (24 * l * l) * stroke_area_rate(swimmer, stroke);
+}
+
+double rpy_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke) {
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  return (28 * l - 99 * lambda) * lambda / (24 * l * l * (4 * l - 17 * lambda)) *
+         stroke_area_rate(swimmer, stroke);
+}
+
+double rpy_force_velocity_printed(const CollinearSwimmer& swimmer) {
+  const double A = swimmer.amplitude[0];
+  return A * A * rpy_force_prefactor(swimmer, 8) * rpy_force_symmetric_part(swimmer);
+}
+
+double rpy_force_velocity_repaired(const CollinearSwimmer& swimmer) {
+  const EqualParts s(swimmer);
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  const double symmetric = s.A * s.B * s.sin_alpha * rpy_force_symmetric_part(swimmer);
+  const double asymmetric = (s.A * s.A - s.B * s.B) * s.W * s.k * (4 * l - 9 * lambda);
+  return rpy_force_prefactor(swimmer, 10) * (symmetric + asymmetric);
+}
+
+double oseen_ratio_printed(const CollinearSwimmer& swimmer) {
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  return 7 * (4 * l - 3 * lambda) * (4 * l - 7 * lambda) / (4 * l * (28 * l - 45 * lambda));
+}
+
+double oseen_ratio_repaired(const CollinearSwimmer& swimmer) {
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  const double shape = 56 * l * l - 198 * l * lambda + 189 * lambda * lambda;
+  return 7 * (4 * l - 7 * lambda) * (4 * l - 7 * lambda) * (4 * l - 3 * lambda) / (8 * l * shape);
+}
+
+double equal_weight_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke) {
+  const double lambda = swimmer.radius[0], l = swimmer.arm[0];
+  const double gamma = 1 / self_mobility(lambda, swimmer.viscosity);
+  const PairMobility near = rotne_prager(lambda, lambda, l, swimmer.viscosity);
+  const PairMobility far = rotne_prager(lambda, lambda, 2 * l, swimmer.viscosity);
+  const double a = gamma * near.value, b = gamma * far.value, p = gamma * near.slope, q = gamma * far.slope;
+  const double G = (2 * a * p - b * q - 2 * p + q) / (3 * (b - 1) * (4 * a - b - 3));
+  return G * stroke_area_rate(swimmer, stroke);
 }
 
 double oseen_force_velocity(const CollinearSwimmer& swimmer) {

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -46,7 +47,10 @@ CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, do
   check_stiffness(type);
   const double direction = driving_direction(type.driving.frame, axis);
   CollinearSwimmer swimmer;
-  for (int bead = 0; bead < 3; ++bead) swimmer.radius[bead] = type.beads[bead].radius;
+  for (int bead = 0; bead < 3; ++bead) {
+    swimmer.radius[bead] = type.beads[bead].radius;
+    swimmer.density[bead] = type.beads[bead].density;
+  }
   for (int arm = 0; arm < 2; ++arm) {
     swimmer.arm[arm] = type.springs[arm].rest_length;
     swimmer.stiffness[arm] = type.springs[arm].stiffness;
@@ -59,8 +63,23 @@ CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, do
   return swimmer;
 }
 
+std::complex<double> inverse_penetration_depth(const CollinearSwimmer& swimmer, double fluid_density) {
+  return std::sqrt(std::complex<double>(0, swimmer.angular_frequency() * fluid_density / swimmer.viscosity));
+}
+
+LinePositions rest_positions(const CollinearSwimmer& swimmer) {
+  return {-swimmer.arm[0], 0, swimmer.arm[1]};
+}
+
+double separation_ratio(const CollinearSwimmer& swimmer) {
+  const auto ratio = [&](int arm) {
+    return 2 * swimmer.arm[arm] / (swimmer.radius[arm] + swimmer.radius[arm + 1]);
+  };
+  return std::min(ratio(0), ratio(1));
+}
+
 CollinearMobility rest_mobility(const CollinearSwimmer& swimmer, PairLaw law) {
-  return pairwise_mobility(law, swimmer.radius, swimmer.arm, swimmer.viscosity);
+  return pairwise_mobility(law, swimmer.radius, rest_positions(swimmer), swimmer.viscosity);
 }
 
 }  // namespace beadswim

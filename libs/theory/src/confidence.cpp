@@ -5,17 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/theory/truncation_error.hpp"
-
 namespace beadswim {
 
 namespace {
-
-/// sqrt(2 nu / omega) [length]: how far vorticity spreads in a period.
-double penetration_depth(const Question& question) {
-  const double kinematic_viscosity = question.swimmer.viscosity / question.fluid_density;
-  return std::sqrt(2 * kinematic_viscosity / question.swimmer.angular_frequency());
-}
 
 /// Velocities below this are roundoff [length/time].
 double velocity_roundoff(const CollinearSwimmer& swimmer, const Stroke& stroke) {
@@ -24,21 +16,12 @@ double velocity_roundoff(const CollinearSwimmer& swimmer, const Stroke& stroke) 
   return relative_roundoff * swimmer.angular_frequency() * largest_swing * largest_swing / swimmer.arm[0];
 }
 
+std::optional<double> unless_roundoff(const Question& question, double velocity, const Stroke& stroke) {
+  if (std::abs(velocity) > velocity_roundoff(question.swimmer, stroke)) return velocity;
+  return std::nullopt;
+}
+
 }  // namespace
-
-std::optional<double> estimated_exact_velocity(const CollinearSwimmer& swimmer,
-                                               const SecondOrderMotion& rotne_prager) {
-  const std::optional<double> excess = rotne_prager_over_exact(separation_ratio(swimmer));
-  const bool moves = std::abs(rotne_prager.velocity) > velocity_roundoff(swimmer, rotne_prager.stroke);
-  if (!excess || !moves) return std::nullopt;
-  return rotne_prager.velocity / *excess;
-}
-
-std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact,
-                                           double amplitude_change) {
-  if (!exact) return std::nullopt;
-  return std::hypot(velocity / *exact - 1, amplitude_change);
-}
 
 bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   const auto apart = [&](int arm) {
@@ -47,25 +30,72 @@ bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   return apart(0) && apart(1);
 }
 
-void add_common_limits(const Question& question, Prediction& prediction) {
+std::optional<double> exact_velocity(const Question& question) {
+  if (!question.exact) return std::nullopt;
+  return unless_roundoff(question, question.exact->motion.velocity, question.exact->motion.stroke);
+}
+
+std::optional<double> exact_velocity_of(const Question& question, const Stroke& stroke) {
+  if (!question.exact) return std::nullopt;
+  const double area = stroke.amplitude[0] * stroke.amplitude[1] * stroke.sin_phase_shift();
+  const double velocity =
+      geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() * area;
+  return unless_roundoff(question, velocity, stroke);
+}
+
+std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact, double change) {
+  if (!exact) return std::nullopt;
+  return std::hypot(velocity / *exact - 1, change);
+}
+
+std::string distance_from_exact(const Question& question, double velocity, std::optional<double> exact) {
+  const double ratio = separation_ratio(question.swimmer);
+  if (!exact) return "its distance from exact Stokes flow is not known, or nothing moves";
+  const double percent = 100 * (velocity / *exact - 1);
+  return fmt::format("here {:.3g} % {} exact Stokes flow at l/lambda {:.3g}", std::abs(percent),
+                     percent < 0 ? "below" : "above", ratio);
+}
+
+void refuse(Prediction& prediction, const std::string& reason) {
+  prediction.usable = false;
+  prediction.validity += "; not usable: " + reason;
+}
+
+void refuse_contact(const Question& question, Prediction& prediction) {
+  if (!beads_stay_apart(question.swimmer, prediction.stroke)) {
+    refuse(prediction, "with this stroke the beads would run into each other");
+  }
+}
+
+double penetration_depth_over_arm(const Question& question) {
+  const double nu = question.swimmer.viscosity / question.fluid_density;
+  const double depth = std::sqrt(2 * nu / question.swimmer.angular_frequency());
+  return 2 * depth / (question.swimmer.arm[0] + question.swimmer.arm[1]);
+}
+
+void add_driving_settings(const Question& question, Prediction& prediction) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const double mean_arm = (swimmer.arm[0] + swimmer.arm[1]) / 2;
-  const double depth_over_arm = penetration_depth(question) / mean_arm;
-  prediction.validity += fmt::format(
-      "; second order in amplitude (what it leaves out changes the velocity by about {:.1f} %); alone in "
-      "unbounded fluid; quasi-static, so no inertia of fluid or beads (penetration depth {:.2f} arms; for "
-      "equal "
-      "beads at l/lambda = 5 inertia changes the velocity by -26 % at 0.52, -3 % at 0.73, +7 % at 1.13, +5 % "
-      "at "
-      "1.63 arms)",
-      100 * finite_amplitude_change(swimmer, prediction.stroke.amplitude), depth_over_arm);
-  prediction.usable = beads_stay_apart(swimmer, prediction.stroke);
-  if (!prediction.usable)
-    prediction.validity += "; not usable: with this stroke the beads would run into each other";
-  prediction.settings.emplace_back("fluid", "unbounded");
+  const auto& [A, B] = swimmer.amplitude;
   prediction.settings.emplace_back("period", swimmer.period);
+  prediction.settings.emplace_back("amplitude", A);
+  if (B != 0) prediction.settings.emplace_back("amplitude_ratio", A / B);
+  prediction.settings.emplace_back("phase", swimmer.phase);
   prediction.settings.emplace_back("separation_ratio", separation_ratio(swimmer));
-  prediction.settings.emplace_back("penetration_depth_over_arm", depth_over_arm);
+  prediction.settings.emplace_back("penetration_depth_over_arm", penetration_depth_over_arm(question));
+}
+
+void add_common_limits(const Question& question, Prediction& prediction) {
+  if (question.exact) {
+    prediction.validity +=
+        fmt::format("; second order in amplitude, which leaves out about {:+.1f} % of the velocity",
+                    100 * question.exact->amplitude_change);
+  }
+  prediction.validity +=
+      fmt::format("; alone in unbounded fluid; no inertia of fluid or beads (penetration depth {:.2f} arms)",
+                  penetration_depth_over_arm(question));
+  refuse_contact(question, prediction);
+  prediction.settings.emplace_back("fluid", "unbounded");
+  add_driving_settings(question, prediction);
 }
 
 }  // namespace beadswim

@@ -3,27 +3,41 @@
 #include <optional>
 #include <string>
 
-#include "beadswim/theory/methods.hpp"
-#include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/prediction.hpp"
+#include "beadswim/theory/question.hpp"
 
-// What all second-order methods say of how far they can be trusted.
+// What methods say of how far they can be trusted.
 
 namespace beadswim {
 
-/// The velocity of exact Stokes flow as well as it is known: second-order Rotne-Prager theory over its known
-/// excess. None where no reference is known, or where the swimmer does not move.
-std::optional<double> estimated_exact_velocity(const CollinearSwimmer& swimmer,
-                                               const SecondOrderMotion& rotne_prager);
-
-/// Relative difference of `velocity` from `exact` and the change at finite amplitude, added as squares.
-std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact,
-                                           double amplitude_change);
-
-/// Whether the beads stay apart over the whole stroke.
+/// Whether the beads stay apart over the whole stroke about the arms' rest lengths.
 bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
-/// Sets `usable` and completes `validity` and `settings` with what holds for all second-order methods:
-/// unbounded fluid, no inertia, small amplitude.
+/// Velocity of exact Stokes flow to second order in amplitude; none where it is not known or roundoff.
+std::optional<double> exact_velocity(const Question& question);
+
+/// Velocity of exact Stokes flow with this stroke, by its geometry factor; none likewise.
+std::optional<double> exact_velocity_of(const Question& question, const Stroke& stroke);
+
+/// Relative difference of `velocity` from `exact` and the `change` at finite amplitude, added as squares.
+std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact, double change);
+
+/// "velocity 11.8 % above exact Stokes flow at l/lambda 5", or that this is not known.
+std::string distance_from_exact(const Question& question, double velocity, std::optional<double> exact);
+
+/// Appends what is wrong to `validity` and marks the prediction as not usable.
+void refuse(Prediction& prediction, const std::string& reason);
+
+/// Not usable if the beads would meet within the prediction's stroke.
+void refuse_contact(const Question& question, Prediction& prediction);
+
+/// Settings that all methods share: the swimmer's driving and dimensionless numbers.
+void add_driving_settings(const Question& question, Prediction& prediction);
+
+/// Limits and settings of second-order methods in open space: small amplitude, no inertia.
 void add_common_limits(const Question& question, Prediction& prediction);
+
+/// sqrt(2 nu / omega) over the mean arm: how far vorticity spreads in a period.
+double penetration_depth_over_arm(const Question& question);
 
 }  // namespace beadswim

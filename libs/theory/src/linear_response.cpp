@@ -9,13 +9,6 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
-/// (2.1) as complex amplitudes: A sin(omega t) = Re(-iA exp(i omega t)).
-Eigen::Vector3cd driving_amplitudes(const CollinearSwimmer& swimmer) {
-  const Complex force_1 = -i_unit * swimmer.amplitude[0];
-  const Complex force_3 = -i_unit * swimmer.amplitude[1] * std::polar(1.0, swimmer.phase);
-  return {force_1, -force_1 - force_3, force_3};
-}
-
 /// k_i + i omega c_i: tension of a spring with a dashpot beside it, per change of its arm.
 Eigen::Vector2cd arm_stiffness(const CollinearSwimmer& swimmer) {
   const double omega = swimmer.angular_frequency();
@@ -31,20 +24,33 @@ Eigen::Matrix<double, 2, 3> arm_rates() {
   return rates;
 }
 
+Eigen::Vector3cd driving_amplitudes(const CollinearSwimmer& swimmer) {
+  const Complex force_1 = -i_unit * swimmer.amplitude[0];
+  const Complex force_3 = -i_unit * swimmer.amplitude[1] * std::polar(1.0, swimmer.phase);
+  return {force_1, -force_1 - force_3, force_3};
+}
+
+LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
+                                  double angular_frequency) {
+  const Eigen::Matrix<Complex, 2, 3> rates = arm_rates().cast<Complex>();
+  const Eigen::Matrix2cd arm_mobility = rates * mobility * rates.transpose();
+  const Eigen::Vector3cd force_per_frequency = rates.transpose() * arm_mobility.partialPivLu().solve(arm);
+  return {.arm = arm,
+          .displacement = mobility * force_per_frequency,
+          .force = i_unit * angular_frequency * force_per_frequency};
+}
+
+LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility) {
+  const Eigen::Matrix<Complex, 2, 3> rates = arm_rates().cast<Complex>();
+  const double omega = swimmer.angular_frequency();
+  Eigen::Matrix2cd response = rates * mobility * rates.transpose() * arm_stiffness(swimmer).asDiagonal();
+  response.diagonal().array() += i_unit * omega;
+  const Eigen::Vector2cd arm = response.partialPivLu().solve(rates * mobility * driving_amplitudes(swimmer));
+  return response_to_stroke(arm, mobility, omega);
+}
+
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3d& mobility) {
-  const Eigen::Matrix<double, 2, 3> rates = arm_rates();
-  const Eigen::Vector3cd driving = driving_amplitudes(swimmer);
-  const Eigen::Vector2cd stiffness = arm_stiffness(swimmer);
-
-  const Eigen::Matrix2cd arm_mobility = (rates * mobility * rates.transpose()).cast<Complex>();
-  Eigen::Matrix2cd response = arm_mobility * stiffness.asDiagonal();
-  response.diagonal().array() += i_unit * swimmer.angular_frequency();
-
-  LinearResponse first_order;
-  first_order.arm = response.partialPivLu().solve((rates * mobility).cast<Complex>() * driving);
-  const Eigen::Vector2cd tension = stiffness.cwiseProduct(first_order.arm);
-  first_order.force = driving - rates.transpose().cast<Complex>() * tension;
-  return first_order;
+  return linear_response(swimmer, Eigen::Matrix3cd(mobility.cast<Complex>()));
 }
 
 Stroke first_order_stroke(const CollinearSwimmer& swimmer, PairLaw law) {

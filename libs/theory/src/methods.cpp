@@ -1,8 +1,10 @@
 #include "beadswim/theory/methods.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
@@ -10,12 +12,38 @@
 
 namespace beadswim {
 
+namespace {
+
+bool is_finite(const Prediction& p) {
+  const auto& [d, delta] = p.stroke;
+  return std::isfinite(p.velocity + d[0] + d[1] + delta[0] + delta[1] + p.sin_phase_shift +
+                       p.uncertainty.value_or(0));
+}
+
+}  // namespace
+
 const std::vector<Method>& methods() {
+  using enum Method::Input;
   static const std::vector<Method> table{
-      {"oseen-force-closed", oseen_force_obstacle, predict_oseen_force},
-      {"oseen-stroke-closed", oseen_stroke_obstacle, predict_oseen_stroke},
-      {"oseen-perturbation", perturbation_obstacle, predict_oseen_perturbation},
-      {"rpy-perturbation", perturbation_obstacle, predict_rpy_perturbation},
+      {"oseen-force-closed", driving, equal_parts_obstacle, predict_oseen_force},
+      {"oseen-stroke-closed", driving_or_stroke, oseen_stroke_obstacle, predict_oseen_stroke},
+      {"oseen-ratio-printed", driving, equal_parts_obstacle, predict_oseen_ratio_printed},
+      {"oseen-ratio-repaired", driving_or_stroke, equal_shape_obstacle, predict_oseen_ratio_repaired},
+      {"rpy-force-printed", driving, rpy_force_printed_obstacle, predict_rpy_force_printed},
+      {"rpy-force-repaired", driving, equal_parts_obstacle, predict_rpy_force_repaired},
+      {"rpy-stroke-printed", driving_or_stroke, equal_shape_obstacle, predict_rpy_stroke_printed},
+      {"rpy-equal-weight", driving_or_stroke, equal_shape_obstacle, predict_rpy_equal_weight},
+      {"multipole-stroke", stroke, measured_stroke_obstacle, predict_multipole_stroke},
+      {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation},
+      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation},
+      {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation},
+      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode},
+      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode},
+      {"multipole-ode", driving, exact_obstacle, predict_multipole_ode},
+      {"rpy-box-perturbation", driving, box_obstacle, predict_rpy_box_perturbation},
+      {"rpy-box-ode", driving, box_obstacle, predict_rpy_box_ode},
+      {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response},
+      {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected},
   };
   return table;
 }
@@ -33,9 +61,15 @@ const Method& find_method(const std::string& name) {
 
 Prediction predict(const Method& method, const Question& question) {
   if (const auto obstacle = method.obstacle(question)) {
-    throw InputError("--method " + method.name, "cannot treat this swimmer: " + *obstacle);
+    throw InputError(method.name, "cannot treat this swimmer: " + *obstacle);
   }
   Prediction prediction = method.predict(question);
+  if (!is_finite(prediction)) {
+    throw InputError(
+        "--method " + method.name,
+        "cannot treat this swimmer: its answer is not a number, from a pole of its formula or from values "
+        "beyond the range of arithmetic");
+  }
   prediction.method = method.name;
   return prediction;
 }

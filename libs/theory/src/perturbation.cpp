@@ -8,22 +8,21 @@ namespace beadswim {
 
 namespace {
 
-/// <dmu f> = 1/2 Re sum_i (d mu / d L_i) conj(x_i) f: bead velocities [length/time].
-Eigen::Vector3d mean_drift(const LinearResponse& response, const std::array<Eigen::Matrix3d, 2>& slope) {
+/// <dmu f> = 1/2 Re sum_k (d mu / d x_k) conj(xi_k) f: bead velocities [length/time].
+Eigen::Vector3d mean_drift(const LinearResponse& response, const std::array<Eigen::Matrix3d, 3>& slope) {
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();
-  for (int arm = 0; arm < 2; ++arm) {
-    drift += 0.5 * slope[arm] * (std::conj(response.arm[arm]) * response.force).real();
+  for (int k = 0; k < 3; ++k) {
+    drift += 0.5 * slope[k] * (std::conj(response.displacement[k]) * response.force).real();
   }
   return drift;
 }
 
-/// w: forces on the beads of a rigid swimmer, over their sum.
+}  // namespace
+
 Eigen::Vector3d rigid_force_distribution(const Eigen::Matrix3d& mobility) {
-  const Eigen::Vector3d force = mobility.inverse() * Eigen::Vector3d::Ones();
+  const Eigen::Vector3d force = mobility.partialPivLu().solve(Eigen::Vector3d::Ones());
   return force / force.sum();
 }
-
-}  // namespace
 
 SecondOrderMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility) {
   const LinearResponse response = linear_response(swimmer, mobility.value);
@@ -37,6 +36,18 @@ SecondOrderMotion second_order_motion(const CollinearSwimmer& swimmer, const Col
   motion.arm_changes = {mean_tension[0] / swimmer.stiffness[0], mean_tension[1] / swimmer.stiffness[1]};
   motion.stroke = stroke_of({response.arm[0], response.arm[1]});
   return motion;
+}
+
+double velocity_of_stroke(const Eigen::Vector2cd& arm, const CollinearMobility& mobility,
+                          double angular_frequency) {
+  const LinearResponse response =
+      response_to_stroke(arm, mobility.value.cast<std::complex<double>>(), angular_frequency);
+  return rigid_force_distribution(mobility.value).dot(mean_drift(response, mobility.slope));
+}
+
+double geometry_factor(const CollinearMobility& mobility) {
+  // A stroke of unit area: d_1 = d_2 = 1, delta_1 - delta_2 = pi/2.
+  return velocity_of_stroke({std::complex<double>(0, 1), 1}, mobility, 1);
 }
 
 }  // namespace beadswim

@@ -13,6 +13,26 @@
 //
 // With (4.4) to (4.8), v_S = v_F identically. Velocities count from bead 1 to bead 3.
 //
+// The next order in lambda/l, from Rotne-Prager pairs:
+//
+//   printed   v_F = A^2 omega lambda (28l - 45 lambda) [(2l - 5 lambda) k^2 + 24 W^2 l]
+//             / {192 l^3 [(l - 5 lambda) k^4 + 4 W^2 (8l - 33 lambda) k^2 + 144 W^4 l]},   A = B       (4.23)
+//   repaired  the bracket is AB sin alpha [(2l - 5 lambda) k^2 + 24 W^2 l] + (A^2 - B^2) W k (4l - 9 lambda),
+//             and 8l - 33 lambda is 10l - 33 lambda
+//   v_S = (28l - 99 lambda) lambda d1 d2 omega sin(delta1 - delta2) / {24 l^2 (4l - 17 lambda)}        (4.24)
+//
+// and from Oseen pairs v_S over v_F,
+//
+//   printed   7 (4l - 3 lambda) (4l - 7 lambda) / {4l (28l - 45 lambda)}                               (4.9)
+//   right     7 (4l - 7 lambda)^2 (4l - 3 lambda) / {8l (56 l^2 - 198 l lambda + 189 lambda^2)}, which is
+//   (4.2) over
+//             the velocity of the same stroke without truncation in lambda/l.
+//
+// Equal-weight mean of the beads' velocities without the mean change of the arms, untruncated:
+//
+//   v = G omega d1 d2 sin(delta1 - delta2),  G = (2ap - bq - 2p + q) / {3 (b - 1) (4a - b - 3)},
+//   a = gamma mu_12, b = gamma mu_13, p and q their slopes, gamma = 6 pi eta lambda.
+//
 // Reference: Pickl, Pande, Koestler, Ruede and Smith, J. Phys.: Condens. Matter 29, 124001 (2017).
 // Page: docs/method/closed-forms.md.
 
@@ -23,6 +43,24 @@ double oseen_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stro
 
 /// (4.3): velocity of the driven swimmer [length/time].
 double oseen_force_velocity(const CollinearSwimmer& swimmer);
+
+/// (4.23) as printed; uses A alone, and no alpha [length/time].
+double rpy_force_velocity_printed(const CollinearSwimmer& swimmer);
+
+/// (4.23) repaired, of any A, B and alpha [length/time].
+double rpy_force_velocity_repaired(const CollinearSwimmer& swimmer);
+
+/// (4.24): velocity of a stroke; needs equal radii and equal arms only [length/time].
+double rpy_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
+
+/// (4.9) as printed: v_S over v_F.
+double oseen_ratio_printed(const CollinearSwimmer& swimmer);
+
+/// (4.9) as it should be: lowest-order over untruncated velocity of the same stroke.
+double oseen_ratio_repaired(const CollinearSwimmer& swimmer);
+
+/// Equal-weight mean of bead velocities by Rotne-Prager pairs; equal radii and equal arms [length/time].
+double equal_weight_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
 /// (4.4) and (4.5): amplitudes d1, d2 of the driven arms [length].
 std::array<double, 2> oseen_arm_amplitudes(const CollinearSwimmer& swimmer);

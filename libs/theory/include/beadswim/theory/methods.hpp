@@ -4,24 +4,19 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/prediction.hpp"
+#include "beadswim/theory/question.hpp"
 
 namespace beadswim {
-
-/// What a method is asked: a swimmer, and the stroke that it was measured to have, if any.
-struct Question {
-  CollinearSwimmer swimmer;
-  double fluid_density = 0;  ///< rho [mass/length^3], to say how far inertia reaches
-  std::optional<Stroke> measured_stroke;
-};
 
 /// A method of prediction: a row of the table below.
 struct Method {
   std::string name;
+  /// Whether it can make use of a measured stroke.
+  enum class Input { driving, driving_or_stroke, stroke } input;
   /// Why the method cannot treat the question, and what could; none if it can.
   std::optional<std::string> (*obstacle)(const Question& question);
-  /// Needs a question without obstacle.
+  /// Needs a question without obstacle. Throws InputError where it turns out on the way that it cannot.
   Prediction (*predict)(const Question& question);
 };
 

@@ -11,20 +11,28 @@
 
 namespace beadswim {
 
+/// Estimated errors of a stroke.
+struct StrokeUncertainty {
+  std::array<double, 2> arm_amplitudes{};  ///< relative, of d_1 and d_2
+  double sin_phase_shift = 0;              ///< absolute
+};
+
 /// What a method says of a swimmer, and how far to trust it. Units are those of the swimmer.
 struct Prediction {
   std::string method;
   bool usable = true;    ///< false: shown, but never to be judged by
   std::string validity;  ///< where the method holds and how large its known errors are
   double velocity = 0;   ///< mean over a period, towards bead 3 if positive [length/time]
-  /// Estimated relative error of the velocity against exact Stokes flow at finite amplitude; none if unknown.
+  /// Estimated relative error of the velocity: against exact Stokes flow at finite amplitude, and of methods
+  /// with inertia against the Navier-Stokes flow; none if unknown.
   std::optional<double> uncertainty;
   Stroke stroke;
-  double sin_phase_shift = 0;                      ///< sin(delta_1 - delta_2)
-  std::optional<std::array<double, 2>> arm_means;  ///< l_i + mean change [length]; none if not predicted
+  std::optional<StrokeUncertainty> stroke_uncertainty;  ///< none if unknown
+  double sin_phase_shift = 0;                           ///< sin(delta_1 - delta_2)
+  std::optional<std::array<double, 2>> arm_means;       ///< l_i + mean change [length]; none if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
-  std::vector<Setting> settings;  ///< what the method assumed, by name
+  std::vector<Setting> settings;  ///< what the method assumed, and its parts, by name
 };
 
 }  // namespace beadswim

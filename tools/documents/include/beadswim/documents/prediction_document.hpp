@@ -9,12 +9,20 @@
 
 namespace beadswim {
 
+/// A method of `all` that could not treat the swimmer, and why.
+struct LeftOutMethod {
+  std::string method;
+  std::string reason;
+};
+
 /// What theory says of one swimmer of a layout (schemas/prediction.schema.json).
 struct PredictionDocument {
   Units units;      ///< the layout's; all quantities are in them
   int swimmer = 0;  ///< id of the swimmer in the layout
   std::vector<Prediction> predictions;
-  Json provenance = Json::array();  ///< one record a program
+  std::vector<LeftOutMethod> left_out;
+  std::vector<std::string> warnings;  ///< of contact within the stroke, and of driving beyond small amplitude
+  Json provenance = Json::array();    ///< one record a program
 };
 
 Json predictions_to_json(const PredictionDocument& document);

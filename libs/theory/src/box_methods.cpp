@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/box_mobility.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
+#include "confidence.hpp"
+#include "method_rows.hpp"
+
+namespace beadswim {
+
+namespace {
+
+/// "periodic 128x80x80", or "free-slip x periodic ..." axis by axis, the swimmer's first.
+std::string box_text(const Box& box) {
+  const auto axis = [&](int i) {
+    return fmt::format("{} {:.6g}", box.free_slip[i] ? "free-slip" : "periodic", box.lengths[i]);
+  };
+  return axis(0) + ", " + axis(1) + ", " + axis(2);
+}
+
+/// What both methods say: Rotne-Prager pairs in this box, and what the box does to the velocity.
+void add_limits(const Question& question, double second_order, Prediction& prediction) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const double unbounded = second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager)).velocity;
+  const std::optional<double> exact = exact_velocity(question);
+  prediction.validity = fmt::format(
+      "Rotne-Prager pairs with all images in the layout's box; unbounded pairs of this swimmer {}; no "
+      "inertia, which screens "
+      "images (penetration depth {:.2f} arms)",
+      "are " + distance_from_exact(question, unbounded, exact).substr(std::string("here ").size()),
+      penetration_depth_over_arm(question));
+  prediction.settings.emplace_back("mobility", "Rotne-Prager");
+  prediction.settings.emplace_back("fluid", "box: " + box_text(question.box->box));
+  if (exact) prediction.settings.emplace_back("velocity_over_unbounded", second_order / unbounded);
+  add_driving_settings(question, prediction);
+  prediction.uncertainty = relative_uncertainty(unbounded, exact, 0);
+}
+
+}  // namespace
+
+std::optional<std::string> box_obstacle(const Question& question) {
+  if (auto obstacle = overlap_obstacle(question)) return obstacle;
+  if (!question.box_obstacle.empty()) return question.box_obstacle;
+  if (!question.box) return "the layout is unbounded; rpy-perturbation and rpy-ode treat it";
+  return image_overlap(question.swimmer, *question.box);
+}
+
+Prediction predict_rpy_box_perturbation(const Question& question) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const LineFlow flow = flow_in(*question.box, swimmer.viscosity);
+  const SecondOrderMotion motion =
+      second_order_motion(swimmer, rotne_prager_in(flow, swimmer, rest_positions(swimmer, *question.box)));
+  Prediction prediction;
+  prediction.velocity = motion.velocity;
+  prediction.stroke = motion.stroke;
+  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
+  prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
+  add_limits(question, motion.velocity, prediction);
+  if (question.exact && prediction.uncertainty) {
+    prediction.uncertainty = std::hypot(*prediction.uncertainty, question.exact->amplitude_change);
+    prediction.validity +=
+        fmt::format("; second order in amplitude, which leaves out about {:+.1f} % of the velocity",
+                    100 * question.exact->amplitude_change);
+  }
+  refuse_contact(question, prediction);
+  return prediction;
+}
+
+Prediction predict_rpy_box_ode(const Question& question) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const LineFlow flow = flow_in(*question.box, swimmer.viscosity);
+  const LinePositions rest = rest_positions(swimmer, *question.box);
+  const MobilityAt mobility = [&](const LinePositions& x) { return rotne_prager_in(flow, swimmer, x); };
+  const PeriodicMotion motion = periodic_motion(swimmer, rest, mobility);
+  Prediction prediction;
+  prediction.velocity = motion.velocity;
+  prediction.stroke = motion.stroke;
+  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
+  prediction.arm_means = motion.arm_means;
+  add_limits(question, second_order_motion(swimmer, mobility(rest)).velocity, prediction);
+  prediction.validity += "; periodic motion at finite amplitude";
+  return prediction;
+}
+
+}  // namespace beadswim

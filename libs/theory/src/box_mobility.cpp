@@ -1,0 +1,80 @@
+#include "beadswim/theory/box_mobility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadswim {
+
+namespace {
+
+/// Images of beads along a periodic axis of the swimmer itself, the bead's own included.
+std::optional<std::string> overlap_along(const CollinearSwimmer& swimmer, const LinePositions& x,
+                                         double period) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const double d = x[j] - x[i], contact = swimmer.radius[i] + swimmer.radius[j];
+      const int below = static_cast<int>(std::floor(d / period));
+      for (const int image : {below, below + 1}) {
+        if (image == 0 || std::abs(d - image * period) >= contact) continue;
+        return fmt::format(
+            "beads {} and {} overlap through the periodic box of {:.6g} along the swimmer; make it longer",
+            i + 1, j + 1, period);
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+CollinearMobility rotne_prager_in(const LineFlow& flow, const CollinearSwimmer& swimmer,
+                                  const LinePositions& positions) {
+  CollinearMobility mobility;
+  mobility.slope.fill(Eigen::Matrix3d::Zero());
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double size = swimmer.radius[i] * swimmer.radius[i] + swimmer.radius[j] * swimmer.radius[j];
+      const auto [oseen, laplacian] =
+          i == j ? flow.steady_images(positions[i]) : flow.steady(positions[i], positions[j]);
+      mobility.value(i, j) = oseen.value + size * laplacian.value;
+      mobility.slope[i](i, j) += oseen.by_receiver + size * laplacian.by_receiver;
+      mobility.slope[j](i, j) += oseen.by_source + size * laplacian.by_source;
+    }
+    mobility.value(i, i) += self_mobility(swimmer.radius[i], swimmer.viscosity);
+  }
+  return mobility;
+}
+
+LineFlow flow_in(const BoxPlace& place, double viscosity) {
+  return LineFlow(viscosity, place.box, place.middle_bead[1], place.middle_bead[2]);
+}
+
+LinePositions rest_positions(const CollinearSwimmer& swimmer, const BoxPlace& place) {
+  LinePositions positions = rest_positions(swimmer);
+  for (double& x : positions) x += place.middle_bead[0];
+  return positions;
+}
+
+std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const BoxPlace& place) {
+  const LinePositions x = rest_positions(swimmer, place);
+  const auto& [box, middle] = place;
+  if (!box.free_slip[0]) {
+    if (auto overlap = overlap_along(swimmer, x, box.lengths[0])) return overlap;
+  } else if (x[0] < swimmer.radius[0] || x[2] > box.lengths[0] - swimmer.radius[2]) {
+    return fmt::format("an end bead reaches through a wall across the swimmer (box {:.6g})", box.lengths[0]);
+  }
+  const double largest = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
+  for (const int axis : {1, 2}) {
+    const double length = box.lengths[axis];
+    const double room = box.free_slip[axis] ? std::min(middle[axis], length - middle[axis]) : length / 2;
+    if (room < largest) {
+      return fmt::format("the box of {:.6g} beside the swimmer has no room for a bead of radius {:.6g} there",
+                         length, largest);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,115 @@
+#include "beadswim/theory/finite_amplitude.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "beadswim/theory/perturbation.hpp"
+
+namespace beadswim {
+
+namespace {
+
+constexpr double small_part = 0.02;  // of the gaps: the largest arm amplitude at the small driving
+
+std::array<double, 2> gaps_at_rest(const CollinearSwimmer& swimmer) {
+  return {swimmer.arm[0] - swimmer.radius[0] - swimmer.radius[1],
+          swimmer.arm[1] - swimmer.radius[1] - swimmer.radius[2]};
+}
+
+/// A mobility in open space near its rest by cubic interpolation in both arms: 16 evaluations in all, where
+/// the periodic motion takes some hundred.
+class InterpolatedMobility {
+ public:
+  InterpolatedMobility(const CollinearSwimmer& swimmer, const MobilityAt& mobility) : rest_(swimmer.arm) {
+    const std::array<double, 2> gaps = gaps_at_rest(swimmer);
+    for (int arm = 0; arm < 2; ++arm) unit_[arm] = 1.5 * small_part * gaps[arm];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) {
+        const double L1 = rest_[0] + nodes[i] * unit_[0], L2 = rest_[1] + nodes[j] * unit_[1];
+        values_[i][j] = mobility({-L1, 0, L2}).value;
+      }
+    }
+  }
+
+  CollinearMobility operator()(const LinePositions& x) const {
+    const Weights a = weights((x[1] - x[0] - rest_[0]) / unit_[0]);
+    const Weights b = weights((x[2] - x[1] - rest_[1]) / unit_[1]);
+    CollinearMobility mobility{.value = combined(a.value, b.value), .slope = {}};
+    mobility.slope[0] = -combined(a.slope, b.value) / unit_[0];
+    mobility.slope[2] = combined(a.value, b.slope) / unit_[1];
+    mobility.slope[1] = -mobility.slope[0] - mobility.slope[2];
+    return mobility;
+  }
+
+ private:
+  static constexpr std::array<double, 4> nodes{-1, -1.0 / 3, 1.0 / 3, 1};
+
+  struct Weights {
+    std::array<double, 4> value{}, slope{};
+  };
+
+  /// Lagrange's polynomials of the nodes, and their derivatives.
+  static Weights weights(double t) {
+    Weights result;
+    for (int i = 0; i < 4; ++i) {
+      double value = 1, slope = 0;
+      for (int j = 0; j < 4; ++j) {
+        if (j == i) continue;
+        const double factor = (t - nodes[j]) / (nodes[i] - nodes[j]);
+        slope = slope * factor + value / (nodes[i] - nodes[j]);
+        value *= factor;
+      }
+      result.value[i] = value;
+      result.slope[i] = slope;
+    }
+    return result;
+  }
+
+  Eigen::Matrix3d combined(const std::array<double, 4>& a, const std::array<double, 4>& b) const {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < 4; ++i) {
+      for (int j = 0; j < 4; ++j) sum += a[i] * b[j] * values_[i][j];
+    }
+    return sum;
+  }
+
+  std::array<double, 2> rest_, unit_{};
+  std::array<std::array<Eigen::Matrix3d, 4>, 4> values_;
+};
+
+/// What to multiply the driving with, so that neither the arms' swing nor their mean change is large.
+double small_driving(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
+  const std::array<double, 2> gaps = gaps_at_rest(swimmer);
+  double size = 0;
+  for (int arm = 0; arm < 2; ++arm) {
+    size = std::max({size, motion.stroke.amplitude[arm] / gaps[arm],
+                     std::sqrt(std::abs(motion.arm_changes[arm]) / gaps[arm])});
+  }
+  return small_part / size;
+}
+
+/// Whether a second-order velocity is more than roundoff.
+bool moves(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
+  constexpr double relative_roundoff = 1e-10;
+  const double swing = std::max(motion.stroke.amplitude[0], motion.stroke.amplitude[1]);
+  const double unit = swimmer.angular_frequency() * swing * swing / swimmer.arm[0];
+  return std::abs(motion.velocity) > relative_roundoff * unit;
+}
+
+}  // namespace
+
+double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityAt& mobility) {
+  const LinePositions rest = rest_positions(swimmer);
+  if (!(smallest_gap(swimmer, rest) > 0)) return std::numeric_limits<double>::quiet_NaN();
+  const InterpolatedMobility near_rest(swimmer, mobility);
+  const SecondOrderMotion motion = second_order_motion(swimmer, near_rest(rest));
+  if (!moves(swimmer, motion)) return 0;
+  const double s = small_driving(swimmer, motion);
+  CollinearSwimmer gentle = swimmer;
+  for (double& amplitude : gentle.amplitude) amplitude *= s;
+  const double velocity = periodic_motion(gentle, rest, near_rest).velocity;
+  return (velocity / (s * s * motion.velocity) - 1) / (s * s);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/box_mobility.hpp"
+#include "beadswim/theory/inertia_corrected.hpp"
+#include "beadswim/theory/inertial_motion.hpp"
+#include "beadswim/theory/reynolds_stress.hpp"
+#include "confidence.hpp"
+#include "method_rows.hpp"
+
+namespace beadswim {
+
+namespace {
+
+/// Spheres so large against the penetration depth that exp(kappa) leaves the range of arithmetic.
+std::optional<std::string> thin_layer(const Question& question) {
+  constexpr double largest_kappa = 200;
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const double largest = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
+  const double kappa = std::abs(inverse_penetration_depth(swimmer, question.fluid_density)) * largest;
+  if (kappa < largest_kappa) return std::nullopt;
+  return fmt::format(
+      "the penetration depth is {:.3g} times smaller than a bead, far from the slow flow that it is for; "
+      "lengthen "
+      "--period or raise --viscosity",
+      kappa / std::sqrt(2.0));
+}
+
+std::string surroundings(const Question& question) {
+  return question.box ? "the layout's box" : "unbounded";
+}
+
+void add_settings(const Question& question, Prediction& prediction) {
+  prediction.settings.emplace_back("fluid", surroundings(question));
+  add_driving_settings(question, prediction);
+}
+
+/// Relative, of pairs with inertia: what pairs miss without it, as much of what inertia changes, and what
+/// they take from within the beads.
+std::optional<double> pair_uncertainty(const Question& question, double quasi_static, double velocity,
+                                       double within_beads) {
+  const std::optional<double> exact = exact_velocity(question);
+  if (!exact) return std::nullopt;
+  const double missed = std::abs(quasi_static / *exact - 1), inertial = std::abs(velocity / quasi_static - 1);
+  return std::hypot(missed * (1 + inertial) + std::abs(within_beads / velocity),
+                    question.exact->amplitude_change);
+}
+
+}  // namespace
+
+std::optional<std::string> inertia_obstacle(const Question& question) {
+  if (auto obstacle = overlap_obstacle(question)) return obstacle;
+  if (!question.box_obstacle.empty()) return question.box_obstacle;
+  if (question.box) {
+    if (auto overlap = image_overlap(question.swimmer, *question.box)) return overlap;
+  }
+  return thin_layer(question);
+}
+
+std::optional<std::string> inertia_corrected_obstacle(const Question& question) {
+  if (auto obstacle = exact_obstacle(question)) return obstacle;
+  return inertia_obstacle(question);
+}
+
+Prediction predict_unsteady_response(const Question& question) {
+  const InertialScene scene = inertial_scene(question);
+  const LinearResponse response = linear_response(question.swimmer, unsteady_mobility(scene));
+  const double drift = lagrangian_drift(scene, response);
+  const ReynoldsForm form = reynolds_form(scene);
+  const Eigen::Vector3cd force = induced_forces(scene, response);
+  const double reynolds = reynolds_stress_velocity(form.whole, force);
+  const double quasi_static =
+      second_order_motion(question.swimmer, rest_mobility(question.swimmer, rotne_prager)).velocity;
+
+  Prediction prediction;
+  prediction.velocity = drift + reynolds;
+  prediction.stroke = stroke_of({response.arm[0], response.arm[1]});
+  prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
+  const std::optional<double> exact = exact_velocity(question);
+  prediction.uncertainty = pair_uncertainty(question, quasi_static, prediction.velocity,
+                                            reynolds_stress_velocity(form.inside, force));
+  prediction.validity = fmt::format(
+      "unsteady Stokes flow with beads' and fluid's inertia, unsteady Faxen pairs, {}; second order in "
+      "amplitude with "
+      "Lagrangian drift and Reynolds stress{}; its pairs without inertia are {}",
+      surroundings(question), question.box ? " (that without images)" : "",
+      distance_from_exact(question, quasi_static, exact));
+  refuse_contact(question, prediction);
+  prediction.settings.emplace_back("mobility", "unsteady Faxen");
+  prediction.settings.emplace_back("velocity_by_drift", drift);
+  prediction.settings.emplace_back("velocity_by_reynolds_stress", reynolds);
+  add_settings(question, prediction);
+  return prediction;
+}
+
+Prediction predict_inertia_corrected(const Question& question) {
+  const InertiaCorrected best = inertia_corrected(question);
+  const InertialVelocity& v = best.velocity;
+  Prediction prediction;
+  prediction.velocity = v.sum();
+  if (exact_velocity(question)) prediction.uncertainty = v.uncertainty / std::abs(v.sum());
+  prediction.stroke = stroke_of({best.arm[0], best.arm[1]});
+  prediction.stroke_uncertainty = StrokeUncertainty{.arm_amplitudes = best.amplitude_uncertainty,
+                                                    .sin_phase_shift = best.sin_uncertainty};
+  prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
+  prediction.arm_means = best.arm_means;
+  prediction.validity = fmt::format(
+      "exact Stokes flow of three spheres at finite amplitude, with inertia of fluid and beads and {}, both "
+      "from unsteady Faxen "
+      "pairs; compressibility and the lattice's own errors are not in it",
+      question.box ? "the layout's box" : "no box");
+  prediction.settings.emplace_back("mobility", "exact, inertia by unsteady Faxen pairs");
+  prediction.settings.emplace_back("velocity_quasi_static", v.quasi_static);
+  prediction.settings.emplace_back("velocity_by_stroke", v.by_stroke);
+  prediction.settings.emplace_back("velocity_by_drift", v.by_drift);
+  prediction.settings.emplace_back("velocity_by_reynolds_stress", v.by_reynolds_stress);
+  prediction.settings.emplace_back("velocity_by_box", v.by_box);
+  prediction.settings.emplace_back("velocity_by_amplitude", v.by_amplitude);
+  add_settings(question, prediction);
+  return prediction;
+}
+
+}  // namespace beadswim

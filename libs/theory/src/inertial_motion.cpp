@@ -1,0 +1,117 @@
+#include "beadswim/theory/inertial_motion.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/mobility/unsteady_sphere.hpp"
+#include "beadswim/theory/box_mobility.hpp"
+#include "beadswim/theory/perturbation.hpp"
+
+namespace beadswim {
+
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i_unit{0, 1};
+
+/// m - m_f of the three beads [mass].
+Eigen::Vector3d excess_masses(const InertialScene& scene) {
+  Eigen::Vector3d excess;
+  for (int i = 0; i < 3; ++i) {
+    const double volume = 4 * std::numbers::pi / 3 * std::pow(scene.swimmer.radius[i], 3);
+    excess[i] = (scene.swimmer.density[i] - scene.fluid_density) * volume;
+  }
+  return excess;
+}
+
+/// a^2 of a bead whose unsteady force makes a steady flow: a^2 times the mean, by the shares of surface and
+/// volume in that force, of 1 and 3/5.
+Complex steady_size(double radius, Complex kappa) {
+  return radius * radius * (1.0 + kappa + kappa * kappa / 5.0) / induced_force_factor(kappa);
+}
+
+/// M of the induced forces: U = M f.
+Eigen::Matrix3cd induced_mobility(const InertialScene& scene) {
+  const CollinearSwimmer& swimmer = scene.swimmer;
+  const Complex alpha = inverse_penetration_depth(swimmer, scene.fluid_density);
+  Eigen::Matrix3cd mobility;
+  for (int i = 0; i < 3; ++i) {
+    const SizeFactor size_i = sphere_factor(alpha * swimmer.radius[i]);
+    mobility(i, i) = self_mobility(swimmer.radius[i], swimmer.viscosity) /
+                         induced_force_factor(alpha * swimmer.radius[i]) +
+                     combined(scene.flow.unsteady_images(alpha, scene.positions[i]), size_i * size_i).value;
+    for (int j = i + 1; j < 3; ++j) {
+      const SizeFactor sizes = size_i * sphere_factor(alpha * swimmer.radius[j]);
+      const UnsteadyFlow flow = scene.flow.unsteady(alpha, scene.positions[i], scene.positions[j]);
+      mobility(i, j) = mobility(j, i) = combined(flow, sizes).value;
+    }
+  }
+  return mobility;
+}
+
+}  // namespace
+
+InertialScene unbounded_scene(const Question& question) {
+  return {question.swimmer, question.fluid_density, LineFlow(question.swimmer.viscosity),
+          rest_positions(question.swimmer)};
+}
+
+InertialScene inertial_scene(const Question& question) {
+  InertialScene scene = unbounded_scene(question);
+  if (!question.box) return scene;
+  const auto& [box, middle] = *question.box;
+  scene.flow = LineFlow(question.swimmer.viscosity, box, middle[1], middle[2]);
+  for (double& x : scene.positions) x += middle[0];
+  return scene;
+}
+
+Eigen::Matrix3cd unsteady_mobility(const InertialScene& scene) {
+  const Eigen::Matrix3cd induced = induced_mobility(scene);
+  const Complex i_omega = i_unit * scene.swimmer.angular_frequency();
+  const Eigen::Matrix3cd with_mass =
+      Eigen::Matrix3cd::Identity() + i_omega * induced * excess_masses(scene).cast<Complex>().asDiagonal();
+  return with_mass.partialPivLu().solve(induced);
+}
+
+Eigen::Vector3cd induced_forces(const InertialScene& scene, const LinearResponse& response) {
+  const double omega = scene.swimmer.angular_frequency();
+  // -i omega (m - m_f) U with U = i omega xi.
+  return response.force +
+         omega * omega * excess_masses(scene).cast<Complex>().cwiseProduct(response.displacement);
+}
+
+double lagrangian_drift(const InertialScene& scene, const LinearResponse& response) {
+  const CollinearSwimmer& swimmer = scene.swimmer;
+  const Complex alpha = inverse_penetration_depth(swimmer, scene.fluid_density);
+  const Eigen::Vector3cd force = induced_forces(scene, response);
+  const Eigen::Vector3d w =
+      rigid_force_distribution(rotne_prager_in(scene.flow, swimmer, scene.positions).value);
+  double drift = 0;
+  for (int j = 0; j < 3; ++j) {
+    const double x_j = scene.positions[j], a_j = swimmer.radius[j];
+    for (int i = 0; i < 3; ++i) {
+      const double x_i = scene.positions[i];
+      const Complex kappa_i = alpha * swimmer.radius[i];
+      const UnsteadyFlow unsteady =
+          i == j ? scene.flow.unsteady_images(alpha, x_j) : scene.flow.unsteady(alpha, x_j, x_i);
+      const SteadyFlow steady = i == j ? scene.flow.steady_images(x_j) : scene.flow.steady(x_j, x_i);
+      const Complex R_slope =
+          combined(unsteady, surface_mean_factor(alpha * a_j) * sphere_factor(kappa_i)).by_receiver;
+      const Complex S_slope = steady.oseen.by_source + (a_j * a_j + steady_size(swimmer.radius[i], kappa_i)) *
+                                                           steady.laplacian.by_source;
+      const Complex by_place = std::conj(response.displacement[j]) * R_slope * force[i];
+      const Complex by_source = std::conj(response.displacement[i]) * S_slope * force[i];
+      drift += w[j] * (by_place + by_source).real() / 2;
+    }
+  }
+  return drift;
+}
+
+ReynoldsForm reynolds_form(const InertialScene& scene) {
+  const Eigen::Vector3d towing = rigid_force_distribution(rest_mobility(scene.swimmer, rotne_prager).value);
+  return reynolds_stress_form(scene.swimmer, scene.fluid_density, towing);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+// Flow of one sphere that is pushed along x, in cylindrical coordinates (x, s) about its centre, s the
+// distance from the axis. With phi = 1/(4 pi r), kappa = alpha a, D = 1 + kappa + kappa^2/3:
+//
+//   oscillating   u = (f/eta) [ W H e_x + grad d/dx Psi ],  H = e^{-alpha r} phi,  W = e^kappa / D,
+//                 Psi = (phi - W H) / alpha^2          outside;   u = f e_x / (6 pi eta a D)  inside
+//   steady        u = (h/eta) [ phi e_x + grad d/dx B ],    B = -r/(8 pi) - a^2/(24 pi r)    outside;
+//                 u = h e_x / (6 pi eta a)                                                    inside
+//
+// Both are divergence-free and uniform on the sphere. References: Landau and Lifshitz, Fluid Mechanics,
+// sections 20 and 24. Page: docs/method/inertia.md.
+
+namespace beadswim {
+
+/// Flow per unit force of a sphere oscillating with exp(i omega t), Re alpha > 0: along the axis and away
+/// from it [time/mass].
+inline Eigen::RowVector2cd oscillating_sphere_flow(double radius, double viscosity,
+                                                   std::complex<double> alpha, double x, double s) {
+  using std::numbers::pi;
+  const double r = std::hypot(x, s);
+  const std::complex<double> kappa = alpha * radius, D = 1.0 + kappa + kappa * kappa / 3.0;
+  if (r <= radius) return {1.0 / (6 * pi * viscosity * radius * D), 0.0};
+  const double phi = 1 / (4 * pi * r), r2 = r * r;
+  const std::complex<double> ar = alpha * r, WH = std::exp(alpha * (radius - r)) / D * phi;
+  // (1/r d/dr) once and twice of phi and of W H; their differences are alpha^2 Psi's.
+  const std::complex<double> Psi_1 = (-phi + WH * (1.0 + ar)) / (r2 * alpha * alpha);
+  const std::complex<double> Psi_2 = (3 * phi - WH * (3.0 + 3.0 * ar + ar * ar)) / (r2 * r2 * alpha * alpha);
+  return {(WH + Psi_1 + x * x * Psi_2) / viscosity, x * s * Psi_2 / viscosity};
+}
+
+/// Gradient of the steady flow of a towed sphere per unit force: row the direction of the derivative, column
+/// the component of the flow [time/(mass length)].
+inline Eigen::Matrix2d towed_sphere_gradient(double radius, double viscosity, double x, double s) {
+  using std::numbers::pi;
+  const double r2 = x * x + s * s, a2 = radius * radius;
+  if (r2 <= a2) return Eigen::Matrix2d::Zero();
+  const double r = std::sqrt(r2), phi_1 = -1 / (4 * pi * r2 * r);
+  // (1/r d/dr) twice and three times of B.
+  const double B_2 = (1 / (r2 * r) - a2 / (r2 * r2 * r)) / (8 * pi);
+  const double B_3 = (-3 / (r2 * r2 * r) + 5 * a2 / (r2 * r2 * r2 * r)) / (8 * pi);
+  const double mixed = s * B_2 + x * x * s * B_3;
+  Eigen::Matrix2d gradient;
+  gradient << x * phi_1 + 3 * x * B_2 + x * x * x * B_3, mixed, s * phi_1 + mixed, x * B_2 + x * s * s * B_3;
+  return gradient / viscosity;
+}
+
+}  // namespace beadswim

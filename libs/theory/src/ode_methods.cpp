@@ -1,0 +1,85 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "beadswim/mobility/oseen.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
+#include "confidence.hpp"
+#include "method_rows.hpp"
+
+namespace beadswim {
+
+namespace {
+
+Prediction described(const Question& question, const PeriodicMotion& motion) {
+  Prediction prediction;
+  prediction.velocity = motion.velocity;
+  prediction.stroke = motion.stroke;
+  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
+  prediction.arm_means = motion.arm_means;
+  prediction.settings.emplace_back("smallest_gap_over_radius",
+                                   motion.smallest_gap / question.swimmer.radius[1]);
+  prediction.settings.emplace_back("harmonics", static_cast<double>(motion.nodes - 1) / 2);
+  return prediction;
+}
+
+/// Limits and settings of all methods at finite amplitude without inertia in open space.
+void add_limits(const Question& question, Prediction& prediction) {
+  prediction.validity += fmt::format(
+      "; periodic motion at finite amplitude; alone in unbounded fluid; no inertia of fluid or beads "
+      "(penetration depth "
+      "{:.2f} arms)",
+      penetration_depth_over_arm(question));
+  prediction.settings.emplace_back("fluid", "unbounded");
+  add_driving_settings(question, prediction);
+}
+
+Prediction predict_pairwise(const Question& question, const std::string& pairs, PairLaw law) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const MobilityAt mobility = [&](const LinePositions& x) {
+    return pairwise_mobility(law, swimmer.radius, x, swimmer.viscosity);
+  };
+  Prediction prediction = described(question, periodic_motion(swimmer, rest_positions(swimmer), mobility));
+  const double second_order = second_order_motion(swimmer, rest_mobility(swimmer, law)).velocity;
+  const std::optional<double> exact = exact_velocity(question);
+  prediction.uncertainty = relative_uncertainty(second_order, exact, 0);
+  prediction.validity = fmt::format("{} pairs: at small amplitude {}", pairs,
+                                    distance_from_exact(question, second_order, exact));
+  prediction.settings.emplace_back("mobility", pairs);
+  add_limits(question, prediction);
+  return prediction;
+}
+
+}  // namespace
+
+Prediction predict_oseen_ode(const Question& question) {
+  return predict_pairwise(question, "Oseen", oseen);
+}
+
+Prediction predict_rpy_ode(const Question& question) {
+  return predict_pairwise(question, "Rotne-Prager", rotne_prager);
+}
+
+double least_exact_gap(const CollinearSwimmer& swimmer) {
+  constexpr double least = 0.02;  // of a radius: the multipole series still takes below 200 terms
+  return least * *std::min_element(swimmer.radius.begin(), swimmer.radius.end());
+}
+
+PeriodicMotion exact_periodic_motion(const CollinearSwimmer& swimmer) {
+  constexpr double tolerance = 1e-10;  // of mobilities; their errors stay a thousandfold below it
+  const MobilityAt mobility = [&](const LinePositions& x) { return exact_mobility(swimmer, x, tolerance); };
+  return periodic_motion(swimmer, rest_positions(swimmer), mobility, least_exact_gap(swimmer));
+}
+
+Prediction predict_multipole_ode(const Question& question) {
+  Prediction prediction = described(question, exact_periodic_motion(question.swimmer));
+  constexpr double numerical_error = 1e-8;  // of the multipole series and of harmonic balance
+  if (exact_velocity(question)) prediction.uncertainty = numerical_error;
+  prediction.validity = "exact Stokes flow of three spheres (axisymmetric multipoles)";
+  prediction.settings.emplace_back("mobility", "exact");
+  add_limits(question, prediction);
+  return prediction;
+}
+
+}  // namespace beadswim

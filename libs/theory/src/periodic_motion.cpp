@@ -1,0 +1,326 @@
+#include "beadswim/theory/periodic_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <optional>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/pair_mobility.hpp"
+#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/theory/perturbation.hpp"
+
+namespace beadswim {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// The motion at the nodes (columns): change of arm 1, displacement of bead 2, change of arm 2 [length].
+/// Arms as unknowns, as a stiff spring's tension would lose its digits in the difference of its beads'
+/// places.
+using NodalMotion = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+
+/// Displacements of the three beads from a column of NodalMotion.
+Matrix3d beads_from_motion() {
+  Matrix3d beads;
+  beads << -1, 1, 0, 0, 1, 0, 0, 1, 1;
+  return beads;
+}
+
+/// The motion of beads that are displaced so.
+Vector3d motion_of_beads(const Vector3d& p) {
+  return {p[1] - p[0], p[1], p[2] - p[1]};
+}
+
+double node_phase(int node, int nodes) {
+  return 2 * std::numbers::pi * node / nodes;
+}
+
+/// d/d(omega t) at the nodes of the trigonometric polynomial through an odd number of them.
+MatrixXd differentiation_matrix(int nodes) {
+  MatrixXd matrix = MatrixXd::Zero(nodes, nodes);
+  for (int n = 0; n < nodes; ++n) {
+    for (int m = 0; m < nodes; ++m) {
+      if (n == m) continue;
+      const double sign = (n - m) % 2 == 0 ? 1 : -1;
+      matrix(n, m) = sign / (2 * std::sin(node_phase(n - m, nodes) / 2));
+    }
+  }
+  return matrix;
+}
+
+/// Complex amplitude of a harmonic of `values` at the nodes: Re(c exp(i harmonic omega t)).
+std::complex<double> harmonic_amplitude(const Eigen::RowVectorXd& values, int harmonic) {
+  const int nodes = static_cast<int>(values.size());
+  std::complex<double> sum = 0;
+  for (int n = 0; n < nodes; ++n) sum += values[n] * std::polar(1.0, -harmonic * node_phase(n, nodes));
+  return 2.0 * sum / static_cast<double>(nodes);
+}
+
+/// The same motion at more nodes, by its own trigonometric polynomial.
+NodalMotion interpolated(const NodalMotion& motion, int nodes) {
+  NodalMotion finer(3, nodes);
+  for (int row = 0; row < 3; ++row) {
+    finer.row(row).setConstant(motion.row(row).mean());
+    for (int h = 1; 2 * h < motion.cols(); ++h) {
+      const std::complex<double> amplitude = harmonic_amplitude(motion.row(row), h);
+      for (int n = 0; n < nodes; ++n) {
+        finer(row, n) += (amplitude * std::polar(1.0, h * node_phase(n, nodes))).real();
+      }
+    }
+  }
+  return finer;
+}
+
+/// Largest amplitude among the highest quarter of the harmonics, over the largest change.
+double unresolved_part(const NodalMotion& motion) {
+  const int highest = static_cast<int>(motion.cols() - 1) / 2;
+  double largest = 0;
+  for (int row = 0; row < 3; ++row) {
+    for (int h = highest - highest / 4; h <= highest; ++h) {
+      largest = std::max(largest, std::abs(harmonic_amplitude(motion.row(row), h)));
+    }
+  }
+  return largest / motion.cwiseAbs().maxCoeff();
+}
+
+/// The equations of motion of one swimmer on one set of nodes; velocities are over omega, lengths.
+///
+/// With q the arms' changes and Z = (D mu D^T)^-1 they read, at each node,
+///
+///   omega Z dq + K q + omega C dq = g,    sum_k w_k (dp_k + V/omega) = 0,
+///
+/// d the derivative by omega t and F = D^T g: the tensions first, so that those of a stiff spring and of a
+/// soft one keep their own digits.
+class HarmonicBalance {
+ public:
+  HarmonicBalance(const CollinearSwimmer& swimmer, const LinePositions& rest, const MobilityAt& mobility,
+                  int nodes)
+      : mobility_(mobility),
+        rest_(Eigen::Map<const Vector3d>(rest.data())),
+        nodes_(nodes),
+        omega_(swimmer.angular_frequency()),
+        derivative_(differentiation_matrix(nodes)),
+        stiffness_(swimmer.stiffness[0], swimmer.stiffness[1]),
+        damping_(omega_ * swimmer.damping[0], omega_ * swimmer.damping[1]) {
+    const Eigen::Vector3cd force = driving_amplitudes(swimmer);
+    driving_ = {-force[0], force[2]};
+    for (int arm = 0; arm < 2; ++arm) {
+      const double drag = omega_ / self_mobility(swimmer.radius[1], swimmer.viscosity);
+      row_scale_[arm] = 1 / (stiffness_[arm] + damping_[arm] + drag);
+    }
+  }
+
+  LinePositions places(const NodalMotion& motion, int node) const {
+    const Vector3d x = rest_ + beads_ * motion.col(node);
+    return {x[0], x[1], x[2]};
+  }
+
+  NodalMotion rates(const NodalMotion& motion) const { return motion * derivative_.transpose(); }
+
+  /// Newton's step (-d motion, -dV/omega) with the driving scaled by `driving`.
+  VectorXd newton_step(const NodalMotion& motion, double velocity, double driving) const {
+    const int unknowns = 3 * nodes_ + 1;
+    const NodalMotion rate = rates(motion);
+    MatrixXd jacobian = MatrixXd::Zero(unknowns, unknowns);
+    VectorXd residual = VectorXd::Zero(unknowns);
+    for (int n = 0; n < nodes_; ++n) {
+      const NodeEquations node = equations(motion, rate, velocity, driving * driving_tension(n), n);
+      residual.segment<3>(3 * n) = node.residual;
+      for (int m = 0; m < nodes_; ++m) jacobian.block<3, 3>(3 * n, 3 * m) = derivative_(n, m) * node.by_rate;
+      jacobian.block<3, 3>(3 * n, 3 * n) += node.by_motion;
+      jacobian(3 * n + 2, unknowns - 1) = 1;
+      // The last equation: the centre is at rest in the mean.
+      jacobian.block<1, 3>(unknowns - 1, 3 * n) = beads_.colwise().sum() / nodes_;
+    }
+    residual[unknowns - 1] = (beads_ * motion).sum() / nodes_;
+    return jacobian.partialPivLu().solve(residual);
+  }
+
+  /// V by the force distribution of the rigid swimmer.
+  double drift_velocity(const NodalMotion& motion) const {
+    const Vector3d at_rest = rigid_force_distribution(mobility_({rest_[0], rest_[1], rest_[2]}).value);
+    const NodalMotion rate = beads_ * rates(motion);
+    double sum = 0;
+    for (int n = 0; n < nodes_; ++n) {
+      const Vector3d change = rigid_force_distribution(mobility_(places(motion, n)).value) - at_rest;
+      sum -= change.dot(rate.col(n));
+    }
+    return omega_ * sum / nodes_;
+  }
+
+ private:
+  /// The three equations of a node and their derivatives by its motion and rate. Those by the motion leave
+  /// out what vanishes with the residual.
+  struct NodeEquations {
+    Vector3d residual;
+    Matrix3d by_rate, by_motion;
+  };
+
+  NodeEquations equations(const NodalMotion& motion, const NodalMotion& rate, double velocity,
+                          const Eigen::Vector2d& driving, int node) const {
+    const CollinearMobility mu = mobility_(places(motion, node));
+    const Eigen::Matrix<double, 2, 3> D = arm_rates();
+    const Eigen::Matrix2d impedance = omega_ * (D * mu.value * D.transpose()).inverse();
+    const Vector3d w = rigid_force_distribution(mu.value);
+    const Eigen::Vector2d q(motion(0, node), motion(2, node)), dq(rate(0, node), rate(2, node));
+    const Eigen::Vector2d tension = driving - stiffness_.cwiseProduct(q) - damping_.cwiseProduct(dq);
+    const Eigen::Matrix2d scale = row_scale_.asDiagonal();
+
+    NodeEquations node_equations{Vector3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
+    node_equations.residual << scale * (impedance * dq - tension), w.dot(beads_ * rate.col(node)) + velocity;
+    const Eigen::Matrix2d by_arm_rate = scale * (impedance + Eigen::Matrix2d(damping_.asDiagonal()));
+    for (int arm = 0; arm < 2; ++arm) {
+      node_equations.by_rate.col(2 * arm).head<2>() = by_arm_rate.col(arm);
+      node_equations.by_motion(arm, 2 * arm) = row_scale_[arm] * stiffness_[arm];
+    }
+    node_equations.by_rate.row(2) = w.transpose() * beads_;
+
+    Matrix3d drift_by_place;
+    for (int k = 0; k < 3; ++k) drift_by_place.col(k) = mu.slope[k] * (D.transpose() * tension) / omega_;
+    Matrix3d equations_of_drift;
+    equations_of_drift << scale * impedance * D, w.transpose();
+    node_equations.by_motion -= equations_of_drift * drift_by_place * beads_;
+    return node_equations;
+  }
+
+  /// g: the driving's tension on the two arms.
+  Eigen::Vector2d driving_tension(int node) const {
+    return (driving_ * std::polar(1.0, node_phase(node, nodes_))).real();
+  }
+
+  const MobilityAt& mobility_;
+  Vector3d rest_;
+  int nodes_;
+  double omega_;
+  MatrixXd derivative_;
+  Matrix3d beads_ = beads_from_motion();
+  Eigen::Vector2d stiffness_, damping_;  ///< k_i, omega c_i
+  Eigen::Vector2d row_scale_;            ///< brings the equations of both arms to one size
+  Eigen::Vector2cd driving_;
+};
+
+/// A motion and its drift over omega, as Newton's method goes.
+struct State {
+  NodalMotion motion;
+  double velocity = 0;
+};
+
+double smallest_gap_of(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
+                       const NodalMotion& motion) {
+  double smallest = smallest_gap(swimmer, balance.places(motion, 0));
+  for (int n = 1; n < motion.cols(); ++n)
+    smallest = std::min(smallest, smallest_gap(swimmer, balance.places(motion, n)));
+  return smallest;
+}
+
+/// Newton's method from `state`, steps halved where beads would meet. None if it does not converge.
+std::optional<State> solved(const CollinearSwimmer& swimmer, const HarmonicBalance& balance, State state,
+                            double driving, double least_gap) {
+  constexpr int most_steps = 40, most_halvings = 12;
+  constexpr double last_step = 1e-8;  // relative: the error is its square once the step is taken
+  const int nodes = static_cast<int>(state.motion.cols());
+  if (!(smallest_gap_of(swimmer, balance, state.motion) > least_gap)) state.motion.setZero();
+  for (int step = 0; step < most_steps; ++step) {
+    const VectorXd full = balance.newton_step(state.motion, state.velocity, driving);
+    if (!full.allFinite()) return std::nullopt;
+    const Eigen::Map<const NodalMotion> change(full.data(), 3, nodes);
+    double part = 1;
+    for (int halving = 0;; ++halving, part /= 2) {
+      if (halving == most_halvings) return std::nullopt;
+      const NodalMotion trial = state.motion - part * change;
+      if (smallest_gap_of(swimmer, balance, trial) > least_gap) break;
+    }
+    state.motion -= part * change;
+    state.velocity -= part * full[full.size() - 1];
+    const double size = state.motion.cwiseAbs().maxCoeff();
+    if (part == 1 && change.cwiseAbs().maxCoeff() <= last_step * size) return state;
+  }
+  return std::nullopt;
+}
+
+/// The first-order motion, as a start for Newton's method.
+State first_order_state(const CollinearSwimmer& swimmer, const LinePositions& rest,
+                        const MobilityAt& mobility, int nodes) {
+  const LinearResponse response = linear_response(swimmer, mobility(rest).value);
+  State state{.motion = NodalMotion(3, nodes)};
+  for (int n = 0; n < nodes; ++n) {
+    const Vector3d beads = (response.displacement * std::polar(1.0, node_phase(n, nodes))).real();
+    state.motion.col(n) = motion_of_beads(beads);
+  }
+  return state;
+}
+
+std::string contact_message(double reached, double least_gap) {
+  return fmt::format(
+      "no periodic motion without contact was found: the driving can be turned up to about {:.2g} of its "
+      "amplitude before beads come nearer than {:.3g} to each other or a soft spring gives way; lower "
+      "--amplitude, or raise --stiffness, --damping or --arm",
+      reached, least_gap);
+}
+
+/// The motion under the full driving, which is turned up in steps where it cannot be had at once.
+State turned_up(const CollinearSwimmer& swimmer, const HarmonicBalance& balance, const State& first_order,
+                double least_gap) {
+  constexpr double smallest_step = 1.0 / 64;
+  State reached{.motion = NodalMotion::Zero(3, first_order.motion.cols())};
+  double driving = 0, step = 1;
+  while (driving < 1) {
+    const double next = std::min(driving + step, 1.0);
+    State guess = reached;
+    if (driving == 0) guess.motion = next * first_order.motion;
+    if (auto found = solved(swimmer, balance, guess, next, least_gap)) {
+      reached = *found;
+      driving = next;
+    } else if ((step /= 2) < smallest_step) {
+      throw InputError("stroke", contact_message(driving, least_gap));
+    }
+  }
+  return reached;
+}
+
+PeriodicMotion described(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
+                         const NodalMotion& nodal) {
+  PeriodicMotion motion;
+  motion.velocity = balance.drift_velocity(nodal);
+  motion.arm_means = {swimmer.arm[0] + nodal.row(0).mean(), swimmer.arm[1] + nodal.row(2).mean()};
+  motion.stroke = stroke_of({harmonic_amplitude(nodal.row(0), 1), harmonic_amplitude(nodal.row(2), 1)});
+  motion.smallest_gap = smallest_gap_of(swimmer, balance, nodal);
+  motion.nodes = static_cast<int>(nodal.cols());
+  return motion;
+}
+
+}  // namespace
+
+double smallest_gap(const CollinearSwimmer& swimmer, const LinePositions& x) {
+  return std::min(x[1] - x[0] - swimmer.radius[0] - swimmer.radius[1],
+                  x[2] - x[1] - swimmer.radius[1] - swimmer.radius[2]);
+}
+
+PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositions& rest,
+                               const MobilityAt& mobility, double least_gap) {
+  constexpr int fewest_nodes = 25, most_nodes = 401;
+  constexpr double resolved = 1e-12;  // relative
+  State state = first_order_state(swimmer, rest, mobility, fewest_nodes);
+  const bool driven = state.motion.cwiseAbs().maxCoeff() > 0;
+  for (int nodes = fewest_nodes; nodes <= most_nodes; nodes = 2 * nodes - 1) {
+    const HarmonicBalance balance(swimmer, rest, mobility, nodes);
+    if (!driven) return described(swimmer, balance, state.motion);
+    if (nodes > fewest_nodes) state.motion = interpolated(state.motion, nodes);
+    state = turned_up(swimmer, balance, state, least_gap);
+    if (unresolved_part(state.motion) < resolved) return described(swimmer, balance, state.motion);
+  }
+  throw InputError("stroke", fmt::format("its motion has more than {} harmonics; lower --amplitude, so that "
+                                         "beads come less near to each other",
+                                         most_nodes / 2));
+}
+
+}  // namespace beadswim

@@ -1,0 +1,80 @@
+#include "beadswim/theory/question.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/multipole_mobility.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/finite_amplitude.hpp"
+#include "confidence.hpp"
+
+namespace beadswim {
+
+namespace {
+
+/// None where beads touch or all but touch.
+std::optional<ExactStokes> exact_stokes(const CollinearSwimmer& swimmer) {
+  ExactStokes exact;
+  const MobilityAt mobility = [&](const LinePositions& positions) {
+    return exact_mobility(swimmer, positions);
+  };
+  try {
+    exact.mobility = mobility(rest_positions(swimmer));
+    exact.motion = second_order_motion(swimmer, exact.mobility);
+    exact.amplitude_change = finite_amplitude_change(swimmer, mobility);
+  } catch (const InputError&) {
+    return std::nullopt;
+  } catch (const NotFiniteError&) {
+    return std::nullopt;
+  }
+  return exact;
+}
+
+}  // namespace
+
+CollinearMobility exact_mobility(const CollinearSwimmer& swimmer, const LinePositions& positions,
+                                 double tolerance) {
+  const MultipoleMobility multipole =
+      multipole_mobility(swimmer.radius, positions, swimmer.viscosity, tolerance);
+  return {.value = multipole.value, .slope = {multipole.slope[0], multipole.slope[1], multipole.slope[2]}};
+}
+
+Question with_exact_reference(Question question) {
+  question.exact = exact_stokes(question.swimmer);
+  return question;
+}
+
+std::vector<std::string> warnings(const Question& question, double tolerance) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const SecondOrderMotion motion = question.exact
+                                       ? question.exact->motion
+                                       : second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager));
+  const MobilityAt pair_mobility = [&](const LinePositions& positions) {
+    return pairwise_mobility(rotne_prager, swimmer.radius, positions, swimmer.viscosity);
+  };
+  std::vector<std::string> messages;
+  if (!beads_stay_apart(swimmer, motion.stroke)) {
+    messages.push_back(
+        fmt::format("beads meet within the stroke: to first order the arms swing by {:.4g} and {:.4g}, with "
+                    "gaps of {:.4g} and {:.4g} "
+                    "between the beads at rest; lower --amplitude or raise --stiffness, --damping or --arm",
+                    motion.stroke.amplitude[0], motion.stroke.amplitude[1],
+                    swimmer.arm[0] - swimmer.radius[0] - swimmer.radius[1],
+                    swimmer.arm[1] - swimmer.radius[1] - swimmer.radius[2]));
+  }
+  const double change =
+      question.exact ? question.exact->amplitude_change : finite_amplitude_change(swimmer, pair_mobility);
+  if (std::isfinite(change) && std::abs(change) > tolerance) {
+    messages.push_back(
+        fmt::format("the driving is beyond small amplitude: closed forms and second-order methods leave out "
+                    "about {:+.1f} % of the "
+                    "velocity, more than the tolerance of {:.3g} %; believe the -ode methods and "
+                    "inertia-corrected instead",
+                    100 * change, 100 * tolerance));
+  }
+  return messages;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,130 @@
+#include "beadswim/theory/reynolds_stress.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "lone_sphere_flow.hpp"
+
+namespace beadswim {
+
+namespace {
+
+struct QuadratureNode {
+  double place, weight;
+};
+
+/// Gauss-Legendre nodes on [0, 1], by Newton's method on the Legendre polynomial.
+std::vector<QuadratureNode> gauss_legendre(int count) {
+  std::vector<QuadratureNode> nodes;
+  for (int i = 0; i < count; ++i) {
+    double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5)), slope = 0;
+    for (int step = 0; step < 8; ++step) {
+      double previous = 1, value = x;
+      for (int n = 2; n <= count; ++n) {
+        const double next = ((2 * n - 1) * x * value - (n - 1) * previous) / n;
+        previous = value;
+        value = next;
+      }
+      slope = count * (x * value - previous) / (x * x - 1);
+      x -= value / slope;
+    }
+    nodes.push_back({(1 + x) / 2, 1 / ((1 - x * x) * slope * slope)});
+  }
+  return nodes;
+}
+
+/// The integrand of Q at one point of the half-plane (x, s), from the flows of the three spheres.
+class ReynoldsStress {
+ public:
+  ReynoldsStress(const CollinearSwimmer& swimmer, double fluid_density, const Eigen::Vector3d& towing)
+      : swimmer_(swimmer),
+        center_(rest_positions(swimmer)),
+        alpha_(inverse_penetration_depth(swimmer, fluid_density)),
+        towing_(towing) {}
+
+  const LinePositions& center() const { return center_; }
+
+  /// u_i u_j* : grad u^ at (x, s).
+  Eigen::Matrix3cd at(double x, double s) const {
+    Eigen::Matrix<std::complex<double>, 3, 2> flow;  // a row a sphere: along the axis and away from it
+    Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+    for (int i = 0; i < 3; ++i) {
+      const double dx = x - center_[i];
+      flow.row(i) = oscillating_sphere_flow(swimmer_.radius[i], swimmer_.viscosity, alpha_, dx, s);
+      gradient += towing_[i] * towed_sphere_gradient(swimmer_.radius[i], swimmer_.viscosity, dx, s);
+    }
+    const Eigen::Matrix2d strain = (gradient + gradient.transpose()) / 2;
+    return flow * strain * flow.adjoint();
+  }
+
+ private:
+  const CollinearSwimmer& swimmer_;
+  LinePositions center_;
+  std::complex<double> alpha_;
+  Eigen::Vector3d towing_;
+};
+
+/// Integral over a cone's share of one bead's surroundings: from its centre in direction `cosine`, inside the
+/// bead and from its surface outwards to `farthest` in r = a/q^2, which also resolves deep penetration.
+ReynoldsForm radial_integral(const ReynoldsStress& stress, int bead, double radius, double cosine,
+                             double farthest, const std::vector<QuadratureNode>& nodes) {
+  const double sine = std::sqrt(1 - cosine * cosine), center = stress.center()[bead];
+  const double q_end = std::sqrt(radius / farthest);  // 0 if nothing ends the cone
+  Eigen::Matrix3cd within = Eigen::Matrix3cd::Zero(), beyond = Eigen::Matrix3cd::Zero();
+  for (const auto& [place, weight] : nodes) {
+    const double r_in = radius * place;
+    within += weight * radius * r_in * r_in * stress.at(center + r_in * cosine, r_in * sine);
+    const double q = q_end + (1 - q_end) * place, r = radius / (q * q);
+    beyond += weight * (1 - q_end) * 2 * r * r * r / q * stress.at(center + r * cosine, r * sine);
+  }
+  return {.whole = within + beyond, .inside = within};
+}
+
+/// All space, as the surroundings of each bead up to planes midway in the gaps: smooth in polar coordinates.
+ReynoldsForm space_integral(const ReynoldsStress& stress, const CollinearSwimmer& swimmer, int count) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::vector<QuadratureNode> nodes = gauss_legendre(count);
+  const auto half_gap = [&](int arm) {
+    return (swimmer.arm[arm] - swimmer.radius[arm] - swimmer.radius[arm + 1]) / 2;
+  };
+  ReynoldsForm sum{.whole = Eigen::Matrix3cd::Zero(), .inside = Eigen::Matrix3cd::Zero()};
+  for (int bead = 0; bead < 3; ++bead) {
+    const double radius = swimmer.radius[bead];
+    for (const int side : {-1, 1}) {
+      const int arm = side < 0 ? bead - 1 : bead;
+      const double plane = arm < 0 || arm > 1 ? infinite : radius + half_gap(arm);
+      for (const auto& [cosine, weight] : nodes) {
+        const double ring = 2 * std::numbers::pi * weight;
+        const ReynoldsForm ray = radial_integral(stress, bead, radius, side * cosine, plane / cosine, nodes);
+        sum.whole += ring * ray.whole;
+        sum.inside += ring * ray.inside;
+      }
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+ReynoldsForm reynolds_stress_form(const CollinearSwimmer& swimmer, double fluid_density,
+                                  const Eigen::Vector3d& towing) {
+  constexpr double converged = 3e-5;  // between two rules: the finer one is three times better or more
+  constexpr int fewest = 16, most = 128;
+  const ReynoldsStress stress(swimmer, fluid_density, towing);
+  ReynoldsForm before = space_integral(stress, swimmer, fewest), now = before;
+  for (int count = 3 * fewest / 2; count <= most; count = 3 * count / 2) {
+    now = space_integral(stress, swimmer, count);
+    const double change = (now.whole - before.whole).cwiseAbs().maxCoeff();
+    if (change <= converged * now.whole.cwiseAbs().maxCoeff()) break;
+    before = now;
+  }
+  return {.whole = fluid_density * now.whole, .inside = fluid_density * now.inside};
+}
+
+double reynolds_stress_velocity(const Eigen::Matrix3cd& form, const Eigen::Vector3cd& induced_force) {
+  return (induced_force.transpose() * form * induced_force.conjugate()).value().real() / 2;
+}
+
+}  // namespace beadswim

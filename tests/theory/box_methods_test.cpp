@@ -1,0 +1,282 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/theory/box_mobility.hpp"
+#include "scenes.hpp"
+
+namespace beadswim {
+namespace {
+
+double second_order_velocity(const Question& question) {
+  return predicted("rpy-box-perturbation", question).velocity;
+}
+
+double over_unbounded(const CollinearSwimmer& swimmer, const Box& box) {
+  return second_order_velocity(ask_in_box(swimmer, box)) /
+         predicted("rpy-perturbation", ask(swimmer)).velocity;
+}
+
+// ---- Against an independent calculation
+
+// Beenakker's sum by separate code, to its printed digits: periodic cubes, long and narrow boxes, closed
+// ones.
+TEST(RpyBox, VelocityIsThatOfAnIndependentEwaldSum) {
+  const struct {
+    Box box;
+    double ratio, last_digit;
+  } rows[] = {{periodic_box(60, 60, 60), 1.3228, 5e-5},    {periodic_box(80, 80, 80), 1.0745, 5e-5},
+              {periodic_box(100, 100, 100), 1.0287, 5e-5}, {periodic_box(150, 150, 150), 1.0072, 5e-5},
+              {periodic_box(200, 200, 200), 1.0030, 5e-5}, {periodic_box(120, 80, 80), 0.998, 5e-4},
+              {periodic_box(100, 40, 40), 0.768, 5e-4},    {walled_box(200, 120, 120), 1.00297, 5e-6},
+              {walled_box(160, 80, 80), 0.99226, 5e-6},    {walled_box(1200, 800, 800), 1.00003, 5e-6}};
+  for (const auto& row : rows) {
+    const auto& [x, y, z] = row.box.lengths;
+    EXPECT_NEAR(over_unbounded(paper_swimmer(4800), row.box), row.ratio, row.last_digit)
+        << x << " x " << y << " x " << z;
+  }
+}
+
+// 128 x 80 x 80 by another independent sum, strokes included.
+TEST(RpyBox, StrokeIsThatOfAnIndependentEwaldSum) {
+  constexpr double last_digit = 0.51;
+  const struct {
+    double period, d1, d2, sine, velocity;
+  } rows[] = {{2000, 12.62441, 17.09949, 0.79546, 1.741890e-3},
+              {4800, 17.86553, 26.64859, 0.94168, 1.894908e-3}};
+  for (const auto& row : rows) {
+    const Prediction p =
+        predicted("rpy-box-perturbation", ask_in_box(paper_swimmer(row.period), periodic_box(128, 80, 80)));
+    EXPECT_NEAR(p.stroke.amplitude[0], row.d1, last_digit * 1e-5);
+    EXPECT_NEAR(p.stroke.amplitude[1], row.d2, last_digit * 1e-5);
+    EXPECT_NEAR(p.sin_phase_shift, row.sine, last_digit * 1e-5);
+    EXPECT_NEAR(p.velocity, row.velocity, last_digit * 1e-9);
+  }
+}
+
+// ---- Large boxes
+
+// Forces that sum to zero leave a flow of dipoles, 1/r^2, whose images change by 1/L^3 from bead to bead.
+TEST(RpyBox, TendsToUnboundedAsInverseCubeOfLength) {
+  constexpr double slope_tolerance = 0.1;
+  const auto periodic = [](double L) { return over_unbounded(unequal_swimmer(), periodic_box(L, L, L)) - 1; };
+  const auto walled = [](double L) { return over_unbounded(unequal_swimmer(), walled_box(L, L, L)) - 1; };
+  EXPECT_NEAR(std::log2(periodic(400) / periodic(800)), 3, slope_tolerance);
+  EXPECT_NEAR(std::log2(periodic(800) / periodic(1600)), 3, slope_tolerance);
+  EXPECT_LT(std::abs(periodic(1600)), 1e-5);
+  EXPECT_NEAR(std::log2(walled(800) / walled(1600)), 3, slope_tolerance);
+  EXPECT_NEAR(std::log2(walled(1600) / walled(3200)), 3, slope_tolerance);
+  EXPECT_LT(std::abs(walled(3200)), 1e-6);
+}
+
+// ---- Mirrors
+
+class BoxMethod : public testing::TestWithParam<std::string> {
+ protected:
+  Prediction in_box(const Box& box, const std::array<double, 3>& middle) const {
+    return predicted(GetParam(), ask_in_box(with_amplitude(unequal_swimmer(), 0.2), box, middle));
+  }
+  void expect_same(const Prediction& a, const Prediction& b) const {
+    constexpr double roundoff = 1e-9;
+    EXPECT_NEAR(a.velocity / b.velocity, 1, roundoff);
+    EXPECT_NEAR(a.stroke.amplitude[0] / b.stroke.amplitude[0], 1, roundoff);
+    EXPECT_NEAR(a.stroke.amplitude[1] / b.stroke.amplitude[1], 1, roundoff);
+    EXPECT_NEAR(a.sin_phase_shift, b.sin_phase_shift, roundoff);
+  }
+};
+
+// Midway between side walls the mirror copies lie where the images of a periodic box of the same width do.
+TEST_P(BoxMethod, MidwayBetweenSideWallsIsPeriodic) {
+  const Box walls{.lengths = {120, 70, 50}, .free_slip = {false, true, true}};
+  expect_same(in_box(walls, {10, 35, 25}), in_box(periodic_box(120, 70, 50), {77, 3, 60}));
+}
+
+// Elsewhere between them they lie differently: near a wall the swimmer has its own copy beside it.
+TEST_P(BoxMethod, ElsewhereBetweenSideWallsIsNot) {
+  const Box walls{.lengths = {120, 70, 50}, .free_slip = {false, true, true}};
+  const double midway = in_box(walls, {10, 35, 25}).velocity, aside = in_box(walls, {10, 7, 25}).velocity;
+  EXPECT_GT(std::abs(aside / midway - 1), 1e-3);
+}
+
+// Which side wall is which, and which of the two widths comes first, is nothing to a swimmer.
+TEST_P(BoxMethod, SideAxesMayBeSwappedAndReflected) {
+  const Prediction p = in_box({.lengths = {120, 70, 50}, .free_slip = {true, true, false}}, {50, 20, 3});
+  expect_same(p, in_box({.lengths = {120, 50, 70}, .free_slip = {true, false, true}}, {50, 40, 20}));
+  expect_same(p, in_box({.lengths = {120, 70, 50}, .free_slip = {true, true, false}}, {50, 50, 3}));
+}
+
+TEST_P(BoxMethod, PlaceAlongPeriodicAxisDoesNotMatter) {
+  const Box box = periodic_box(120, 70, 50);
+  expect_same(in_box(box, {7, 35, 25}), in_box(box, {111, 1, 0}));
+}
+
+// With walls across the axis it does, and the mirrored swimmer at the mirrored place moves the other way.
+TEST_P(BoxMethod, WallsAcrossTheAxisFeelPlaceAndMirror) {
+  const Box box{.lengths = {110, 90, 80}, .free_slip = {true, false, false}};
+  const Prediction near = in_box(box, {35, 45, 40}), far = in_box(box, {55, 45, 40});
+  EXPECT_GT(std::abs(near.velocity / far.velocity - 1), 1e-3);
+  CollinearSwimmer mirrored = with_amplitude(unequal_swimmer(), 0.2);
+  std::swap(mirrored.radius[0], mirrored.radius[2]);
+  std::swap(mirrored.arm[0], mirrored.arm[1]);
+  std::swap(mirrored.stiffness[0], mirrored.stiffness[1]);
+  std::swap(mirrored.damping[0], mirrored.damping[1]);
+  std::swap(mirrored.amplitude[0], mirrored.amplitude[1]);
+  mirrored.phase = -mirrored.phase;
+  const Prediction there = predicted(GetParam(), ask_in_box(mirrored, box, {110 - 35, 45, 40}));
+  constexpr double roundoff = 1e-9;
+  EXPECT_NEAR(there.velocity / near.velocity, -1, roundoff);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BoxMethod,
+                         testing::Values("rpy-box-perturbation", "rpy-box-ode", "unsteady-response",
+                                         "inertia-corrected"),
+                         test_name);
+
+/// Rotne-Prager mobility of beads at places on a line in a periodic box.
+Eigen::MatrixXd periodic_mobility(const LineFlow& flow, const std::vector<double>& radii,
+                                  const std::vector<double>& x, double viscosity) {
+  const auto count = static_cast<Eigen::Index>(x.size());
+  Eigen::MatrixXd mobility(count, count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    for (Eigen::Index j = 0; j < count; ++j) {
+      const SteadyFlow pair = i == j ? flow.steady_images(x[i]) : flow.steady(x[i], x[j]);
+      mobility(i, j) = pair.oseen.value + (radii[i] * radii[i] + radii[j] * radii[j]) * pair.laplacian.value;
+      if (i == j) mobility(i, j) += self_mobility(radii[i], viscosity);
+    }
+  }
+  return mobility;
+}
+
+// What walls across the axis mean: in a periodic box of twice the length swims a mirrored swimmer as well,
+// with the opposite forces. Six beads, of which three are read.
+TEST(RpyBox, WallsAcrossTheAxisAreAMirroredSwimmer) {
+  const CollinearSwimmer swimmer = unequal_swimmer();
+  const BoxPlace place{{.lengths = {110, 90, 80}, .free_slip = {true, false, false}}, {45, 0, 0}};
+  const CollinearMobility walls =
+      rotne_prager_in(flow_in(place, swimmer.viscosity), swimmer, rest_positions(swimmer, place));
+  std::vector<double> radii(swimmer.radius.begin(), swimmer.radius.end());
+  const LinePositions rest = rest_positions(swimmer, place);
+  std::vector<double> x(rest.begin(), rest.end());
+  for (int i = 0; i < 3; ++i) {
+    radii.push_back(swimmer.radius[i]);
+    x.push_back(-rest[i]);
+  }
+  const LineFlow doubled(swimmer.viscosity, periodic_box(220, 90, 80), 0, 0);
+  const Eigen::MatrixXd six = periodic_mobility(doubled, radii, x, swimmer.viscosity);
+  const Eigen::Matrix3d expected = six.topLeftCorner<3, 3>() - six.topRightCorner<3, 3>();
+  constexpr double roundoff = 1e-12;
+  EXPECT_LT((walls.value - expected).norm() / expected.norm(), roundoff);
+}
+
+// All slopes, by differences of the mobility, with walls on every axis.
+TEST(RpyBox, SlopesAreDerivatives) {
+  const CollinearSwimmer swimmer = unequal_swimmer();
+  const BoxPlace place{walled_box(110, 90, 80), {45, 20, 33}};
+  const LineFlow flow = flow_in(place, swimmer.viscosity);
+  const LinePositions rest = rest_positions(swimmer, place);
+  const CollinearMobility here = rotne_prager_in(flow, swimmer, rest);
+  constexpr double h = 1e-3, truncation = 1e-7;
+  for (int k = 0; k < 3; ++k) {
+    LinePositions before = rest, after = rest;
+    before[k] -= h;
+    after[k] += h;
+    const Eigen::Matrix3d slope =
+        (rotne_prager_in(flow, swimmer, after).value - rotne_prager_in(flow, swimmer, before).value) /
+        (2 * h);
+    EXPECT_LT((here.slope[k] - slope).norm() / here.slope[k].norm(), truncation) << "bead " << k + 1;
+  }
+}
+
+TEST(RpyBox, UnboundedFlowGivesRotnePrager) {
+  constexpr double roundoff = 1e-15;
+  const CollinearSwimmer swimmer = unequal_swimmer();
+  const CollinearMobility open =
+      rotne_prager_in(LineFlow(swimmer.viscosity), swimmer, rest_positions(swimmer));
+  const CollinearMobility pairs = rest_mobility(swimmer, rotne_prager);
+  EXPECT_LT((open.value - pairs.value).norm(), roundoff);
+  for (int k = 0; k < 3; ++k) EXPECT_LT((open.slope[k] - pairs.slope[k]).norm(), roundoff);
+}
+
+// ---- Finite amplitude
+
+TEST(RpyBox, OdeTendsToPerturbationAsAmplitudeSquared) {
+  const BoxPlace places[] = {{periodic_box(100, 60, 50), {50, 30, 25}},
+                             {walled_box(100, 60, 50), {40, 20, 30}}};
+  for (const BoxPlace& place : places) {
+    const auto deviation = [&](double amplitude) {
+      const Question question =
+          ask_in_box(with_amplitude(unequal_swimmer(), amplitude), place.box, place.middle_bead);
+      return predicted("rpy-box-ode", question).velocity / second_order_velocity(question) - 1;
+    };
+    constexpr double slope_tolerance = 0.02;
+    EXPECT_NEAR(std::log2(deviation(0.04) / deviation(0.02)), 2, slope_tolerance);
+    EXPECT_NEAR(std::log2(deviation(0.02) / deviation(0.01)), 2, slope_tolerance);
+    EXPECT_LT(std::abs(deviation(0.01)), 5e-5);
+  }
+}
+
+// ---- Refusals
+
+std::string obstacle(const std::string& method, const CollinearSwimmer& swimmer, const Box& box,
+                     const std::array<double, 3>& middle) {
+  return find_method(method).obstacle(ask_in_box(swimmer, box, middle)).value_or("");
+}
+
+TEST(RpyBox, RefusesUnboundedLayouts) {
+  for (const char* method : {"rpy-box-perturbation", "rpy-box-ode"}) {
+    EXPECT_THAT(find_method(method).obstacle(ask(paper_swimmer(2000))).value_or(""),
+                testing::HasSubstr("unbounded"))
+        << method;
+    EXPECT_THROW(predicted(method, ask(paper_swimmer(2000))), InputError);
+  }
+}
+
+TEST(BoxMethods, RefuseImagesThatOverlap) {
+  using testing::HasSubstr;
+  const CollinearSwimmer swimmer = paper_swimmer(2000);  // radius 4, from -24 to 24 about its middle
+  const Box x_walls{.lengths = {100, 60, 60}, .free_slip = {true, false, false}};
+  const Box y_walls{.lengths = {100, 60, 60}, .free_slip = {false, true, false}};
+  const Box z_walls{.lengths = {100, 60, 60}, .free_slip = {false, false, true}};
+  for (const char* method :
+       {"rpy-box-perturbation", "rpy-box-ode", "unsteady-response", "inertia-corrected"}) {
+    SCOPED_TRACE(method);
+    EXPECT_THAT(obstacle(method, swimmer, periodic_box(47.9, 60, 60), {}),
+                HasSubstr("beads 1 and 3 overlap"));
+    EXPECT_EQ(obstacle(method, swimmer, periodic_box(48.1, 60, 60), {}), "");
+    EXPECT_THAT(obstacle(method, swimmer, periodic_box(100, 7.9, 60), {}), HasSubstr("no room"));
+    EXPECT_THAT(obstacle(method, swimmer, periodic_box(100, 60, 7.9), {}), HasSubstr("no room"));
+    EXPECT_EQ(obstacle(method, swimmer, periodic_box(100, 8.1, 8.1), {}), "");
+    EXPECT_THAT(obstacle(method, swimmer, x_walls, {23.9, 30, 30}), HasSubstr("wall across"));
+    EXPECT_THAT(obstacle(method, swimmer, x_walls, {76.1, 30, 30}), HasSubstr("wall across"));
+    EXPECT_EQ(obstacle(method, swimmer, x_walls, {24.1, 30, 30}), "");
+    EXPECT_THAT(obstacle(method, swimmer, y_walls, {50, 3.9, 30}), HasSubstr("no room"));
+    EXPECT_THAT(obstacle(method, swimmer, y_walls, {50, 56.1, 30}), HasSubstr("no room"));
+    EXPECT_THAT(obstacle(method, swimmer, z_walls, {50, 30, 3.9}), HasSubstr("no room"));
+    EXPECT_EQ(obstacle(method, swimmer, z_walls, {50, 30, 4.1}), "");
+  }
+}
+
+// A box shorter than the swimmer lets it reach into its own images: fine as long as nothing touches.
+TEST(BoxMethods, SeeOverlapWithAnyImage) {
+  CollinearSwimmer swimmer = paper_swimmer(2000);
+  swimmer.arm = {30, 30};
+  for (const char* method : {"rpy-box-perturbation", "unsteady-response"}) {
+    EXPECT_EQ(obstacle(method, swimmer, periodic_box(45, 60, 60), {}), "") << "beads at 0, 30 and 15 of 45";
+    EXPECT_THAT(obstacle(method, swimmer, periodic_box(31, 60, 60), {}), testing::HasSubstr("overlap"));
+    EXPECT_THAT(obstacle(method, swimmer, periodic_box(60, 60, 60), {}), testing::HasSubstr("1 and 3"));
+    EXPECT_THAT(obstacle(method, swimmer, periodic_box(7.9, 60, 60), {}), testing::HasSubstr("1 and 1"));
+  }
+}
+
+TEST(BoxMethods, PassOnWhyABoxCannotBeTreated) {
+  Question question = ask(paper_swimmer(2000));
+  question.box_obstacle = "its box holds 8 swimmers";
+  for (const char* method : {"rpy-box-perturbation", "rpy-box-ode"})
+    EXPECT_EQ(find_method(method).obstacle(question), question.box_obstacle);
+}
+
+}  // namespace
+}  // namespace beadswim

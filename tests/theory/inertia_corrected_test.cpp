@@ -1,0 +1,191 @@
+#include "beadswim/theory/inertia_corrected.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scenes.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr double small = 1e-3;  // amplitude without effects of its own: they are of order 1e-6 here
+
+Prediction corrected(const CollinearSwimmer& swimmer) {
+  return predicted("inertia-corrected", ask(with_amplitude(swimmer, small)));
+}
+
+/// Velocity over A^2, stroke over A and sin(delta_1 - delta_2).
+struct Row {
+  double period, velocity, d1, d2, sine;
+};
+
+// An independent calculation (own derivation, own code in another language): first-order flow by least
+// squares of unsteady multipoles on the surfaces of the three spheres (l <= 10, for arms of 14 l <= 12;
+// residual below 5e-7), mean velocity by the reciprocal theorem with the Reynolds stress outside the spheres
+// by quadrature. It is independent of a common oscillation to 1e-7, and its steady part is that of
+// multipole-perturbation in all digits. Velocities of a swimmer like the paper's with other arms, over A^2.
+const Row arm_20[] = {
+    {500, 0.288057e-3, 3.82174, 4.30025, 0.61068},    {700, 0.502645e-3, 5.51141, 6.49649, 0.62147},
+    {1000, 0.827566e-3, 7.72730, 9.71812, 0.64281},   {1400, 1.194269e-3, 10.00848, 13.59620, 0.67862},
+    {2000, 1.558446e-3, 12.26766, 18.27536, 0.74189}, {3000, 1.817559e-3, 14.51041, 23.49039, 0.84412},
+    {4800, 1.819552e-3, 17.50155, 28.10980, 0.94812}, {10000, 1.282991e-3, 22.92957, 30.79748, 0.99622}};
+const Row arm_14[] = {{1000, 1.217799e-3, 6.33156, 7.93114, 0.73256},
+                      {2000, 2.212838e-3, 10.92139, 15.18593, 0.80838},
+                      {4800, 2.788556e-3, 17.19701, 25.62999, 0.94768},
+                      {10000, 2.093167e-3, 22.60490, 29.80387, 0.99460}};
+const Row arm_30[] = {{1000, 0.273861e-3, 8.64527, 10.65579, 0.59314},
+                      {2000, 0.644219e-3, 13.16983, 20.10315, 0.68894},
+                      {4800, 0.842269e-3, 17.46097, 29.52799, 0.94628},
+                      {10000, 0.609389e-3, 23.04326, 31.39377, 0.99708}};
+
+void expect_within_own_uncertainty(const Row& row, double arm) {
+  CollinearSwimmer swimmer = paper_swimmer(row.period);
+  swimmer.arm = {arm, arm};
+  const Prediction p = corrected(swimmer);
+  const auto& [d, delta] = p.stroke;
+  SCOPED_TRACE(testing::Message() << "T = " << row.period << ", l = " << arm);
+  const double deviation = p.velocity / (small * small * row.velocity) - 1;
+  EXPECT_LT(std::abs(deviation), *p.uncertainty);
+  EXPECT_LT(std::abs(d[0] / (small * row.d1) - 1), p.stroke_uncertainty->arm_amplitudes[0]);
+  EXPECT_LT(std::abs(d[1] / (small * row.d2) - 1), p.stroke_uncertainty->arm_amplitudes[1]);
+  EXPECT_LT(std::abs(p.sin_phase_shift - row.sine), p.stroke_uncertainty->sin_phase_shift);
+}
+
+TEST(InertiaCorrected, AgreesWithUnsteadyMultipolesWithinItsOwnUncertainty) {
+  for (const Row& row : arm_20) expect_within_own_uncertainty(row, 20);
+  for (const Row& row : arm_14) expect_within_own_uncertainty(row, 14);
+  for (const Row& row : arm_30) expect_within_own_uncertainty(row, 30);
+}
+
+// Pairs alone are as far off as they say.
+TEST(UnsteadyResponse, AgreesWithUnsteadyMultipolesWithinItsOwnUncertainty) {
+  const auto expect_within = [](const Row& row, double arm) {
+    CollinearSwimmer swimmer = paper_swimmer(row.period);
+    swimmer.arm = {arm, arm};
+    const Prediction p = predicted("unsteady-response", ask(with_amplitude(swimmer, small)));
+    EXPECT_LT(std::abs(p.velocity / (small * small * row.velocity) - 1), *p.uncertainty)
+        << "T = " << row.period << ", l = " << arm;
+  };
+  for (const Row& row : arm_20) expect_within(row, 20);
+  for (const Row& row : arm_14) expect_within(row, 14);
+  for (const Row& row : arm_30) expect_within(row, 30);
+}
+
+// The deviations that docs/method/inertia.md tells of: nowhere more than this.
+TEST(InertiaCorrected, DeviatesFromUnsteadyMultipolesAsDocumented) {
+  const auto deviation = [](const Row& row) {
+    return std::abs(corrected(paper_swimmer(row.period)).velocity / (small * small * row.velocity) - 1);
+  };
+  constexpr double slow = 0.0035, paper = 0.0085, fast = 0.07;
+  for (const Row& row : arm_20) {
+    EXPECT_LT(deviation(row), row.period >= 3000 ? slow : row.period >= 2000 ? paper : fast) << row.period;
+  }
+}
+
+// The steady part against the same calculation.
+TEST(InertiaCorrected, StartsFromTheExactQuasiStaticVelocity) {
+  constexpr double last_digit = 5.1e-10;
+  const struct {
+    double period, velocity;
+  } rows[] = {{1000, 1.039251e-3}, {2000, 1.570750e-3}, {4800, 1.702098e-3}, {10000, 1.224638e-3}};
+  for (const auto& row : rows) {
+    const double velocity = setting(corrected(paper_swimmer(row.period)), "velocity_quasi_static");
+    EXPECT_NEAR(velocity / (small * small), row.velocity, last_digit) << "T = " << row.period;
+  }
+}
+
+// An earlier calculation at Rotne-Prager level, as a factor on the exact quasi-static velocity: it trusts
+// itself to 2.6 % at T = 2000 and 1.8 % at 4800, strokes to 1 %. It says nothing of its error at T = 1000,
+// where its velocity is 4.3 % below ours and 7 % below the unsteady multipoles'.
+TEST(InertiaCorrected, AgreesWithAnEarlierCalculationWithinItsUncertainty) {
+  const Row rows[] = {{1000, 0, 7.70, 9.68, 0.640},          {2000, 1.529e-3, 12.24, 18.29, 0.740},
+                      {3000, 1.804e-3, 14.48, 23.53, 0.844}, {4800, 1.817e-3, 17.49, 28.16, 0.948},
+                      {8000, 1.485e-3, 21.41, 30.52, 0.991}, {10000, 1.283e-3, 22.93, 30.82, 0.996}};
+  constexpr double stroke = 0.01;
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.period);
+    const Prediction p = corrected(paper_swimmer(row.period));
+    const double stated = row.period >= 4800 ? 0.018 : 0.026;
+    if (row.velocity > 0) {
+      EXPECT_NEAR(p.velocity / (small * small * row.velocity), 1, stated);
+    }
+    EXPECT_NEAR(p.stroke.amplitude[0] / (small * row.d1), 1, stroke);
+    EXPECT_NEAR(p.stroke.amplitude[1] / (small * row.d2), 1, stroke);
+    EXPECT_NEAR(p.sin_phase_shift, row.sine, stroke);
+  }
+}
+
+// Without inertia nothing is left to correct, at finite amplitude too; order one in the density.
+TEST(InertiaCorrected, TendsToExactStokesFlowAsDensityVanishes) {
+  const CollinearSwimmer swimmer = with_amplitude(unequal_swimmer(), 0.2);
+  const Prediction exact = predicted("multipole-ode", ask(swimmer));
+  const auto at_density = [&](double density) {
+    Question question = ask(with_density(swimmer, density));
+    question.fluid_density = density;
+    return predicted("inertia-corrected", question);
+  };
+  const auto deviation = [&](double density) { return at_density(density).velocity / exact.velocity - 1; };
+  constexpr double slope_tolerance = 0.02;
+  EXPECT_NEAR(std::log10(deviation(1e-4) / deviation(1e-5)), 1, slope_tolerance);
+  EXPECT_NEAR(std::log10(deviation(1e-5) / deviation(1e-6)), 1, slope_tolerance);
+  EXPECT_LT(std::abs(deviation(1e-6)), 2e-7);
+  const Prediction finest = at_density(1e-6);
+  EXPECT_NEAR(finest.stroke.amplitude[0] / exact.stroke.amplitude[0], 1, 2e-7);
+  EXPECT_NEAR(finest.stroke.amplitude[1] / exact.stroke.amplitude[1], 1, 2e-7);
+  EXPECT_NEAR(finest.sin_phase_shift, exact.sin_phase_shift, 2e-7);
+  EXPECT_LT(*finest.uncertainty, 1e-6);
+}
+
+TEST(InertiaCorrected, IsTheSumOfItsParts) {
+  constexpr double roundoff = 1e-14;
+  const Prediction p = predicted(
+      "inertia-corrected", ask_in_box(with_amplitude(paper_swimmer(4800), 0.2), periodic_box(128, 80, 80)));
+  double sum = 0;
+  for (const char* part : {"velocity_quasi_static", "velocity_by_stroke", "velocity_by_drift",
+                           "velocity_by_reynolds_stress", "velocity_by_box", "velocity_by_amplitude"})
+    sum += setting(p, part);
+  EXPECT_NEAR(p.velocity / sum, 1, roundoff);
+}
+
+// A box changes velocity and stroke by the factors that unsteady pairs know, all but for the exact stroke.
+TEST(InertiaCorrected, TakesTheBoxFromUnsteadyPairs) {
+  constexpr double model = 1e-3;
+  for (const double period : {2000.0, 4800.0}) {
+    const CollinearSwimmer swimmer = with_amplitude(paper_swimmer(period), small);
+    const auto boxed = [&](const std::string& method) {
+      return predicted(method, ask_in_box(swimmer, periodic_box(120, 60, 60)));
+    };
+    const auto open = [&](const std::string& method) { return predicted(method, ask(swimmer)); };
+    const auto velocity = [&](const std::string& method) {
+      return boxed(method).velocity / open(method).velocity;
+    };
+    const auto d2 = [&](const std::string& method) {
+      return boxed(method).stroke.amplitude[1] / open(method).stroke.amplitude[1];
+    };
+    EXPECT_NEAR(velocity("inertia-corrected"), velocity("unsteady-response"), model);
+    EXPECT_GT(std::abs(velocity("unsteady-response") - 1), 3 * model);
+    EXPECT_NEAR(d2("inertia-corrected"), d2("unsteady-response"), model);
+    EXPECT_GT(std::abs(d2("unsteady-response") - 1), 3 * model);
+  }
+}
+
+// Finite amplitude comes from exact Stokes flow: what that adds to velocity, it adds here, for the stroke
+// that inertia leaves; its uncertainty is at most all of it.
+TEST(InertiaCorrected, TakesAmplitudeFromExactStokesFlow) {
+  constexpr double model = 2e-3;
+  const CollinearSwimmer swimmer = paper_swimmer(4800);
+  const auto growth = [&](const std::string& method) {
+    const double amplitude = 0.2;
+    return predicted(method, ask(with_amplitude(swimmer, amplitude))).velocity /
+               (predicted(method, ask(with_amplitude(swimmer, small))).velocity *
+                std::pow(amplitude / small, 2)) -
+           1;
+  };
+  EXPECT_NEAR(growth("inertia-corrected"), growth("multipole-ode"), model);
+  EXPECT_GT(growth("multipole-ode"), 5 * model);
+}
+
+}  // namespace
+}  // namespace beadswim
