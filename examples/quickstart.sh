@@ -47,9 +47,8 @@ beadswim-compare "$out/run.json" "$out/prediction.json" --tolerance "$tolerance"
 if [ "$verdict" -gt 1 ]; then exit "$verdict"; fi
 cat >&2 <<EOF
 
-The prediction that decides, rpy-perturbation, is quasi-static and of Rotne-Prager order: with arms of five bead radii
-its velocity is known to lie 11.8 % above exact Stokes flow. The fluid's inertia, which it leaves out, adds to the run's
-velocity at this period.
+The prediction that decides, inertia-corrected, is exact Stokes flow of three spheres at finite amplitude, with the inertia
+of fluid and beads and with this box. The others leave out some of that: "validity" in prediction.json says what.
 EOF
 
 step "Figure"

@@ -15,7 +15,7 @@ paper() { beadswim-layout swimmer --preset paper-single --unbounded "$@"; }
 
 # --- what it says of itself
 accepts beadswim-theory --help
-for flag in method swimmer stroke-from jsonl; do out_has "^  --$flag"; done
+for flag in method swimmer stroke-from tolerance jsonl; do out_has "^  --$flag"; done
 out_has 'oseen-force-closed'
 accepts beadswim-theory --version
 out_has '^beadswim-theory [0-9]+\.[0-9]+\.[0-9]+ \(.+\)$'
@@ -29,7 +29,9 @@ out_has '"schema": "beadswim/prediction/1"'
 out_has '"velocity": 7.892[0-9]+e-05'
 out_has '"velocity": 7.614[0-9]+e-05'
 check "methods are not those of the table" test "$(grep -oE '"method": "[^"]+"' out | cut -d'"' -f4 | xargs)" = \
-  "oseen-force-closed oseen-stroke-closed oseen-perturbation rpy-perturbation"
+  "oseen-force-closed oseen-stroke-closed oseen-ratio-printed oseen-ratio-repaired rpy-force-printed rpy-force-repaired \
+rpy-stroke-printed rpy-equal-weight oseen-perturbation rpy-perturbation multipole-perturbation oseen-ode rpy-ode multipole-ode \
+unsteady-response inertia-corrected"
 same_bytes 'beadswim-theory paper.json' 'beadswim-theory <paper.json'
 same_bytes 'beadswim-theory paper.json' 'beadswim-layout swimmer --preset paper-single --unbounded | beadswim-theory -'
 same_bytes 'beadswim-theory paper.json' 'cd / && LC_ALL=C TZ=UTC beadswim-theory "$OLDPWD/paper.json"'
@@ -50,8 +52,12 @@ out_has '"length": \{ "name": "um", "si_factor": 1e-06 \}'
 
 # --- what a method cannot treat is left out of all, and an error by name
 paper --radius 4,4,5 --damping 0,3 >unequal.json
-accepts beadswim-theory unequal.json
-check "a closed form treats unequal radii" test "$(grep -c closed out)" -eq 0
+run beadswim-theory unequal.json
+has_status 0
+out_is_valid
+err_has 'left out oseen-force-closed, .*rpy-equal-weight: radii 4, 4, 5 differ'
+check "a closed form treats unequal radii" test "$(jq '[.predictions[].method | select(test("closed|printed|weight"))] | length' out)" -eq 0
+check "what was left out is not in the document" test "$(jq '.left_out | length' out)" -eq 8
 refuses 'oseen-force-closed: cannot treat .* radii 4, 4, 5 differ' beadswim-theory --method oseen-force-closed unequal.json
 
 # --- no motion, no NaN
@@ -61,8 +67,10 @@ out_is_valid
 out_has '"velocity": 0.0'
 out_has '"uncertainty": null'
 paper --amplitude 0,0.2 >one_force.json
-accepts beadswim-theory one_force.json
+run beadswim-theory one_force.json
+has_status 0
 out_is_valid
+err_has 'left out rpy-force-printed: \(4.23\) is printed for A = B' 
 
 # --- orientation: the lab field drives a swimmer along -x backwards, and none across it
 accepts beadswim-theory --method rpy-perturbation paper.json
@@ -108,9 +116,15 @@ accepts beadswim-theory --method oseen-stroke-closed --stroke-from run.json pape
 out_is_valid
 out_has '"velocity": 4.5814[0-9]+e-05'
 out_has '"arm_amplitudes": \[3.0, 4.0\]'
-refuses 'only oseen-stroke-closed uses a stroke' beadswim-theory --method rpy-perturbation --stroke-from run.json paper.json
-refuses 'oseen-stroke-closed cannot treat .* radii' beadswim-theory --stroke-from run.json unequal.json
-refuses 'unit of length' beadswim-theory --stroke-from run.json units.json
+check "the measured stroke is not that of the exact geometry factor too" test "$(beadswim-theory --stroke-from run.json paper.json |
+  jq -c '[.predictions[] | select(.arm_amplitudes == [3, 4]) | .method]')" = \
+  '["oseen-stroke-closed","oseen-ratio-repaired","rpy-stroke-printed","rpy-equal-weight","multipole-stroke"]'
+refuses 'multipole-stroke: .* needs a measured stroke' beadswim-theory --method multipole-stroke paper.json
+paper --period 5000 >slower.json
+refuses 'driving has period 4800.*5000' beadswim-theory --stroke-from run.json slower.json
+refuses 'no method asked for uses a stroke; add one of oseen-stroke-closed' beadswim-theory --method rpy-perturbation --stroke-from run.json paper.json
+refuses 'oseen-stroke-closed: cannot treat .* radii' beadswim-theory --method oseen-stroke-closed --stroke-from run.json unequal.json
+refuses 'units of length' beadswim-theory --stroke-from run.json units.json
 refuses 'does not list swimmer 7' beadswim-theory --swimmer 7 --stroke-from run.json alike.json
 refuses 'paper.json.*another kind' beadswim-theory --stroke-from paper.json paper.json
 sed -E '/"index": 1/,/"index": 2/d; /"arm_amplitudes": \[3/d; s/"cycles": \[$/"cycles": [] }],/' run.json >no_cycle.json
@@ -120,16 +134,65 @@ refuses 'has not finished a cycle' beadswim-theory --stroke-from no_cycle.json p
 tr -d '\n' <paper.json >lines
 echo >>lines
 tr -d '\n' <unequal.json >>lines
-accepts beadswim-theory --jsonl lines
+run beadswim-theory --jsonl lines
+has_status 0
+err_has '1 of 2 layouts left methods out'
 check "not one document a line" test "$(grep -c '^{"schema":"beadswim/prediction/1".*}$' out)" -eq 2
-same_bytes 'beadswim-theory --jsonl lines' 'beadswim-theory --jsonl <lines'
-head -1 out >first.json
+same_bytes 'beadswim-theory --jsonl lines 2>/dev/null' 'beadswim-theory --jsonl <lines 2>/dev/null'
+beadswim-theory --jsonl lines 2>/dev/null | head -1 >first.json
 cp first.json out
 out_is_valid
 echo '{' >>lines
 run beadswim-theory --jsonl lines
 has_status 2
 err_has 'lines line 2'
+
+# --- boxes: periodic, free-slip and along another axis; what theory has no method for
+boxed() { beadswim-layout swimmer --preset paper-single --box 120,80,80 "$@"; }
+velocity_by() { jq ".predictions[] | select(.method == \"$1\") | .velocity"; }
+boxed --boundary periodic >boxed.json
+accepts beadswim-theory boxed.json
+out_is_valid
+check "no box methods for a box" test "$(jq '[.predictions[].method | select(test("box"))] | length' out)" -eq 2
+# 0.998 of unbounded, quasi-static, in this box (1.9035e-3 A^2)
+check "the box's factor is not 0.998" test "$(velocity_by rpy-box-perturbation <out | jq '. / (1.9035e-3 * 0.04) * 1000 | round')" -eq 998
+check "inertia-corrected has no stroke uncertainty" test \
+  "$(jq '.predictions[] | select(.method == "inertia-corrected") | .stroke_uncertainty.arm_amplitudes | length' out)" -eq 2
+accepts beadswim-theory --method rpy-box-perturbation boxed.json
+jq '.predictions[0].velocity' out >velocity
+beadswim-layout swimmer --preset paper-single --box 80,120,80 --boundary periodic --axis 0,-1,0 --frame initial-axis >turned.json
+accepts beadswim-theory --method rpy-box-perturbation turned.json
+check "the swimmer along -y has another velocity" cmp -s velocity <(jq '.predictions[0].velocity' out)
+refuses 'rpy-box-ode: .* the layout is unbounded' beadswim-theory --method rpy-box-ode paper.json
+boxed --boundary no-slip >walls.json
+refuses 'inertia-corrected: .* no-slip walls' beadswim-theory --method inertia-corrected walls.json
+boxed --boundary periodic --axis 1,1,0 --frame body >aslant.json
+refuses 'unsteady-response: .* aslant' beadswim-theory --method unsteady-response aslant.json
+second '' <boxed.json | sed 's/\[0, 100, 0\]/[60, 70, 70]/' >shared_box.json
+refuses 'rpy-box-perturbation: .* box holds 2 swimmers' beadswim-theory --method rpy-box-perturbation shared_box.json
+
+# --- warnings with numbers: contact within the stroke, driving beyond small amplitude
+paper --amplitude 0.6 >collide.json
+run beadswim-theory collide.json
+has_status 0
+out_is_valid
+err_has 'warning: beads meet within the stroke: .* swing by 10\.[0-9]+ and 15\.[0-9]+, with gaps of 12 and 12'
+err_has 'left out .*rpy-ode.*: stroke: no periodic motion without contact .* up to about 0\.[0-9]+ of its amplitude'
+check "contact within the stroke is usable" test "$(jq '[.predictions[] | select(.usable)] | length' out)" -eq 0
+paper --amplitude 0.3 >large.json
+run beadswim-theory --method rpy-perturbation large.json
+err_has 'warning: the driving is beyond small amplitude: .* leave out about \+[0-9.]+ %'
+accepts beadswim-theory --method rpy-perturbation --tolerance 0.2 large.json
+refuses '--tolerance' beadswim-theory --tolerance 0 paper.json
+
+# --- values beyond the range of arithmetic are refused, never written
+for absurd in "--stiffness 1e300" "--viscosity 1e-300" "--arm 1e200" "--amplitude 1e200" "--period 1e-300"; do
+  # shellcheck disable=SC2086
+  paper $absurd >absurd.json 2>/dev/null || continue
+  run beadswim-theory absurd.json
+  check "status of $absurd is not 0 or 2" test "$status" -eq 0 -o "$status" -eq 2
+  [ "$status" -ne 0 ] || out_is_valid
+done
 
 # --- wrong command lines and files
 refuses '--no-such-flag: unknown flag' beadswim-theory --no-such-flag

@@ -1,0 +1,35 @@
+#!/bin/bash
+# examples/figure-2.sh and figure-3.sh: the paper's theory curves, from layouts to figures.
+source "$(dirname "$0")/harness.sh"
+examples=$BEADSWIM_SOURCE/examples
+
+well_formed() { # FILE
+  check "$1 is not well-formed XML" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$1"
+}
+
+run "$examples/figure-2.sh" two
+has_status 0
+out_empty
+err_has '^two/figure-2.svg$'
+well_formed two/figure-2.svg
+check 'there are not 41 separations' test "$(wc -l <two/predictions.jsonl)" -eq 41
+
+record=$BEADSWIM_SOURCE/docs/results/swimmer-T4800-A0.2.json
+run "$examples/figure-3.sh" three "$record"
+has_status 0
+out_empty
+for part in a b c d; do well_formed three/figure-3$part.svg; done
+check 'the run is not in (a)' grep -q '>lbm<' three/figure-3a.svg
+check 'the run is not in (b)' grep -q '>lbm<' three/figure-3b.svg
+
+# The stroke of (c) at A/B = 1 is that of (d) at alpha = pi/2, and of (a) at T = 4800: one swimmer.
+at_paper() { # FILE KEY VALUE   the arm amplitudes by (4.5)
+  jq -c --argjson x "$3" '.predictions[] | select(.method == "oseen-force-closed")
+    | select((.settings.'"$2"' / $x - 1 | fabs) < 1e-5) | .arm_amplitudes | map(. * 1e4 | round)' "$1"
+}
+same_bytes "$(declare -f at_paper); at_paper three/by-phase.jsonl phase 1.570796" \
+  "$(declare -f at_paper); at_paper three/by-period.jsonl period 4800"
+
+same_bytes "$examples/figure-2.sh again 2>/dev/null && cat again/figure-2.svg" 'cat two/figure-2.svg'
+
+finish
