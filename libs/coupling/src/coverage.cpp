@@ -11,7 +11,7 @@ Coverage::Coverage(const BlockInLattice& at, const Populations& populations)
       pitch_y_(populations.pitch(1)),
       pitch_z_(populations.pitch(2)),
       origin_(populations.cell(0, 0, 0)),
-      bead_at_(populations.cells_with_halo(), fluid) {}
+      bead_at_(populations.cell_indices(), fluid) {}
 
 void Coverage::update(std::span<const BeadOnLattice> beads) {
   for (const CoveredCell& covered : cells_) bead_at_[covered.cell] = fluid;

@@ -1,5 +1,7 @@
 #include "beadswim/lattice/halo.hpp"
 
+#include <algorithm>
+
 namespace beadswim {
 namespace {
 
@@ -21,30 +23,6 @@ constexpr int entering_sign(int side) {
   return side == 0 ? 1 : -1;
 }
 
-/// Calls visit(cell) for local coordinates in [low, high), x fastest.
-template <class Visit>
-void for_each_cell_between(const Populations& populations, const Index3& low, const Index3& high,
-                           Visit&& visit) {
-  for (int z = low[2]; z < high[2]; ++z) {
-    for (int y = low[1]; y < high[1]; ++y) {
-      for (int x = low[0]; x < high[0]; ++x) visit(populations.cell(x, y, z));
-    }
-  }
-}
-
-/// Calls visit(cell) for a plane of cells across `axis` at local coordinate `at`: own cells along later axes,
-/// halo included along axes already filled.
-template <class Visit>
-void for_each_cell_of_plane(const Populations& populations, int axis, int at, Visit&& visit) {
-  Index3 low, high;
-  for (int a = 0; a < 3; ++a) {
-    const int halo = a < axis ? 1 : 0;
-    low[a] = a == axis ? at : -halo;
-    high[a] = a == axis ? at + 1 : populations.size()[a] + halo;
-  }
-  for_each_cell_between(populations, low, high, visit);
-}
-
 int halo_plane(const Populations& p, int axis, int side) {
   return side == 0 ? -1 : p.size()[axis];
 }
@@ -52,15 +30,63 @@ int edge_plane(const Populations& p, int axis, int side) {
   return side == 0 ? 0 : p.size()[axis] - 1;
 }
 
+/// A run of cells along x, one after the other in memory.
+struct Run {
+  std::ptrdiff_t first;
+  int cells;
+};
+
+/// Copies a run's numbers; returns where the target ends.
+double* copy_run(const double* from, const Run& run, double* to) {
+  if (run.cells == 1) {  // most of all runs, those across x: not worth a call
+    *to = *from;
+    return to + 1;
+  }
+  return std::copy_n(from, run.cells, to);
+}
+
+/// The plane of cells across `axis` at local coordinate `at` as runs: own cells along later axes, halo
+/// included along axes already filled. Across x a run is a single cell.
+template <class Visit>
+void for_each_run_of_plane(const Populations& populations, int axis, int at, Visit&& visit) {
+  Index3 low, high;
+  for (int a = 0; a < 3; ++a) {
+    const int halo = a < axis ? 1 : 0;
+    low[a] = a == axis ? at : -halo;
+    high[a] = a == axis ? at + 1 : populations.size()[a] + halo;
+  }
+  for (int z = low[2]; z < high[2]; ++z) {
+    for (int y = low[1]; y < high[1]; ++y) visit(Run{populations.cell(low[0], y, z), high[0] - low[0]});
+  }
+}
+
+/// What is sent through the halo plane on `side` of `axis`, for every cell of the plane: outgoing `to` of the
+/// halo cell becomes outgoing `from` of the cell that is `distance` on in memory.
+void copy_into_halo(Populations& populations, int axis, int side, const FaceDirections& to,
+                    const FaceDirections& from, std::ptrdiff_t distance) {
+  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
+    for (int k = 0; k < entering_directions; ++k) {
+      copy_run(&populations.outgoing(from[k], run.first + distance), run,
+               &populations.outgoing(to[k], run.first));
+    }
+  });
+}
+
+/// A periodic axis that is not cut: what enters on one side leaves on the other.
+void wrap_around(Populations& populations, int axis) {
+  const std::ptrdiff_t period = populations.size()[axis] * populations.pitch(axis);
+  for (int side = 0; side < 2; ++side) {
+    const FaceDirections entering = directions_along(axis, entering_sign(side));
+    copy_into_halo(populations, axis, side, entering, entering, entering_sign(side) * period);
+  }
+}
+
 /// Mirror: what enters along i left along its mirror image, from the cell in front of the wall.
 void fill_free_slip(Populations& populations, int axis, int side) {
-  const std::ptrdiff_t inward = entering_sign(side) * populations.pitch(axis);
-  for (const int i : directions_along(axis, entering_sign(side))) {
-    const int image = d3q19::mirrored(i, axis);
-    for_each_cell_of_plane(populations, axis, halo_plane(populations, axis, side), [&](std::ptrdiff_t cell) {
-      populations.outgoing(i, cell) = populations.outgoing(image, cell + inward);
-    });
-  }
+  const FaceDirections entering = directions_along(axis, entering_sign(side));
+  FaceDirections images;
+  for (int k = 0; k < entering_directions; ++k) images[k] = d3q19::mirrored(entering[k], axis);
+  copy_into_halo(populations, axis, side, entering, images, entering_sign(side) * populations.pitch(axis));
 }
 
 /// Bounce-back: what enters an own cell along i left the same cell along the opposite direction. Local, and
@@ -69,28 +95,45 @@ void bounce_back_at_face(Populations& populations, int axis, int side) {
   Index3 low = Index3::Zero(), high = populations.size();
   low[axis] = edge_plane(populations, axis, side);
   high[axis] = low[axis] + 1;
-  for (const int i : directions_along(axis, entering_sign(side))) {
-    for_each_cell_between(populations, low, high, [&](std::ptrdiff_t cell) {
-      populations.incoming(i, cell) = populations.outgoing(d3q19::opposite(i), cell);
-    });
+  for (int z = low[2]; z < high[2]; ++z) {
+    for (int y = low[1]; y < high[1]; ++y) {
+      for (const int i : directions_along(axis, entering_sign(side))) {
+        const Run run{populations.cell(low[0], y, z), high[0] - low[0]};
+        copy_run(&populations.outgoing(d3q19::opposite(i), run.first), run,
+                 &populations.incoming(i, run.first));
+      }
+    }
   }
+}
+
+/// Numbers that leave through a face.
+std::size_t face_numbers(const Populations& populations, int axis) {
+  std::size_t numbers = entering_directions;
+  for (int a = 0; a < 3; ++a) {
+    if (a != axis) numbers *= populations.size()[a] + (a < axis ? 2 : 0);
+  }
+  return numbers;
 }
 
 /// What leaves through the face on `side`, in the order in which unpack() reads it on the other side.
 void pack(const Populations& populations, int axis, int side, std::vector<double>& buffer) {
-  buffer.clear();
-  for (const int i : directions_along(axis, -entering_sign(side))) {
-    for_each_cell_of_plane(populations, axis, edge_plane(populations, axis, side),
-                           [&](std::ptrdiff_t cell) { buffer.push_back(populations.outgoing(i, cell)); });
-  }
+  buffer.resize(face_numbers(populations, axis));
+  double* to = buffer.data();
+  for_each_run_of_plane(populations, axis, edge_plane(populations, axis, side), [&](const Run& run) {
+    for (const int i : directions_along(axis, -entering_sign(side))) {
+      to = copy_run(&populations.outgoing(i, run.first), run, to);
+    }
+  });
 }
 
 void unpack(Populations& populations, int axis, int side, const std::vector<double>& buffer) {
-  auto value = buffer.begin();
-  for (const int i : directions_along(axis, entering_sign(side))) {
-    for_each_cell_of_plane(populations, axis, halo_plane(populations, axis, side),
-                           [&](std::ptrdiff_t cell) { populations.outgoing(i, cell) = *value++; });
-  }
+  const double* from = buffer.data();
+  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
+    for (const int i : directions_along(axis, entering_sign(side))) {
+      copy_run(from, run, &populations.outgoing(i, run.first));
+      from += run.cells;
+    }
+  });
 }
 
 }  // namespace
@@ -128,14 +171,9 @@ void Halo::fill(Populations& populations) {
 }
 
 void Halo::fill_from_neighbours(Populations& populations, int axis) {
-  auto& [low, high] = faces_[axis];
+  if (faces_[axis][0].neighbour == rank_) return wrap_around(populations, axis);
   for (int side = 0; side < 2; ++side) {
     if (faces_[axis][side].is_open()) pack(populations, axis, side, faces_[axis][side].send);
-  }
-  if (low.neighbour == rank_) {  // an axis that is not cut: the block is its own neighbour on both sides
-    unpack(populations, axis, 0, high.send);
-    unpack(populations, axis, 1, low.send);
-    return;
   }
   std::array<MPI_Request, 4> requests;
   int count = 0;

@@ -32,8 +32,8 @@ void stream_and_collide(Populations& populations, const RelaxationRates& rates) 
     for (int y = 0; y < n[1]; ++y) {
       const std::ptrdiff_t first = populations.cell(0, y, z);
       for (int i = 0; i < d3q19::directions; ++i) {
-        row.from[i] = populations.direction(i) + first - populations.shift(i);
-        row.to[i] = populations.next_direction(i) + first;
+        row.from[i] = &populations.incoming(i, first);
+        row.to[i] = populations.next_outgoing(i, first);
       }
       kernel().sweep_row(row);
     }

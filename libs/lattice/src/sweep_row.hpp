@@ -9,7 +9,8 @@ namespace beadswim {
 
 struct SweepRow {
   const double* from[d3q19::directions];  ///< first cell's incoming population of each direction
-  double* to[d3q19::directions];          ///< first cell's population after collision
+  double* to[d3q19::directions];  ///< where the first cell's population goes after collision; the 19 places
+                                  ///< that a cell reads are those that it writes, and no other cell's
   long cells;
   RelaxationRates rates;
 };

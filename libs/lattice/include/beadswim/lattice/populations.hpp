@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <memory>
-#include <utility>
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/d3q19.hpp"
@@ -12,7 +11,17 @@
 namespace beadswim {
 
 /// The populations of one block and of a halo one cell wide: deviations f_i - w_i after collision, as one
-/// plain array a direction, x fastest. A second copy receives the next step.
+/// plain array a direction, x fastest, in a single copy.
+///
+/// A step reads 19 numbers a cell, its incoming populations, and writes its 19 outgoing ones to the same 19
+/// places. Which places these are alternates from step to step (docs/method/in-place-streaming.md):
+///
+///   parity    outgoing i of cell x      incoming i of cell x
+///   local     array ibar, at x          array ibar, at x - c_i
+///   streamed  array i, at x + c_i       array i, at x
+///
+/// `outgoing` and `incoming` know it; nothing else does. At either parity the incoming i of a cell is the
+/// outgoing i of its neighbour at x - c_i.
 ///
 /// Cells are named by their index in such an array; local coordinates run from -1 to size, 0 to size-1 being
 /// the block's own.
@@ -22,41 +31,48 @@ class Populations {
   explicit Populations(const Index3& size);
 
   const Index3& size() const { return size_; }
-  std::ptrdiff_t cell(int x, int y, int z) const { return (x + 1) + pitch_y_ * (y + 1) + pitch_z_ * (z + 1); }
+  std::ptrdiff_t cell(int x, int y, int z) const {
+    return first_ + x + pitch_y_ * (y + 1) + pitch_z_ * (z + 1);
+  }
   std::ptrdiff_t cell(const Index3& p) const { return cell(p[0], p[1], p[2]); }
-  std::ptrdiff_t cells_with_halo() const { return pitch_z_ * (size_[2] + 2); }
 
   /// Distance in memory from a cell to its neighbour along direction i, or along an axis.
   std::ptrdiff_t shift(int i) const { return shift_[i]; }
   std::ptrdiff_t pitch(int axis) const { return axis == 0 ? 1 : (axis == 1 ? pitch_y_ : pitch_z_); }
 
   /// What leaves `cell` along direction i in the coming streaming.
-  double& outgoing(int i, std::ptrdiff_t cell) { return now_[i * pitch_i_ + cell]; }
-  double outgoing(int i, std::ptrdiff_t cell) const { return now_[i * pitch_i_ + cell]; }
+  double& outgoing(int i, std::ptrdiff_t cell) { return data_[place_[parity_][i] + cell]; }
+  const double& outgoing(int i, std::ptrdiff_t cell) const { return data_[place_[parity_][i] + cell]; }
 
   /// The place from which `cell` will receive direction i in the coming streaming. Where a link ends at a
   /// wall or bead, the boundary condition writes here.
-  double& incoming(int i, std::ptrdiff_t cell) { return now_[i * pitch_i_ + cell - shift_[i]]; }
+  double& incoming(int i, std::ptrdiff_t cell) { return outgoing(i, cell - shift_[i]); }
 
-  /// Array of direction i, now and for the next step.
-  double* direction(int i) { return now_.get() + i * pitch_i_; }
-  const double* direction(int i) const { return now_.get() + i * pitch_i_; }
-  double* next_direction(int i) { return next_.get() + i * pitch_i_; }
+  /// Where `cell` will put what leaves it along direction i in the step after: among the places of its
+  /// incoming populations.
+  double* next_outgoing(int i, std::ptrdiff_t cell) { return &data_[place_[1 - parity_][i] + cell]; }
 
-  /// The next step's populations become the present ones.
-  void advance() { std::swap(now_, next_); }
+  /// All cells have been stepped: what they put in next_outgoing is outgoing now.
+  void advance() { parity_ = 1 - parity_; }
+
+  /// Cells have indices below this.
+  std::ptrdiff_t cell_indices() const { return cell_indices_; }
+
+  /// Bytes of memory that the populations take.
+  std::size_t bytes() const { return bytes_; }
 
  private:
   struct Free {
     void operator()(double* p) const { std::free(p); }
   };
-  using Array = std::unique_ptr<double[], Free>;
-  static Array zeros(std::ptrdiff_t count);
 
   Index3 size_;
-  std::ptrdiff_t pitch_y_, pitch_z_, pitch_i_;
+  std::ptrdiff_t first_, pitch_y_, pitch_z_, cell_indices_;
   std::array<std::ptrdiff_t, d3q19::directions> shift_;
-  Array now_, next_;
+  std::array<std::array<std::ptrdiff_t, d3q19::directions>, 2> place_;  ///< [parity][i]: outgoing i of cell 0
+  int parity_ = 1;                                                      ///< 0: local, 1: streamed
+  std::size_t bytes_;
+  std::unique_ptr<double[], Free> data_;
 };
 
 /// Density minus 1 and momentum of one cell (post-collision values equal pre-collision ones).

@@ -7,8 +7,8 @@
 
 namespace beadswim {
 
-/// One step of the fluid in the block: every own cell pulls its 19 incoming populations, collides them and
-/// stores them for the next step; then the next step's populations become the present ones. The halo must
+/// One step of the fluid in the block: every own cell reads its 19 incoming populations, collides them and
+/// puts its outgoing ones in their places; then the populations are advanced. The halo must
 /// have been filled. Branch-free: beads and walls have written their links' incoming values before.
 ///
 /// The same bits on every instruction set and for every shape of block.
