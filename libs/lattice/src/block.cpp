@@ -14,8 +14,8 @@ int cut(int n, int parts, int p) {
   return static_cast<int>(static_cast<long>(n) * p / parts);
 }
 
-/// The grid of `ranks` blocks whose cuts have the least area; grid[a] <= cells[a].
-Index3 least_surface_grid(const Index3& cells, int ranks) {
+/// The grid of `ranks` blocks whose cuts cost least to exchange; grid[a] <= cells[a].
+Index3 cheapest_grid(const Index3& cells, int ranks) {
   Index3 best = Index3::Zero();
   double least = std::numeric_limits<double>::infinity();
   const Eigen::Array3d n = cells.cast<double>();
@@ -25,9 +25,11 @@ Index3 least_surface_grid(const Index3& cells, int ranks) {
       if ((ranks / gx) % gy != 0) continue;
       const Index3 grid(gx, gy, ranks / gx / gy);
       if ((grid > cells).any()) continue;
-      const double surface = gx * n[1] * n[2] + grid[1] * n[0] * n[2] + grid[2] * n[0] * n[1];
-      if (surface < least) {
-        least = surface;
+      // Across x every number that is exchanged lies in a cache line of its own, and rows become shorter.
+      constexpr double strided = 4;
+      const double cost = strided * gx * n[1] * n[2] + grid[1] * n[0] * n[2] + grid[2] * n[0] * n[1];
+      if (cost < least) {
+        least = cost;
         best = grid;
       }
     }
@@ -38,7 +40,7 @@ Index3 least_surface_grid(const Index3& cells, int ranks) {
 }  // namespace
 
 Decomposition::Decomposition(const Index3& cells, int ranks)
-    : cells_(cells), grid_(least_surface_grid(cells, ranks)) {
+    : cells_(cells), grid_(cheapest_grid(cells, ranks)) {
   if ((grid_ == 0).any()) {
     throw InputError("mpirun -n", fmt::format("{} ranks cannot share {} x {} x {} cells; use fewer ranks",
                                               ranks, cells[0], cells[1], cells[2]));

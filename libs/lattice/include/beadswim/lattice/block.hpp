@@ -21,8 +21,8 @@ struct Block {
 /// found without a message.
 class Decomposition {
  public:
-  /// Cuts `cells` into `ranks` blocks of nearly equal size with the least surface.
-  /// Throws InputError if there are more ranks than can have a cell each.
+  /// Cuts `cells` into `ranks` blocks of nearly equal size with the cheapest surfaces: across y and z rather
+  /// than x. Throws InputError if there are more ranks than can have a cell each.
   Decomposition(const Index3& cells, int ranks);
 
   const Index3& cells() const { return cells_; }
