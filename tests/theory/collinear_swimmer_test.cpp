@@ -10,7 +10,7 @@ namespace {
 
 SwimmerType type_of_frame(DrivingFrame frame) {
   SwimmerType type;
-  type.beads = {Bead{4, 1}, Bead{3, 1}, Bead{5, 1}};
+  type.beads = {Bead{4, 1}, Bead{3, 1.5}, Bead{5, 0.8}};
   type.springs = {Spring{0.03, 20, 1}, Spring{0.05, 26, 2}};
   type.driving = {.amplitude = {0.2, 0.1}, .phase = 1, .period = 3000, .frame = frame};
   return type;
@@ -18,6 +18,7 @@ SwimmerType type_of_frame(DrivingFrame frame) {
 
 TEST(CollinearSwimmer, TakesEveryPartOfTheTypeInOrder) {
   const CollinearSwimmer expected{.radius = {4, 3, 5},
+                                  .density = {1, 1.5, 0.8},
                                   .arm = {20, 26},
                                   .stiffness = {0.03, 0.05},
                                   .damping = {1, 2},
@@ -48,6 +49,13 @@ TEST(CollinearSwimmer, TakesAnyAxisWhenDrivenAlongIt) {
     const CollinearSwimmer swimmer = collinear_swimmer(type_of_frame(frame), Vec3(1, 2, 2) / 3, 0.25);
     EXPECT_EQ(swimmer.amplitude, (std::array<double, 2>{0.2, 0.1}));
   }
+}
+
+TEST(CollinearSwimmer, SeparationIsTheNearestPairsOverItsMeanRadius) {
+  CollinearSwimmer swimmer;
+  swimmer.radius = {4, 6, 4};
+  swimmer.arm = {30, 20};
+  EXPECT_EQ(separation_ratio(swimmer), 4);
 }
 
 TEST(CollinearSwimmer, RefusesASpringWithoutStiffness) {

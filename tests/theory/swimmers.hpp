@@ -5,6 +5,7 @@
 #include "beadswim/mobility/oseen.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
+#include "beadswim/theory/methods.hpp"
 #include "beadswim/theory/perturbation.hpp"
 
 namespace beadswim {
@@ -12,6 +13,7 @@ namespace beadswim {
 /// Section 4.2 of the paper in lattice units, with unit driving: velocities are v/A^2, amplitudes d/A.
 inline CollinearSwimmer paper_swimmer(double period) {
   return {.radius = {4, 4, 4},
+          .density = {1, 1, 1},
           .arm = {20, 20},
           .stiffness = {0.0347, 0.0347},
           .damping = {0, 0},
@@ -24,6 +26,7 @@ inline CollinearSwimmer paper_swimmer(double period) {
 /// Nothing equal, nothing zero.
 inline CollinearSwimmer unequal_swimmer() {
   return {.radius = {4, 3, 5},
+          .density = {1, 1, 1},
           .arm = {20, 26},
           .stiffness = {0.03, 0.05},
           .damping = {7, 3},
@@ -31,6 +34,20 @@ inline CollinearSwimmer unequal_swimmer() {
           .phase = 1.1,
           .period = 3000,
           .viscosity = 1.0 / 3};
+}
+
+/// What methods are asked of a swimmer alone in unbounded fluid of density 1.
+inline Question ask(const CollinearSwimmer& swimmer) {
+  return with_exact_reference({.swimmer = swimmer,
+                               .fluid_density = 1,
+                               .box = {},
+                               .box_obstacle = "",
+                               .measured_stroke = {},
+                               .exact = {}});
+}
+
+inline Prediction prediction_of(const std::string& method, const CollinearSwimmer& swimmer) {
+  return predict(find_method(method), ask(swimmer));
 }
 
 inline double perturbation_velocity(const CollinearSwimmer& swimmer, PairLaw law) {

@@ -1,0 +1,69 @@
+#include "beadswim/theory/question.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "swimmers.hpp"
+
+namespace beadswim {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+CollinearSwimmer driven_by(double amplitude) {
+  CollinearSwimmer s = paper_swimmer(4800);
+  s.amplitude = {amplitude, amplitude};
+  return s;
+}
+
+constexpr double tolerance = 0.05;  // of a user, on velocities
+
+TEST(Warnings, AreNoneForASmallStroke) {
+  EXPECT_THAT(warnings(ask(driven_by(0.1)), tolerance), IsEmpty());
+}
+
+// A = 0.4: four times the 1.6 % of A = 0.2 by the next order.
+TEST(Warnings, SayThatTheDrivingIsBeyondSmallAmplitude) {
+  EXPECT_THAT(warnings(ask(driven_by(0.4)), tolerance),
+              ElementsAre(AllOf(HasSubstr("beyond small amplitude"), HasSubstr("about +6.3 %"),
+                                HasSubstr("tolerance of 5 %"), HasSubstr("-ode methods"))));
+}
+
+// A = 0.5: arm 2 swings by half of 26.66, its gap is 12.
+TEST(Warnings, SayThatBeadsMeetWithinTheStroke) {
+  EXPECT_THAT(warnings(ask(driven_by(0.5)), tolerance),
+              ElementsAre(AllOf(HasSubstr("beads meet within the stroke"), HasSubstr("9.056 and 13.33"),
+                                HasSubstr("gaps of 12 and 12"), HasSubstr("lower --amplitude")),
+                          HasSubstr("beyond small amplitude")));
+}
+
+TEST(Warnings, AreGivenWithoutAnExactReferenceToo) {
+  CollinearSwimmer s = driven_by(0.5);
+  s.arm = {8.004, 8.004};
+  ASSERT_FALSE(ask(s).exact.has_value());
+  EXPECT_THAT(warnings(ask(s), tolerance), testing::Contains(HasSubstr("beads meet within the stroke")));
+}
+
+TEST(Warnings, OfBeadsThatOverlapAtRestAreOfTheirMeeting) {
+  CollinearSwimmer s = driven_by(0.1);
+  s.arm = {7.9, 7.9};
+  EXPECT_THAT(warnings(ask(s), tolerance), ElementsAre(HasSubstr("beads meet within the stroke")));
+}
+
+TEST(ExactReference, IsTheMotionByExactMobilities) {
+  const CollinearSwimmer s = unequal_swimmer();
+  const SecondOrderMotion expected = second_order_motion(s, exact_mobility(s, rest_positions(s)));
+  EXPECT_EQ(ask(s).exact->motion.velocity, expected.velocity);
+}
+
+TEST(ExactReference, IsNoneForOverlap) {
+  CollinearSwimmer s = driven_by(0.1);
+  s.arm = {7.9, 7.9};
+  EXPECT_FALSE(ask(s).exact.has_value());
+}
+
+}  // namespace
+}  // namespace beadswim
