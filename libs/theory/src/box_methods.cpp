@@ -24,11 +24,9 @@ void add_limits(const Question& question, double second_order, Prediction& predi
   const double unbounded = second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager)).velocity;
   const std::optional<double> exact = exact_velocity(question);
   prediction.validity = fmt::format(
-      "Rotne-Prager pairs with all images in the layout's box; unbounded pairs of this swimmer {}; no "
-      "inertia, which screens "
-      "images (penetration depth {:.2f} arms)",
-      "are " + distance_from_exact(question, unbounded, exact).substr(std::string("here ").size()),
-      penetration_depth_over_arm(question));
+      "Rotne-Prager pairs with all images in the layout's box; unbounded pairs of this swimmer are {}; no "
+      "inertia, which screens images (penetration depth {:.2f} arms)",
+      distance_from_exact(question, unbounded, exact), penetration_depth_over_arm(question));
   prediction.settings.emplace_back("mobility", "Rotne-Prager");
   prediction.settings.emplace_back("fluid", "box: " + box_text(question.box->box));
   if (exact) prediction.settings.emplace_back("velocity_over_unbounded", second_order / unbounded);

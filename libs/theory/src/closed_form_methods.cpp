@@ -75,20 +75,23 @@ struct Formula {
 /// A printed formula is usable while it is nearer to exact Stokes flow than this, relative.
 constexpr double usable_distance = 0.25;
 
-/// A formula's prediction, judged by exact Stokes flow: of the swimmer, or of the same stroke where that was
-/// measured and the geometry factor alone can be wrong.
-Prediction judged(const Question& question, const Formula& formula) {
+/// Exact velocity of the swimmer, or of the same stroke where that was measured and the geometry factor alone
+/// can be wrong.
+std::optional<double> exact_velocity_beside(const Question& question, const Formula& formula) {
   const bool measured = formula.stroke_origin == measured_origin;
-  const std::optional<double> exact =
-      measured ? exact_velocity_of(question, formula.stroke) : exact_velocity(question);
+  return measured ? exact_velocity_of(question, formula.stroke) : exact_velocity(question);
+}
+
+/// A formula's prediction with this to say of its validity.
+Prediction described(const Question& question, const Formula& formula, const std::string& validity) {
   Prediction prediction;
   prediction.velocity = formula.velocity;
   prediction.stroke = formula.stroke;
   prediction.sin_phase_shift = formula.sin_phase_shift;
-  prediction.validity = formula.verdict + ": " + distance_from_exact(question, formula.velocity, exact) +
-                        (measured ? ", of this stroke" : "");
+  prediction.validity = validity;
   if (question.exact) {
-    prediction.uncertainty = relative_uncertainty(formula.velocity, exact, question.exact->amplitude_change);
+    prediction.uncertainty = relative_uncertainty(formula.velocity, exact_velocity_beside(question, formula),
+                                                  question.exact->amplitude_change);
   }
   prediction.settings.emplace_back("mobility", formula.pairs);
   prediction.settings.emplace_back("stroke", formula.stroke_origin);
@@ -96,12 +99,19 @@ Prediction judged(const Question& question, const Formula& formula) {
   return prediction;
 }
 
+/// A formula's prediction, judged by exact Stokes flow.
+Prediction judged(const Question& question, const Formula& formula) {
+  const bool measured = formula.stroke_origin == measured_origin;
+  const std::string distance =
+      distance_from_exact(question, formula.velocity, exact_velocity_beside(question, formula));
+  return described(question, formula,
+                   formula.verdict + ": here " + distance + (measured ? ", of this stroke" : ""));
+}
+
 /// The same, of a formula that may be far off.
 Prediction judged_if_near(const Question& question, const Formula& formula) {
   Prediction prediction = judged(question, formula);
-  const bool measured = formula.stroke_origin == measured_origin;
-  const std::optional<double> exact =
-      measured ? exact_velocity_of(question, formula.stroke) : exact_velocity(question);
+  const std::optional<double> exact = exact_velocity_beside(question, formula);
   const bool near = exact && std::abs(formula.velocity / *exact - 1) < usable_distance;
   if (!near)
     refuse(prediction,
@@ -248,8 +258,8 @@ Prediction predict_multipole_stroke(const Question& question) {
   const Stroke& stroke = formula.stroke;
   formula.velocity = geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() *
                      stroke.amplitude[0] * stroke.amplitude[1] * stroke.sin_phase_shift();
-  formula.verdict = "exact Stokes flow of three spheres (axisymmetric multipoles)";
-  return judged(question, formula);
+  return described(question, formula,
+                   "exact Stokes flow of three spheres (axisymmetric multipoles) with this stroke");
 }
 
 }  // namespace beadswim

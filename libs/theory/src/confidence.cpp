@@ -50,9 +50,9 @@ std::optional<double> relative_uncertainty(double velocity, std::optional<double
 
 std::string distance_from_exact(const Question& question, double velocity, std::optional<double> exact) {
   const double ratio = separation_ratio(question.swimmer);
-  if (!exact) return "its distance from exact Stokes flow is not known, or nothing moves";
+  if (!exact) return "at an unknown distance from exact Stokes flow, or at rest";
   const double percent = 100 * (velocity / *exact - 1);
-  return fmt::format("here {:.3g} % {} exact Stokes flow at l/lambda {:.3g}", std::abs(percent),
+  return fmt::format("{:.3g} % {} exact Stokes flow at l/lambda {:.3g}", std::abs(percent),
                      percent < 0 ? "below" : "above", ratio);
 }
 

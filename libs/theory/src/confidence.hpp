@@ -22,7 +22,7 @@ std::optional<double> exact_velocity_of(const Question& question, const Stroke& 
 /// Relative difference of `velocity` from `exact` and the `change` at finite amplitude, added as squares.
 std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact, double change);
 
-/// "velocity 11.8 % above exact Stokes flow at l/lambda 5", or that this is not known.
+/// "11.8 % above exact Stokes flow at l/lambda 5", or that this is not known.
 std::string distance_from_exact(const Question& question, double velocity, std::optional<double> exact);
 
 /// Appends what is wrong to `validity` and marks the prediction as not usable.

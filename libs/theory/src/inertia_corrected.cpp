@@ -16,22 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// (D mu D^T)^-1: tensions on the two arms over their rates.
-Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility) {
-  const Eigen::Matrix<Complex, 2, 3> rates = arm_rates().cast<Complex>();
-  return (rates * mobility * rates.transpose()).inverse();
-}
-
-/// The arms' answer to the driving against the impedance Z: (i omega Z + K) x = g, F = D^T g.
-Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance) {
-  const Complex i_omega(0, swimmer.angular_frequency());
-  Eigen::Matrix2cd stiffness = i_omega * impedance;
-  for (int arm = 0; arm < 2; ++arm)
-    stiffness(arm, arm) += swimmer.stiffness[arm] + i_omega * swimmer.damping[arm];
-  const Eigen::Vector3cd force = driving_amplitudes(swimmer);
-  return stiffness.partialPivLu().solve(Eigen::Vector2cd(-force[0], force[2]));
-}
-
 /// d_1 d_2 sin(delta_1 - delta_2).
 double stroke_area(const Eigen::Vector2cd& arm) {
   return (arm[0] * std::conj(arm[1])).imag();

@@ -84,8 +84,7 @@ Prediction predict_unsteady_response(const Question& question) {
                                             reynolds_stress_velocity(form.inside, force));
   prediction.validity = fmt::format(
       "unsteady Stokes flow with beads' and fluid's inertia, unsteady Faxen pairs, {}; second order in "
-      "amplitude with "
-      "Lagrangian drift and Reynolds stress{}; its pairs without inertia are {}",
+      "amplitude with Lagrangian drift and Reynolds stress{}; its pairs without inertia are {}",
       surroundings(question), question.box ? " (that without images)" : "",
       distance_from_exact(question, quasi_static, exact));
   refuse_contact(question, prediction);
@@ -109,8 +108,7 @@ Prediction predict_inertia_corrected(const Question& question) {
   prediction.arm_means = best.arm_means;
   prediction.validity = fmt::format(
       "exact Stokes flow of three spheres at finite amplitude, with inertia of fluid and beads and {}, both "
-      "from unsteady Faxen "
-      "pairs; compressibility and the lattice's own errors are not in it",
+      "from unsteady Faxen pairs; compressibility and the lattice's own errors are not in it",
       question.box ? "the layout's box" : "no box");
   prediction.settings.emplace_back("mobility", "exact, inertia by unsteady Faxen pairs");
   prediction.settings.emplace_back("velocity_quasi_static", v.quasi_static);

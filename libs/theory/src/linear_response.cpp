@@ -32,21 +32,28 @@ Eigen::Vector3cd driving_amplitudes(const CollinearSwimmer& swimmer) {
 
 LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
                                   double angular_frequency) {
-  const Eigen::Matrix<Complex, 2, 3> rates = arm_rates().cast<Complex>();
-  const Eigen::Matrix2cd arm_mobility = rates * mobility * rates.transpose();
-  const Eigen::Vector3cd force_per_frequency = rates.transpose() * arm_mobility.partialPivLu().solve(arm);
+  const Eigen::Vector3cd force_per_frequency =
+      arm_rates().cast<Complex>().transpose() * (arm_impedance(mobility) * arm);
   return {.arm = arm,
           .displacement = mobility * force_per_frequency,
           .force = i_unit * angular_frequency * force_per_frequency};
 }
 
-LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility) {
+Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility) {
   const Eigen::Matrix<Complex, 2, 3> rates = arm_rates().cast<Complex>();
-  const double omega = swimmer.angular_frequency();
-  Eigen::Matrix2cd response = rates * mobility * rates.transpose() * arm_stiffness(swimmer).asDiagonal();
-  response.diagonal().array() += i_unit * omega;
-  const Eigen::Vector2cd arm = response.partialPivLu().solve(rates * mobility * driving_amplitudes(swimmer));
-  return response_to_stroke(arm, mobility, omega);
+  return (rates * mobility * rates.transpose()).inverse();
+}
+
+Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance) {
+  Eigen::Matrix2cd stiffness = i_unit * swimmer.angular_frequency() * impedance;
+  stiffness.diagonal() += arm_stiffness(swimmer);
+  const Eigen::Vector3cd driving = driving_amplitudes(swimmer);
+  return stiffness.inverse() * Eigen::Vector2cd(-driving[0], driving[2]);
+}
+
+LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility) {
+  const Eigen::Vector2cd arm = driven_arms(swimmer, arm_impedance(mobility));
+  return response_to_stroke(arm, mobility, swimmer.angular_frequency());
 }
 
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3d& mobility) {

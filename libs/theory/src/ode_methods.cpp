@@ -44,7 +44,7 @@ Prediction predict_pairwise(const Question& question, const std::string& pairs, 
   const double second_order = second_order_motion(swimmer, rest_mobility(swimmer, law)).velocity;
   const std::optional<double> exact = exact_velocity(question);
   prediction.uncertainty = relative_uncertainty(second_order, exact, 0);
-  prediction.validity = fmt::format("{} pairs: at small amplitude {}", pairs,
+  prediction.validity = fmt::format("{} pairs: at small amplitude here {}", pairs,
                                     distance_from_exact(question, second_order, exact));
   prediction.settings.emplace_back("mobility", pairs);
   add_limits(question, prediction);

@@ -27,7 +27,7 @@ Prediction predict_pairwise(const Question& question, const std::string& pairs, 
   if (question.exact) {
     prediction.uncertainty = relative_uncertainty(motion.velocity, exact, question.exact->amplitude_change);
   }
-  prediction.validity = fmt::format("{} pairs, no truncation in lambda/l: {}", pairs,
+  prediction.validity = fmt::format("{} pairs, no truncation in lambda/l: here {}", pairs,
                                     distance_from_exact(question, motion.velocity, exact));
   prediction.settings.emplace_back("mobility", pairs);
   add_common_limits(question, prediction);

@@ -11,11 +11,11 @@
 // quantity Re(q exp(i omega t)), the springs and dashpots pull with -D^T K x, K = diag(k_i + i omega c_i),
 // and the arms answer
 //
-//   (i omega + D mu D^T K) x = D mu F,   F = (-iA, iA + iB exp(i alpha), -iB exp(i alpha)).
+//   (i omega Z + K) x = g,   Z = (D mu D^T)^-1,   D^T g = F = (-iA, iA + iB exp(i alpha), -iB exp(i alpha)).
 //
 // The forces on the beads sum to zero, so they are those that this motion takes,
 //
-//   f = D^T (D mu D^T)^-1 i omega x,   beads displaced by xi = mu f / (i omega),
+//   f = D^T Z i omega x,   beads displaced by xi = mu f / (i omega),
 //
 // a form that keeps its digits for slow driving too, where driving and springs all but cancel.
 // mu is real without inertia of the fluid, complex with it.
@@ -37,6 +37,12 @@ Eigen::Matrix<double, 2, 3> arm_rates();
 
 /// (2.1) as complex amplitudes of the forces on the three beads: A sin(omega t) = Re(-iA exp(i omega t)).
 Eigen::Vector3cd driving_amplitudes(const CollinearSwimmer& swimmer);
+
+/// Z: tensions on the two arms over their rates [mass/time].
+Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility);
+
+/// x: the arms' answer to the driving against this impedance, springs and dashpots.
+Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance);
 
 /// How the beads move, and the forces on them, when the arms change by `arm` at `angular_frequency`.
 LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
