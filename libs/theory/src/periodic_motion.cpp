@@ -13,6 +13,7 @@
 #include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
+#include "trigonometric_nodes.hpp"
 
 namespace beadswim {
 
@@ -26,7 +27,7 @@ using Eigen::VectorXd;
 /// The motion at the nodes (columns): change of arm 1, displacement of bead 2, change of arm 2 [length].
 /// Arms as unknowns, as a stiff spring's tension would lose its digits in the difference of its beads'
 /// places.
-using NodalMotion = Eigen::Matrix<double, 3, Eigen::Dynamic>;
+using NodalMotion = NodalValues;
 
 /// Displacements of the three beads from a column of NodalMotion.
 Matrix3d beads_from_motion() {
@@ -38,58 +39,6 @@ Matrix3d beads_from_motion() {
 /// The motion of beads that are displaced so.
 Vector3d motion_of_beads(const Vector3d& p) {
   return {p[1] - p[0], p[1], p[2] - p[1]};
-}
-
-double node_phase(int node, int nodes) {
-  return 2 * std::numbers::pi * node / nodes;
-}
-
-/// d/d(omega t) at the nodes of the trigonometric polynomial through an odd number of them.
-MatrixXd differentiation_matrix(int nodes) {
-  MatrixXd matrix = MatrixXd::Zero(nodes, nodes);
-  for (int n = 0; n < nodes; ++n) {
-    for (int m = 0; m < nodes; ++m) {
-      if (n == m) continue;
-      const double sign = (n - m) % 2 == 0 ? 1 : -1;
-      matrix(n, m) = sign / (2 * std::sin(node_phase(n - m, nodes) / 2));
-    }
-  }
-  return matrix;
-}
-
-/// Complex amplitude of a harmonic of `values` at the nodes: Re(c exp(i harmonic omega t)).
-std::complex<double> harmonic_amplitude(const Eigen::RowVectorXd& values, int harmonic) {
-  const int nodes = static_cast<int>(values.size());
-  std::complex<double> sum = 0;
-  for (int n = 0; n < nodes; ++n) sum += values[n] * std::polar(1.0, -harmonic * node_phase(n, nodes));
-  return 2.0 * sum / static_cast<double>(nodes);
-}
-
-/// The same motion at more nodes, by its own trigonometric polynomial.
-NodalMotion interpolated(const NodalMotion& motion, int nodes) {
-  NodalMotion finer(3, nodes);
-  for (int row = 0; row < 3; ++row) {
-    finer.row(row).setConstant(motion.row(row).mean());
-    for (int h = 1; 2 * h < motion.cols(); ++h) {
-      const std::complex<double> amplitude = harmonic_amplitude(motion.row(row), h);
-      for (int n = 0; n < nodes; ++n) {
-        finer(row, n) += (amplitude * std::polar(1.0, h * node_phase(n, nodes))).real();
-      }
-    }
-  }
-  return finer;
-}
-
-/// Largest amplitude among the highest quarter of the harmonics, over the largest change.
-double unresolved_part(const NodalMotion& motion) {
-  const int highest = static_cast<int>(motion.cols() - 1) / 2;
-  double largest = 0;
-  for (int row = 0; row < 3; ++row) {
-    for (int h = highest - highest / 4; h <= highest; ++h) {
-      largest = std::max(largest, std::abs(harmonic_amplitude(motion.row(row), h)));
-    }
-  }
-  return largest / motion.cwiseAbs().maxCoeff();
 }
 
 /// The equations of motion of one swimmer on one set of nodes; velocities are over omega, lengths.
