@@ -1,6 +1,6 @@
 #!/bin/bash
 # From a clean clone to a simulated swimmer beside its prediction: installs what is missing, builds, runs one
-# swimmer resolved in the fluid, and ends with a table and a figure in out/quickstart/. The run takes 5 to 7 minutes
+# swimmer resolved in the fluid, and ends with a table and a figure in out/quickstart/. The run takes some 3 minutes
 # on two cores; a smaller box, shorter period or fewer cycles less.
 set -euo pipefail
 cd "$(dirname "$0")/.."

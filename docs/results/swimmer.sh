@@ -1,6 +1,6 @@
 #!/bin/bash
 # The run records of this folder: the paper's swimmer in a periodic box of 120 x 80 x 80 cells.
-#   docs/results/swimmer.sh FOLDER        (some 16 minutes on 2 idle cores; the programs on PATH)
+#   docs/results/swimmer.sh FOLDER        (some 7 minutes on 2 idle cores; the programs on PATH)
 set -euo pipefail
 folder=${1:?name a folder for the records}
 mkdir -p "$folder"
