@@ -8,17 +8,13 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/line_flow.hpp"
 #include "beadswim/mobility/unsteady_sphere.hpp"
+#include "oscillation.hpp"
 
 namespace beadswim {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 constexpr double pi = std::numbers::pi;
-
-Complex alpha_of_modulus(double modulus) {
-  return std::polar(modulus, pi / 4);
-}
 
 void expect_near(const LineValue<Complex>& a, const LineValue<Complex>& b, double tolerance) {
   EXPECT_NEAR(std::abs(a.value - b.value), 0, tolerance);

@@ -201,7 +201,7 @@ TEST(UnsteadyResponse, OfReciprocalStrokeIsOfTheOrderOfInertia) {
 /// method from rest: the last of `periods`.
 double newtonian_velocity(const CollinearSwimmer& swimmer, int steps, int periods) {
   using State = Eigen::Matrix<double, 6, 1>;
-  const Eigen::Vector3cd driving = driving_amplitudes(swimmer);
+  const Eigen::Vector3cd driving = arm_rates().transpose() * driving_tensions(swimmer);
   const double omega = swimmer.angular_frequency(), dt = swimmer.period / steps;
   Eigen::Vector3d mass;
   for (int i = 0; i < 3; ++i) mass[i] = bead_mass(swimmer.radius[i], swimmer.density[i]);

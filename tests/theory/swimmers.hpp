@@ -1,6 +1,7 @@
 #pragma once
 
 #include <numbers>
+#include <utility>
 
 #include "beadswim/mobility/oseen.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
@@ -34,6 +35,19 @@ inline CollinearSwimmer unequal_swimmer() {
           .phase = 1.1,
           .period = 3000,
           .viscosity = 1.0 / 3};
+}
+
+/// The swimmer that its mirror shows: beads and arms in the other order.
+inline CollinearSwimmer mirrored(const CollinearSwimmer& s) {
+  CollinearSwimmer m = s;
+  std::swap(m.radius[0], m.radius[2]);
+  std::swap(m.density[0], m.density[2]);
+  std::swap(m.arm[0], m.arm[1]);
+  std::swap(m.stiffness[0], m.stiffness[1]);
+  std::swap(m.damping[0], m.damping[1]);
+  std::swap(m.amplitude[0], m.amplitude[1]);
+  m.phase = -s.phase;  // bead 1 is now driven by B sin(wt + alpha): time shifted, A lags by alpha
+  return m;
 }
 
 /// What methods are asked of a swimmer alone in unbounded fluid of density 1.

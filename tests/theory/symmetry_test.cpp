@@ -12,18 +12,6 @@ namespace {
 
 constexpr double roundoff = 1e-12;  // relative
 
-CollinearSwimmer mirrored(const CollinearSwimmer& s) {
-  CollinearSwimmer m = s;
-  std::swap(m.radius[0], m.radius[2]);
-  std::swap(m.density[0], m.density[2]);
-  std::swap(m.arm[0], m.arm[1]);
-  std::swap(m.stiffness[0], m.stiffness[1]);
-  std::swap(m.damping[0], m.damping[1]);
-  std::swap(m.amplitude[0], m.amplitude[1]);
-  m.phase = -s.phase;  // bead 1 is now driven by B sin(wt + alpha): time shifted, A lags by alpha
-  return m;
-}
-
 /// The same swimmer in units `length`, `time`, `mass` times smaller.
 CollinearSwimmer in_units(const CollinearSwimmer& s, double length, double time, double mass) {
   CollinearSwimmer u = s;

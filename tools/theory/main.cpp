@@ -23,7 +23,7 @@ std::string method_names() {
 std::string stroke_methods() {
   std::vector<std::string> names;
   for (const Method& method : methods()) {
-    if (method.input != Method::Input::driving) names.push_back(method.name);
+    if (method.uses_stroke()) names.push_back(method.name);
   }
   return fmt::format("{}", fmt::join(names, ", "));
 }

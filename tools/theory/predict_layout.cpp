@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "surroundings.hpp"
 
@@ -47,15 +48,6 @@ const Swimmer& swimmer_like_all(const Layout& layout, const std::string& source)
   return first;
 }
 
-bool same_unit(const Units::Unit& a, const Units::Unit& b) {
-  return a.si_factor == b.si_factor;
-}
-
-bool same_units(const Units& a, const Units& b) {
-  if (a.lattice || b.lattice) return a.lattice == b.lattice;
-  return same_unit(a.length, b.length) && same_unit(a.time, b.time);
-}
-
 /// The measured stroke, of a run with the layout's units and period.
 Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured) {
   const std::string where = "--stroke-from " + measured.source;
@@ -76,7 +68,7 @@ Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const M
 bool lacks_its_input(const Method& method, const Question& question) {
   const bool lacks_stroke = method.input == Method::Input::stroke && !question.measured_stroke;
   const bool lacks_box =
-      method.name.find("-box-") != std::string::npos && !question.box && question.box_obstacle.empty();
+      method.input == Method::Input::driving_in_box && !question.box && question.box_obstacle.empty();
   return lacks_stroke || lacks_box;
 }
 
@@ -115,7 +107,7 @@ void check_stroke_is_used(const PredictionDocument& document, const Question& qu
   if (!question.measured_stroke) return;
   std::vector<std::string> users, reasons;
   for (const Method& method : methods()) {
-    if (method.input != Method::Input::driving) users.push_back(method.name);
+    if (method.uses_stroke()) users.push_back(method.name);
   }
   const auto uses_it = [&](const Prediction& prediction) {
     return std::find(users.begin(), users.end(), prediction.method) != users.end();

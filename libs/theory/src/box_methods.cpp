@@ -48,17 +48,11 @@ Prediction predict_rpy_box_perturbation(const Question& question) {
   const LineFlow flow = flow_in(*question.box, swimmer.viscosity);
   const SecondOrderMotion motion =
       second_order_motion(swimmer, rotne_prager_in(flow, swimmer, rest_positions(swimmer, *question.box)));
-  Prediction prediction;
-  prediction.velocity = motion.velocity;
-  prediction.stroke = motion.stroke;
-  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
+  Prediction prediction = prediction_from(swimmer, motion);
   add_limits(question, motion.velocity, prediction);
   if (question.exact && prediction.uncertainty) {
     prediction.uncertainty = std::hypot(*prediction.uncertainty, question.exact->amplitude_change);
-    prediction.validity +=
-        fmt::format("; second order in amplitude, which leaves out about {:+.1f} % of the velocity",
-                    100 * question.exact->amplitude_change);
+    add_amplitude_limit(question, prediction);
   }
   refuse_contact(question, prediction);
   return prediction;
@@ -70,11 +64,7 @@ Prediction predict_rpy_box_ode(const Question& question) {
   const LinePositions rest = rest_positions(swimmer, *question.box);
   const MobilityAt mobility = [&](const LinePositions& x) { return rotne_prager_in(flow, swimmer, x); };
   const PeriodicMotion motion = periodic_motion(swimmer, rest, mobility);
-  Prediction prediction;
-  prediction.velocity = motion.velocity;
-  prediction.stroke = motion.stroke;
-  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = motion.arm_means;
+  Prediction prediction = prediction_from(motion);
   add_limits(question, second_order_motion(swimmer, mobility(rest)).velocity, prediction);
   prediction.validity += "; periodic motion at finite amplitude";
   return prediction;

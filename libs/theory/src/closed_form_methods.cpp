@@ -221,8 +221,7 @@ Prediction predict_rpy_force_printed(const Question& question) {
   formula.velocity = rpy_force_velocity_printed(question.swimmer);
   formula.verdict =
       "(4.23) as printed, wrong: 8l - 33 lambda should be 10l - 33 lambda, a factor sin alpha is missing, "
-      "and its "
-      "k^4 term vanishes at l = 5 lambda";
+      "and its k^4 term vanishes at l = 5 lambda";
   return judged_if_near(question, formula);
 }
 
@@ -231,8 +230,7 @@ Prediction predict_rpy_force_repaired(const Question& question) {
   formula.velocity = rpy_force_velocity_repaired(question.swimmer);
   formula.verdict =
       "(4.23) mended in its own scheme, which truncates in lambda/l, drops the mean change of the arms and "
-      "is poor "
-      "at small l/lambda";
+      "is poor at small l/lambda";
   return judged_if_near(question, formula);
 }
 
@@ -248,16 +246,13 @@ Prediction predict_rpy_equal_weight(const Question& question) {
   formula.velocity = equal_weight_velocity(question.swimmer, formula.stroke);
   formula.verdict =
       "equal-weight mean of the beads' velocities as in (4.18), without truncation in lambda/l but without "
-      "the mean "
-      "change of the arms, which the periodic motion has";
+      "the mean change of the arms, which the periodic motion has";
   return judged(question, formula);
 }
 
 Prediction predict_multipole_stroke(const Question& question) {
   Formula formula = fed(question, rotne_prager, "exact");
-  const Stroke& stroke = formula.stroke;
-  formula.velocity = geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() *
-                     stroke.amplitude[0] * stroke.amplitude[1] * stroke.sin_phase_shift();
+  formula.velocity = exact_stroke_velocity(question, formula.stroke);
   return described(question, formula,
                    "exact Stokes flow of three spheres (axisymmetric multipoles) with this stroke");
 }

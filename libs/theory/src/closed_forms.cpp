@@ -46,7 +46,7 @@ double shift_denominator_squared(const EqualParts& s) {
 
 /// omega d1 d2 sin(delta1 - delta2): what every stroke formula multiplies by its geometry factor.
 double stroke_area_rate(const CollinearSwimmer& swimmer, const Stroke& stroke) {
-  return stroke.amplitude[0] * stroke.amplitude[1] * swimmer.angular_frequency() * stroke.sin_phase_shift();
+  return swimmer.angular_frequency() * stroke.area();
 }
 
 /// omega lambda (28l - 45 lambda) / 192 l^3 [..], the common part of both forms of (4.23); `coefficient` is

@@ -71,6 +71,11 @@ LinePositions rest_positions(const CollinearSwimmer& swimmer) {
   return {-swimmer.arm[0], 0, swimmer.arm[1]};
 }
 
+std::array<double, 2> gaps_at_rest(const CollinearSwimmer& swimmer) {
+  const auto gap = [&](int arm) { return swimmer.arm[arm] - swimmer.radius[arm] - swimmer.radius[arm + 1]; };
+  return {gap(0), gap(1)};
+}
+
 double separation_ratio(const CollinearSwimmer& swimmer) {
   const auto ratio = [&](int arm) {
     return 2 * swimmer.arm[arm] / (swimmer.radius[arm] + swimmer.radius[arm + 1]);

@@ -23,11 +23,27 @@ std::optional<double> unless_roundoff(const Question& question, double velocity,
 
 }  // namespace
 
+Prediction prediction_from(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
+  Prediction prediction;
+  prediction.velocity = motion.velocity;
+  prediction.stroke = motion.stroke;
+  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
+  prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
+  return prediction;
+}
+
+Prediction prediction_from(const PeriodicMotion& motion) {
+  Prediction prediction;
+  prediction.velocity = motion.velocity;
+  prediction.stroke = motion.stroke;
+  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
+  prediction.arm_means = motion.arm_means;
+  return prediction;
+}
+
 bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke) {
-  const auto apart = [&](int arm) {
-    return swimmer.arm[arm] - stroke.amplitude[arm] > swimmer.radius[arm] + swimmer.radius[arm + 1];
-  };
-  return apart(0) && apart(1);
+  const std::array<double, 2> gaps = gaps_at_rest(swimmer);
+  return gaps[0] > stroke.amplitude[0] && gaps[1] > stroke.amplitude[1];
 }
 
 std::optional<double> exact_velocity(const Question& question) {
@@ -35,12 +51,13 @@ std::optional<double> exact_velocity(const Question& question) {
   return unless_roundoff(question, question.exact->motion.velocity, question.exact->motion.stroke);
 }
 
+double exact_stroke_velocity(const Question& question, const Stroke& stroke) {
+  return geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() * stroke.area();
+}
+
 std::optional<double> exact_velocity_of(const Question& question, const Stroke& stroke) {
   if (!question.exact) return std::nullopt;
-  const double area = stroke.amplitude[0] * stroke.amplitude[1] * stroke.sin_phase_shift();
-  const double velocity =
-      geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() * area;
-  return unless_roundoff(question, velocity, stroke);
+  return unless_roundoff(question, exact_stroke_velocity(question, stroke), stroke);
 }
 
 std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact, double change) {
@@ -84,12 +101,14 @@ void add_driving_settings(const Question& question, Prediction& prediction) {
   prediction.settings.emplace_back("penetration_depth_over_arm", penetration_depth_over_arm(question));
 }
 
+void add_amplitude_limit(const Question& question, Prediction& prediction) {
+  prediction.validity +=
+      fmt::format("; second order in amplitude, which leaves out about {:+.1f} % of the velocity",
+                  100 * question.exact->amplitude_change);
+}
+
 void add_common_limits(const Question& question, Prediction& prediction) {
-  if (question.exact) {
-    prediction.validity +=
-        fmt::format("; second order in amplitude, which leaves out about {:+.1f} % of the velocity",
-                    100 * question.exact->amplitude_change);
-  }
+  if (question.exact) add_amplitude_limit(question, prediction);
   prediction.validity +=
       fmt::format("; alone in unbounded fluid; no inertia of fluid or beads (penetration depth {:.2f} arms)",
                   penetration_depth_over_arm(question));

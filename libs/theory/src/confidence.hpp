@@ -3,12 +3,17 @@
 #include <optional>
 #include <string>
 
+#include "beadswim/theory/periodic_motion.hpp"
 #include "beadswim/theory/prediction.hpp"
 #include "beadswim/theory/question.hpp"
 
-// What methods say of how far they can be trusted.
+// What methods of one kind say alike: their motion, and how far they can be trusted.
 
 namespace beadswim {
+
+/// Velocity, stroke and mean arms of a motion, as a prediction begins.
+Prediction prediction_from(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion);
+Prediction prediction_from(const PeriodicMotion& motion);
 
 /// Whether the beads stay apart over the whole stroke about the arms' rest lengths.
 bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke);
@@ -16,7 +21,11 @@ bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke);
 /// Velocity of exact Stokes flow to second order in amplitude; none where it is not known or roundoff.
 std::optional<double> exact_velocity(const Question& question);
 
-/// Velocity of exact Stokes flow with this stroke, by its geometry factor; none likewise.
+/// Velocity of exact Stokes flow with this stroke, by its geometry factor [length/time]; needs the exact
+/// reference.
+double exact_stroke_velocity(const Question& question, const Stroke& stroke);
+
+/// The same; none where it is not known or roundoff.
 std::optional<double> exact_velocity_of(const Question& question, const Stroke& stroke);
 
 /// Relative difference of `velocity` from `exact` and the `change` at finite amplitude, added as squares.
@@ -30,6 +39,9 @@ void refuse(Prediction& prediction, const std::string& reason);
 
 /// Not usable if the beads would meet within the prediction's stroke.
 void refuse_contact(const Question& question, Prediction& prediction);
+
+/// Appends to `validity` how much of the velocity second order leaves out; needs the exact reference.
+void add_amplitude_limit(const Question& question, Prediction& prediction);
 
 /// Settings that all methods share: the swimmer's driving and dimensionless numbers.
 void add_driving_settings(const Question& question, Prediction& prediction);

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double small_part = 0.02;  // of the gaps: the largest arm amplitude at the small driving
 
-std::array<double, 2> gaps_at_rest(const CollinearSwimmer& swimmer) {
-  return {swimmer.arm[0] - swimmer.radius[0] - swimmer.radius[1],
-          swimmer.arm[1] - swimmer.radius[1] - swimmer.radius[2]};
-}
-
 /// A mobility in open space near its rest by cubic interpolation in both arms: 16 evaluations in all, where
 /// the periodic motion takes some hundred.
 class InterpolatedMobility {

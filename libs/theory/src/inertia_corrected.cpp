@@ -16,11 +16,6 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// d_1 d_2 sin(delta_1 - delta_2).
-double stroke_area(const Eigen::Vector2cd& arm) {
-  return (arm[0] * std::conj(arm[1])).imag();
-}
-
 /// Stroke and velocity to second order in one scene.
 struct Motion {
   Eigen::Vector2cd arm;
@@ -75,7 +70,8 @@ double unknown_share_of_reynolds(const Question& question) {
 InertialVelocity velocity_parts(const Question& question, const OpenSpace& space, const Motion& open,
                                 const Motion& boxed, double amplitude_change) {
   const SecondOrderMotion& second_order = question.exact->motion;
-  const double kinematic = space.geometry * question.swimmer.angular_frequency() * stroke_area(open.arm);
+  const double kinematic =
+      space.geometry * question.swimmer.angular_frequency() * stroke_of({open.arm[0], open.arm[1]}).area();
   InertialVelocity v;
   v.quasi_static = second_order.velocity;
   v.by_stroke = kinematic - v.quasi_static;

@@ -24,8 +24,7 @@ std::optional<std::string> thin_layer(const Question& question) {
   if (kappa < largest_kappa) return std::nullopt;
   return fmt::format(
       "the penetration depth is {:.3g} times smaller than a bead, far from the slow flow that it is for; "
-      "lengthen "
-      "--period or raise --viscosity",
+      "lengthen --period or raise --viscosity",
       kappa / std::sqrt(2.0));
 }
 

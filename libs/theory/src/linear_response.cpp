@@ -24,10 +24,10 @@ Eigen::Matrix<double, 2, 3> arm_rates() {
   return rates;
 }
 
-Eigen::Vector3cd driving_amplitudes(const CollinearSwimmer& swimmer) {
+Eigen::Vector2cd driving_tensions(const CollinearSwimmer& swimmer) {
   const Complex force_1 = -i_unit * swimmer.amplitude[0];
   const Complex force_3 = -i_unit * swimmer.amplitude[1] * std::polar(1.0, swimmer.phase);
-  return {force_1, -force_1 - force_3, force_3};
+  return {-force_1, force_3};
 }
 
 LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
@@ -47,8 +47,7 @@ Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility) {
 Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance) {
   Eigen::Matrix2cd stiffness = i_unit * swimmer.angular_frequency() * impedance;
   stiffness.diagonal() += arm_stiffness(swimmer);
-  const Eigen::Vector3cd driving = driving_amplitudes(swimmer);
-  return stiffness.inverse() * Eigen::Vector2cd(-driving[0], driving[2]);
+  return stiffness.inverse() * driving_tensions(swimmer);
 }
 
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility) {

@@ -40,8 +40,8 @@ const std::vector<Method>& methods() {
       {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode},
       {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode},
       {"multipole-ode", driving, exact_obstacle, predict_multipole_ode},
-      {"rpy-box-perturbation", driving, box_obstacle, predict_rpy_box_perturbation},
-      {"rpy-box-ode", driving, box_obstacle, predict_rpy_box_ode},
+      {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation},
+      {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode},
       {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response},
       {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected},
   };

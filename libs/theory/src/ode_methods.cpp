@@ -13,11 +13,7 @@ namespace beadswim {
 namespace {
 
 Prediction described(const Question& question, const PeriodicMotion& motion) {
-  Prediction prediction;
-  prediction.velocity = motion.velocity;
-  prediction.stroke = motion.stroke;
-  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = motion.arm_means;
+  Prediction prediction = prediction_from(motion);
   prediction.settings.emplace_back("smallest_gap_over_radius",
                                    motion.smallest_gap / question.swimmer.radius[1]);
   prediction.settings.emplace_back("harmonics", static_cast<double>(motion.nodes - 1) / 2);
@@ -28,8 +24,7 @@ Prediction described(const Question& question, const PeriodicMotion& motion) {
 void add_limits(const Question& question, Prediction& prediction) {
   prediction.validity += fmt::format(
       "; periodic motion at finite amplitude; alone in unbounded fluid; no inertia of fluid or beads "
-      "(penetration depth "
-      "{:.2f} arms)",
+      "(penetration depth {:.2f} arms)",
       penetration_depth_over_arm(question));
   prediction.settings.emplace_back("fluid", "unbounded");
   add_driving_settings(question, prediction);

@@ -59,9 +59,8 @@ class HarmonicBalance {
         omega_(swimmer.angular_frequency()),
         derivative_(differentiation_matrix(nodes)),
         stiffness_(swimmer.stiffness[0], swimmer.stiffness[1]),
-        damping_(omega_ * swimmer.damping[0], omega_ * swimmer.damping[1]) {
-    const Eigen::Vector3cd force = driving_amplitudes(swimmer);
-    driving_ = {-force[0], force[2]};
+        damping_(omega_ * swimmer.damping[0], omega_ * swimmer.damping[1]),
+        driving_(driving_tensions(swimmer)) {
     for (int arm = 0; arm < 2; ++arm) {
       const double drag = omega_ / self_mobility(swimmer.radius[1], swimmer.viscosity);
       row_scale_[arm] = 1 / (stiffness_[arm] + damping_[arm] + drag);
@@ -153,8 +152,8 @@ class HarmonicBalance {
   MatrixXd derivative_;
   Matrix3d beads_ = beads_from_motion();
   Eigen::Vector2d stiffness_, damping_;  ///< k_i, omega c_i
-  Eigen::Vector2d row_scale_;            ///< brings the equations of both arms to one size
   Eigen::Vector2cd driving_;
+  Eigen::Vector2d row_scale_;  ///< brings the equations of both arms to one size
 };
 
 /// A motion and its drift over omega, as Newton's method goes.
@@ -216,16 +215,17 @@ std::string contact_message(double reached, double least_gap) {
       reached, least_gap);
 }
 
-/// The motion under the full driving, which is turned up in steps where it cannot be had at once.
-State turned_up(const CollinearSwimmer& swimmer, const HarmonicBalance& balance, const State& first_order,
+/// The motion under the full driving, from a first guess of it; the driving is turned up in steps where the
+/// motion cannot be had at once.
+State turned_up(const CollinearSwimmer& swimmer, const HarmonicBalance& balance, const State& start,
                 double least_gap) {
   constexpr double smallest_step = 1.0 / 64;
-  State reached{.motion = NodalMotion::Zero(3, first_order.motion.cols())};
+  State reached{.motion = NodalMotion::Zero(3, start.motion.cols())};
   double driving = 0, step = 1;
   while (driving < 1) {
     const double next = std::min(driving + step, 1.0);
     State guess = reached;
-    if (driving == 0) guess.motion = next * first_order.motion;
+    if (driving == 0) guess.motion = next * start.motion;
     if (auto found = solved(swimmer, balance, guess, next, least_gap)) {
       reached = *found;
       driving = next;

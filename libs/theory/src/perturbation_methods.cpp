@@ -9,20 +9,10 @@ namespace beadswim {
 
 namespace {
 
-Prediction described(const Question& question, const SecondOrderMotion& motion) {
-  const CollinearSwimmer& swimmer = question.swimmer;
-  Prediction prediction;
-  prediction.velocity = motion.velocity;
-  prediction.stroke = motion.stroke;
-  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
-  return prediction;
-}
-
 Prediction predict_pairwise(const Question& question, const std::string& pairs, PairLaw law) {
   const SecondOrderMotion motion =
       second_order_motion(question.swimmer, rest_mobility(question.swimmer, law));
-  Prediction prediction = described(question, motion);
+  Prediction prediction = prediction_from(question.swimmer, motion);
   const std::optional<double> exact = exact_velocity(question);
   if (question.exact) {
     prediction.uncertainty = relative_uncertainty(motion.velocity, exact, question.exact->amplitude_change);
@@ -63,7 +53,7 @@ Prediction predict_rpy_perturbation(const Question& question) {
 }
 
 Prediction predict_multipole_perturbation(const Question& question) {
-  Prediction prediction = described(question, question.exact->motion);
+  Prediction prediction = prediction_from(question.swimmer, question.exact->motion);
   if (exact_velocity(question)) prediction.uncertainty = std::abs(question.exact->amplitude_change);
   prediction.validity = "exact Stokes flow of three spheres (axisymmetric multipoles)";
   prediction.settings.emplace_back("mobility", "exact");

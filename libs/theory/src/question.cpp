@@ -56,23 +56,21 @@ std::vector<std::string> warnings(const Question& question, double tolerance) {
   };
   std::vector<std::string> messages;
   if (!beads_stay_apart(swimmer, motion.stroke)) {
+    const std::array<double, 2> gaps = gaps_at_rest(swimmer);
     messages.push_back(
         fmt::format("beads meet within the stroke: to first order the arms swing by {:.4g} and {:.4g}, with "
-                    "gaps of {:.4g} and {:.4g} "
-                    "between the beads at rest; lower --amplitude or raise --stiffness, --damping or --arm",
-                    motion.stroke.amplitude[0], motion.stroke.amplitude[1],
-                    swimmer.arm[0] - swimmer.radius[0] - swimmer.radius[1],
-                    swimmer.arm[1] - swimmer.radius[1] - swimmer.radius[2]));
+                    "gaps of {:.4g} and {:.4g} between the beads at rest; lower --amplitude or raise "
+                    "--stiffness, --damping or --arm",
+                    motion.stroke.amplitude[0], motion.stroke.amplitude[1], gaps[0], gaps[1]));
   }
   const double change =
       question.exact ? question.exact->amplitude_change : finite_amplitude_change(swimmer, pair_mobility);
   if (std::isfinite(change) && std::abs(change) > tolerance) {
-    messages.push_back(
-        fmt::format("the driving is beyond small amplitude: closed forms and second-order methods leave out "
-                    "about {:+.1f} % of the "
-                    "velocity, more than the tolerance of {:.3g} %; believe the -ode methods and "
-                    "inertia-corrected instead",
-                    100 * change, 100 * tolerance));
+    messages.push_back(fmt::format(
+        "the driving is beyond small amplitude: closed forms and second-order methods leave out "
+        "about {:+.1f} % of the velocity, more than the tolerance of {:.3g} %; believe the -ode methods and "
+        "inertia-corrected instead",
+        100 * change, 100 * tolerance));
   }
   return messages;
 }

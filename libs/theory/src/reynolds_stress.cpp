@@ -86,15 +86,13 @@ ReynoldsForm radial_integral(const ReynoldsStress& stress, int bead, double radi
 ReynoldsForm space_integral(const ReynoldsStress& stress, const CollinearSwimmer& swimmer, int count) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::vector<QuadratureNode> nodes = gauss_legendre(count);
-  const auto half_gap = [&](int arm) {
-    return (swimmer.arm[arm] - swimmer.radius[arm] - swimmer.radius[arm + 1]) / 2;
-  };
+  const std::array<double, 2> gaps = gaps_at_rest(swimmer);
   ReynoldsForm sum{.whole = Eigen::Matrix3cd::Zero(), .inside = Eigen::Matrix3cd::Zero()};
   for (int bead = 0; bead < 3; ++bead) {
     const double radius = swimmer.radius[bead];
     for (const int side : {-1, 1}) {
       const int arm = side < 0 ? bead - 1 : bead;
-      const double plane = arm < 0 || arm > 1 ? infinite : radius + half_gap(arm);
+      const double plane = arm < 0 || arm > 1 ? infinite : radius + gaps[arm] / 2;
       for (const auto& [cosine, weight] : nodes) {
         const double ring = 2 * std::numbers::pi * weight;
         const ReynoldsForm ray = radial_integral(stress, bead, radius, side * cosine, plane / cosine, nodes);

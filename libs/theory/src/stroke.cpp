@@ -20,6 +20,10 @@ double Stroke::sin_phase_shift() const {
   return both_move ? std::sin(phase[0] - phase[1]) : 0;
 }
 
+double Stroke::area() const {
+  return amplitude[0] * amplitude[1] * sin_phase_shift();
+}
+
 Stroke stroke_of(const std::array<std::complex<double>, 2>& complex_amplitude) {
   const auto& [x1, x2] = complex_amplitude;
   return {.amplitude = {std::abs(x1), std::abs(x2)}, .phase = {phase_of(x1), phase_of(x2)}};

@@ -41,6 +41,9 @@ std::complex<double> inverse_penetration_depth(const CollinearSwimmer& swimmer, 
 /// Places of the three beads at rest, bead 2 at the origin.
 LinePositions rest_positions(const CollinearSwimmer& swimmer);
 
+/// Gaps between the surfaces of neighbouring beads at rest, below 0 where they overlap [length].
+std::array<double, 2> gaps_at_rest(const CollinearSwimmer& swimmer);
+
 /// Smallest distance of neighbouring beads at rest over the mean of their two radii: l/lambda for equal
 /// beads and arms, 2 for touching ones.
 double separation_ratio(const CollinearSwimmer& swimmer);

@@ -35,8 +35,9 @@ struct LinearResponse {
 /// D: the rates of the two arms are D times the velocities of the three beads.
 Eigen::Matrix<double, 2, 3> arm_rates();
 
-/// (2.1) as complex amplitudes of the forces on the three beads: A sin(omega t) = Re(-iA exp(i omega t)).
-Eigen::Vector3cd driving_amplitudes(const CollinearSwimmer& swimmer);
+/// g: (2.1) as complex amplitudes of tensions on the two arms, F = D^T g; A sin(omega t) = Re(-iA exp(i omega
+/// t)).
+Eigen::Vector2cd driving_tensions(const CollinearSwimmer& swimmer);
 
 /// Z: tensions on the two arms over their rates [mass/time].
 Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility);

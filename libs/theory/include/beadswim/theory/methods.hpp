@@ -12,12 +12,15 @@ namespace beadswim {
 /// A method of prediction: a row of the table below.
 struct Method {
   std::string name;
-  /// Whether it can make use of a measured stroke.
-  enum class Input { driving, driving_or_stroke, stroke } input;
+  /// What it takes beside the swimmer: the driving, a measured stroke, or the driving in a box.
+  enum class Input { driving, driving_or_stroke, stroke, driving_in_box } input;
   /// Why the method cannot treat the question, and what could; none if it can.
   std::optional<std::string> (*obstacle)(const Question& question);
   /// Needs a question without obstacle. Throws InputError where it turns out on the way that it cannot.
   Prediction (*predict)(const Question& question);
+
+  /// Whether it makes use of a measured stroke.
+  bool uses_stroke() const { return input == Input::stroke || input == Input::driving_or_stroke; }
 };
 
 /// All methods, in the order in which they are shown.

@@ -12,6 +12,9 @@ struct Stroke {
 
   /// sin(delta_1 - delta_2); 0 if an arm is at rest, as it then has no phase.
   double sin_phase_shift() const;
+
+  /// d_1 d_2 sin(delta_1 - delta_2): what a velocity is proportional to [length^2].
+  double area() const;
 };
 
 /// The stroke of arms that change by Re(x_i exp(i omega t)).
