@@ -15,22 +15,30 @@ class FixedSphere {
         coverage(block_in_lattice(fluid.decomposition, 0, periodic), fluid.populations),
         beads{{.name = {}, .owner = 0, .radius = radius, .motion = {.position = centre}, .impulse = {}}} {
     coverage.update(beads);
+    links.find(coverage);
   }
 
   /// One step; returns the impulse that the fluid hands to the sphere.
   Load step() {
     beads[0].impulse = {};
     fluid.halo.fill(fluid.populations);
-    bounce_back_at_beads(fluid.populations, coverage, beads);
-    stream_and_collide(fluid.populations, fluid.rates);
+    BeadBoundary boundary{coverage, links, beads, sums};
+    for (int z = 0; z < fluid.populations.size()[2]; ++z) {
+      for (int y = 0; y < fluid.populations.size()[1]; ++y) {
+        boundary.bounce_back_before_row(fluid.populations, y, z);
+      }
+    }
+    stream_and_collide(fluid.populations, fluid.rates, fluid.halo.row_ends());
+    hand_over_impulses(sums, beads);
     fluid.add_body_force();
-    reset_covered_cells(fluid.populations, coverage, beads);
     return beads[0].impulse.value();
   }
 
   static constexpr std::array<Wall, 3> periodic{Wall::periodic, Wall::periodic, Wall::periodic};
   FluidBox fluid;
   Coverage coverage;
+  BeadLinks links;
+  std::vector<LinkSums> sums{1};
   std::vector<BeadOnLattice> beads;
 };
 

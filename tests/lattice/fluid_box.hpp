@@ -13,17 +13,17 @@ namespace beadswim::test {
 /// A box of fluid without beads, optionally under a uniform body force.
 struct FluidBox {
   FluidBox(const Index3& cells, const std::array<Wall, 3>& walls, double relaxation_time,
-           MPI_Comm comm = MPI_COMM_SELF)
+           MPI_Comm comm = MPI_COMM_SELF, Precision precision = Precision::fp64)
       : communicator(comm),
         decomposition(cells, communicator.size()),
         block(decomposition.block(communicator.rank())),
-        populations(block.size),
+        populations(block.size, precision),
         halo(communicator, decomposition, walls),
         rates(relaxation_rates(relaxation_time)) {}
 
   void step() {
     halo.fill(populations);
-    stream_and_collide(populations, rates);
+    stream_and_collide(populations, rates, halo.row_ends());
     add_body_force();
   }
 
@@ -32,7 +32,8 @@ struct FluidBox {
     for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
       for (int i = 1; i < d3q19::directions; ++i) {
         const auto& c = d3q19::velocity[i];
-        populations.outgoing(i, cell) += 3 * d3q19::weight(i) * body_force.dot(Vec3(c[0], c[1], c[2]));
+        const double share = 3 * d3q19::weight(i) * body_force.dot(Vec3(c[0], c[1], c[2]));
+        populations.set_outgoing(i, cell, populations.outgoing(i, cell) + share);
       }
     });
   }

@@ -4,59 +4,138 @@
 #include <random>
 #include <vector>
 
-#include "sweep_row.hpp"
+#include "beadswim/core/order_free_sum.hpp"
+#include "beadswim/lattice/moments.hpp"
+#include "row_kernels.hpp"
 
 namespace beadswim {
 namespace {
 
-using Kernel = void (*)(const SweepRow&);
-using Rows = std::array<std::vector<double>, d3q19::directions>;
+template <class Real>
+using Rows = std::array<std::vector<Real>, d3q19::directions>;
 
-Rows random_rows(long cells) {
+template <class Real>
+Rows<Real> random_rows(long cells) {
   std::mt19937 random(static_cast<unsigned>(cells));  // seed: the length
   std::uniform_real_distribution<double> deviation(-0.05, 0.05);
-  Rows rows;
+  Rows<Real> rows;
   for (auto& row : rows) {
-    for (long x = 0; x < cells; ++x) row.push_back(deviation(random));
+    for (long x = 0; x < cells; ++x) row.push_back(static_cast<Real>(deviation(random)));
   }
   return rows;
 }
 
-Rows swept(Kernel kernel, const Rows& from, long cells) {
-  Rows to;
-  SweepRow row{.from = {}, .to = {}, .cells = cells, .rates = relaxation_rates(0.7)};
+/// The kernels that this processor can run.
+std::vector<RowKernels> kernels() {
+  std::vector<RowKernels> kernels{{baseline::sweep_row, baseline::sweep_row, baseline::totals_row,
+                                   baseline::totals_row, "baseline"}};
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("x86-64-v3")) {
+    kernels.push_back({x86_64_v3::sweep_row, x86_64_v3::sweep_row, x86_64_v3::totals_row,
+                       x86_64_v3::totals_row, "x86-64-v3"});
+  }
+  if (__builtin_cpu_supports("x86-64-v4")) {
+    kernels.push_back({x86_64_v4::sweep_row, x86_64_v4::sweep_row, x86_64_v4::totals_row,
+                       x86_64_v4::totals_row, "x86-64-v4"});
+  }
+#endif
+  return kernels;
+}
+
+template <class Real>
+Rows<Real> swept(const RowKernels& kernels, const Rows<Real>& from, long cells) {
+  Rows<Real> to;
+  SweepRow<Real> row{
+      .from = {}, .to = {}, .cells = cells, .rates = collision_rates<Real>(relaxation_rates(0.7))};
   for (int i = 0; i < d3q19::directions; ++i) {
     to[i].resize(cells);
     row.from[i] = from[i].data();
     row.to[i] = to[i].data();
   }
-  kernel(row);
+  kernels.sweep(row);
   return to;
 }
 
+template <class Real>
+Rows<Real> one_cell_of(const Rows<Real>& rows, long x) {
+  Rows<Real> alone;
+  for (int i = 0; i < d3q19::directions; ++i) alone[i] = {rows[i][x]};
+  return alone;
+}
+
+constexpr std::array row_lengths{1L, 3L, 7L, 8L, 9L, 16L, 24L, 31L, 64L, 121L};
+
+template <class Real>
+class RowKernelsOf : public testing::Test {};
+using Reals = testing::Types<double, float>;
+TYPED_TEST_SUITE(RowKernelsOf, Reals);
+
 // Catches a fused multiply-add or a reordered sum in one of the builds, and a remainder of a row that is
 // computed in another way than its body.
-TEST(SweepRow, GivesTheSameBitsOnEveryInstructionSet) {
-#if defined(__x86_64__)
-  for (const long cells : {1, 3, 7, 8, 9, 16, 31, 64, 121}) {
-    const Rows from = random_rows(cells);
-    const Rows baseline = swept(sweep_row_baseline, from, cells);
-    if (__builtin_cpu_supports("x86-64-v3")) {
-      EXPECT_EQ(swept(sweep_row_v3, from, cells), baseline);
+TYPED_TEST(RowKernelsOf, SweepGivesTheSameBitsOnEveryInstructionSet) {
+  using Real = TypeParam;
+  for (const long cells : row_lengths) {
+    const Rows<Real> from = random_rows<Real>(cells);
+    const Rows<Real> expected = swept(kernels().front(), from, cells);
+    for (const RowKernels& other : kernels()) {
+      EXPECT_EQ(swept(other, from, cells), expected) << other.instruction_set;
     }
-    if (__builtin_cpu_supports("x86-64-v4")) {
-      EXPECT_EQ(swept(sweep_row_v4, from, cells), baseline);
-    }
-    for (long x = 0; x < cells; ++x) {  // each cell as if it were alone
-      Rows alone;
-      for (int i = 0; i < d3q19::directions; ++i) alone[i] = {from[i][x]};
-      const Rows swept_alone = swept(sweep_row_baseline, alone, 1);
-      for (int i = 0; i < d3q19::directions; ++i) ASSERT_EQ(swept_alone[i][0], baseline[i][x]);
+    for (long x = 0; x < cells; ++x) {
+      EXPECT_EQ(swept(kernels().front(), one_cell_of(from, x), 1), one_cell_of(expected, x));
     }
   }
-#else
-  GTEST_SKIP() << "one instruction set on this processor";
-#endif
+}
+
+/// Density deviation and momentum of the row, term by term.
+template <class Real>
+std::array<OrderFreeSum, 4> totals_one_by_one(const Rows<Real>& rows, long cells) {
+  std::array<OrderFreeSum, 4> sums;
+  for (long x = 0; x < cells; ++x) {
+    double f[d3q19::directions], r, u[3];
+    for (int i = 0; i < d3q19::directions; ++i) f[i] = static_cast<double>(rows[i][x]);
+    moments_of(f, r, u);
+    sums[0].add(r);
+    for (int a = 0; a < 3; ++a) sums[a + 1].add(u[a]);
+  }
+  return sums;
+}
+
+template <class Real>
+TotalsRow<Real> as_row(const Rows<Real>& rows, long cells) {
+  TotalsRow<Real> row{.outgoing = {}, .cells = cells};
+  for (int i = 0; i < d3q19::directions; ++i) row.outgoing[i] = rows[i].data();
+  return row;
+}
+
+// Catches a cut that rounds otherwise than OrderFreeSum's, and lanes whose sums are not exact.
+TYPED_TEST(RowKernelsOf, TotalsAreThoseOfTheTermsOneByOne) {
+  using Real = TypeParam;
+  for (const long cells : {1L, 7L, 64L, 121L, 4096L}) {
+    const Rows<Real> rows = random_rows<Real>(cells);
+    const std::array<OrderFreeSum, 4> expected = totals_one_by_one(rows, cells);
+    for (const RowKernels& each : kernels()) {
+      const RowTotals totals = each.totals(as_row(rows, cells));
+      ASSERT_TRUE(totals.fits);
+      for (int m = 0; m < 4; ++m) {
+        OrderFreeSum sum;
+        sum.add_cut(totals.coarse[m], totals.fine[m]);
+        EXPECT_EQ(sum.coarse, expected[m].coarse) << each.instruction_set;
+        EXPECT_EQ(sum.fine, expected[m].fine) << each.instruction_set;
+      }
+    }
+  }
+}
+
+// Catches a number that is not one, or is out of range, and slips through in one of the lanes.
+TYPED_TEST(RowKernelsOf, TotalsSayWhenATermDoesNotFit) {
+  using Real = TypeParam;
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), -2e3}) {
+    for (const long place : {0L, 5L, 30L}) {
+      Rows<Real> rows = random_rows<Real>(31);
+      rows[8][place] = static_cast<Real>(bad);
+      for (const RowKernels& each : kernels()) EXPECT_FALSE(each.totals(as_row(rows, 31)).fits);
+    }
+  }
 }
 
 }  // namespace

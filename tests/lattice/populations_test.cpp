@@ -11,54 +11,87 @@ namespace {
 /// A row that is not a whole number of cache lines, and a box without symmetry.
 const Index3 size(9, 5, 4);
 
+class PopulationsOf : public testing::TestWithParam<Precision> {};
+
+INSTANTIATE_TEST_SUITE_P(Precisions, PopulationsOf, testing::Values(Precision::fp64, Precision::fp32),
+                         [](const auto& info) { return name_of(info.param); });
+
 // The table of docs/method/in-place-streaming.md from outside. Catches a parity that is not switched, and a
 // shift with the wrong sign.
-TEST(Populations, IncomingIsTheNeighboursOutgoingAtEitherParity) {
-  Populations populations(size);
-  for (int parity = 0; parity < 2; ++parity, populations.advance()) {
+TEST_P(PopulationsOf, IncomingIsTheNeighboursOutgoingAtEitherParity) {
+  Populations populations(size, GetParam());
+  for (int parity = 0; parity < 2; ++parity, populations.advance(RowEnds::left_to_halo)) {
     for (int i = 0; i < d3q19::directions; ++i) {
       const auto& c = d3q19::velocity[i];
       const std::ptrdiff_t cell = populations.cell(3, 2, 1);
       const std::ptrdiff_t neighbour = populations.cell(3 - c[0], 2 - c[1], 1 - c[2]);
-      EXPECT_EQ(&populations.incoming(i, cell), &populations.outgoing(i, neighbour)) << i;
+      populations.set_outgoing(i, neighbour, i + 0.25);
+      EXPECT_EQ(populations.incoming(i, cell), i + 0.25);
+      populations.set_incoming(i, cell, i + 0.75);
+      EXPECT_EQ(populations.outgoing(i, neighbour), i + 0.75);
     }
   }
 }
 
 // What makes any order of cells right: a step writes where its own cell has read, and nowhere else.
-TEST(Populations, ACellsNextPlacesAreThoseOfItsIncomingOnes) {
-  Populations populations(size);
-  for (int parity = 0; parity < 2; ++parity, populations.advance()) {
-    std::set<const double*> all;
-    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
-      std::set<const double*> read, written;
-      for (int i = 0; i < d3q19::directions; ++i) {
-        read.insert(&populations.incoming(i, cell));
-        written.insert(populations.next_outgoing(i, cell));
-      }
-      EXPECT_EQ(read, written);
-      all.insert(read.begin(), read.end());
-    });
-    EXPECT_EQ(all.size(), std::size_t(size.prod()) * d3q19::directions);
-  }
+TEST_P(PopulationsOf, ACellsNextPlacesAreThoseOfItsIncomingOnes) {
+  Populations populations(size, GetParam());
+  in_precision(GetParam(), [&]<class Real>() {
+    for (int parity = 0; parity < 2; ++parity, populations.advance(RowEnds::left_to_halo)) {
+      std::set<const Real*> all;
+      for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
+        std::set<const Real*> read, written;
+        for (int i = 0; i < d3q19::directions; ++i) {
+          read.insert(populations.incoming_row<Real>(i, cell));
+          written.insert(populations.next_outgoing_row<Real>(i, cell));
+        }
+        EXPECT_EQ(read, written);
+        all.insert(read.begin(), read.end());
+      });
+      EXPECT_EQ(all.size(), std::size_t(size.prod()) * d3q19::directions);
+    }
+  });
 }
 
 // The numbers themselves: what a step puts down is what the accessors read after it.
-TEST(Populations, NextOutgoingIsOutgoingAfterTheStep) {
-  Populations populations(size);
+TEST_P(PopulationsOf, NextOutgoingIsOutgoingAfterTheStep) {
+  Populations populations(size, GetParam());
   const std::ptrdiff_t cell = populations.cell(0, 4, 3);
-  for (int parity = 0; parity < 2; ++parity) {
-    for (int i = 0; i < d3q19::directions; ++i) *populations.next_outgoing(i, cell) = i + 0.5;
-    populations.advance();
-    for (int i = 0; i < d3q19::directions; ++i) EXPECT_EQ(populations.outgoing(i, cell), i + 0.5);
-  }
+  in_precision(GetParam(), [&]<class Real>() {
+    for (int parity = 0; parity < 2; ++parity) {
+      for (int i = 0; i < d3q19::directions; ++i)
+        *populations.next_outgoing_row<Real>(i, cell) = static_cast<Real>(i + 0.5);
+      populations.advance(RowEnds::left_to_halo);
+      for (int i = 0; i < d3q19::directions; ++i) EXPECT_EQ(populations.outgoing(i, cell), i + 0.5);
+    }
+  });
 }
 
-TEST(Populations, RowsBeginAtCacheLines) {
-  Populations populations(size);
-  for (const Index3& row : {Index3(0, 0, 0), Index3(0, 3, 1), Index3(0, 4, 3)}) {
-    EXPECT_EQ(reinterpret_cast<std::uintptr_t>(&populations.outgoing(0, populations.cell(row))) % 64, 0u);
-  }
+TEST_P(PopulationsOf, RowsBeginAtCacheLines) {
+  Populations populations(size, GetParam());
+  in_precision(GetParam(), [&]<class Real>() {
+    for (const Index3& row : {Index3(0, 0, 0), Index3(0, 3, 1), Index3(0, 4, 3)}) {
+      const Real* first = populations.outgoing_row<Real>(0, populations.cell(row));
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(first) % 64, 0u);
+    }
+  });
+}
+
+// Catches a boundary condition that counts what it meant to store instead of what is stored.
+TEST_P(PopulationsOf, SettersReturnWhatIsStored) {
+  Populations populations(size, GetParam());
+  const std::ptrdiff_t cell = populations.cell(2, 2, 2);
+  constexpr double third = 1.0 / 3;
+  const double stored = populations.set_outgoing(4, cell, third);
+  EXPECT_EQ(stored, GetParam() == Precision::fp32 ? static_cast<double>(static_cast<float>(third)) : third);
+  EXPECT_EQ(populations.outgoing(4, cell), stored);
+}
+
+// The bulk's share of the memory: padding and halo of a box that is not tiny stay small.
+TEST_P(PopulationsOf, TakeLittleMoreThanTheirNumbers) {
+  const Index3 box(120, 80, 80);
+  const double own = 19.0 * static_cast<double>(bytes_of_number(GetParam())) * box.prod();
+  EXPECT_LT(static_cast<double>(Populations(box, GetParam()).bytes()), 1.13 * own);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <filesystem>
+#include <unordered_map>
 
 #include "beadswim/core/error.hpp"
 
@@ -47,14 +48,24 @@ void FlowOutput::write(const CoupledSystem& system) {
         }};
   };
   const double pressure = scales_.density * scales_.velocity() * scales_.velocity() / 3;
+  std::unordered_map<std::ptrdiff_t, Vec3> in_beads;  // velocities of covered cells, which hold no fluid
+  system.coverage().for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
+    in_beads.emplace(cell, system.beads_here()[bead].velocity_at(from_centre));
+  });
   const std::vector<VtiField> fields{
       field("velocity", 3,
             [&](int k, std::ptrdiff_t cell) {
-              return cell_moments(system.populations(), cell).momentum[k] * scales_.velocity();
+              const auto in_bead = in_beads.find(cell);
+              const Vec3 velocity = in_bead != in_beads.end()
+                                        ? in_bead->second
+                                        : cell_moments(system.populations(), cell).momentum;
+              return velocity[k] * scales_.velocity();
             }),
       field("pressure", 1,
             [&](int, std::ptrdiff_t cell) {
-              return cell_moments(system.populations(), cell).density_deviation * pressure;
+              return in_beads.contains(cell)
+                         ? 0.0
+                         : cell_moments(system.populations(), cell).density_deviation * pressure;
             }),
       field("bead", 1, [&](int, std::ptrdiff_t cell) {
         const int bead = system.coverage().bead_at(cell);

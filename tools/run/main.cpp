@@ -74,7 +74,7 @@ void announce(const SceneOnLattice& on_lattice, const Communicator& communicator
                   "{} ranks\n",
                   cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step,
                   lattice.relaxation_time, lattice.steps_per_period, on_lattice.scene.swimmers.size(),
-                  1e-9 * population_bytes(on_lattice.scene), communicator.size()));
+                  1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
   if (on_lattice.cells_per_radius < 2) {
     tell(fmt::format("beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
                      on_lattice.cells_per_radius));

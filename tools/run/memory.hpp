@@ -5,8 +5,8 @@
 
 namespace beadswim {
 
-/// Bytes of the populations of the whole lattice.
-double population_bytes(const CoupledScene& scene);
+/// Bytes that the whole lattice takes: populations, and which bead covers a cell.
+double lattice_bytes(const CoupledScene& scene);
 
 /// Throws InputError on all ranks if a node's ranks need more memory than the node has. Collective.
 void require_memory(const CoupledScene& scene, const Communicator& communicator);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "beadswim/io/json.hpp"
+#include "beadswim/lattice/precision.hpp"
 
 namespace beadswim {
 
@@ -18,6 +19,7 @@ struct RunOptions {
   int frames_per_cycle = 40;
   std::optional<double> cells_per_radius;
   std::optional<double> relaxation_time;
+  Precision precision = Precision::fp64;
   std::optional<double> time_limit;  ///< [s]
   std::optional<double> flow_every;  ///< [cycle]
   ProgressStyle progress = ProgressStyle::automatic;

@@ -85,7 +85,7 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
                         .kinematic_viscosity_lattice = lattice_viscosity(on_lattice.lattice.relaxation_time),
                         .steps_per_cycle = on_lattice.lattice.steps_per_period,
                         .bead_boundary = "staircase",
-                        .precision = "double"};
+                        .precision = name_of(on_lattice.scene.precision)};
   record.cost = cost_of(parts, on_lattice, outcome);
   record.state_sha256 = state_sha256(parts.system, parts.communicator);
   record.provenance = document.provenance;

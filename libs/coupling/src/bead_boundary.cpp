@@ -4,76 +4,131 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
+#include "link_kernel.hpp"
 
 namespace beadswim {
-
 namespace {
 
-/// The links between one covered cell and the fluid around it.
-void bounce_back_around(CoveredCell& covered, Populations& populations, const Coverage& coverage,
-                        BeadOnLattice& bead) {
-  const bool own = coverage.is_own(covered.local);
-  double density_sum = 0, weight_sum = 0;
-  for (int out = 1; out < d3q19::directions; ++out) {  // from the covered cell into the fluid
-    const std::ptrdiff_t neighbour = covered.cell + populations.shift(out);
-    const auto& c = d3q19::velocity[out];
-    const Index3 local = covered.local + Index3(c[0], c[1], c[2]);
-    if (!coverage.is_in_halo_or_own(local) || coverage.bead_at(neighbour) != Coverage::fluid) continue;
-    const bool own_neighbour = coverage.is_own(local);
-    if (!own && !own_neighbour) continue;
+LinkBead link_bead(const BeadOnLattice& bead) {
+  const Vec3 &v = bead.motion.velocity, &omega = bead.motion.angular_velocity;
+  return {.velocity = {v[0], v[1], v[2]},
+          .angular_velocity = {omega[0], omega[1], omega[2]},
+          .mass_source = bead.mass_source};
+}
 
-    const int in = d3q19::opposite(out);
-    const double weight = d3q19::weight(in);
-    const Vec3 link_centre = covered.from_centre + 0.5 * Vec3(c[0], c[1], c[2]);
-    const Vec3 wall_velocity = bead.velocity_at(link_centre);
-    const double outgoing = populations.outgoing(in, neighbour);
-    density_sum += weighted_density_deviation(in, outgoing, wall_velocity);
-    weight_sum += weight;
-    if (!own_neighbour) continue;  // its owner's link
-    const double returned = bounced(in, outgoing, wall_velocity) + weight * bead.mass_source;
-    populations.incoming(out, neighbour) = returned;
-    bead.impulse.add(link_impulse(in, outgoing, returned), link_centre);
-    bead.impulse.mass.add(outgoing - returned);
-    bead.impulse.link_weight.add(weight);
+/// Puts a link into the batch.
+void put(LinkBatch& batch, const BeadLink& link, const Vec3& from_centre) {
+  const int k = batch.links++;
+  const auto& c = d3q19::velocity[link.out];
+  batch.x[k] = from_centre[0], batch.y[k] = from_centre[1], batch.z[k] = from_centre[2];
+  batch.cx[k] = c[0], batch.cy[k] = c[1], batch.cz[k] = c[2];
+  batch.weight[k] = d3q19::weight(link.out);
+  batch.outgoing[k] = link.outgoing;
+}
+
+/// Zeros after the last link, up to whole lanes.
+void fill_lanes(LinkBatch& batch) {
+  for (int k = batch.links; k % LinkSums::lanes != 0; ++k) {
+    for (double* values :
+         {batch.x, batch.y, batch.z, batch.cx, batch.cy, batch.cz, batch.weight, batch.outgoing})
+      values[k] = 0;
   }
-  covered.density_deviation = weight_sum > 0 ? density_sum / weight_sum : 0;
+}
+
+/// Terms too large for lanes, one by one: there is more room there, and a message if it does not suffice.
+void add_one_by_one(const LinkBatch& batch, LinkSums& sums) {
+  for (int t = 0; t < link_terms; ++t) {
+    for (int k = 0; k < batch.links; ++k) sums.sums[t].add(batch.terms[t][k]);
+  }
+}
+
+/// Bounces back along up to LinkBatch::most links of one bead.
+void bounce_back(std::span<BeadLink> links, const CoveredImage& covered, const BeadBoundary& boundary,
+                 Populations& populations) {
+  LinkBatch batch;
+  std::array<std::ptrdiff_t, LinkBatch::most> fluid_cells;
+  for (BeadLink& link : links) {
+    const int in = d3q19::opposite(link.out);
+    const std::ptrdiff_t fluid_cell =
+        boundary.coverage.cell(link.x, link.y, link.z) + populations.shift(link.out);
+    link.outgoing = populations.outgoing(in, fluid_cell);
+    if (!link.fluid_is_own) continue;  // its owner's link
+    fluid_cells[batch.links] = fluid_cell;
+    put(batch, link, covered.from_centre(link.x, link.y, link.z));
+  }
+  fill_lanes(batch);
+  const auto reflect = populations.precision() == Precision::fp32 ? link_kernels().reflect_fp32
+                                                                  : link_kernels().reflect_fp64;
+  LinkSums& sums = boundary.sums[covered.bead];
+  sums.make_room(LinkBatch::most / LinkSums::lanes);
+  if (!reflect(batch, link_bead(boundary.beads[covered.bead]), sums)) add_one_by_one(batch, sums);
+  int k = 0;
+  for (const BeadLink& link : links) {
+    if (link.fluid_is_own) populations.set_incoming(link.out, fluid_cells[k], batch.returned[k]), ++k;
+  }
+}
+
+/// Mean density deviation of the fluid around a cell that was covered, over its links.
+double density_around(const ChangedCell& cell, const BeadLinks& links, const BeadOnLattice& bead) {
+  const LinkBead b = link_bead(bead);
+  const double r[3] = {cell.from_centre[0], cell.from_centre[1], cell.from_centre[2]};
+  double sum = 0, weights = 0;
+  links.for_each_link_of(cell.image, cell.local[0], cell.local[1], cell.local[2], [&](const BeadLink& link) {
+    const auto& in = d3q19::velocity[d3q19::opposite(link.out)];
+    const double c[3] = {double(in[0]), double(in[1]), double(in[2])}, weight = d3q19::weight(link.out);
+    sum += weighted_density_deviation(weight, link.outgoing,
+                                      speed_along(c, b.velocity, b.angular_velocity, r));
+    weights += weight;
+  });
+  return weights > 0 ? sum / weights : 0;
 }
 
 }  // namespace
 
-void bounce_back_at_beads(Populations& populations, Coverage& coverage, std::span<BeadOnLattice> beads) {
-  for (CoveredCell& covered : coverage.cells()) {
-    bounce_back_around(covered, populations, coverage, beads[covered.bead]);
+void BeadBoundary::bounce_back_before_row(Populations& populations, int y, int z) {
+  const std::span<const LinkSegment> segments = links.segments();
+  const int end = links.end_segment_of(y, z);
+  for (int s = links.first_segment_of(y, z); s < end; ++s) {
+    std::span<BeadLink> rest = links.links(segments[s]);
+    while (!rest.empty()) {
+      const std::size_t now = std::min<std::size_t>(rest.size(), LinkBatch::most);
+      bounce_back(rest.first(now), coverage.images().images[segments[s].image], *this, populations);
+      rest = rest.subspan(now);
+    }
   }
 }
 
-void reset_covered_cells(Populations& populations, const Coverage& coverage,
-                         std::span<const BeadOnLattice> beads) {
-  for (const CoveredCell& covered : coverage.cells()) {
-    if (!coverage.is_own(covered.local)) continue;
-    set_equilibrium(populations, covered.cell, covered.density_deviation,
-                    beads[covered.bead].velocity_at(covered.from_centre));
+void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads) {
+  for (std::size_t b = 0; b < beads.size(); ++b) {
+    const std::array<OrderFreeSum, link_terms> total = sums[b].take();
+    Impulse& impulse = beads[b].impulse;
+    for (int a = 0; a < 3; ++a) {
+      impulse.linear[a].add(total[a]);
+      impulse.angular[a].add(total[3 + a]);
+    }
+    impulse.mass.add(total[6]);
+    impulse.link_weight.add(total[7]);
   }
 }
 
-void hand_over_changed_cells(const Populations& populations, const Coverage& before,
-                             std::span<const BeadOnLattice> before_beads, const Coverage& now,
+void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
+                             const BeadLinks& links_before, std::span<const BeadOnLattice> beads_before,
                              std::span<BeadOnLattice> beads) {
-  for (const CoveredCell& covered : now.cells()) {
-    if (!now.is_own(covered.local) || before.bead_at(covered.cell) != Coverage::fluid) continue;
+  for (const ChangedCell& covered : coverage.newly_covered()) {
     const CellMoments fluid = cell_moments(populations, covered.cell);
     Impulse& impulse = beads[covered.bead].impulse;
     impulse.add(fluid.momentum, covered.from_centre);
     impulse.mass.add(fluid.density_deviation);
   }
-  for (const CoveredCell& uncovered : before.cells()) {
-    if (!before.is_own(uncovered.local) || now.bead_at(uncovered.cell) != Coverage::fluid) continue;
-    const BeadName name = before_beads[uncovered.bead].name;
-    const auto bead = std::ranges::lower_bound(beads, name, {}, &BeadOnLattice::name);
-    if (bead == beads.end() || bead->name != name) {
+  for (const ChangedCell& uncovered : coverage.uncovered()) {
+    const BeadOnLattice& before = beads_before[uncovered.bead];
+    const auto bead = std::ranges::lower_bound(beads, before.name, {}, &BeadOnLattice::name);
+    if (bead == beads.end() || bead->name != before.name) {
       throw SolverError("a bead moved farther than a cell in one step");
     }
-    const CellMoments fluid = cell_moments(populations, uncovered.cell);
+    set_equilibrium(populations, uncovered.cell, density_around(uncovered, links_before, before),
+                    before.velocity_at(uncovered.from_centre));
+    const CellMoments fluid = cell_moments(populations, uncovered.cell);  // as stored
     bead->impulse.add(-fluid.momentum, uncovered.from_centre);
     bead->impulse.mass.add(-fluid.density_deviation);
   }

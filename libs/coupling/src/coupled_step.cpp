@@ -10,11 +10,19 @@
 namespace beadswim {
 
 void CoupledSystem::step() {
-  // Fluid: what streams in from neighbours, walls and beads, then streaming and collision of all cells.
+  // Fluid: what streams in from neighbours, walls and beads, then streaming and collision, row by row.
   halo_.fill(populations_);
-  bounce_back_at_beads(populations_, coverage_, beads_);
-  stream_and_collide(populations_, rates_);
-  reset_covered_cells(populations_, coverage_, beads_);
+  link_sums_.resize(beads_.size());
+  BeadBoundary boundary{coverage_, links_, beads_, link_sums_};
+  BlockSweep sweep(populations_, rates_, halo_.row_ends());
+  for (int z = 0; z < populations_.size()[2]; ++z) {
+    for (int y = 0; y < populations_.size()[1]; ++y) {
+      boundary.bounce_back_before_row(populations_, y, z);
+      sweep.row(y, z);
+    }
+  }
+  sweep.finish();
+  hand_over_impulses(link_sums_, beads_);
 
   // Beads: the fluid's impulses go to the swimmers' owners, who move them and tell where they are.
   advance_swimmers(exchange_.collect(beads_));
@@ -22,9 +30,9 @@ void CoupledSystem::step() {
   beads_ = exchange_.publish(owned_);
 
   // Cells that changed hands.
-  std::swap(coverage_before_, coverage_);
   coverage_.update(beads_);
-  hand_over_changed_cells(populations_, coverage_before_, beads_before_, coverage_, beads_);
+  hand_over_changed_cells(populations_, coverage_, links_, beads_before_, beads_);
+  links_.find(coverage_);
   ++steps_done_;
 }
 

@@ -33,11 +33,10 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       scene_(scene),
       rates_(relaxation_rates(scene.relaxation_time)),
       decomposition_(scene.cells, communicator.size()),
-      populations_(decomposition_.block(communicator.rank()).size),
+      populations_(decomposition_.block(communicator.rank()).size, scene.precision),
       halo_(communicator, decomposition_, scene.walls),
       exchange_(communicator, decomposition_, scene_),
-      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_),
-      coverage_before_(coverage_) {
+      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_) {
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   for (const CoupledScene::Swimmer& swimmer : scene_.swimmers) {
     if (exchange_.owner_of(swimmer.position) == communicator.rank())
@@ -45,6 +44,7 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
+  links_.find(coverage_);
 }
 
 bool CoupledSystem::is_too_fast(const SwimmerState& swimmer) {
@@ -117,13 +117,16 @@ std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
 }
 
 SceneTotals CoupledSystem::totals() const {
-  FluidTotals everything;  // fluid, beads, and what the fluid has given up and the beads have not yet had
-  FluidTotals all_cells;   // covered ones included
-  for_each_cell(populations_, [&](const Index3&, std::ptrdiff_t cell) {
-    const CellMoments moments = cell_moments(populations_, cell);
-    all_cells.add(moments);
-    if (coverage_.bead_at(cell) == Coverage::fluid) everything.add(moments);
+  FluidTotals everything = block_totals(populations_);  // fluid, beads, and what is under way between them
+  FluidTotals beads_volume;                             // covered cells, moving with their beads
+  FluidTotals covered_cells;                            // what the lattice has there, which is no fluid
+  coverage_.for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
+    covered_cells.add(cell_moments(populations_, cell));
+    beads_volume.add({.density_deviation = 0, .momentum = beads_[bead].velocity_at(from_centre)});
   });
+  everything.subtract(covered_cells);
+  FluidTotals all_cells = everything;
+  all_cells.add(beads_volume);
   for (const SwimmerState& swimmer : owned_) {
     for (int b = 0; b < 3; ++b) {
       const double m = mass(scene_.types[swimmer.type].beads[b]);

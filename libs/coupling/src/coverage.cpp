@@ -2,9 +2,33 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "beadswim/core/error.hpp"
 
 namespace beadswim {
+namespace {
+
+/// The cells of row (y, z) whose centres lie inside the bead: a sphere meets a row in one run.
+CoveredRun covered_run(const CoveredImage& covered, double radius, int y, int z) {
+  const double radius_squared = radius * radius;
+  const auto is_inside = [&](int x) { return covered.from_centre(x, y, z).squaredNorm() < radius_squared; };
+  CoveredRun run{.low = covered.image.low[0], .high = covered.image.high[0]};
+  while (run.low < run.high && !is_inside(run.low)) ++run.low;
+  while (run.low < run.high && !is_inside(run.high - 1)) --run.high;
+  return run;
+}
+
+[[noreturn]] void throw_overlap(const BeadOnLattice& a, const BeadOnLattice& b) {
+  const Vec3& at = b.motion.position;
+  throw SolverError(
+      fmt::format("bead {} of swimmer {} and bead {} of swimmer {} overlap at ({:.2f}, {:.2f}, {:.2f}) "
+                  "cells; weaker driving or stiffer springs keep them apart",
+                  a.name.bead + 1, a.name.swimmer, b.name.bead + 1, b.name.swimmer, at[0], at[1], at[2]));
+}
+
+}  // namespace
 
 Coverage::Coverage(const BlockInLattice& at, const Populations& populations)
     : at_(at),
@@ -14,37 +38,51 @@ Coverage::Coverage(const BlockInLattice& at, const Populations& populations)
       bead_at_(populations.cell_indices(), fluid) {}
 
 void Coverage::update(std::span<const BeadOnLattice> beads) {
-  for (const CoveredCell& covered : cells_) bead_at_[covered.cell] = fluid;
-  cells_.clear();
+  std::swap(before_, now_);
+  before_.for_each_run([&](const CoveredImage&, const CoveredRun& run, int y, int z) {
+    const auto row = bead_at_.begin() + cell(0, y, z);
+    std::fill(row + run.low, row + run.high, just_left);
+  });
+  now_.images.clear();
+  now_.runs.clear();
+  newly_covered_.clear();
   for (int b = 0; b < std::ssize(beads); ++b) {
     for_each_image(at_, 1, beads[b].motion.position, beads[b].radius,
                    [&](const BeadImage& image) { cover(beads, b, image); });
   }
+  uncovered_.clear();
+  before_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int y, int z) {
+    for (int x = run.low; x < run.high; ++x) {
+      int& bead = bead_at_[cell(x, y, z)];
+      if (bead != just_left) continue;
+      bead = fluid;
+      if (is_own(x, y, z)) uncovered_.push_back(changed_cell(covered, x, y, z));
+    }
+  });
 }
 
 void Coverage::cover(std::span<const BeadOnLattice> beads, int bead, const BeadImage& image) {
-  const Vec3& centre = beads[bead].motion.position;
-  const double radius_squared = beads[bead].radius * beads[bead].radius;
+  const CoveredImage& covered = now_.images.emplace_back(
+      CoveredImage{.image = image,
+                   .index = static_cast<int>(now_.images.size()),
+                   .bead = bead,
+                   .centre = beads[bead].motion.position,
+                   .first_run = static_cast<int>(now_.runs.size())});
   for (int z = image.low[2]; z < image.high[2]; ++z) {
     for (int y = image.low[1]; y < image.high[1]; ++y) {
-      for (int x = image.low[0]; x < image.high[0]; ++x) {
-        // From whole numbers in the bead's own coordinates: the same bits whichever block asks.
-        const Vec3 from_centre(x + image.shift[0] + 0.5 - centre[0], y + image.shift[1] + 0.5 - centre[1],
-                               z + image.shift[2] + 0.5 - centre[2]);
-        if (!(from_centre.squaredNorm() < radius_squared)) continue;
-        const std::ptrdiff_t cell = origin_ + x + pitch_y_ * y + pitch_z_ * z;
-        if (bead_at_[cell] != fluid) {
-          const BeadName a = beads[bead_at_[cell]].name, b = beads[bead].name;
-          throw SolverError(
-              fmt::format("bead {} of swimmer {} and bead {} of swimmer {} overlap at ({:.2f}, {:.2f}, "
-                          "{:.2f}) cells; weaker "
-                          "driving or stiffer springs keep them apart",
-                          a.bead + 1, a.swimmer, b.bead + 1, b.swimmer, centre[0], centre[1], centre[2]));
-        }
-        bead_at_[cell] = bead;
-        cells_.push_back({.cell = cell, .local = {x, y, z}, .bead = bead, .from_centre = from_centre});
-      }
+      const CoveredRun& run = now_.runs.emplace_back(covered_run(covered, beads[bead].radius, y, z));
+      cover_run(beads, covered, run, y, z);
     }
+  }
+}
+
+void Coverage::cover_run(std::span<const BeadOnLattice> beads, const CoveredImage& covered,
+                         const CoveredRun& run, int y, int z) {
+  for (int x = run.low; x < run.high; ++x) {
+    int& bead = bead_at_[cell(x, y, z)];
+    if (bead >= 0) throw_overlap(beads[bead], beads[covered.bead]);
+    if (bead == fluid && is_own(x, y, z)) newly_covered_.push_back(changed_cell(covered, x, y, z));
+    bead = covered.bead;
   }
 }
 

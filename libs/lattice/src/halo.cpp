@@ -37,7 +37,8 @@ struct Run {
 };
 
 /// Copies a run's numbers; returns where the target ends.
-double* copy_run(const double* from, const Run& run, double* to) {
+template <class Real>
+Real* copy_run(const Real* from, const Run& run, Real* to) {
   if (run.cells == 1) {  // most of all runs, those across x: not worth a call
     *to = *from;
     return to + 1;
@@ -62,35 +63,39 @@ void for_each_run_of_plane(const Populations& populations, int axis, int at, Vis
 
 /// What is sent through the halo plane on `side` of `axis`, for every cell of the plane: outgoing `to` of the
 /// halo cell becomes outgoing `from` of the cell that is `distance` on in memory.
+template <class Real>
 void copy_into_halo(Populations& populations, int axis, int side, const FaceDirections& to,
                     const FaceDirections& from, std::ptrdiff_t distance) {
   for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
     for (int k = 0; k < entering_directions; ++k) {
-      copy_run(&populations.outgoing(from[k], run.first + distance), run,
-               &populations.outgoing(to[k], run.first));
+      copy_run(populations.outgoing_row<Real>(from[k], run.first + distance), run,
+               populations.outgoing_row<Real>(to[k], run.first));
     }
   });
 }
 
 /// A periodic axis that is not cut: what enters on one side leaves on the other.
+template <class Real>
 void wrap_around(Populations& populations, int axis) {
   const std::ptrdiff_t period = populations.size()[axis] * populations.pitch(axis);
   for (int side = 0; side < 2; ++side) {
     const FaceDirections entering = directions_along(axis, entering_sign(side));
-    copy_into_halo(populations, axis, side, entering, entering, entering_sign(side) * period);
+    copy_into_halo<Real>(populations, axis, side, entering, entering, entering_sign(side) * period);
   }
 }
 
 /// Mirror: what enters along i left along its mirror image, from the cell in front of the wall.
+template <class Real>
 void fill_free_slip(Populations& populations, int axis, int side) {
   const FaceDirections entering = directions_along(axis, entering_sign(side));
   FaceDirections images;
   for (int k = 0; k < entering_directions; ++k) images[k] = d3q19::mirrored(entering[k], axis);
-  copy_into_halo(populations, axis, side, entering, images, entering_sign(side) * populations.pitch(axis));
+  copy_into_halo<Real>(populations, axis, side, entering, images, entering_sign(side) * populations.pitch(axis));
 }
 
 /// Bounce-back: what enters an own cell along i left the same cell along the opposite direction. Local, and
 /// so needs no halo; it overrules what other axes put where two walls meet.
+template <class Real>
 void bounce_back_at_face(Populations& populations, int axis, int side) {
   Index3 low = Index3::Zero(), high = populations.size();
   low[axis] = edge_plane(populations, axis, side);
@@ -99,8 +104,8 @@ void bounce_back_at_face(Populations& populations, int axis, int side) {
     for (int y = low[1]; y < high[1]; ++y) {
       for (const int i : directions_along(axis, entering_sign(side))) {
         const Run run{populations.cell(low[0], y, z), high[0] - low[0]};
-        copy_run(&populations.outgoing(d3q19::opposite(i), run.first), run,
-                 &populations.incoming(i, run.first));
+        copy_run(populations.outgoing_row<Real>(d3q19::opposite(i), run.first), run,
+                 populations.incoming_row<Real>(i, run.first));
       }
     }
   }
@@ -116,21 +121,23 @@ std::size_t face_numbers(const Populations& populations, int axis) {
 }
 
 /// What leaves through the face on `side`, in the order in which unpack() reads it on the other side.
-void pack(const Populations& populations, int axis, int side, std::vector<double>& buffer) {
-  buffer.resize(face_numbers(populations, axis));
-  double* to = buffer.data();
+template <class Real>
+void pack(const Populations& populations, int axis, int side, std::vector<std::byte>& buffer) {
+  buffer.resize(face_numbers(populations, axis) * sizeof(Real));
+  auto* to = reinterpret_cast<Real*>(buffer.data());
   for_each_run_of_plane(populations, axis, edge_plane(populations, axis, side), [&](const Run& run) {
     for (const int i : directions_along(axis, -entering_sign(side))) {
-      to = copy_run(&populations.outgoing(i, run.first), run, to);
+      to = copy_run(populations.outgoing_row<Real>(i, run.first), run, to);
     }
   });
 }
 
-void unpack(Populations& populations, int axis, int side, const std::vector<double>& buffer) {
-  const double* from = buffer.data();
+template <class Real>
+void unpack(Populations& populations, int axis, int side, const std::vector<std::byte>& buffer) {
+  const auto* from = reinterpret_cast<const Real*>(buffer.data());
   for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
     for (const int i : directions_along(axis, entering_sign(side))) {
-      copy_run(from, run, &populations.outgoing(i, run.first));
+      copy_run(from, run, populations.outgoing_row<Real>(i, run.first));
       from += run.cells;
     }
   });
@@ -157,23 +164,34 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
 }
 
 void Halo::fill(Populations& populations) {
-  for (int axis = 0; axis < 3; ++axis) {
-    fill_from_neighbours(populations, axis);
+  in_precision(populations.precision(), [&]<class Real>() { fill_as<Real>(populations); });
+}
+
+RowEnds Halo::row_ends() const {
+  if (at_wall(0, 0, Wall::free_slip) && at_wall(0, 1, Wall::free_slip)) return RowEnds::mirrored;
+  return faces_[0][0].neighbour == rank_ ? RowEnds::wrapped : RowEnds::left_to_halo;
+}
+
+template <class Real>
+void Halo::fill_as(Populations& populations) {
+  for (int axis = populations.row_ends_filled() ? 1 : 0; axis < 3; ++axis) {
+    fill_from_neighbours<Real>(populations, axis);
     for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Wall::free_slip)) fill_free_slip(populations, axis, side);
+      if (at_wall(axis, side, Wall::free_slip)) fill_free_slip<Real>(populations, axis, side);
     }
   }
   for (int axis = 0; axis < 3; ++axis) {
     for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Wall::no_slip)) bounce_back_at_face(populations, axis, side);
+      if (at_wall(axis, side, Wall::no_slip)) bounce_back_at_face<Real>(populations, axis, side);
     }
   }
 }
 
+template <class Real>
 void Halo::fill_from_neighbours(Populations& populations, int axis) {
-  if (faces_[axis][0].neighbour == rank_) return wrap_around(populations, axis);
+  if (faces_[axis][0].neighbour == rank_) return wrap_around<Real>(populations, axis);
   for (int side = 0; side < 2; ++side) {
-    if (faces_[axis][side].is_open()) pack(populations, axis, side, faces_[axis][side].send);
+    if (faces_[axis][side].is_open()) pack<Real>(populations, axis, side, faces_[axis][side].send);
   }
   std::array<MPI_Request, 4> requests;
   int count = 0;
@@ -182,12 +200,12 @@ void Halo::fill_from_neighbours(Populations& populations, int axis) {
     face.receive.resize(face.send.size());
     const int size = static_cast<int>(face.send.size());
     // A message is tagged by the side through which it leaves; two blocks may meet at both their faces.
-    MPI_Irecv(face.receive.data(), size, MPI_DOUBLE, face.neighbour, 1 - side, comm_, &requests[count++]);
-    MPI_Isend(face.send.data(), size, MPI_DOUBLE, face.neighbour, side, comm_, &requests[count++]);
+    MPI_Irecv(face.receive.data(), size, MPI_BYTE, face.neighbour, 1 - side, comm_, &requests[count++]);
+    MPI_Isend(face.send.data(), size, MPI_BYTE, face.neighbour, side, comm_, &requests[count++]);
   }
   MPI_Waitall(count, requests.data(), MPI_STATUSES_IGNORE);
   for (int side = 0; side < 2; ++side) {
-    if (faces_[axis][side].is_open()) unpack(populations, axis, side, faces_[axis][side].receive);
+    if (faces_[axis][side].is_open()) unpack<Real>(populations, axis, side, faces_[axis][side].receive);
   }
 }
 

@@ -1,48 +1,67 @@
 #include "beadswim/lattice/sweep.hpp"
 
-#include "sweep_row.hpp"
+#include "flush_subnormals.hpp"
+#include "row_kernels.hpp"
 
 namespace beadswim {
 namespace {
 
-struct Kernel {
-  void (*sweep_row)(const SweepRow&);
-  const char* instruction_set;
-};
-
-Kernel choose_kernel() {
-#if defined(__x86_64__)
-  if (__builtin_cpu_supports("x86-64-v4")) return {sweep_row_v4, "x86-64-v4"};
-  if (__builtin_cpu_supports("x86-64-v3")) return {sweep_row_v3, "x86-64-v3"};
-#endif
-  return {sweep_row_baseline, "baseline"};
-}
-
-const Kernel& kernel() {
-  static const Kernel chosen = choose_kernel();
-  return chosen;
+/// Fills the halo cells at both ends of a row that has just been swept.
+template <class Real>
+void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
+  if (row_ends == RowEnds::left_to_halo) return;
+  const std::ptrdiff_t last = row.cells - 1;
+#pragma GCC unroll 19
+  for (int i = 1; i < d3q19::directions; ++i) {
+    const int sign = d3q19::velocity[i][0];
+    if (sign == 0) continue;
+    const std::ptrdiff_t halo = sign > 0 ? -1 : row.cells;
+    if (row_ends == RowEnds::wrapped) row.to[i][halo] = row.to[i][sign > 0 ? last : 0];
+    if (row_ends == RowEnds::mirrored) row.to[i][halo] = row.to[d3q19::mirrored(i, 0)][sign > 0 ? 0 : last];
+  }
 }
 
 }  // namespace
 
-void stream_and_collide(Populations& populations, const RelaxationRates& rates) {
-  const Index3& n = populations.size();
-  SweepRow row{.from = {}, .to = {}, .cells = n[0], .rates = rates};
-  for (int z = 0; z < n[2]; ++z) {
-    for (int y = 0; y < n[1]; ++y) {
-      const std::ptrdiff_t first = populations.cell(0, y, z);
-      for (int i = 0; i < d3q19::directions; ++i) {
-        row.from[i] = &populations.incoming(i, first);
-        row.to[i] = populations.next_outgoing(i, first);
-      }
-      kernel().sweep_row(row);
-    }
+BlockSweep::BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends)
+    : populations_(populations),
+      rates_fp64_(collision_rates<double>(rates)),
+      rates_fp32_(collision_rates<float>(rates)),
+      row_ends_(row_ends) {}
+
+void BlockSweep::row(int y, int z) {
+  const FlushSubnormals flush;
+  in_precision(populations_.precision(), [&]<class Real>() { row_as<Real>(y, z); });
+}
+
+template <class Real>
+void BlockSweep::row_as(int y, int z) {
+  const std::ptrdiff_t first = populations_.cell(0, y, z);
+  SweepRow<Real> row;
+  row.cells = populations_.size()[0];
+  row.rates = rates(Real());
+  for (int i = 0; i < d3q19::directions; ++i) {
+    row.from[i] = populations_.incoming_row<Real>(i, first);
+    row.to[i] = populations_.next_outgoing_row<Real>(i, first);
   }
-  populations.advance();
+  row_kernels().sweep(row);
+  fill_row_ends(row, row_ends_);
+}
+
+void BlockSweep::finish() {
+  populations_.advance(row_ends_);
+}
+
+void stream_and_collide(Populations& populations, const RelaxationRates& rates, RowEnds row_ends) {
+  BlockSweep sweep(populations, rates, row_ends);
+  for (int z = 0; z < populations.size()[2]; ++z) {
+    for (int y = 0; y < populations.size()[1]; ++y) sweep.row(y, z);
+  }
+  sweep.finish();
 }
 
 std::string sweep_instruction_set() {
-  return kernel().instruction_set;
+  return row_kernels().instruction_set;
 }
 
 }  // namespace beadswim

@@ -1,6 +1,10 @@
 #include "beadswim/lattice/totals.hpp"
 
+#include <algorithm>
 #include <type_traits>
+
+#include "beadswim/core/order_free_cut.hpp"
+#include "row_kernels.hpp"
 
 namespace beadswim {
 
@@ -14,10 +18,42 @@ void FluidTotals::add(const FluidTotals& other) {
   for (int a = 0; a < 3; ++a) momentum[a].add(other.momentum[a]);
 }
 
+void FluidTotals::subtract(const FluidTotals& other) {
+  density_deviation.subtract(other.density_deviation);
+  for (int a = 0; a < 3; ++a) momentum[a].subtract(other.momentum[a]);
+}
+
+namespace {
+
+/// Adds a run of own cells along x.
+template <class Real>
+void add_run(FluidTotals& totals, const Populations& populations, std::ptrdiff_t first, long cells) {
+  TotalsRow<Real> row{.outgoing = {}, .cells = cells};
+  for (int i = 0; i < d3q19::directions; ++i) row.outgoing[i] = populations.outgoing_row<Real>(i, first);
+  const RowTotals sums = row_kernels().totals(row);
+  if (!sums.fits) {  // one by one: there is more room there, and a message if it does not suffice
+    for (long x = 0; x < cells; ++x) totals.add(cell_moments(populations, first + x));
+    return;
+  }
+  totals.density_deviation.add_cut(sums.coarse[0], sums.fine[0]);
+  for (int a = 0; a < 3; ++a) totals.momentum[a].add_cut(sums.coarse[a + 1], sums.fine[a + 1]);
+}
+
+}  // namespace
+
 FluidTotals block_totals(const Populations& populations) {
+  constexpr int longest_run = order_free::most_terms;
   FluidTotals totals;
-  for_each_cell(populations,
-                [&](const Index3&, std::ptrdiff_t cell) { totals.add(cell_moments(populations, cell)); });
+  const Index3& n = populations.size();
+  in_precision(populations.precision(), [&]<class Real>() {
+    for (int z = 0; z < n[2]; ++z) {
+      for (int y = 0; y < n[1]; ++y) {
+        for (int x = 0; x < n[0]; x += longest_run) {
+          add_run<Real>(totals, populations, populations.cell(x, y, z), std::min(longest_run, n[0] - x));
+        }
+      }
+    }
+  });
   return totals;
 }
 

@@ -26,6 +26,17 @@ class OrderFreeSum {
     add(fine, other.fine);
   }
 
+  void subtract(const OrderFreeSum& other) {
+    add(coarse, -other.coarse);
+    add(fine, -other.fine);
+  }
+
+  /// Adds a sum of terms that are cut already, into whole multiples of 2^-30 below 2^33 and of 2^-62 below 2.
+  void add_cut(double coarse_sum, double fine_sum) {
+    add(coarse, static_cast<std::int64_t>(coarse_sum * coarse_per_unit));
+    add(fine, static_cast<std::int64_t>(fine_sum * fine_per_unit));
+  }
+
   double value() const {
     return static_cast<double>(coarse) / coarse_per_unit + static_cast<double>(fine) / fine_per_unit;
   }

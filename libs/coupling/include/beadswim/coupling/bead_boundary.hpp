@@ -1,30 +1,40 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/coupling/coverage.hpp"
+#include "beadswim/coupling/link_sums.hpp"
 #include "beadswim/lattice/populations.hpp"
 
-// The loops over links and covered cells; the laws are in moving_bounce_back.hpp. Each works on one rank's
+// The loops over links and changing cells; the laws are in moving_bounce_back.hpp. Each works on one rank's
 // block.
 
 namespace beadswim {
 
-/// Bounces populations back at every link between a fluid cell and a covered one, and adds the links'
-/// momentum to the beads' impulses; notes the density around each covered cell. The halo must have been
-/// filled.
-void bounce_back_at_beads(Populations& populations, Coverage& coverage, std::span<BeadOnLattice> beads);
+/// Beads and their links in one step of the fluid.
+struct BeadBoundary {
+  const Coverage& coverage;
+  BeadLinks& links;
+  std::span<const BeadOnLattice> beads;
+  std::vector<LinkSums>& sums;  ///< one a bead
 
-/// Sets own covered cells to equilibrium at their bead's velocity and the density around them.
-void reset_covered_cells(Populations& populations, const Coverage& coverage,
-                         std::span<const BeadOnLattice> beads);
+  /// Bounces populations back at the links that belong to row (y, z) of the block, and adds up what they hand
+  /// to the beads. The halo must have been filled; to be called for all rows, each before it is swept.
+  void bounce_back_before_row(Populations& populations, int y, int z);
+};
 
-/// What changes hands as `before` gives way to `now`: a bead takes over momentum and mass of the fluid that
-/// it covers, and leaves behind those of the cells that it uncovers (Aidun, Lu & Ding 1998, section 3.3).
-/// `beads`: those of `now`; `before_beads`: those of `before`.
-void hand_over_changed_cells(const Populations& populations, const Coverage& before,
-                             std::span<const BeadOnLattice> before_beads, const Coverage& now,
+/// Adds the sums over a step to the beads' impulses, and starts them anew.
+void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads);
+
+/// What changes hands in the last update of the coverage. A bead takes over momentum and mass of the fluid
+/// that it covers; a cell that it uncovers is filled with equilibrium at the bead's velocity and the density
+/// around it, and the bead gives up as much (Aidun, Lu & Ding 1998, section 3.3). `beads`: those of the
+/// update; `beads_before` and `links_before`: those of the update before.
+void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
+                             const BeadLinks& links_before, std::span<const BeadOnLattice> beads_before,
                              std::span<BeadOnLattice> beads);
 
 }  // namespace beadswim

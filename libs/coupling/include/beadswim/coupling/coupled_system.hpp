@@ -3,7 +3,9 @@
 #include <optional>
 #include <vector>
 
+#include "beadswim/coupling/bead_boundary.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
+#include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/coverage.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
@@ -50,7 +52,7 @@ class CoupledSystem {
   const Populations& populations() const { return populations_; }
   const Decomposition& decomposition() const { return decomposition_; }
   const Coverage& coverage() const { return coverage_; }
-  /// Beads that touch this rank's block; coverage() names them by their place in this list.
+  /// Beads that touch this rank's block; covered cells name them by their place in this list.
   const std::vector<BeadOnLattice>& beads_here() const { return beads_; }
 
   /// The earliest bead of any rank that went faster than 1/2 cell a step, if any (the paper's stop rule: a
@@ -81,7 +83,9 @@ class CoupledSystem {
   std::vector<int> substeps_;  ///< of each type
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
-  Coverage coverage_, coverage_before_;
+  Coverage coverage_;
+  BeadLinks links_;
+  std::vector<LinkSums> link_sums_;  ///< of beads_, empty between steps
   std::optional<SpeedFault> speed_fault_;
   double largest_bead_speed_ = 0;  ///< of owned swimmers
   long steps_done_ = 0;

@@ -9,16 +9,64 @@
 
 namespace beadswim {
 
-/// A cell whose centre lies inside a bead.
-struct CoveredCell {
-  std::ptrdiff_t cell;
-  Index3 local;                  ///< coordinates in the block, -1 to size
-  int bead;                      ///< index into the beads of the last update
-  Vec3 from_centre;              ///< centre of the cell relative to the bead's (its image's) centre
-  double density_deviation = 0;  ///< of the fluid around it; what it has when it is uncovered
+/// The cells [low, high) of a row, in local coordinates, that one image of a bead covers; none if low == high.
+struct CoveredRun {
+  int low = 0, high = 0;
+
+  bool empty() const { return low >= high; }
 };
 
-/// The staircase: which cells of a block, and of its halo, are covered by which bead.
+/// One image of a bead with all its runs.
+struct CoveredImage {
+  BeadImage image;
+  int index;      ///< among the images
+  int bead;       ///< index into the beads of the update
+  Vec3 centre;    ///< of the bead, unwrapped
+  int first_run;  ///< of the row (image.low[1], image.low[2]); y fastest
+
+  /// Centre of a cell relative to that of the bead. From whole numbers in the bead's own coordinates: the same
+  /// bits whichever block asks.
+  Vec3 from_centre(int x, int y, int z) const {
+    return {x + image.shift[0] + 0.5 - centre[0], y + image.shift[1] + 0.5 - centre[1],
+            z + image.shift[2] + 0.5 - centre[2]};
+  }
+};
+
+/// All images of all beads, in order of the beads.
+struct CoveredImages {
+  std::vector<CoveredImage> images;
+  std::vector<CoveredRun> runs;
+
+  /// The row (y, z) of an image; empty outside it.
+  CoveredRun run(const CoveredImage& covered, int y, int z) const {
+    const BeadImage& box = covered.image;
+    if (y < box.low[1] || y >= box.high[1] || z < box.low[2] || z >= box.high[2]) return {};
+    return runs[covered.first_run + y - box.low[1] + (box.high[1] - box.low[1]) * (z - box.low[2])];
+  }
+
+  /// Calls visit(image, run, y, z).
+  template <class Visit>
+  void for_each_run(Visit&& visit) const {
+    for (const CoveredImage& covered : images) {
+      const BeadImage& box = covered.image;
+      for (int z = box.low[2]; z < box.high[2]; ++z) {
+        for (int y = box.low[1]; y < box.high[1]; ++y) visit(covered, run(covered, y, z), y, z);
+      }
+    }
+  }
+};
+
+/// A cell of the block that has come to be covered, or no longer is.
+struct ChangedCell {
+  Index3 local;
+  std::ptrdiff_t cell;
+  int bead;          ///< index into the beads of the update that covered it
+  int image;         ///< index into the images of that update
+  Vec3 from_centre;  ///< at that update
+};
+
+/// The staircase: which cells of a block, and of its halo, are covered by which bead. A cell is covered if its
+/// centre lies inside the bead.
 class Coverage {
  public:
   static constexpr int fluid = -1;
@@ -31,21 +79,53 @@ class Coverage {
   /// Index of the bead that covers a cell, or `fluid`.
   int bead_at(std::ptrdiff_t cell) const { return bead_at_[cell]; }
 
-  std::vector<CoveredCell>& cells() { return cells_; }
-  const std::vector<CoveredCell>& cells() const { return cells_; }
+  const CoveredImages& images() const { return now_; }
 
-  bool is_own(const Index3& local) const { return (local >= 0).all() && (local < at_.block.size).all(); }
-  bool is_in_halo_or_own(const Index3& local) const {
-    return (local >= -1).all() && (local <= at_.block.size).all();
+  /// What the last update changed.
+  std::span<const ChangedCell> newly_covered() const { return newly_covered_; }
+  std::span<const ChangedCell> uncovered() const { return uncovered_; }
+
+  /// Calls visit(cell, bead index, centre of the cell relative to the bead's) for every own covered cell.
+  template <class Visit>
+  void for_each_own_covered_cell(Visit&& visit) const {
+    now_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int y, int z) {
+      for (int x = run.low; x < run.high; ++x) {
+        if (is_own(x, y, z)) visit(cell(x, y, z), covered.bead, covered.from_centre(x, y, z));
+      }
+    });
   }
 
+  bool is_own(int x, int y, int z) const {
+    const Index3& n = at_.block.size;
+    return x >= 0 && x < n[0] && y >= 0 && y < n[1] && z >= 0 && z < n[2];
+  }
+  bool is_own_or_halo(int x, int y, int z) const {
+    const Index3& n = at_.block.size;
+    return x >= -1 && x <= n[0] && y >= -1 && y <= n[1] && z >= -1 && z <= n[2];
+  }
+
+  std::ptrdiff_t cell(int x, int y, int z) const { return origin_ + x + pitch_y_ * y + pitch_z_ * z; }
+  const Index3& block_size() const { return at_.block.size; }
+
  private:
+  static constexpr int just_left = -2;
+
+  ChangedCell changed_cell(const CoveredImage& covered, int x, int y, int z) const {
+    return {.local = {x, y, z},
+            .cell = cell(x, y, z),
+            .bead = covered.bead,
+            .image = covered.index,
+            .from_centre = covered.from_centre(x, y, z)};
+  }
   void cover(std::span<const BeadOnLattice> beads, int bead, const BeadImage& image);
+  void cover_run(std::span<const BeadOnLattice> beads, const CoveredImage& covered, const CoveredRun& run,
+                 int y, int z);
 
   BlockInLattice at_;
   std::ptrdiff_t pitch_y_, pitch_z_, origin_;
   std::vector<int> bead_at_;
-  std::vector<CoveredCell> cells_;
+  CoveredImages now_, before_;
+  std::vector<ChangedCell> newly_covered_, uncovered_;
 };
 
 }  // namespace beadswim

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "beadswim/coupling/bead_on_lattice.hpp"
-#include "beadswim/lattice/d3q19.hpp"
+#include "beadswim/core/kernel.hpp"
 
 // Half-way bounce-back off a moving wall, and the momentum that it hands over, for one link.
 //
@@ -11,30 +10,29 @@
 // u_w: velocity of the bead half-way along the link. f: deviations from w_i; the pressure of the resting
 // fluid is thereby left out, which on a closed surface sums to nothing. Lattice units, mean density 1.
 //
+// With r from the bead's centre to the covered cell at the link's end, u_w = v + omega x (r - c_i/2), of which
+// c_i/2 gives nothing along c_i, nor to the angular impulse r x (c_i p).
+//
 // Ladd, J. Fluid Mech. 271 (1994) 285, eqs (3.2)-(3.3); Aidun, Lu & Ding, J. Fluid Mech. 373 (1998) 287.
 
 namespace beadswim {
 
-/// c_i.u_w
-inline double approach_speed(int i, const Vec3& wall_velocity) {
-  const auto& c = d3q19::velocity[i];
-  return c[0] * wall_velocity[0] + c[1] * wall_velocity[1] + c[2] * wall_velocity[2];
+/// c.(v + omega x r)
+BEADSWIM_KERNEL double speed_along(const double (&c)[3], const double (&v)[3], const double (&omega)[3],
+                                   const double (&r)[3]) {
+  return c[0] * (v[0] + (omega[1] * r[2] - omega[2] * r[1])) +
+         c[1] * (v[1] + (omega[2] * r[0] - omega[0] * r[2])) +
+         c[2] * (v[2] + (omega[0] * r[1] - omega[1] * r[0]));
 }
 
-/// What comes back along ibar when `outgoing` leaves along i.
-inline double bounced(int i, double outgoing, const Vec3& wall_velocity) {
-  return outgoing - 6 * d3q19::weight(i) * approach_speed(i, wall_velocity);
-}
-
-/// Momentum that the link hands to the bead in one step.
-inline Vec3 link_impulse(int i, double outgoing, double returned) {
-  const auto& c = d3q19::velocity[i];
-  return (outgoing + returned) * Vec3(c[0], c[1], c[2]);
+/// What comes back when `outgoing` leaves along a direction of this weight; approach_speed = c_i.u_w.
+BEADSWIM_KERNEL double bounced(double weight, double outgoing, double approach_speed) {
+  return outgoing - 6 * weight * approach_speed;
 }
 
 /// Share of one link in the density around a covered cell: w_i r = f_i* - 3 w_i c_i.u_w to first order.
-inline double weighted_density_deviation(int i, double outgoing, const Vec3& wall_velocity) {
-  return outgoing - 3 * d3q19::weight(i) * approach_speed(i, wall_velocity);
+BEADSWIM_KERNEL double weighted_density_deviation(double weight, double outgoing, double approach_speed) {
+  return outgoing - 3 * weight * approach_speed;
 }
 
 }  // namespace beadswim

@@ -6,6 +6,7 @@
 #include "beadswim/bodies/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/halo.hpp"
+#include "beadswim/lattice/precision.hpp"
 
 namespace beadswim {
 
@@ -22,6 +23,7 @@ struct CoupledScene {
   Index3 cells = Index3::Zero();
   std::array<Wall, 3> walls{};
   double relaxation_time = 1;
+  Precision precision = Precision::fp64;  ///< of the populations
   std::vector<SwimmerType> types;
   std::vector<Swimmer> swimmers;
 };

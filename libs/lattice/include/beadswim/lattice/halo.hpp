@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
@@ -29,17 +30,23 @@ class Halo {
 
   void fill(Populations& populations);
 
+  /// What of this the sweep before can do, row by row: fill() then leaves it.
+  RowEnds row_ends() const;
+
  private:
   struct Face {
     Wall closed_by = Wall::periodic;  ///< periodic: open to a neighbour
     int neighbour = MPI_PROC_NULL;    ///< rank across an open face; this rank if the block is its own image
-    std::vector<double> send, receive;
+    std::vector<std::byte> send, receive;
 
     bool is_open() const { return closed_by == Wall::periodic; }
   };
 
   bool at_wall(int axis, int side, Wall wall) const { return faces_[axis][side].closed_by == wall; }
 
+  template <class Real>
+  void fill_as(Populations& populations);
+  template <class Real>
   void fill_from_neighbours(Populations& populations, int axis);
 
   MPI_Comm comm_;

@@ -7,8 +7,16 @@
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/d3q19.hpp"
+#include "beadswim/lattice/precision.hpp"
 
 namespace beadswim {
+
+/// What a sweep does for the halo cells before and after each row, as long as the row is at hand in the cache.
+enum class RowEnds {
+  left_to_halo,
+  wrapped,   ///< x is periodic and not cut: what leaves at one end enters at the other
+  mirrored,  ///< x ends in free-slip walls on both sides
+};
 
 /// The populations of one block and of a halo one cell wide: deviations f_i - w_i after collision, as one
 /// plain array a direction, x fastest, in a single copy.
@@ -20,16 +28,17 @@ namespace beadswim {
 ///   local     array ibar, at x          array ibar, at x - c_i
 ///   streamed  array i, at x + c_i       array i, at x
 ///
-/// `outgoing` and `incoming` know it; nothing else does. At either parity the incoming i of a cell is the
-/// outgoing i of its neighbour at x - c_i.
+/// The accessors know it; nothing else does. At either parity the incoming i of a cell is the outgoing i of
+/// its neighbour at x - c_i.
 ///
 /// Cells are named by their index in such an array; local coordinates run from -1 to size, 0 to size-1 being
 /// the block's own.
 class Populations {
  public:
   /// All deviations start at zero: fluid of density 1 at rest.
-  explicit Populations(const Index3& size);
+  explicit Populations(const Index3& size, Precision precision = Precision::fp64);
 
+  Precision precision() const { return precision_; }
   const Index3& size() const { return size_; }
   std::ptrdiff_t cell(int x, int y, int z) const {
     return first_ + x + pitch_y_ * (y + 1) + pitch_z_ * (z + 1);
@@ -41,19 +50,52 @@ class Populations {
   std::ptrdiff_t pitch(int axis) const { return axis == 0 ? 1 : (axis == 1 ? pitch_y_ : pitch_z_); }
 
   /// What leaves `cell` along direction i in the coming streaming.
-  double& outgoing(int i, std::ptrdiff_t cell) { return data_[place_[parity_][i] + cell]; }
-  const double& outgoing(int i, std::ptrdiff_t cell) const { return data_[place_[parity_][i] + cell]; }
+  double outgoing(int i, std::ptrdiff_t cell) const { return number(place_[parity_][i] + cell); }
 
-  /// The place from which `cell` will receive direction i in the coming streaming. Where a link ends at a
-  /// wall or bead, the boundary condition writes here.
-  double& incoming(int i, std::ptrdiff_t cell) { return outgoing(i, cell - shift_[i]); }
+  /// What `cell` will receive along direction i in the coming streaming. Where a link ends at a wall or bead,
+  /// the boundary condition sets it.
+  double incoming(int i, std::ptrdiff_t cell) const { return outgoing(i, cell - shift_[i]); }
 
-  /// Where `cell` will put what leaves it along direction i in the step after: among the places of its
+  /// Both return the number as it is stored, rounded to the precision.
+  double set_outgoing(int i, std::ptrdiff_t cell, double f) {
+    if (ends_a_row(cell)) row_ends_filled_ = false;
+    return store(place_[parity_][i] + cell, f);
+  }
+  double set_incoming(int i, std::ptrdiff_t cell, double f) {
+    return store(place_[parity_][i] + cell - shift_[i], f);
+  }
+
+  // The same as places in memory, for loops along rows, in which cells follow one another. Real: the type
+  // that in_precision(precision()) names.
+
+  template <class Real>
+  Real* outgoing_row(int i, std::ptrdiff_t first) {
+    return numbers<Real>() + place_[parity_][i] + first;
+  }
+  template <class Real>
+  const Real* outgoing_row(int i, std::ptrdiff_t first) const {
+    return numbers<Real>() + place_[parity_][i] + first;
+  }
+  template <class Real>
+  Real* incoming_row(int i, std::ptrdiff_t first) {
+    return outgoing_row<Real>(i, first - shift_[i]);
+  }
+
+  /// Where cells will put what leaves them along direction i in the step after: among the places of their
   /// incoming populations.
-  double* next_outgoing(int i, std::ptrdiff_t cell) { return &data_[place_[1 - parity_][i] + cell]; }
+  template <class Real>
+  Real* next_outgoing_row(int i, std::ptrdiff_t first) {
+    return numbers<Real>() + place_[1 - parity_][i] + first;
+  }
 
-  /// All cells have been stepped: what they put in next_outgoing is outgoing now.
-  void advance() { parity_ = 1 - parity_; }
+  /// All cells have been stepped: what they put in next_outgoing_row is outgoing now.
+  void advance(RowEnds row_ends) {
+    parity_ = 1 - parity_;
+    row_ends_filled_ = row_ends != RowEnds::left_to_halo;
+  }
+
+  /// Whether the halo cells at the two ends of each row hold what the last sweep put there.
+  bool row_ends_filled() const { return row_ends_filled_; }
 
   /// Cells have indices below this.
   std::ptrdiff_t cell_indices() const { return cell_indices_; }
@@ -63,16 +105,36 @@ class Populations {
 
  private:
   struct Free {
-    void operator()(double* p) const { std::free(p); }
+    void operator()(void* p) const { std::free(p); }
   };
 
+  template <class Real>
+  Real* numbers() const {
+    return static_cast<Real*>(data_.get());
+  }
+  bool ends_a_row(std::ptrdiff_t cell) const {
+    const std::ptrdiff_t x = (cell - first_) % pitch_y_;
+    return x == 0 || x == size_[0] - 1;
+  }
+  double number(std::ptrdiff_t place) const {
+    return in_precision(precision_,
+                        [&]<class Real>() { return static_cast<double>(numbers<Real>()[place]); });
+  }
+  double store(std::ptrdiff_t place, double f) {
+    return in_precision(precision_, [&]<class Real>() -> double {
+      return numbers<Real>()[place] = static_cast<Real>(f);
+    });
+  }
+
+  Precision precision_;
   Index3 size_;
   std::ptrdiff_t first_, pitch_y_, pitch_z_, cell_indices_;
   std::array<std::ptrdiff_t, d3q19::directions> shift_;
   std::array<std::array<std::ptrdiff_t, d3q19::directions>, 2> place_;  ///< [parity][i]: outgoing i of cell 0
   int parity_ = 1;                                                      ///< 0: local, 1: streamed
+  bool row_ends_filled_ = false;
   std::size_t bytes_;
-  std::unique_ptr<double[], Free> data_;
+  std::unique_ptr<void, Free> data_;
 };
 
 /// Density minus 1 and momentum of one cell (post-collision values equal pre-collision ones).

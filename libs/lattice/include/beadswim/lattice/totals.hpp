@@ -16,6 +16,7 @@ struct FluidTotals {
   /// Throws SolverError if a moment is not finite.
   void add(const CellMoments& moments);
   void add(const FluidTotals& other);
+  void subtract(const FluidTotals& other);
 
   Vec3 momentum_value() const { return {momentum[0].value(), momentum[1].value(), momentum[2].value()}; }
 };

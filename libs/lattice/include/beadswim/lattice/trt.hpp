@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
+
+#include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
 // Two-relaxation-time collision with the incompressible equilibrium.
@@ -36,9 +40,6 @@ constexpr double relaxation_time_of(double lattice_viscosity) {
   return 3 * lattice_viscosity + 0.5;
 }
 
-// Always inlined: one source serves builds for several instruction sets, and no copy of it may be shared.
-#define BEADSWIM_KERNEL inline __attribute__((always_inline))
-
 /// Equilibrium deviation e_i = e_i+ + e_i- at density 1 + r and velocity (ux, uy, uz).
 template <class Real>
 BEADSWIM_KERNEL Real equilibrium(int i, Real r, Real ux, Real uy, Real uz) {
@@ -48,9 +49,35 @@ BEADSWIM_KERNEL Real equilibrium(int i, Real r, Real ux, Real uy, Real uz) {
   return Real(d3q19::weight(i)) * (r + 3 * cu + Real(4.5) * cu * cu - Real(1.5) * speed_squared);
 }
 
+/// The rates as the kernel multiplies with them: w+ / 18 and w- / 6, shortened by five binary digits. Weights
+/// and rates then enter as whole multiples without rounding (18, 9, 6, 9/2, 1/2 and 6, 3, 1/2 times), so that
+/// a collision conserves mass and momentum but for the rounding of the populations themselves, which has no
+/// preferred sign; rounded weights would drain momentum by 1e-8 a step in single precision. Changes the rates
+/// by 2^-19 of themselves in single precision, 2^-48 in double.
+template <class Real>
+struct CollisionRates {
+  Real plus_axis, minus_axis;
+};
+
+namespace detail {
+/// x without the last five binary digits that Real has.
+template <class Real>
+Real shortened(double x) {
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  constexpr int digits = std::numeric_limits<Real>::digits - 5;
+  return static_cast<Real>(std::ldexp(std::nearbyint(std::ldexp(mantissa, digits)), exponent - digits));
+}
+}  // namespace detail
+
+template <class Real>
+CollisionRates<Real> collision_rates(const RelaxationRates& rates) {
+  return {detail::shortened<Real>(rates.symmetric / 18), detail::shortened<Real>(rates.antisymmetric / 6)};
+}
+
 /// Collides the 19 populations of one cell in place.
 template <class Real>
-BEADSWIM_KERNEL void collide_trt(Real (&f)[d3q19::directions], Real rate_plus, Real rate_minus) {
+BEADSWIM_KERNEL void collide_trt(Real (&f)[d3q19::directions], const CollisionRates<Real>& rates) {
   using namespace d3q19;
   Real sum[10], difference[10];  // f_i + f_ibar and f_i - f_ibar of the pair k: i = 2k-1
 #pragma GCC unroll 10
@@ -71,7 +98,9 @@ BEADSWIM_KERNEL void collide_trt(Real (&f)[d3q19::directions], Real rate_plus, R
     }
   }
   const Real isotropic = density - Real(1.5) * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  f[0] -= rate_plus * (f[0] - Real(weight_rest) * isotropic);
+  f[0] -= 18 * rates.plus_axis * f[0] - 6 * rates.plus_axis * isotropic;
+  const Real half_plus = 9 * rates.plus_axis, half_minus = 3 * rates.minus_axis;
+  const Real isotropic_axis = rates.plus_axis * isotropic;
 #pragma GCC unroll 10
   for (int k = 1; k <= 9; ++k) {
     Real cu = 0;
@@ -81,9 +110,10 @@ BEADSWIM_KERNEL void collide_trt(Real (&f)[d3q19::directions], Real rate_plus, R
       if (c == 1) cu += u[a];
       if (c == -1) cu -= u[a];
     }
-    const Real w = Real(weight(2 * k - 1));
-    const Real plus = rate_plus * (Real(0.5) * sum[k] - w * (isotropic + Real(4.5) * cu * cu));
-    const Real minus = rate_minus * (Real(0.5) * difference[k] - 3 * w * cu);
+    const Real over_axis = k <= 3 ? Real(1) : Real(0.5);  // weight over that of an axis
+    const Real plus =
+        half_plus * sum[k] - (over_axis * isotropic_axis + Real(4.5) * over_axis * rates.plus_axis * cu * cu);
+    const Real minus = half_minus * difference[k] - over_axis * rates.minus_axis * cu;
     f[2 * k - 1] -= plus + minus;
     f[2 * k] -= plus - minus;
   }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "beadswim/core/order_free_lanes.hpp"
+
+namespace beadswim {
+
+/// What a link hands to its bead: impulse (3), angular impulse (3), mass, and the link's weight.
+constexpr int link_terms = 8;
+
+/// Sums over the links of one bead in a step.
+using LinkSums = OrderFreeLanes<link_terms>;
+
+}  // namespace beadswim

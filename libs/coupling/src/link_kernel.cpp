@@ -1,0 +1,76 @@
+// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace. No function outside
+// that namespace may be emitted from here.
+#include "link_kernel.hpp"
+
+#include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/coupling/moving_bounce_back.hpp"
+
+namespace beadswim::BEADSWIM_INSTRUCTION_SET {
+
+using Lanes = double __attribute__((vector_size(LinkSums::lanes * sizeof(double))));
+
+BEADSWIM_KERNEL Lanes load(const double* from) {
+  Lanes lanes;
+  __builtin_memcpy(&lanes, from, sizeof lanes);
+  return lanes;
+}
+
+/// Adds the terms of all places to the sums, unless one of them does not fit.
+BEADSWIM_KERNEL bool add_terms(const LinkBatch& batch, int places, LinkSums& sums) {
+  Lanes coarse[link_terms], fine[link_terms];
+  auto fit = load(batch.terms[0]) == load(batch.terms[0]);
+#pragma GCC unroll 8
+  for (int t = 0; t < link_terms; ++t) {
+    coarse[t] = load(sums.coarse[t]);
+    fine[t] = load(sums.fine[t]);
+    for (int k = 0; k < places; k += LinkSums::lanes) {
+      const Lanes term = load(&batch.terms[t][k]);
+      const Lanes multiple = order_free::coarse_part(term);
+      coarse[t] += multiple;
+      fine[t] += order_free::fine_part(term, multiple);
+      fit &= (term < order_free::largest_term) & (term > -order_free::largest_term);  // not if not a number
+    }
+  }
+  for (int lane = 0; lane < LinkSums::lanes; ++lane) {
+    if (!fit[lane]) return false;
+  }
+  __builtin_memcpy(sums.coarse, coarse, sizeof coarse);
+  __builtin_memcpy(sums.fine, fine, sizeof fine);
+  return true;
+}
+
+template <class Real>
+BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  const LinkBead b = bead;
+  const int places = (batch.links + LinkSums::lanes - 1) / LinkSums::lanes * LinkSums::lanes;
+#pragma GCC ivdep
+  for (int k = 0; k < places; ++k) {
+    const double c[3] = {-batch.cx[k], -batch.cy[k], -batch.cz[k]};
+    const double r[3] = {batch.x[k], batch.y[k], batch.z[k]};
+    const double w = batch.weight[k], outgoing = batch.outgoing[k];
+    const double approach = speed_along(c, b.velocity, b.angular_velocity, r);
+    const double returned =
+        static_cast<double>(static_cast<Real>(bounced(w, outgoing, approach) + w * b.mass_source));
+    batch.returned[k] = returned;
+    const double p = outgoing + returned;
+    const double px = c[0] * p, py = c[1] * p, pz = c[2] * p;
+    batch.terms[0][k] = px;
+    batch.terms[1][k] = py;
+    batch.terms[2][k] = pz;
+    batch.terms[3][k] = r[1] * pz - r[2] * py;
+    batch.terms[4][k] = r[2] * px - r[0] * pz;
+    batch.terms[5][k] = r[0] * py - r[1] * px;
+    batch.terms[6][k] = outgoing - returned;
+    batch.terms[7][k] = w;
+  }
+  return add_terms(batch, places, sums);
+}
+
+bool reflect_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<double>(batch, bead, sums);
+}
+bool reflect_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<float>(batch, bead, sums);
+}
+
+}  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
