@@ -46,11 +46,14 @@ std::string final_state(const CoupledScene& scene, const Communicator& communica
 // Catches a missing exchange, a sum whose order depends on ranks, a bead lost or counted twice at a seam.
 TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
-  for (const CoupledScene& scene : {crossing_scene(), long_arms(), between_walls()}) {
-    const std::string cut = final_state(scene, world);
-    const std::string whole = final_state(scene, self);
-    if (world.is_root()) {
-      EXPECT_EQ(cut, whole);
+  for (CoupledScene scene : {crossing_scene(), long_arms(), between_walls()}) {
+    for (const Precision precision : {Precision::fp64, Precision::fp32}) {
+      scene.precision = precision;
+      const std::string cut = final_state(scene, world);
+      const std::string whole = final_state(scene, self);
+      if (world.is_root()) {
+        EXPECT_EQ(cut, whole);
+      }
     }
   }
 }
@@ -72,12 +75,16 @@ TEST(Seams, HandSwimmersToNewOwners) {
 }
 
 // Catches a link or a changing cell whose momentum or mass is lost, or counted twice, at a seam.
-TEST(Seams, ConserveMomentumAndMass) {
+class Conserving : public testing::TestWithParam<std::tuple<Precision, double>> {};
+
+TEST_P(Conserving, MomentumAndMassAcrossSeams) {
   const Communicator world(MPI_COMM_WORLD);
-  CoupledSystem system(crossing_scene(), world);
+  const auto [precision, roundoff] = GetParam();
+  CoupledScene scene = crossing_scene();
+  scene.precision = precision;
+  CoupledSystem system(scene, world);
   advance(system, 360);
   const SceneTotals totals = system.totals();
-  constexpr double roundoff = 1e-12;  // bead momenta of some 0.5 and densities of 0.01, 360 steps
   constexpr double scene_cells = 26 * 22 * 20;
   EXPECT_LT(totals.momentum.norm(), roundoff);
   EXPECT_LT(std::abs(totals.mass_excess), roundoff / scene_cells);
@@ -89,6 +96,11 @@ TEST(Seams, ConserveMomentumAndMass) {
     EXPECT_GT(fastest, 1e-3);
   }
 }
+
+// Roundoff: bead momenta of some 0.5 and densities of 0.01, 360 steps; in single precision of each cell's
+// populations, with either sign.
+INSTANTIATE_TEST_SUITE_P(Seams, Conserving,
+                         testing::Values(std::tuple{Precision::fp64, 1e-12}, std::tuple{Precision::fp32, 2e-5}));
 
 TEST(Guards, ReportTheFirstBeadThatIsTooFastOnAllRanks) {
   const Communicator world(MPI_COMM_WORLD);

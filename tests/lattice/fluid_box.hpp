@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/lattice/block.hpp"
@@ -23,7 +24,7 @@ struct FluidBox {
 
   void step() {
     halo.fill(populations);
-    stream_and_collide(populations, rates, halo.row_ends());
+    stream_and_collide(populations, rates, row_ends.value_or(halo.row_ends()));
     add_body_force();
   }
 
@@ -62,6 +63,7 @@ struct FluidBox {
   Halo halo;
   RelaxationRates rates;
   Vec3 body_force = Vec3::Zero();
+  std::optional<RowEnds> row_ends;  ///< what the sweep fills; unset: all that it can
 };
 
 }  // namespace beadswim::test
