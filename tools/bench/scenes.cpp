@@ -1,0 +1,109 @@
+#include "scenes.hpp"
+
+#include <algorithm>
+
+#include "beadswim/core/huge_pages.hpp"
+#include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/lattice/halo.hpp"
+#include "beadswim/lattice/sweep.hpp"
+#include "stream_kernels.hpp"
+#include "swarm_scene.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr std::array periodic{Wall::periodic, Wall::periodic, Wall::periodic};
+constexpr std::array walls{Wall::free_slip, Wall::no_slip, Wall::free_slip};
+constexpr double relaxation_time = 1.5;
+
+/// A slow uniform flow in every cell, so that no number is too small for its format.
+void set_uniform_flow(Populations& populations) {
+  in_precision(populations.precision(), [&]<class Real>() {
+    const Index3& n = populations.size();
+    for (int i = 0; i < d3q19::directions; ++i) {
+      const auto value = static_cast<Real>(equilibrium(i, 1e-3, 0.01, 0.003, -0.002));
+      for (int z = 0; z < n[2]; ++z) {
+        for (int y = 0; y < n[1]; ++y) {
+          Real* row = populations.outgoing_row<Real>(i, populations.cell(0, y, z));
+          std::fill(row, row + n[0], value);
+        }
+      }
+    }
+  });
+}
+
+}  // namespace
+
+double bytes_per_update(Precision precision) {
+  return 2.0 * d3q19::directions * static_cast<double>(bytes_of_number(precision));
+}
+
+/// One precision.
+struct BenchScenes::Scene {
+  Scene(int edge, Precision precision, const Communicator& communicator)
+      : precision(precision),
+        decomposition(Index3(edge, edge, edge * communicator.size()), communicator.size()),
+        yardstick(edge, precision),
+        populations(decomposition.block(communicator.rank()).size, precision),
+        periodic_halo(communicator, decomposition, periodic),
+        walled_halo(communicator, decomposition, walls),
+        swarm(swarm_scene(edge, communicator.size(), precision), communicator) {
+    yardstick.choose_layout(3);
+    set_uniform_flow(populations);
+  }
+
+  void step(Halo* halo) {
+    if (halo != nullptr) halo->fill(populations);
+    stream_and_collide(populations, relaxation_rates(relaxation_time),
+                       halo != nullptr ? halo->row_ends() : RowEnds::left_to_halo);
+  }
+
+  Precision precision;
+  Decomposition decomposition;
+  StreamYardstick yardstick;
+  Populations populations;
+  Halo periodic_halo, walled_halo;
+  CoupledSystem swarm;
+};
+
+BenchScenes::BenchScenes(int edge, const std::vector<Precision>& precisions,
+                         const Communicator& communicator) {
+  for (const Precision precision : precisions) {
+    Scene* scene = scenes_.emplace_back(std::make_unique<Scene>(edge, precision, communicator)).get();
+    cases_.push_back({"stream-yardstick", precision, [scene] { scene->yardstick.sweep(); }});
+    cases_.push_back({"bare-sweep", precision, [scene] { scene->step(nullptr); }});
+    cases_.push_back({"periodic-step", precision, [scene] { scene->step(&scene->periodic_halo); }});
+    cases_.push_back({"wall-step", precision, [scene] { scene->step(&scene->walled_halo); }});
+    cases_.push_back({"coupled-swarm", precision, [scene] { scene->swarm.step(); }});
+  }
+}
+
+BenchScenes::~BenchScenes() = default;
+
+std::string BenchScenes::layout_name(Precision precision) const {
+  const auto scene = std::ranges::find_if(scenes_, [&](const auto& s) { return s->precision == precision; });
+  return (*scene)->yardstick.layout().name;
+}
+
+double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
+  constexpr double padding = 1.15, copies = 3;  // yardstick, fluid, swarm
+  double bytes = 0;
+  for (const Precision precision : precisions) {
+    bytes += padding * (copies * bytes_per_update(precision) / 2 + sizeof(int)) * edge * edge * edge;
+  }
+  return bytes;
+}
+
+Bandwidth::Bandwidth()
+    : from_(static_cast<double*>(zeros_on_huge_pages(numbers * sizeof(double)))),
+      to_(static_cast<double*>(zeros_on_huge_pages(numbers * sizeof(double)))) {}
+
+void Bandwidth::copy() {
+  stream_kernels().copy(from_.get(), to_.get(), numbers);
+}
+
+void Bandwidth::scale_in_place() {
+  stream_kernels().scale_in_place(from_.get(), numbers, 0.999);
+}
+
+}  // namespace beadswim

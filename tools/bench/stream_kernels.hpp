@@ -1,0 +1,45 @@
+#pragma once
+
+#include "beadswim/lattice/d3q19.hpp"
+
+// Memory traffic without arithmetic. stream_kernels.cpp is compiled once for each instruction set;
+// stream_kernels() chooses at run time.
+
+namespace beadswim {
+
+/// Rows of 19 arrays, one a direction.
+template <class Real>
+struct StreamRow {
+  Real* rows[d3q19::directions];
+  long cells;
+};
+
+#define BEADSWIM_DECLARE_STREAM_KERNELS(instruction_set)                  \
+  namespace instruction_set {                                             \
+  void stream_row_fp64(const StreamRow<double>& row);                     \
+  void stream_row_fp32(const StreamRow<float>& row);                      \
+  void copy(const double* from, double* to, long numbers);                \
+  void scale_in_place(double* numbers, long count, double factor);        \
+  }
+
+BEADSWIM_DECLARE_STREAM_KERNELS(baseline)
+#if defined(__x86_64__)
+BEADSWIM_DECLARE_STREAM_KERNELS(x86_64_v3)
+BEADSWIM_DECLARE_STREAM_KERNELS(x86_64_v4)
+#endif
+
+struct StreamKernels {
+  /// Loads the 19 numbers of each cell and stores each in its opposite's place, as a step in place does.
+  void (*stream_row_fp64)(const StreamRow<double>&);
+  void (*stream_row_fp32)(const StreamRow<float>&);
+  void (*copy)(const double*, double*, long);
+  void (*scale_in_place)(double*, long, double);
+
+  void stream_row(const StreamRow<double>& row) const { stream_row_fp64(row); }
+  void stream_row(const StreamRow<float>& row) const { stream_row_fp32(row); }
+};
+
+/// The best that this processor can run.
+const StreamKernels& stream_kernels();
+
+}  // namespace beadswim

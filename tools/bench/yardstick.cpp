@@ -1,0 +1,77 @@
+#include "yardstick.hpp"
+
+#include <mpi.h>
+
+#include <algorithm>
+
+#include "beadswim/core/huge_pages.hpp"
+#include "stream_kernels.hpp"
+
+namespace beadswim {
+namespace {
+
+std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
+  return (count + unit - 1) / unit * unit;
+}
+
+}  // namespace
+
+std::ptrdiff_t StreamLayout::numbers(int edge) const {
+  return (d3q19::directions - 1) * array + (edge - 1) * (row + plane) + edge;
+}
+
+std::vector<StreamLayout> stream_layouts(int edge, Precision precision) {
+  const auto line = static_cast<std::ptrdiff_t>(64 / bytes_of_number(precision)), page = 64 * line;
+  const std::ptrdiff_t padded = whole_multiple(edge + 2, line), tight = whole_multiple(edge, line);
+  const std::ptrdiff_t cube = tight * edge * edge, padded_cube = padded * (edge + 2) * (edge + 2);
+  return {{"solver", whole_multiple(padded_cube, page) + 5 * line, padded, padded * (edge + 2)},
+          {"plain", cube, tight, tight * edge},
+          {"staggered", whole_multiple(cube, page) + 5 * line, tight, tight * edge},
+          {"interleaved-rows", tight, d3q19::directions * tight, d3q19::directions * tight * edge}};
+}
+
+StreamYardstick::StreamYardstick(int edge, Precision precision)
+    : edge_(edge), precision_(precision), layout_(stream_layouts(edge, precision).front()) {
+  std::ptrdiff_t most = 0;
+  for (const StreamLayout& layout : stream_layouts(edge, precision)) most = std::max(most, layout.numbers(edge));
+  memory_.reset(zeros_on_huge_pages(most * bytes_of_number(precision)));
+}
+
+void StreamYardstick::choose_layout(int rounds) {
+  StreamLayout best = layout_;
+  double shortest = 0;
+  for (const StreamLayout& layout : stream_layouts(edge_, precision_)) {
+    use(layout);
+    sweep();
+    for (int round = 0; round < rounds; ++round) {
+      const double start = MPI_Wtime();
+      sweep();
+      sweep();
+      const double seconds = MPI_Wtime() - start;
+      if (shortest == 0 || seconds < shortest) {
+        shortest = seconds;
+        best = layout;
+      }
+    }
+  }
+  use(best);
+}
+
+void StreamYardstick::sweep() {
+  in_precision(precision_, [&]<class Real>() { sweep_as<Real>(); });
+}
+
+template <class Real>
+void StreamYardstick::sweep_as() {
+  const StreamKernels& kernels = stream_kernels();
+  StreamRow<Real> row{.rows = {}, .cells = edge_};
+  for (int z = 0; z < edge_; ++z) {
+    for (int y = 0; y < edge_; ++y) {
+      Real* first = static_cast<Real*>(memory_.get()) + y * layout_.row + z * layout_.plane;
+      for (int i = 0; i < d3q19::directions; ++i) row.rows[i] = first + i * layout_.array;
+      kernels.stream_row(row);
+    }
+  }
+}
+
+}  // namespace beadswim
