@@ -46,7 +46,7 @@ template <class Real>
 Rows<Real> swept(const RowKernels& kernels, const Rows<Real>& from, long cells) {
   Rows<Real> to;
   SweepRow<Real> row{
-      .from = {}, .to = {}, .cells = cells, .rates = collision_rates<Real>(relaxation_rates(0.7))};
+      .from = {}, .to = {}, .first = 0, .cells = cells, .rates = collision_rates<Real>(relaxation_rates(0.7))};
   for (int i = 0; i < d3q19::directions; ++i) {
     to[i].resize(cells);
     row.from[i] = from[i].data();

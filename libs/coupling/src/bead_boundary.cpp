@@ -43,29 +43,26 @@ void add_one_by_one(const LinkBatch& batch, LinkSums& sums) {
 }
 
 /// Bounces back along up to LinkBatch::most links of one bead.
+template <class Real>
 void bounce_back(std::span<BeadLink> links, const CoveredImage& covered, const BeadBoundary& boundary,
                  Populations& populations) {
   LinkBatch batch;
-  std::array<std::ptrdiff_t, LinkBatch::most> fluid_cells;
+  std::array<Real*, LinkBatch::most> incoming;
   for (BeadLink& link : links) {
-    const int in = d3q19::opposite(link.out);
     const std::ptrdiff_t fluid_cell =
         boundary.coverage.cell(link.x, link.y, link.z) + populations.shift(link.out);
-    link.outgoing = populations.outgoing(in, fluid_cell);
+    link.outgoing =
+        static_cast<double>(*populations.outgoing_row<Real>(d3q19::opposite(link.out), fluid_cell));
     if (!link.fluid_is_own) continue;  // its owner's link
-    fluid_cells[batch.links] = fluid_cell;
+    incoming[batch.links] = populations.incoming_row<Real>(link.out, fluid_cell);
     put(batch, link, covered.from_centre(link.x, link.y, link.z));
   }
   fill_lanes(batch);
-  const auto reflect = populations.precision() == Precision::fp32 ? link_kernels().reflect_fp32
-                                                                  : link_kernels().reflect_fp64;
   LinkSums& sums = boundary.sums[covered.bead];
   sums.make_room(LinkBatch::most / LinkSums::lanes);
-  if (!reflect(batch, link_bead(boundary.beads[covered.bead]), sums)) add_one_by_one(batch, sums);
-  int k = 0;
-  for (const BeadLink& link : links) {
-    if (link.fluid_is_own) populations.set_incoming(link.out, fluid_cells[k], batch.returned[k]), ++k;
-  }
+  if (!link_kernels().reflect<Real>(batch, link_bead(boundary.beads[covered.bead]), sums))
+    add_one_by_one(batch, sums);
+  for (int k = 0; k < batch.links; ++k) *incoming[k] = static_cast<Real>(batch.returned[k]);
 }
 
 /// Mean density deviation of the fluid around a cell that was covered, over its links.
@@ -92,7 +89,10 @@ void BeadBoundary::bounce_back_before_row(Populations& populations, int y, int z
     std::span<BeadLink> rest = links.links(segments[s]);
     while (!rest.empty()) {
       const std::size_t now = std::min<std::size_t>(rest.size(), LinkBatch::most);
-      bounce_back(rest.first(now), coverage.images().images[segments[s].image], *this, populations);
+      const CoveredImage& covered = coverage.images().images[segments[s].image];
+      in_precision(populations.precision(), [&]<class Real>() {
+        bounce_back<Real>(rest.first(now), covered, *this, populations);
+      });
       rest = rest.subspan(now);
     }
   }

@@ -30,6 +30,12 @@ struct LinkBead {
 struct LinkKernels {
   bool (*reflect_fp64)(LinkBatch&, const LinkBead&, LinkSums&);
   bool (*reflect_fp32)(LinkBatch&, const LinkBead&, LinkSums&);
+
+  /// Real: the type of the populations.
+  template <class Real>
+  bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
+    return (sizeof(Real) == sizeof(float) ? reflect_fp32 : reflect_fp64)(batch, bead, sums);
+  }
 };
 
 #define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)                           \

@@ -29,16 +29,18 @@ constexpr long lines_ahead = 6;
 
 template <class Real>
 BEADSWIM_KERNEL void sweep(const SweepRow<Real>& row) {
-  const SweepRow<Real> r = row;  // a copy, which the stores below cannot change
+  SweepRow<Real> r;  // a copy, which the stores below cannot change
+  for (int i = 0; i < d3q19::directions; ++i) r.from[i] = row.from[i] + row.first;
+  for (int i = 0; i < d3q19::directions; ++i) r.to[i] = row.to[i] + row.first;
   const CollisionRates<Real> rates = row.rates;
   constexpr long line = 64 / sizeof(Real);
-  const long whole_lines = r.cells / line * line;
+  const long cells = row.cells, whole_lines = cells / line * line;
   for (long x = 0; x < whole_lines; x += line) {
 #pragma GCC unroll 19
     for (int i = 0; i < d3q19::directions; ++i) __builtin_prefetch(r.from[i] + x + lines_ahead * line, 1);
     sweep_cells(r, rates, x, x + line);
   }
-  sweep_cells(r, rates, whole_lines, r.cells);
+  sweep_cells(r, rates, whole_lines, cells);
 }
 
 void sweep_row(const SweepRow<double>& row) {

@@ -11,10 +11,10 @@ namespace beadswim {
 /// A step of the fluid in a row of cells.
 template <class Real>
 struct SweepRow {
-  const Real* from[d3q19::directions];  ///< first cell's incoming population of each direction
-  Real* to[d3q19::directions];  ///< where the first cell's population goes after collision; the 19 places
-                                ///< that a cell reads are those that it writes, and no other cell's
-  long cells;
+  const Real* from[d3q19::directions];  ///< cell 0's incoming population of each direction
+  Real* to[d3q19::directions];  ///< where cell 0's population goes after collision; the 19 places that a cell
+                                ///< reads are those that it writes, and no other cell's
+  long first, cells;            ///< the row
   CollisionRates<Real> rates;
 };
 

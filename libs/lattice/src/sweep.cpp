@@ -1,5 +1,7 @@
 #include "beadswim/lattice/sweep.hpp"
 
+#include <variant>
+
 #include "flush_subnormals.hpp"
 #include "row_kernels.hpp"
 
@@ -10,24 +12,39 @@ namespace {
 template <class Real>
 void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
   if (row_ends == RowEnds::left_to_halo) return;
-  const std::ptrdiff_t last = row.cells - 1;
+  const std::ptrdiff_t first = row.first, last = row.first + row.cells - 1;
 #pragma GCC unroll 19
   for (int i = 1; i < d3q19::directions; ++i) {
     const int sign = d3q19::velocity[i][0];
     if (sign == 0) continue;
-    const std::ptrdiff_t halo = sign > 0 ? -1 : row.cells;
-    if (row_ends == RowEnds::wrapped) row.to[i][halo] = row.to[i][sign > 0 ? last : 0];
-    if (row_ends == RowEnds::mirrored) row.to[i][halo] = row.to[d3q19::mirrored(i, 0)][sign > 0 ? 0 : last];
+    const std::ptrdiff_t halo = sign > 0 ? first - 1 : last + 1;
+    if (row_ends == RowEnds::wrapped) row.to[i][halo] = row.to[i][sign > 0 ? last : first];
+    if (row_ends == RowEnds::mirrored) row.to[i][halo] = row.to[d3q19::mirrored(i, 0)][sign > 0 ? first : last];
   }
 }
 
 }  // namespace
 
+/// What all rows share, in the precision of the populations.
+struct BlockSweep::Rows {
+  std::variant<SweepRow<double>, SweepRow<float>> row;
+};
+
 BlockSweep::BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends)
-    : populations_(populations),
-      rates_fp64_(collision_rates<double>(rates)),
-      rates_fp32_(collision_rates<float>(rates)),
-      row_ends_(row_ends) {}
+    : populations_(populations), row_ends_(row_ends), rows_(std::make_unique<Rows>()) {
+  in_precision(populations.precision(), [&]<class Real>() {
+    SweepRow<Real> row;
+    row.cells = populations.size()[0];
+    row.rates = collision_rates<Real>(rates);
+    for (int i = 0; i < d3q19::directions; ++i) {
+      row.from[i] = populations.incoming_row<Real>(i, 0);
+      row.to[i] = populations.next_outgoing_row<Real>(i, 0);
+    }
+    rows_->row = row;
+  });
+}
+
+BlockSweep::~BlockSweep() = default;
 
 void BlockSweep::row(int y, int z) {
   const FlushSubnormals flush;
@@ -36,14 +53,8 @@ void BlockSweep::row(int y, int z) {
 
 template <class Real>
 void BlockSweep::row_as(int y, int z) {
-  const std::ptrdiff_t first = populations_.cell(0, y, z);
-  SweepRow<Real> row;
-  row.cells = populations_.size()[0];
-  row.rates = rates(Real());
-  for (int i = 0; i < d3q19::directions; ++i) {
-    row.from[i] = populations_.incoming_row<Real>(i, first);
-    row.to[i] = populations_.next_outgoing_row<Real>(i, first);
-  }
+  auto& row = std::get<SweepRow<Real>>(rows_->row);
+  row.first = populations_.cell(0, y, z);
   row_kernels().sweep(row);
   fill_row_ends(row, row_ends_);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "beadswim/lattice/populations.hpp"
@@ -16,6 +17,7 @@ namespace beadswim {
 class BlockSweep {
  public:
   BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends);
+  ~BlockSweep();
 
   void row(int y, int z);
 
@@ -25,13 +27,12 @@ class BlockSweep {
  private:
   template <class Real>
   void row_as(int y, int z);
-  const CollisionRates<double>& rates(double) const { return rates_fp64_; }
-  const CollisionRates<float>& rates(float) const { return rates_fp32_; }
+
+  struct Rows;
 
   Populations& populations_;
-  CollisionRates<double> rates_fp64_;
-  CollisionRates<float> rates_fp32_;
   RowEnds row_ends_;
+  std::unique_ptr<Rows> rows_;
 };
 
 /// All rows.
