@@ -12,7 +12,7 @@ small --period 100 --amplitude 0.02 >layout.json
 
 # --- what it says of itself
 accepts beadswim-run --help
-for flag in output model cycles frames-per-cycle cells-per-radius relaxation-time time-limit flow-every progress; do
+for flag in output model cycles frames-per-cycle cells-per-radius relaxation-time precision time-limit flow-every progress; do
   out_has "--$flag"
 done
 accepts beadswim-run --version
@@ -67,6 +67,33 @@ run beadswim-run layout.json -o fine.h5md --cycles 1 --cells-per-radius 3 --prog
 has_status 0
 check "cell size" holds '.resolution.cell_size * 3 - 2 | fabs < 1e-12' out
 check "whole steps" holds '.resolution.time_step * .resolution.steps_per_cycle - 100 | fabs < 1e-9' out
+
+# --- single precision: the same physics, the same bits on any ranks, and a word before it where that ends
+small --period 200 --amplitude 0.2 >strong.json
+for precision in double single; do
+  run mpirun -n 2 beadswim-run strong.json -o $precision.h5md --cycles 2 --precision $precision --progress none
+  has_status 0
+  err_empty
+  cp out $precision.json
+done
+jq -s 'map(.swimmers[0].cycles[-1])' double.json single.json >both.json
+check "the velocity is that of double precision" \
+  holds '(.[1].velocity[0] / .[0].velocity[0] - 1 | fabs) as $e | $e < 0.002 and $e > 0' both.json
+check "the stroke is that of double precision" \
+  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs < 0.002) | all' both.json
+check "the precision is on record" test "$(jq -r .resolution.precision single.json)" = single
+run mpirun -n 3 beadswim-run strong.json -o three.h5md --cycles 2 --precision single --progress none
+check "3 ranks end in another state" test "$(jq .state_sha256 out)" = "$(jq .state_sha256 single.json)"
+small --period 200 --amplitude 1e-6 >slow.json
+run beadswim-run slow.json -o slow.h5md --cycles 0.1 --precision single --progress none
+has_status 0
+err_has 'warning: in single precision the velocity may be wrong by .* of itself: .* --precision double'
+small --period 200 --amplitude 0.2 --phase 0 >scallop.json
+run beadswim-run scallop.json -o scallop.h5md --cycles 0.1 --precision single --progress none
+err_has 'more than itself, as to second order it is zero'
+run beadswim-run slow.json -o slow.h5md --cycles 0.1 --progress none
+err_empty
+refuses 'precision: half' beadswim-run layout.json -o x.h5md --precision half
 
 # --- stopped early on purpose: results are there, and exit status 4
 small --period 100 --amplitude 0,1e4 --stiffness 1e-6 >wild.json

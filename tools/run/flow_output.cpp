@@ -48,16 +48,21 @@ void FlowOutput::write(const CoupledSystem& system) {
         }};
   };
   const double pressure = scales_.density * scales_.velocity() * scales_.velocity() / 3;
-  std::unordered_map<std::ptrdiff_t, Vec3> in_beads;  // velocities of covered cells, which hold no fluid
+  struct InBead {
+    Vec3 velocity;
+    double number;
+  };
+  std::unordered_map<std::ptrdiff_t, InBead> in_beads;  // covered cells hold no fluid
   system.coverage().for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
-    in_beads.emplace(cell, system.beads_here()[bead].velocity_at(from_centre));
+    const BeadOnLattice& covering = system.beads_here()[bead];
+    in_beads.emplace(cell, InBead{covering.velocity_at(from_centre), 1.0 + covering.name.bead});
   });
   const std::vector<VtiField> fields{
       field("velocity", 3,
             [&](int k, std::ptrdiff_t cell) {
               const auto in_bead = in_beads.find(cell);
               const Vec3 velocity = in_bead != in_beads.end()
-                                        ? in_bead->second
+                                        ? in_bead->second.velocity
                                         : cell_moments(system.populations(), cell).momentum;
               return velocity[k] * scales_.velocity();
             }),
@@ -68,8 +73,8 @@ void FlowOutput::write(const CoupledSystem& system) {
                          : cell_moments(system.populations(), cell).density_deviation * pressure;
             }),
       field("bead", 1, [&](int, std::ptrdiff_t cell) {
-        const int bead = system.coverage().bead_at(cell);
-        return bead == Coverage::fluid ? 0.0 : 1.0 + system.beads_here()[bead].name.bead;
+        const auto in_bead = in_beads.find(cell);
+        return in_bead != in_beads.end() ? in_bead->second.number : 0.0;
       })};
   const Index3& cells = system.decomposition().cells();
   if (!communicator_.is_root()) {  // give rank 0 what it asks for, in the order in which it writes

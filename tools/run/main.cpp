@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "memory.hpp"
 #include "record.hpp"
 #include "run_loop.hpp"
+#include "single_precision.hpp"
 #include "stop_signal.hpp"
 
 namespace {
@@ -70,11 +72,15 @@ void announce(const SceneOnLattice& on_lattice, const Communicator& communicator
   const LatticeChoice& lattice = on_lattice.lattice;
   tell(
       fmt::format("beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} "
-                  "swimmers, {:.2g} GB on "
-                  "{} ranks\n",
+                  "swimmers, {} precision, {:.2g} GB on {} ranks\n",
                   cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step,
                   lattice.relaxation_time, lattice.steps_per_period, on_lattice.scene.swimmers.size(),
-                  1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
+                  name_of(on_lattice.scene.precision), 1e-9 * lattice_bytes(on_lattice.scene),
+                  communicator.size()));
+}
+
+/// What may go wrong, known before it starts.
+void warn(const SceneOnLattice& on_lattice, long steps) {
   if (on_lattice.cells_per_radius < 2) {
     tell(fmt::format("beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
                      on_lattice.cells_per_radius));
@@ -85,6 +91,13 @@ void announce(const SceneOnLattice& on_lattice, const Communicator& communicator
         "below about one half it becomes unstable\n",
         lightest_bead(on_lattice.scene)));
   }
+  if (on_lattice.scene.precision == Precision::fp64) return;
+  const double error = single_precision_error(on_lattice.scene, steps);
+  if (error <= tolerated_precision_error) return;
+  tell(fmt::format("beadswim-run: warning: in single precision the velocity may be wrong by {}: a swimmer is "
+                   "slow beside its beads, or the run long; take --precision double\n",
+                   std::isfinite(error) ? fmt::format("{:.2g} of itself", error)
+                                        : "more than itself, as to second order it is zero"));
 }
 
 constexpr const char* program_name = "beadswim-run";
@@ -115,7 +128,10 @@ int run(int argc, char** argv, const Communicator& communicator) {
   Progress progress(options.progress, total_steps(on_lattice, options),
                     static_cast<double>(on_lattice.lattice.steps_per_period),
                     on_lattice.scene.cells.cast<double>().prod());
-  if (communicator.is_root() && options.progress != ProgressStyle::none) announce(on_lattice, communicator);
+  if (communicator.is_root()) {
+    if (options.progress != ProgressStyle::none) announce(on_lattice, communicator);
+    warn(on_lattice, total_steps(on_lattice, options));
+  }
 
   CoupledSystem system(on_lattice.scene, communicator);
   std::unique_ptr<FlowOutput> flow;

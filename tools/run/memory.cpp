@@ -25,9 +25,9 @@ int ranks_on_this_node(const Communicator& communicator) {
 }  // namespace
 
 double lattice_bytes(const CoupledScene& scene) {
-  constexpr double padding = 1.03;  // halo, and rows of whole cache lines
+  constexpr double padding = 1.04;  // halo, and rows of whole cache lines; a byte says which cells are covered
   const double number = static_cast<double>(bytes_of_number(scene.precision));
-  return padding * (d3q19::directions * number + sizeof(int)) * scene.cells.cast<double>().prod();
+  return padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
 }
 
 void require_memory(const CoupledScene& scene, const Communicator& communicator) {

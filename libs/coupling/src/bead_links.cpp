@@ -46,12 +46,18 @@ struct LinkFinder {
 
   /// Covered cells [low, high) whose neighbours along `out` the same image does not cover.
   void add_cells(int low, int high, int y, int z, int out) {
+    if (low >= high) return;
     const auto& c = d3q19::velocity[out];
+    const int fy = y + c[1], fz = z + c[2], cells = coverage.block_size()[0];
+    const bool row_is_own = coverage.is_own(0, y, z), fluid_row_is_own = coverage.is_own(0, fy, fz);
+    if (!fluid_row_is_own && !(row_is_own && coverage.is_own_or_halo(0, fy, fz))) return;
+    const std::ptrdiff_t fluid_row = coverage.cell(0, fy, fz);
     for (int x = low; x < high; ++x) {
-      const int fx = x + c[0], fy = y + c[1], fz = z + c[2];
-      const bool fluid_is_own = coverage.is_own(fx, fy, fz);
-      if (!fluid_is_own && !(coverage.is_own(x, y, z) && coverage.is_own_or_halo(fx, fy, fz))) continue;
-      if (coverage.bead_at(coverage.cell(fx, fy, fz)) != Coverage::fluid) continue;  // another bead's
+      const int fx = x + c[0];
+      const bool fluid_is_own = fluid_row_is_own && fx >= 0 && fx < cells;
+      const bool is_own = row_is_own && x >= 0 && x < cells;
+      if (!fluid_is_own && !is_own) continue;
+      if (coverage.is_covered(fluid_row + fx)) continue;  // another bead's
       links.push_back(
           {.x = x, .y = y, .z = z, .out = static_cast<std::int8_t>(out), .fluid_is_own = fluid_is_own});
     }

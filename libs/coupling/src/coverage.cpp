@@ -35,13 +35,13 @@ Coverage::Coverage(const BlockInLattice& at, const Populations& populations)
       pitch_y_(populations.pitch(1)),
       pitch_z_(populations.pitch(2)),
       origin_(populations.cell(0, 0, 0)),
-      bead_at_(populations.cell_indices(), fluid) {}
+      state_(populations.cell_indices(), State::fluid) {}
 
 void Coverage::update(std::span<const BeadOnLattice> beads) {
   std::swap(before_, now_);
   before_.for_each_run([&](const CoveredImage&, const CoveredRun& run, int y, int z) {
-    const auto row = bead_at_.begin() + cell(0, y, z);
-    std::fill(row + run.low, row + run.high, just_left);
+    const auto row = state_.begin() + cell(0, y, z);
+    std::fill(row + run.low, row + run.high, State::just_left);
   });
   now_.images.clear();
   now_.runs.clear();
@@ -53,9 +53,9 @@ void Coverage::update(std::span<const BeadOnLattice> beads) {
   uncovered_.clear();
   before_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int y, int z) {
     for (int x = run.low; x < run.high; ++x) {
-      int& bead = bead_at_[cell(x, y, z)];
-      if (bead != just_left) continue;
-      bead = fluid;
+      State& state = state_[cell(x, y, z)];
+      if (state != State::just_left) continue;
+      state = State::fluid;
       if (is_own(x, y, z)) uncovered_.push_back(changed_cell(covered, x, y, z));
     }
   });
@@ -79,11 +79,20 @@ void Coverage::cover(std::span<const BeadOnLattice> beads, int bead, const BeadI
 void Coverage::cover_run(std::span<const BeadOnLattice> beads, const CoveredImage& covered,
                          const CoveredRun& run, int y, int z) {
   for (int x = run.low; x < run.high; ++x) {
-    int& bead = bead_at_[cell(x, y, z)];
-    if (bead >= 0) throw_overlap(beads[bead], beads[covered.bead]);
-    if (bead == fluid && is_own(x, y, z)) newly_covered_.push_back(changed_cell(covered, x, y, z));
-    bead = covered.bead;
+    State& state = state_[cell(x, y, z)];
+    if (state == State::covered) throw_overlap(beads[first_bead_at(x, y, z)], beads[covered.bead]);
+    if (state == State::fluid && is_own(x, y, z)) newly_covered_.push_back(changed_cell(covered, x, y, z));
+    state = State::covered;
   }
+}
+
+int Coverage::first_bead_at(int x, int y, int z) const {
+  int bead = -1;
+  now_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int run_y, int run_z) {
+    const bool contains = run_y == y && run_z == z && run.low <= x && x < run.high;
+    if (bead < 0 && contains) bead = covered.bead;
+  });
+  return bead;
 }
 
 }  // namespace beadswim

@@ -50,29 +50,63 @@ void sweep_row(const SweepRow<float>& row) {
   sweep(row);
 }
 
-BEADSWIM_KERNEL double absolute(double x) {
-  return x < 0 ? -x : x;
+/// Eight cells side by side.
+constexpr long lanes = 8;
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+
+template <class Real>
+BEADSWIM_KERNEL Lanes load(const Real* from) {
+  Real __attribute__((vector_size(lanes * sizeof(Real)))) stored;
+  __builtin_memcpy(&stored, from, sizeof stored);
+  return __builtin_convertvector(stored, Lanes);
 }
+
+/// Sums of density deviation and momentum in lanes.
+struct LaneTotals {
+  Lanes coarse[4] = {}, fine[4] = {};
+  decltype(Lanes{} < Lanes{}) fit = Lanes{} == Lanes{};  ///< true so far
+
+  BEADSWIM_KERNEL void add(const Lanes (&f)[d3q19::directions]) {
+    Lanes moments[4];
+    Lanes u[3];
+    moments_of(f, moments[0], u);
+    moments[1] = u[0], moments[2] = u[1], moments[3] = u[2];
+#pragma GCC unroll 4
+    for (int m = 0; m < 4; ++m) {
+      const Lanes multiple = order_free::coarse_part(moments[m]);
+      coarse[m] += multiple;
+      fine[m] += order_free::fine_part(moments[m], multiple);
+      fit &= (moments[m] < order_free::largest_term) & (moments[m] > -order_free::largest_term);  // no NaN
+    }
+  }
+};
 
 template <class Real>
 BEADSWIM_KERNEL RowTotals totals(const TotalsRow<Real>& row) {
-  using namespace order_free;
-  double c0 = 0, c1 = 0, c2 = 0, c3 = 0, f0 = 0, f1 = 0, f2 = 0, f3 = 0;
-  long fitting = 0;
-#pragma omp simd reduction(+ : c0, c1, c2, c3, f0, f1, f2, f3, fitting)
-  for (long x = 0; x < row.cells; ++x) {
-    double f[d3q19::directions];
+  LaneTotals sums;
+  Lanes f[d3q19::directions];
+  const long whole = row.cells / lanes * lanes;
+  for (long x = 0; x < whole; x += lanes) {
 #pragma GCC unroll 19
-    for (int i = 0; i < d3q19::directions; ++i) f[i] = static_cast<double>(row.outgoing[i][x]);
-    double r, u[3];
-    moments_of(f, r, u);
-    const double k0 = coarse_part(r), k1 = coarse_part(u[0]), k2 = coarse_part(u[1]), k3 = coarse_part(u[2]);
-    c0 += k0, c1 += k1, c2 += k2, c3 += k3;
-    f0 += fine_part(r, k0), f1 += fine_part(u[0], k1), f2 += fine_part(u[1], k2), f3 += fine_part(u[2], k3);
-    const double size = absolute(r) + absolute(u[0]) + absolute(u[1]) + absolute(u[2]);
-    fitting += size < largest_term ? 1 : 0;  // not if a term is not a number
+    for (int i = 0; i < d3q19::directions; ++i) f[i] = load(row.outgoing[i] + x);
+    sums.add(f);
   }
-  return {{c0, c1, c2, c3}, {f0, f1, f2, f3}, fitting == row.cells};
+  if (whole < row.cells) {
+    for (int i = 0; i < d3q19::directions; ++i) {
+      f[i] = Lanes{};
+      for (long x = whole; x < row.cells; ++x) f[i][x - whole] = static_cast<double>(row.outgoing[i][x]);
+    }
+    sums.add(f);
+  }
+  RowTotals totals{.coarse = {}, .fine = {}, .fits = true};
+  for (long lane = 0; lane < lanes; ++lane) {
+    for (int m = 0; m < 4; ++m) {
+      totals.coarse[m] += sums.coarse[m][lane];
+      totals.fine[m] += sums.fine[m][lane];
+    }
+    totals.fits = totals.fits && sums.fit[lane];
+  }
+  return totals;
 }
 
 RowTotals totals_row(const TotalsRow<double>& row) {

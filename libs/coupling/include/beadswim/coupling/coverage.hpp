@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -69,15 +70,12 @@ struct ChangedCell {
 /// centre lies inside the bead.
 class Coverage {
  public:
-  static constexpr int fluid = -1;
-
   Coverage(const BlockInLattice& at, const Populations& populations);
 
   /// Covers anew for the beads where they are now. Throws SolverError if two beads claim one cell.
   void update(std::span<const BeadOnLattice> beads);
 
-  /// Index of the bead that covers a cell, or `fluid`.
-  int bead_at(std::ptrdiff_t cell) const { return bead_at_[cell]; }
+  bool is_covered(std::ptrdiff_t cell) const { return state_[cell] == State::covered; }
 
   const CoveredImages& images() const { return now_; }
 
@@ -108,7 +106,7 @@ class Coverage {
   const Index3& block_size() const { return at_.block.size; }
 
  private:
-  static constexpr int just_left = -2;
+  enum class State : std::uint8_t { fluid, covered, just_left };
 
   ChangedCell changed_cell(const CoveredImage& covered, int x, int y, int z) const {
     return {.local = {x, y, z},
@@ -117,13 +115,15 @@ class Coverage {
             .image = covered.index,
             .from_centre = covered.from_centre(x, y, z)};
   }
+  /// The first bead that covers a cell, by a search through all.
+  int first_bead_at(int x, int y, int z) const;
   void cover(std::span<const BeadOnLattice> beads, int bead, const BeadImage& image);
   void cover_run(std::span<const BeadOnLattice> beads, const CoveredImage& covered, const CoveredRun& run,
                  int y, int z);
 
   BlockInLattice at_;
   std::ptrdiff_t pitch_y_, pitch_z_, origin_;
-  std::vector<int> bead_at_;
+  std::vector<State> state_;  ///< of every cell: a byte beside its 19 populations
   CoveredImages now_, before_;
   std::vector<ChangedCell> newly_covered_, uncovered_;
 };

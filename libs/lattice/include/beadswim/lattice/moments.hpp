@@ -1,7 +1,7 @@
 #pragma once
 
+#include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/d3q19.hpp"
-#include "beadswim/lattice/trt.hpp"
 
 // Moments of the populations of one cell, always in the same order of additions.
 //
@@ -9,9 +9,11 @@
 
 namespace beadswim {
 
-BEADSWIM_KERNEL void moments_of(const double (&f)[d3q19::directions], double& r, double (&u)[3]) {
+/// Value: double, or a vector of doubles, one a cell.
+template <class Value>
+BEADSWIM_KERNEL void moments_of(const Value (&f)[d3q19::directions], Value& r, Value (&u)[3]) {
   r = f[0];
-  u[0] = u[1] = u[2] = 0;
+  u[0] = u[1] = u[2] = Value{};
 #pragma GCC unroll 19
   for (int i = 1; i < d3q19::directions; ++i) {
     r += f[i];

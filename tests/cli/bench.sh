@@ -1,0 +1,37 @@
+#!/bin/bash
+# beadswim-bench: its document on 1 and 2 ranks, its table, and what it refuses. No speed is tested.
+source "$(dirname "$0")/harness.sh"
+
+holds() { jq -e "$1" "$2" >/dev/null; }
+
+accepts beadswim-bench --help
+for flag in edge precision rounds json; do out_has "--$flag"; done
+accepts beadswim-bench --version
+
+run mpirun -n 2 beadswim-bench --json --edge 32,40 --rounds 1
+has_status 0
+err_has '4 of 4: edge 40, 2 ranks'
+cp out bench.json
+check "schema" test "$(jq -r .schema bench.json)" = beadswim/bench/1
+check "a row each of 5 cases, 2 precisions, 2 edges, 1 and 2 ranks" \
+  holds '[.rows[] | [.case, .precision, .edge, .ranks]] | unique | length == 40' bench.json
+check "rates are positive" holds '.rows | map(.mlups > 0 and .mlups_best >= .mlups) | all' bench.json
+check "the yardstick is its own measure" \
+  holds '.rows | map(select(.case == "stream-yardstick")) | map(.fraction_of_yardstick == 1 and has("layout")) | all' bench.json
+check "bytes" holds '.rows | map(.bytes_per_update == (if .precision == "double" then 304 else 152 end)) | all' bench.json
+check "bandwidth" holds '.bandwidth.in_place_gb_s > 0 and .bandwidth.copy_gb_s > 0' bench.json
+check "bandwidth by ranks" test "$(jq -c '[.bandwidth.by_ranks[].ranks]' bench.json)" = "[1,2]"
+if /usr/bin/python3 -c 'import jsonschema' 2>/dev/null; then
+  check "the document is valid" \
+    /usr/bin/python3 -W ignore -m jsonschema -i bench.json "$BEADSWIM_SOURCE/schemas/bench.schema.json"
+fi
+
+run beadswim-bench --edge 32 --precision single --rounds 1
+has_status 0
+out_has 'coupled-swarm'
+check "one precision alone" test "$(grep -c double out)" = 1  # in the head of the table
+
+refuses 'edge: Value 16 not in range 32 to 1024' beadswim-bench --edge 16
+refuses 'precision: half' beadswim-bench --precision half
+refuses 'did you mean --edge' beadswim-bench --egde 64
+refuses 'GB that are free; take a smaller edge' beadswim-bench --edge 1024

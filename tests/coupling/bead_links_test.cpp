@@ -1,0 +1,145 @@
+#include "beadswim/coupling/bead_links.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+#include <tuple>
+
+namespace beadswim::test {
+namespace {
+
+constexpr std::array<bool, 3> periodic{true, true, true};
+const Index3 lattice(22, 15, 13);
+
+/// Covered cell, direction, and whether the fluid cell is the block's own.
+using Link = std::tuple<int, int, int, int, bool>;
+
+std::vector<BeadOnLattice> random_beads(unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-5, 25), radius(1.1, 3.4);
+  std::vector<BeadOnLattice> beads;
+  for (int b = 0; b < 2; ++b) {
+    BeadOnLattice bead;
+    bead.name = {0, b};
+    bead.radius = radius(random);
+    bead.motion.position = Vec3(place(random), place(random), place(random));
+    beads.push_back(bead);
+  }
+  return beads;
+}
+
+/// Bead that covers the cell (its global coordinates), by the distance to all images; -1: none.
+int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell) {
+  for (int b = 0; b < std::ssize(beads); ++b) {
+    Vec3 apart = cell.cast<double>() + 0.5 - beads[b].motion.position.array();
+    for (int a = 0; a < 3; ++a) apart[a] -= lattice[a] * std::round(apart[a] / lattice[a]);
+    if (apart.norm() < beads[b].radius) return b;
+  }
+  return -1;
+}
+
+std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Block& block) {
+  const auto is_own = [&](const Index3& p) { return (p >= 0).all() && (p < block.size).all(); };
+  std::set<Link> links;
+  for (int z = -1; z <= block.size[2]; ++z) {
+    for (int y = -1; y <= block.size[1]; ++y) {
+      for (int x = -1; x <= block.size[0]; ++x) {
+        const Index3 p(x, y, z);
+        if (covering_bead(beads, p + block.offset) < 0) continue;
+        for (int out = 1; out < d3q19::directions; ++out) {
+          const auto& c = d3q19::velocity[out];
+          const Index3 q = p + Index3(c[0], c[1], c[2]);
+          if (!is_own(p) && !is_own(q)) continue;
+          if (covering_bead(beads, q + block.offset) < 0) links.insert({x, y, z, out, is_own(q)});
+        }
+      }
+    }
+  }
+  return links;
+}
+
+class BeadLinksOf : public testing::TestWithParam<unsigned> {
+ protected:
+  BeadLinksOf()
+      : beads(random_beads(GetParam())),
+        at{.block = {.offset = {0, 4, 3}, .size = {22, 7, 6}}, .cells = lattice, .periodic = periodic},
+        populations(at.block.size),
+        coverage(at, populations) {
+    // Beads that overlap are of no interest here.
+    for (unsigned seed = GetParam() + 1000; !covers(); ++seed) beads = random_beads(seed);
+    links.find(coverage);
+  }
+
+  bool covers() {
+    try {
+      coverage = Coverage(at, populations);
+      coverage.update(beads);
+    } catch (const std::runtime_error&) {
+      return false;
+    }
+    return true;
+  }
+
+  std::vector<BeadOnLattice> beads;
+  BlockInLattice at;
+  Populations populations;
+  Coverage coverage;
+  BeadLinks links;
+};
+
+INSTANTIATE_TEST_SUITE_P(Seeds, BeadLinksOf, testing::Range(1u, 60u));
+
+// Catches a row, an image or a seam whose links are missed, found twice, or given to the wrong owner.
+TEST_P(BeadLinksOf, AreAllLinksBetweenCoveredAndFluidCells) {
+  std::multiset<Link> found;
+  for (const LinkSegment& segment : links.segments()) {
+    for (const BeadLink& link : links.links(segment)) {
+      found.insert({link.x, link.y, link.z, link.out, link.fluid_is_own});
+    }
+  }
+  const std::set<Link> expected = links_by_search(beads, at.block);
+  EXPECT_EQ(found, std::multiset<Link>(expected.begin(), expected.end()));
+}
+
+// What lets links be done row by row: none comes after the sweep of a row that it reads from or writes to.
+TEST_P(BeadLinksOf, ComeBeforeTheSweepOfBothTheirRows) {
+  const Index3& n = at.block.size;
+  for (int z = 0; z < n[2]; ++z) {
+    for (int y = 0; y < n[1]; ++y) {
+      for (int s = links.first_segment_of(y, z); s < links.end_segment_of(y, z); ++s) {
+        for (const BeadLink& link : links.links(links.segments()[s])) {
+          const auto& c = d3q19::velocity[link.out];
+          for (const auto& [row_y, row_z] : {std::pair{link.y, link.z}, std::pair{link.y + c[1], link.z + c[2]}}) {
+            const bool is_swept = row_y >= 0 && row_y < n[1] && row_z >= 0 && row_z < n[2];
+            if (is_swept) {
+              EXPECT_GE(row_y + n[1] * row_z, y + n[1] * z);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+// Catches a link of a cell that is looked for in the wrong rows.
+TEST_P(BeadLinksOf, OfACellAreFoundFromTheCell) {
+  std::size_t found = 0, all = 0;
+  for (const LinkSegment& segment : links.segments()) all += segment.end - segment.first;
+  for (const CoveredImage& covered : coverage.images().images) {
+    const BeadImage& box = covered.image;
+    for (int z = box.low[2]; z < box.high[2]; ++z) {
+      for (int y = box.low[1]; y < box.high[1]; ++y) {
+        const CoveredRun run = coverage.images().run(covered, y, z);
+        for (int x = run.low; x < run.high; ++x) {
+          links.for_each_link_of(covered.index, x, y, z, [&](const BeadLink&) { ++found; });
+        }
+      }
+    }
+  }
+  EXPECT_EQ(found, all);
+}
+
+}  // namespace
+}  // namespace beadswim::test

@@ -1,0 +1,86 @@
+#!/bin/bash
+# The built revision against another one, in one run on this machine, as ratios of their speeds.
+#   tests/performance/compare_revisions.sh REVISION [--rounds N] [--tolerance E] [--ranks N]
+# REVISION (a commit, a tag, a branch) is built in a scratch folder; "this" is the working tree, built in
+# build/release. Both run the same scenes in turn, N rounds (default 7); reported is the median of the ratios in
+# each round, so that a drift of the machine meets both. Exit status 1 if a scene has become slower by more than
+# E (default 0.05). Not part of the tests: a benchmark needs a machine of its own, and takes minutes.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+
+usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; }
+rounds=7 tolerance=0.05 ranks=1 revision=
+while [ $# -gt 0 ]; do
+  case "$1" in
+    --help) usage; exit 0 ;;
+    --rounds | --tolerance | --ranks)
+      [ $# -ge 2 ] || { echo "compare_revisions.sh: $1 needs a value" >&2; exit 2; }
+      declare "${1#--}=$2"; shift 2 ;;
+    -*) echo "compare_revisions.sh: unknown flag $1; --rounds, --tolerance, --ranks and --help are known" >&2; exit 2 ;;
+    *) revision=$1; shift ;;
+  esac
+done
+[ -n "$revision" ] || { usage >&2; exit 2; }
+commit=$(git rev-parse --verify --quiet "$revision^{commit}") ||
+  { echo "compare_revisions.sh: \"$revision\" is no revision of this repository" >&2; exit 2; }
+
+# What mpirun needs as root in a container.
+if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
+export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
+
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+git clone --quiet . "$scratch/other"
+git -C "$scratch/other" checkout --quiet "$commit"
+
+build() { # FOLDER
+  (cd "$1" && cmake --preset release >/dev/null && cmake --build --preset release --target beadswim-layout beadswim-run)
+}
+echo "Building this and $(git log -1 --format='%h (%s)' "$commit")" >&2
+build . >"$scratch/this.log" 2>&1 || { tail -20 "$scratch/this.log" >&2; exit 3; }
+build "$scratch/other" >"$scratch/other.log" 2>&1 || { tail -20 "$scratch/other.log" >&2; exit 3; }
+this=$PWD/build/release/bin other=$scratch/other/build/release/bin
+
+# Scenes that every revision can run: in and out of cache, with few beads and with many, with walls.
+cd "$scratch"
+scene() { # NAME FLAG...
+  local name=$1
+  shift
+  "$other/beadswim-layout" swimmer --preset paper-single "$@" >"$name.json"
+}
+scene small-periodic --radius 4 --arm 20 --box 96,32,32 --boundary periodic --period 2000
+scene dense-periodic --radius 6 --arm 32 --stiffness 0.2 --amplitude 2 --box 96,32,32 --boundary periodic --period 2000
+scene large-periodic --radius 4 --arm 20 --box 128,128,128 --boundary periodic --period 2000
+scene large-walled --radius 4 --arm 20 --box 128,128,128 --boundary free-slip,no-slip,free-slip --period 2000
+declare -A cycles=([small-periodic]=0.2 [dense-periodic]=0.2 [large-periodic]=0.02 [large-walled]=0.02)
+
+mlups() { # PROGRAMS SCENE
+  mpirun -n "$ranks" "$1/beadswim-run" "$2.json" -o "$2.h5md" --cycles "${cycles[$2]}" --frames-per-cycle 4 \
+    --progress none | jq .cost.mlups
+}
+for round in $(seq "$rounds"); do
+  for name in small-periodic dense-periodic large-periodic large-walled; do
+    echo "$name $(mlups "$this" "$name") $(mlups "$other" "$name")"
+  done
+  echo "round $round of $rounds" >&2
+done >speeds
+
+awk -v tolerance="$tolerance" '
+  function median(values, n,    i, j, t) {
+    for (i = 2; i <= n; ++i)
+      for (j = i; j > 1 && values[j] < values[j - 1]; --j) { t = values[j]; values[j] = values[j - 1]; values[j - 1] = t }
+    return n % 2 ? values[(n + 1) / 2] : (values[n / 2] + values[n / 2 + 1]) / 2
+  }
+  { if (!($1 in n)) order[++scenes] = $1; k = ++n[$1]; a[$1, k] = $2; b[$1, k] = $3 }
+  END {
+    printf "%-16s %12s %12s %8s\n", "scene", "this MLUPS", "other MLUPS", "ratio"
+    for (s = 1; s <= scenes; ++s) {
+      name = order[s]
+      for (k = 1; k <= n[name]; ++k) { x[k] = a[name, k]; y[k] = b[name, k]; r[k] = x[k] / y[k] }
+      ratio = median(r, n[name])
+      slower = ratio < 1 - tolerance
+      if (slower) failed = 1
+      printf "%-16s %12.1f %12.1f %8.3f%s\n", name, median(x, n[name]), median(y, n[name]), ratio, slower ? "  slower" : ""
+    }
+    exit failed
+  }' speeds

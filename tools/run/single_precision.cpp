@@ -1,0 +1,49 @@
+#include "single_precision.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "beadswim/lattice/trt.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/theory/perturbation.hpp"
+
+namespace beadswim {
+namespace {
+
+// Measured against double precision: errors of the velocity over the fastest bead's speed stayed below this, in
+// one cycle, and drift of the fluid's mean velocity below this a step.
+constexpr double error_over_bead_speed = 1e-8;
+constexpr double drift_over_bead_speed = 1e-13;
+
+struct Speeds {
+  double bead, swimmer;  ///< fastest bead, and the swimmer over a period [cell/step]
+};
+
+/// As if it were driven along its own line.
+Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
+  const CollinearSwimmer swimmer = collinear_swimmer(type, Vec3::UnitX(), viscosity);
+  const CollinearMobility mobility = rest_mobility(swimmer, rotne_prager);
+  const Eigen::Vector3cd force = linear_response(swimmer, mobility.value).force;
+  const Eigen::Vector3cd velocity = mobility.value.cast<std::complex<double>>() * force;
+  return {.bead = velocity.cwiseAbs().maxCoeff(),
+          .swimmer = std::abs(second_order_motion(swimmer, mobility).velocity)};
+}
+
+}  // namespace
+
+double single_precision_error(const CoupledScene& scene, long steps) {
+  const double error = error_over_bead_speed + drift_over_bead_speed * static_cast<double>(steps);
+  double worst = 0;
+  for (const SwimmerType& type : scene.types) {
+    const Speeds speeds = predicted_speeds(type, lattice_viscosity(scene.relaxation_time));
+    if (speeds.bead == 0) continue;  // not driven
+    constexpr double none = 1e-12;   // of the bead's speed: zero but for roundoff
+    worst = std::max(worst, speeds.swimmer > none * speeds.bead ? error * speeds.bead / speeds.swimmer
+                                                                : std::numeric_limits<double>::infinity());
+  }
+  return worst;
+}
+
+}  // namespace beadswim
