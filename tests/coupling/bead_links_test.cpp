@@ -111,7 +111,8 @@ TEST_P(BeadLinksOf, ComeBeforeTheSweepOfBothTheirRows) {
       for (int s = links.first_segment_of(y, z); s < links.end_segment_of(y, z); ++s) {
         for (const BeadLink& link : links.links(links.segments()[s])) {
           const auto& c = d3q19::velocity[link.out];
-          for (const auto& [row_y, row_z] : {std::pair{link.y, link.z}, std::pair{link.y + c[1], link.z + c[2]}}) {
+          for (const auto& [row_y, row_z] :
+               {std::pair{link.y, link.z}, std::pair{link.y + c[1], link.z + c[2]}}) {
             const bool is_swept = row_y >= 0 && row_y < n[1] && row_z >= 0 && row_z < n[2];
             if (is_swept) {
               EXPECT_GE(row_y + n[1] * row_z, y + n[1] * z);

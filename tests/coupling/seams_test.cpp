@@ -100,7 +100,8 @@ TEST_P(Conserving, MomentumAndMassAcrossSeams) {
 // Roundoff: bead momenta of some 0.5 and densities of 0.01, 360 steps; in single precision of each cell's
 // populations, with either sign.
 INSTANTIATE_TEST_SUITE_P(Seams, Conserving,
-                         testing::Values(std::tuple{Precision::fp64, 1e-12}, std::tuple{Precision::fp32, 2e-5}));
+                         testing::Values(std::tuple{Precision::fp64, 1e-12},
+                                         std::tuple{Precision::fp32, 2e-5}));
 
 TEST(Guards, ReportTheFirstBeadThatIsTooFastOnAllRanks) {
   const Communicator world(MPI_COMM_WORLD);

@@ -28,8 +28,7 @@ double array_drag(double volume_fraction, double cells_per_diameter, const Vec3&
     before = superficial;
     superficial = 0;
     for_each_cell(sphere.fluid.populations, [&](const Index3& p, std::ptrdiff_t cell) {
-      if (!sphere.coverage.is_covered(cell))
-        superficial += sphere.fluid.velocity(p[0], p[1], p[2])[0];
+      if (!sphere.coverage.is_covered(cell)) superficial += sphere.fluid.velocity(p[0], p[1], p[2])[0];
     });
     superficial /= std::pow(edge, 3);
   }

@@ -44,14 +44,14 @@ TEST_P(Decomposed, GivesTheBitsOfOneBlock) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Walls, Decomposed,
-                         testing::Combine(
-                             testing::Values(all_periodic,
-                                             std::array{Wall::free_slip, Wall::free_slip, Wall::free_slip},
-                                             std::array{Wall::no_slip, Wall::no_slip, Wall::no_slip},
-                                             std::array{Wall::periodic, Wall::no_slip, Wall::free_slip},
-                                             std::array{Wall::free_slip, Wall::periodic, Wall::no_slip}),
-                             testing::Values(Precision::fp64, Precision::fp32)));
+INSTANTIATE_TEST_SUITE_P(
+    Walls, Decomposed,
+    testing::Combine(testing::Values(all_periodic,
+                                     std::array{Wall::free_slip, Wall::free_slip, Wall::free_slip},
+                                     std::array{Wall::no_slip, Wall::no_slip, Wall::no_slip},
+                                     std::array{Wall::periodic, Wall::no_slip, Wall::free_slip},
+                                     std::array{Wall::free_slip, Wall::periodic, Wall::no_slip}),
+                     testing::Values(Precision::fp64, Precision::fp32)));
 
 // Catches row ends that are believed although a cell there has been set since the sweep.
 TEST(RowEnds, AreFilledAnewAfterACellThereWasSet) {

@@ -27,8 +27,8 @@ Rows<Real> random_rows(long cells) {
 
 /// The kernels that this processor can run.
 std::vector<RowKernels> kernels() {
-  std::vector<RowKernels> kernels{{baseline::sweep_row, baseline::sweep_row, baseline::totals_row,
-                                   baseline::totals_row, "baseline"}};
+  std::vector<RowKernels> kernels{
+      {baseline::sweep_row, baseline::sweep_row, baseline::totals_row, baseline::totals_row, "baseline"}};
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("x86-64-v3")) {
     kernels.push_back({x86_64_v3::sweep_row, x86_64_v3::sweep_row, x86_64_v3::totals_row,
@@ -45,8 +45,11 @@ std::vector<RowKernels> kernels() {
 template <class Real>
 Rows<Real> swept(const RowKernels& kernels, const Rows<Real>& from, long cells) {
   Rows<Real> to;
-  SweepRow<Real> row{
-      .from = {}, .to = {}, .first = 0, .cells = cells, .rates = collision_rates<Real>(relaxation_rates(0.7))};
+  SweepRow<Real> row{.from = {},
+                     .to = {},
+                     .first = 0,
+                     .cells = cells,
+                     .rates = collision_rates<Real>(relaxation_rates(0.7))};
   for (int i = 0; i < d3q19::directions; ++i) {
     to[i].resize(cells);
     row.from[i] = from[i].data();

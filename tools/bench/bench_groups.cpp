@@ -49,10 +49,11 @@ std::vector<Group> groups_of(const BenchRequest& request, int ranks) {
     }
     for (const Precision precision : request.precisions) {
       if (!fits({precision})) {
-        throw InputError("--edge", fmt::format("{} needs {:.1f} GB in {} precision on {} ranks, more than the {:.1f} "
-                                               "GB that are free; take a smaller edge",
-                                               edge, 1e-9 * ranks * BenchScenes::bytes(edge, {precision}),
-                                               name_of(precision), ranks, 1e-9 * available));
+        throw InputError("--edge",
+                         fmt::format("{} needs {:.1f} GB in {} precision on {} ranks, more than the {:.1f} "
+                                     "GB that are free; take a smaller edge",
+                                     edge, 1e-9 * ranks * BenchScenes::bytes(edge, {precision}),
+                                     name_of(precision), ranks, 1e-9 * available));
       }
       groups.push_back({edge, ranks, {precision}});
     }
@@ -137,8 +138,9 @@ BenchReport measure_all(const BenchRequest& request, const Communicator& world) 
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group& group = groups[g];
     if (world.is_root()) {
-      tell(fmt::format("beadswim-bench: {} of {}: edge {}, {} rank{}; {:.0f} s so far\n", g + 1, groups.size(),
-                       group.edge, group.ranks, group.ranks == 1 ? "" : "s", MPI_Wtime() - start));
+      tell(fmt::format("beadswim-bench: {} of {}: edge {}, {} rank{}; {:.0f} s so far\n", g + 1,
+                       groups.size(), group.edge, group.ranks, group.ranks == 1 ? "" : "s",
+                       MPI_Wtime() - start));
     }
     on_first_ranks(group.ranks, world, [&](const Communicator& communicator) {
       measure(group, request.rounds, communicator, report);

@@ -13,8 +13,8 @@ struct BenchRequest {
   int rounds = 9;
 };
 
-/// Measures everything that was asked for, on one rank and on all. Tells its progress on stderr. The report is
-/// on rank 0. Throws InputError alike on all ranks if an edge needs more memory than there is.
+/// Measures everything that was asked for, on one rank and on all. Tells its progress on stderr. The report
+/// is on rank 0. Throws InputError alike on all ranks if an edge needs more memory than there is.
 BenchReport measure_all(const BenchRequest& request, const Communicator& world);
 
 }  // namespace beadswim

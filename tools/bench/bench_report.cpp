@@ -62,10 +62,11 @@ std::string bench_table(const BenchReport& report) {
     table += fmt::format("{} rank{}: in place {:.1f} GB/s, copy {:.1f} GB/s\n", row.ranks,
                          row.ranks == 1 ? "" : "s", row.in_place_gb_s, row.copy_gb_s);
   }
-  table += "\nedge ranks precision case                MLUPS    best  of yardstick  of bandwidth  over double\n";
+  table +=
+      "\nedge ranks precision case                MLUPS    best  of yardstick  of bandwidth  over double\n";
   for (const BenchRow& row : report.rows) {
-    table += fmt::format("{:4} {:5} {:9} {:17} {:7.1f} {:7.1f}  {:12.3f}  {:12.3f}  {:>11}{}\n", row.edge, row.ranks,
-                         name_of(row.precision), row.name, row.mlups, row.mlups_best,
+    table += fmt::format("{:4} {:5} {:9} {:17} {:7.1f} {:7.1f}  {:12.3f}  {:12.3f}  {:>11}{}\n", row.edge,
+                         row.ranks, name_of(row.precision), row.name, row.mlups, row.mlups_best,
                          row.fraction_of_yardstick, row.fraction_of_bandwidth,
                          row.over_double > 0 ? fmt::format("{:.2f}", row.over_double) : "-",
                          row.layout.empty() ? "" : "  " + row.layout);

@@ -8,11 +8,12 @@
 
 namespace beadswim {
 
-/// One line of the result: a case at one precision, edge and number of ranks. Rates are of all ranks together.
+/// One line of the result: a case at one precision, edge and number of ranks. Rates are of all ranks
+/// together.
 struct BenchRow {
   std::string name;
   Precision precision = Precision::fp64;
-  int edge = 0;   ///< of the cube of cells that each rank has
+  int edge = 0;  ///< of the cube of cells that each rank has
   int ranks = 1;
   double mlups = 0;  ///< median [10^6 cell updates/s]
   double mlups_best = 0;

@@ -21,11 +21,12 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
   auto program = make_program(
       "beadswim-bench",
       "Measures in one run what this machine's memory allows and what the solver makes of it: million cell "
-      "updates a second of the bare sweep, of steps in periodic and walled boxes, and of the paper's swarm, as "
-      "fractions of a yardstick that moves the same bytes without arithmetic. Under mpirun -n N on 1 and on N "
+      "updates a second of the bare sweep, of steps in periodic and walled boxes, and of the paper's swarm, "
+      "as "
+      "fractions of a yardstick that moves the same bytes without arithmetic. Under mpirun -n N on 1 and on "
+      "N "
       "ranks. On an otherwise idle machine.");
-  program
-      ->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
+  program->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
       ->delimiter(',')
       ->check(CLI::Range(32, 1024).description(""))
       ->default_str("64,128,256")
@@ -50,7 +51,8 @@ int run(int argc, char** argv, const Communicator& world) {
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
   options.request.precisions.clear();
   for (const Precision precision : {Precision::fp64, Precision::fp32}) {
-    if (std::ranges::count(options.precisions, name_of(precision)) > 0) options.request.precisions.push_back(precision);
+    if (std::ranges::count(options.precisions, name_of(precision)) > 0)
+      options.request.precisions.push_back(precision);
   }
   const BenchReport report = measure_all(options.request, world);
   if (world.is_root()) {
@@ -69,7 +71,8 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv, world);
   } catch (const InputError&) {  // known to all ranks: rank 0 speaks
-    return world.is_root() ? report_current_exception("beadswim-bench") : static_cast<int>(ExitStatus::bad_input);
+    return world.is_root() ? report_current_exception("beadswim-bench")
+                           : static_cast<int>(ExitStatus::bad_input);
   } catch (...) {
     const int status = report_current_exception("beadswim-bench");
     MPI_Abort(world.get(), status);

@@ -9,8 +9,8 @@
 
 namespace beadswim {
 
-/// Everything that is timed for cubes of one edge, `edge` cells a rank and axis, on the ranks of one communicator;
-/// holds the memory that the cases work on.
+/// Everything that is timed for cubes of one edge, `edge` cells a rank and axis, on the ranks of one
+/// communicator; holds the memory that the cases work on.
 class BenchScenes {
  public:
   BenchScenes(int edge, const std::vector<Precision>& precisions, const Communicator& communicator);
@@ -39,7 +39,9 @@ class Bandwidth {
  public:
   Bandwidth();
 
-  double bytes() const { return 2.0 * sizeof(double) * numbers; }  ///< that each of the two moves, on one rank
+  double bytes() const {
+    return 2.0 * sizeof(double) * numbers;
+  }  ///< that each of the two moves, on one rank
   void copy();
   void scale_in_place();
 

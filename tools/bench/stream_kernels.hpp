@@ -14,12 +14,12 @@ struct StreamRow {
   long cells;
 };
 
-#define BEADSWIM_DECLARE_STREAM_KERNELS(instruction_set)                  \
-  namespace instruction_set {                                             \
-  void stream_row_fp64(const StreamRow<double>& row);                     \
-  void stream_row_fp32(const StreamRow<float>& row);                      \
-  void copy(const double* from, double* to, long numbers);                \
-  void scale_in_place(double* numbers, long count, double factor);        \
+#define BEADSWIM_DECLARE_STREAM_KERNELS(instruction_set)           \
+  namespace instruction_set {                                      \
+  void stream_row_fp64(const StreamRow<double>& row);              \
+  void stream_row_fp32(const StreamRow<float>& row);               \
+  void copy(const double* from, double* to, long numbers);         \
+  void scale_in_place(double* numbers, long count, double factor); \
   }
 
 BEADSWIM_DECLARE_STREAM_KERNELS(baseline)

@@ -3,8 +3,10 @@
 namespace beadswim {
 namespace {
 
-#define BEADSWIM_STREAM_KERNELS(set) \
-  StreamKernels { set::stream_row_fp64, set::stream_row_fp32, set::copy, set::scale_in_place }
+#define BEADSWIM_STREAM_KERNELS(set)                                           \
+  StreamKernels {                                                              \
+    set::stream_row_fp64, set::stream_row_fp32, set::copy, set::scale_in_place \
+  }
 
 StreamKernels choose() {
 #if defined(__x86_64__)

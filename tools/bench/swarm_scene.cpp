@@ -32,15 +32,17 @@ CoupledScene swarm_scene(int edge, int ranks, Precision precision) {
                      .precision = precision,
                      .types = {swimmer(scale)},
                      .swimmers = {}};
-  const Index3 swimmers = (scene.cells.cast<double>() / (scale * Vec3(length, spacing, spacing).array()) + 1e-9)
-                              .floor()
-                              .cast<int>();
+  const Index3 swimmers =
+      (scene.cells.cast<double>() / (scale * Vec3(length, spacing, spacing).array()) + 1e-9)
+          .floor()
+          .cast<int>();
   const Vec3 apart = scene.cells.cast<double>() / swimmers.cast<double>();
   for (int z = 0; z < swimmers[2]; ++z) {
     for (int y = 0; y < swimmers[1]; ++y) {
       for (int x = 0; x < swimmers[0]; ++x) {
         const Vec3 middle = apart.array() * (Vec3(x, y, z).array() + 0.5);
-        scene.swimmers.push_back({.id = static_cast<int>(scene.swimmers.size()), .type = 0, .position = middle});
+        scene.swimmers.push_back(
+            {.id = static_cast<int>(scene.swimmers.size()), .type = 0, .position = middle});
       }
     }
   }

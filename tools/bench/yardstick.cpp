@@ -33,7 +33,8 @@ std::vector<StreamLayout> stream_layouts(int edge, Precision precision) {
 StreamYardstick::StreamYardstick(int edge, Precision precision)
     : edge_(edge), precision_(precision), layout_(stream_layouts(edge, precision).front()) {
   std::ptrdiff_t most = 0;
-  for (const StreamLayout& layout : stream_layouts(edge, precision)) most = std::max(most, layout.numbers(edge));
+  for (const StreamLayout& layout : stream_layouts(edge, precision))
+    most = std::max(most, layout.numbers(edge));
   memory_.reset(zeros_on_huge_pages(most * bytes_of_number(precision)));
 }
 

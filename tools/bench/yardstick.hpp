@@ -18,8 +18,8 @@ struct StreamLayout {
   std::ptrdiff_t numbers(int edge) const;  ///< that it takes
 };
 
-/// The layouts that are tried for a cube: the solver's own, plain arrays, arrays shifted within their pages, and
-/// arrays interleaved row by row.
+/// The layouts that are tried for a cube: the solver's own, plain arrays, arrays shifted within their pages,
+/// and arrays interleaved row by row.
 std::vector<StreamLayout> stream_layouts(int edge, Precision precision);
 
 /// What the memory allows a step in place: 19 loads and 19 stores a cell and no arithmetic.

@@ -70,13 +70,12 @@ double lightest_bead(const CoupledScene& scene) {
 void announce(const SceneOnLattice& on_lattice, const Communicator& communicator) {
   const Index3& cells = on_lattice.scene.cells;
   const LatticeChoice& lattice = on_lattice.lattice;
-  tell(
-      fmt::format("beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} "
-                  "swimmers, {} precision, {:.2g} GB on {} ranks\n",
-                  cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step,
-                  lattice.relaxation_time, lattice.steps_per_period, on_lattice.scene.swimmers.size(),
-                  name_of(on_lattice.scene.precision), 1e-9 * lattice_bytes(on_lattice.scene),
-                  communicator.size()));
+  tell(fmt::format(
+      "beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} "
+      "swimmers, {} precision, {:.2g} GB on {} ranks\n",
+      cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
+      lattice.steps_per_period, on_lattice.scene.swimmers.size(), name_of(on_lattice.scene.precision),
+      1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
 }
 
 /// What may go wrong, known before it starts.
@@ -94,10 +93,11 @@ void warn(const SceneOnLattice& on_lattice, long steps) {
   if (on_lattice.scene.precision == Precision::fp64) return;
   const double error = single_precision_error(on_lattice.scene, steps);
   if (error <= tolerated_precision_error) return;
-  tell(fmt::format("beadswim-run: warning: in single precision the velocity may be wrong by {}: a swimmer is "
-                   "slow beside its beads, or the run long; take --precision double\n",
-                   std::isfinite(error) ? fmt::format("{:.2g} of itself", error)
-                                        : "more than itself, as to second order it is zero"));
+  tell(
+      fmt::format("beadswim-run: warning: in single precision the velocity may be wrong by {}: a swimmer is "
+                  "slow beside its beads, or the run long; take --precision double\n",
+                  std::isfinite(error) ? fmt::format("{:.2g} of itself", error)
+                                       : "more than itself, as to second order it is zero"));
 }
 
 constexpr const char* program_name = "beadswim-run";

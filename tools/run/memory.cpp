@@ -25,7 +25,8 @@ int ranks_on_this_node(const Communicator& communicator) {
 }  // namespace
 
 double lattice_bytes(const CoupledScene& scene) {
-  constexpr double padding = 1.04;  // halo, and rows of whole cache lines; a byte says which cells are covered
+  constexpr double padding =
+      1.04;  // halo, and rows of whole cache lines; a byte says which cells are covered
   const double number = static_cast<double>(bytes_of_number(scene.precision));
   return padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
 }
@@ -35,11 +36,11 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   double lack = needed - installed_bytes();
   MPI_Allreduce(MPI_IN_PLACE, &lack, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
   if (lack <= 0) return;
-  throw InputError(
-      "box", fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
-                         "{}a smaller --box in the layout, fewer --cells-per-radius, or more machines",
-                         scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
-                         scene.precision == Precision::fp64 ? "--precision single, " : ""));
+  throw InputError("box",
+                   fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
+                               "{}a smaller --box in the layout, fewer --cells-per-radius, or more machines",
+                               scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
+                               scene.precision == Precision::fp64 ? "--precision single, " : ""));
 }
 
 }  // namespace beadswim

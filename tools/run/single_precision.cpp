@@ -12,8 +12,8 @@
 namespace beadswim {
 namespace {
 
-// Measured against double precision: errors of the velocity over the fastest bead's speed stayed below this, in
-// one cycle, and drift of the fluid's mean velocity below this a step.
+// Measured against double precision: errors of the velocity over the fastest bead's speed stayed below this,
+// in one cycle, and drift of the fluid's mean velocity below this a step.
 constexpr double error_over_bead_speed = 1e-8;
 constexpr double drift_over_bead_speed = 1e-13;
 

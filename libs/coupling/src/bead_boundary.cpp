@@ -73,8 +73,8 @@ double density_around(const ChangedCell& cell, const BeadLinks& links, const Bea
   links.for_each_link_of(cell.image, cell.local[0], cell.local[1], cell.local[2], [&](const BeadLink& link) {
     const auto& in = d3q19::velocity[d3q19::opposite(link.out)];
     const double c[3] = {double(in[0]), double(in[1]), double(in[2])}, weight = d3q19::weight(link.out);
-    sum += weighted_density_deviation(weight, link.outgoing,
-                                      speed_along(c, b.velocity, b.angular_velocity, r));
+    sum +=
+        weighted_density_deviation(weight, link.outgoing, speed_along(c, b.velocity, b.angular_velocity, r));
     weights += weight;
   });
   return weights > 0 ? sum / weights : 0;
@@ -90,9 +90,8 @@ void BeadBoundary::bounce_back_before_row(Populations& populations, int y, int z
     while (!rest.empty()) {
       const std::size_t now = std::min<std::size_t>(rest.size(), LinkBatch::most);
       const CoveredImage& covered = coverage.images().images[segments[s].image];
-      in_precision(populations.precision(), [&]<class Real>() {
-        bounce_back<Real>(rest.first(now), covered, *this, populations);
-      });
+      in_precision(populations.precision(),
+                   [&]<class Real>() { bounce_back<Real>(rest.first(now), covered, *this, populations); });
       rest = rest.subspan(now);
     }
   }

@@ -11,8 +11,8 @@ namespace {
 /// Rows at which a link that belongs to row (y, z) may have its other end: (y + dy, z + dz).
 constexpr std::array<std::array<int, 2>, 5> facing_rows{{{0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-/// Row of the block, counted as the sweep goes, before which the links of row (y, z) of it or its halo must be
-/// done.
+/// Row of the block, counted as the sweep goes, before which the links of row (y, z) of it or its halo must
+/// be done.
 int row_in_order(const Index3& block, int y, int z) {
   if (z < 0) return 0;
   return std::clamp(y, 0, block[1] - 1) + block[1] * std::min(z, block[2] - 1);

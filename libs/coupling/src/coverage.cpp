@@ -62,12 +62,12 @@ void Coverage::update(std::span<const BeadOnLattice> beads) {
 }
 
 void Coverage::cover(std::span<const BeadOnLattice> beads, int bead, const BeadImage& image) {
-  const CoveredImage& covered = now_.images.emplace_back(
-      CoveredImage{.image = image,
-                   .index = static_cast<int>(now_.images.size()),
-                   .bead = bead,
-                   .centre = beads[bead].motion.position,
-                   .first_run = static_cast<int>(now_.runs.size())});
+  const CoveredImage& covered =
+      now_.images.emplace_back(CoveredImage{.image = image,
+                                            .index = static_cast<int>(now_.images.size()),
+                                            .bead = bead,
+                                            .centre = beads[bead].motion.position,
+                                            .first_run = static_cast<int>(now_.runs.size())});
   for (int z = image.low[2]; z < image.high[2]; ++z) {
     for (int y = image.low[1]; y < image.high[1]; ++y) {
       const CoveredRun& run = now_.runs.emplace_back(covered_run(covered, beads[bead].radius, y, z));

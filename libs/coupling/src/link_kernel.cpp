@@ -1,5 +1,5 @@
-// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace. No function outside
-// that namespace may be emitted from here.
+// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace. No function
+// outside that namespace may be emitted from here.
 #include "link_kernel.hpp"
 
 #include "beadswim/core/order_free_cut.hpp"

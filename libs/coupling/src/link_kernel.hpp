@@ -2,8 +2,8 @@
 
 #include "beadswim/coupling/link_sums.hpp"
 
-// The arithmetic of many links of one bead side by side. link_kernel.cpp is compiled once for each instruction
-// set; link_kernels() chooses at run time.
+// The arithmetic of many links of one bead side by side. link_kernel.cpp is compiled once for each
+// instruction set; link_kernels() chooses at run time.
 
 namespace beadswim {
 
@@ -38,10 +38,10 @@ struct LinkKernels {
   }
 };
 
-#define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)                           \
-  namespace instruction_set {                                                    \
-  bool reflect_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums);     \
-  bool reflect_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums);     \
+#define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)                       \
+  namespace instruction_set {                                                \
+  bool reflect_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums); \
+  bool reflect_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums); \
   }
 
 BEADSWIM_DECLARE_LINK_KERNELS(baseline)

@@ -16,7 +16,9 @@ class FlushSubnormals {
     constexpr unsigned flush_to_zero = 0x8000, subnormals_are_zero = 0x0040;
     _mm_setcsr(before_ | flush_to_zero | subnormals_are_zero);
   }
-  ~FlushSubnormals() { _mm_setcsr(before_); }
+  ~FlushSubnormals() {
+    _mm_setcsr(before_);
+  }
 #else
   FlushSubnormals() {}
   ~FlushSubnormals() {}

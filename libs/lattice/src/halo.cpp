@@ -103,7 +103,8 @@ void fill_free_slip(Populations& populations, int axis, int side) {
   const FaceDirections entering = directions_along(axis, entering_sign(side));
   FaceDirections images;
   for (int k = 0; k < entering_directions; ++k) images[k] = d3q19::mirrored(entering[k], axis);
-  copy_into_halo<Real>(populations, axis, side, entering, images, entering_sign(side) * populations.pitch(axis));
+  copy_into_halo<Real>(populations, axis, side, entering, images,
+                       entering_sign(side) * populations.pitch(axis));
 }
 
 /// Bounce-back: what enters an own cell along i left the same cell along the opposite direction. Local, and

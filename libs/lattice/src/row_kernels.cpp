@@ -1,6 +1,6 @@
-// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace (CMakeLists.txt).
-// No function outside that namespace may be emitted from here: the linker could give an AVX-512 copy of it to
-// everybody.
+// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace
+// (CMakeLists.txt). No function outside that namespace may be emitted from here: the linker could give an
+// AVX-512 copy of it to everybody.
 #include "row_kernels.hpp"
 
 #include "beadswim/core/order_free_cut.hpp"
@@ -11,7 +11,8 @@ namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
 /// Cells [first, end) of a row.
 template <class Real>
-BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<Real>& rates, long first, long end) {
+BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<Real>& rates, long first,
+                                 long end) {
 #pragma GCC ivdep
   for (long x = first; x < end; ++x) {
     Real f[d3q19::directions];

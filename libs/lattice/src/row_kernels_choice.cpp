@@ -3,8 +3,10 @@
 namespace beadswim {
 namespace {
 
-#define BEADSWIM_ROW_KERNELS(set, name) \
-  RowKernels { set::sweep_row, set::sweep_row, set::totals_row, set::totals_row, name }
+#define BEADSWIM_ROW_KERNELS(set, name)                                    \
+  RowKernels {                                                             \
+    set::sweep_row, set::sweep_row, set::totals_row, set::totals_row, name \
+  }
 
 RowKernels choose() {
 #if defined(__x86_64__)

@@ -19,7 +19,8 @@ void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
     if (sign == 0) continue;
     const std::ptrdiff_t halo = sign > 0 ? first - 1 : last + 1;
     if (row_ends == RowEnds::wrapped) row.to[i][halo] = row.to[i][sign > 0 ? last : first];
-    if (row_ends == RowEnds::mirrored) row.to[i][halo] = row.to[d3q19::mirrored(i, 0)][sign > 0 ? first : last];
+    if (row_ends == RowEnds::mirrored)
+      row.to[i][halo] = row.to[d3q19::mirrored(i, 0)][sign > 0 ? first : last];
   }
 }
 

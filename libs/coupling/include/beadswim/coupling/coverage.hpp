@@ -10,7 +10,8 @@
 
 namespace beadswim {
 
-/// The cells [low, high) of a row, in local coordinates, that one image of a bead covers; none if low == high.
+/// The cells [low, high) of a row, in local coordinates, that one image of a bead covers; none if low ==
+/// high.
 struct CoveredRun {
   int low = 0, high = 0;
 
@@ -25,8 +26,8 @@ struct CoveredImage {
   Vec3 centre;    ///< of the bead, unwrapped
   int first_run;  ///< of the row (image.low[1], image.low[2]); y fastest
 
-  /// Centre of a cell relative to that of the bead. From whole numbers in the bead's own coordinates: the same
-  /// bits whichever block asks.
+  /// Centre of a cell relative to that of the bead. From whole numbers in the bead's own coordinates: the
+  /// same bits whichever block asks.
   Vec3 from_centre(int x, int y, int z) const {
     return {x + image.shift[0] + 0.5 - centre[0], y + image.shift[1] + 0.5 - centre[1],
             z + image.shift[2] + 0.5 - centre[2]};
@@ -66,8 +67,8 @@ struct ChangedCell {
   Vec3 from_centre;  ///< at that update
 };
 
-/// The staircase: which cells of a block, and of its halo, are covered by which bead. A cell is covered if its
-/// centre lies inside the bead.
+/// The staircase: which cells of a block, and of its halo, are covered by which bead. A cell is covered if
+/// its centre lies inside the bead.
 class Coverage {
  public:
   Coverage(const BlockInLattice& at, const Populations& populations);

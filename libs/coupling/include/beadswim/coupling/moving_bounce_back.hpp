@@ -10,8 +10,8 @@
 // u_w: velocity of the bead half-way along the link. f: deviations from w_i; the pressure of the resting
 // fluid is thereby left out, which on a closed surface sums to nothing. Lattice units, mean density 1.
 //
-// With r from the bead's centre to the covered cell at the link's end, u_w = v + omega x (r - c_i/2), of which
-// c_i/2 gives nothing along c_i, nor to the angular impulse r x (c_i p).
+// With r from the bead's centre to the covered cell at the link's end, u_w = v + omega x (r - c_i/2), of
+// which c_i/2 gives nothing along c_i, nor to the angular impulse r x (c_i p).
 //
 // Ladd, J. Fluid Mech. 271 (1994) 285, eqs (3.2)-(3.3); Aidun, Lu & Ding, J. Fluid Mech. 373 (1998) 287.
 

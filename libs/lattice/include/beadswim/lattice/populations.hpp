@@ -11,7 +11,8 @@
 
 namespace beadswim {
 
-/// What a sweep does for the halo cells before and after each row, as long as the row is at hand in the cache.
+/// What a sweep does for the halo cells before and after each row, as long as the row is at hand in the
+/// cache.
 enum class RowEnds {
   left_to_halo,
   wrapped,   ///< x is periodic and not cut: what leaves at one end enters at the other
@@ -121,9 +122,8 @@ class Populations {
                         [&]<class Real>() { return static_cast<double>(numbers<Real>()[place]); });
   }
   double store(std::ptrdiff_t place, double f) {
-    return in_precision(precision_, [&]<class Real>() -> double {
-      return numbers<Real>()[place] = static_cast<Real>(f);
-    });
+    return in_precision(
+        precision_, [&]<class Real>() -> double { return numbers<Real>()[place] = static_cast<Real>(f); });
   }
 
   Precision precision_;
