@@ -31,7 +31,8 @@ has_status 0
 out_has 'coupled-swarm'
 check "one precision alone" test "$(grep -c double out)" = 1  # in the head of the table
 
-refuses 'edge: Value 16 not in range 32 to 1024' beadswim-bench --edge 16
+refuses 'edge: Value 16 not in range 32 to 4096' beadswim-bench --edge 16
 refuses 'precision: half' beadswim-bench --precision half
 refuses 'did you mean --edge' beadswim-bench --egde 64
-refuses 'GB that are free; take a smaller edge' beadswim-bench --edge 1024
+refuses 'GB that are free; take a smaller edge' beadswim-bench --edge 4096
+finish

@@ -10,49 +10,74 @@
 namespace beadswim::test {
 namespace {
 
-constexpr std::array<bool, 3> periodic{true, true, true};
 const Index3 lattice(22, 15, 13);
+
+/// A block of the lattice, and which axes are periodic.
+struct Shape {
+  Block block;
+  std::array<bool, 3> periodic;
+};
+const std::array shapes{Shape{{.offset = {0, 4, 3}, .size = {22, 7, 6}}, {true, true, true}},
+                        Shape{{.offset = {7, 0, 3}, .size = {8, 15, 6}}, {true, true, true}},
+                        Shape{{.offset = {0, 5, 0}, .size = {22, 1, 13}}, {true, true, true}},
+                        Shape{{.offset = {0, 0, 9}, .size = {22, 15, 1}}, {true, true, true}},
+                        Shape{{.offset = {21, 0, 0}, .size = {1, 15, 13}}, {true, true, true}},
+                        Shape{{.offset = {0, 8, 6}, .size = {22, 7, 7}}, {true, false, false}}};
 
 /// Covered cell, direction, and whether the fluid cell is the block's own.
 using Link = std::tuple<int, int, int, int, bool>;
 
-std::vector<BeadOnLattice> random_beads(unsigned seed) {
+/// Two beads, in every third scene almost in contact; off the walls, if there are any.
+std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<bool, 3>& periodic) {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(-5, 25), radius(1.1, 3.4);
+  std::uniform_real_distribution<double> part(0, 1), radius(1.1, 3.4);
   std::vector<BeadOnLattice> beads;
   for (int b = 0; b < 2; ++b) {
     BeadOnLattice bead;
     bead.name = {0, b};
     bead.radius = radius(random);
-    bead.motion.position = Vec3(place(random), place(random), place(random));
+    for (int a = 0; a < 3; ++a) {
+      const double low = periodic[a] ? -5 : bead.radius + 0.6;
+      const double high = periodic[a] ? 25 : lattice[a] - bead.radius - 0.6;
+      bead.motion.position[a] = low + (high - low) * part(random);
+    }
     beads.push_back(bead);
+  }
+  if (seed % 3 == 0 && periodic[1]) {
+    const Vec3 apart = (Vec3(part(random), part(random), part(random)) - Vec3::Constant(0.5)).normalized();
+    beads[1].motion.position = beads[0].motion.position + (beads[0].radius + beads[1].radius + 0.8) * apart;
   }
   return beads;
 }
 
-/// Bead that covers the cell (its global coordinates), by the distance to all images; -1: none.
-int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell) {
+/// Bead that covers the cell (its global coordinates), by the distance to the nearest image; -1: none.
+int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell,
+                  const std::array<bool, 3>& periodic) {
   for (int b = 0; b < std::ssize(beads); ++b) {
     Vec3 apart = cell.cast<double>() + 0.5 - beads[b].motion.position.array();
-    for (int a = 0; a < 3; ++a) apart[a] -= lattice[a] * std::round(apart[a] / lattice[a]);
+    for (int a = 0; a < 3; ++a) {
+      if (periodic[a]) apart[a] -= lattice[a] * std::round(apart[a] / lattice[a]);
+    }
     if (apart.norm() < beads[b].radius) return b;
   }
   return -1;
 }
 
-std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Block& block) {
+std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Shape& shape) {
+  const Block& block = shape.block;
   const auto is_own = [&](const Index3& p) { return (p >= 0).all() && (p < block.size).all(); };
   std::set<Link> links;
   for (int z = -1; z <= block.size[2]; ++z) {
     for (int y = -1; y <= block.size[1]; ++y) {
       for (int x = -1; x <= block.size[0]; ++x) {
         const Index3 p(x, y, z);
-        if (covering_bead(beads, p + block.offset) < 0) continue;
+        if (covering_bead(beads, p + block.offset, shape.periodic) < 0) continue;
         for (int out = 1; out < d3q19::directions; ++out) {
           const auto& c = d3q19::velocity[out];
           const Index3 q = p + Index3(c[0], c[1], c[2]);
           if (!is_own(p) && !is_own(q)) continue;
-          if (covering_bead(beads, q + block.offset) < 0) links.insert({x, y, z, out, is_own(q)});
+          if (covering_bead(beads, q + block.offset, shape.periodic) < 0)
+            links.insert({x, y, z, out, is_own(q)});
         }
       }
     }
@@ -60,15 +85,17 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Bl
   return links;
 }
 
-class BeadLinksOf : public testing::TestWithParam<unsigned> {
+class BeadLinksOf : public testing::TestWithParam<std::tuple<unsigned, int>> {
  protected:
   BeadLinksOf()
-      : beads(random_beads(GetParam())),
-        at{.block = {.offset = {0, 4, 3}, .size = {22, 7, 6}}, .cells = lattice, .periodic = periodic},
+      : seed(std::get<0>(GetParam())),
+        shape(shapes[std::get<1>(GetParam())]),
+        beads(random_beads(seed, shape.periodic)),
+        at{.block = shape.block, .cells = lattice, .periodic = shape.periodic},
         populations(at.block.size),
         coverage(at, populations) {
     // Beads that overlap are of no interest here.
-    for (unsigned seed = GetParam() + 1000; !covers(); ++seed) beads = random_beads(seed);
+    for (unsigned other = seed + 999; !covers(); other += 3) beads = random_beads(other, shape.periodic);
     links.find(coverage);
   }
 
@@ -82,6 +109,8 @@ class BeadLinksOf : public testing::TestWithParam<unsigned> {
     return true;
   }
 
+  unsigned seed;
+  Shape shape;
   std::vector<BeadOnLattice> beads;
   BlockInLattice at;
   Populations populations;
@@ -89,7 +118,8 @@ class BeadLinksOf : public testing::TestWithParam<unsigned> {
   BeadLinks links;
 };
 
-INSTANTIATE_TEST_SUITE_P(Seeds, BeadLinksOf, testing::Range(1u, 60u));
+INSTANTIATE_TEST_SUITE_P(SeedsAndShapes, BeadLinksOf,
+                         testing::Combine(testing::Range(1u, 31u), testing::Range(0, 6)));
 
 // Catches a row, an image or a seam whose links are missed, found twice, or given to the wrong owner.
 TEST_P(BeadLinksOf, AreAllLinksBetweenCoveredAndFluidCells) {
@@ -99,7 +129,7 @@ TEST_P(BeadLinksOf, AreAllLinksBetweenCoveredAndFluidCells) {
       found.insert({link.x, link.y, link.z, link.out, link.fluid_is_own});
     }
   }
-  const std::set<Link> expected = links_by_search(beads, at.block);
+  const std::set<Link> expected = links_by_search(beads, shape);
   EXPECT_EQ(found, std::multiset<Link>(expected.begin(), expected.end()));
 }
 

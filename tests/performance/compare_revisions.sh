@@ -6,27 +6,34 @@
 # each round, so that a drift of the machine meets both. Exit status 1 if a scene has become slower by more than
 # E (default 0.05). Not part of the tests: a benchmark needs a machine of its own, and takes minutes.
 set -euo pipefail
-cd "$(dirname "$0")/../.."
+self=$(realpath "$0")
+cd "$(dirname "$self")/../.."
 
-usage() { sed -n '2,8s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '2,9s/^# \{0,1\}//p' "$self"; }
+fail() { echo "compare_revisions.sh: $2" >&2; exit "$1"; }
 rounds=7 tolerance=0.05 ranks=1 revision=
 while [ $# -gt 0 ]; do
   case "$1" in
     --help) usage; exit 0 ;;
     --rounds | --tolerance | --ranks)
-      [ $# -ge 2 ] || { echo "compare_revisions.sh: $1 needs a value" >&2; exit 2; }
+      [ $# -ge 2 ] || fail 2 "$1 needs a value"
       declare "${1#--}=$2"; shift 2 ;;
-    -*) echo "compare_revisions.sh: unknown flag $1; --rounds, --tolerance, --ranks and --help are known" >&2; exit 2 ;;
+    -*) fail 2 "unknown flag $1; --rounds, --tolerance, --ranks and --help are known" ;;
     *) revision=$1; shift ;;
   esac
 done
+for count in "$rounds" "$ranks"; do
+  [[ $count =~ ^[1-9][0-9]*$ ]] || fail 2 "\"$count\" is no count; --rounds and --ranks take whole numbers from 1"
+done
+[[ $tolerance =~ ^0?\.[0-9]+$ ]] || fail 2 "--tolerance $tolerance: a number between 0 and 1 is needed, such as 0.05"
 [ -n "$revision" ] || { usage >&2; exit 2; }
 commit=$(git rev-parse --verify --quiet "$revision^{commit}") ||
-  { echo "compare_revisions.sh: \"$revision\" is no revision of this repository" >&2; exit 2; }
+  fail 2 "\"$revision\" is no revision of this repository"
 
 # What mpirun needs as root in a container.
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
+export OMPI_MCA_rmaps_base_oversubscribe=1
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
@@ -56,11 +63,16 @@ declare -A cycles=([small-periodic]=0.2 [dense-periodic]=0.2 [large-periodic]=0.
 
 mlups() { # PROGRAMS SCENE
   mpirun -n "$ranks" "$1/beadswim-run" "$2.json" -o "$2.h5md" --cycles "${cycles[$2]}" --frames-per-cycle 4 \
-    --progress none | jq .cost.mlups
+    --progress none | jq -e '.cost.mlups | select(. > 0)'
 }
-for round in $(seq "$rounds"); do
+for ((round = 1; round <= rounds; ++round)); do
   for name in small-periodic dense-periodic large-periodic large-walled; do
-    echo "$name $(mlups "$this" "$name") $(mlups "$other" "$name")"
+    if ((round % 2 == 1)); then  # neither is always the first
+      a=$(mlups "$this" "$name") && b=$(mlups "$other" "$name") || fail 3 "$name cannot be run"
+    else
+      b=$(mlups "$other" "$name") && a=$(mlups "$this" "$name") || fail 3 "$name cannot be run"
+    fi
+    echo "$name $a $b"
   done
   echo "round $round of $rounds" >&2
 done >speeds

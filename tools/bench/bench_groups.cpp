@@ -34,14 +34,25 @@ double available_bytes() {
   return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-/// Precisions in one group where memory allows, else one after the other.
-std::vector<Group> groups_of(const BenchRequest& request, int ranks) {
+/// The part of it that each rank may take, the same number on all ranks.
+double bytes_for_a_rank(const Communicator& world) {
+  MPI_Comm node = MPI_COMM_NULL;
+  int ranks_here = 1;
+  MPI_Comm_split_type(world.get(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+  MPI_Comm_size(node, &ranks_here);
+  MPI_Comm_free(&node);
   constexpr double share = 0.85;
-  const double available = share * available_bytes();
+  double bytes = share * available_bytes() / ranks_here;
+  MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_MIN, world.get());
+  return bytes;
+}
+
+/// Precisions in one group where memory allows, else one after the other. `available`: for each rank.
+std::vector<Group> groups_of(const BenchRequest& request, int ranks, double available) {
   std::vector<Group> groups;
   for (const int edge : request.edges) {
     const auto fits = [&](const std::vector<Precision>& precisions) {
-      return ranks * BenchScenes::bytes(edge, precisions) < available;
+      return BenchScenes::bytes(edge, precisions) < available;
     };
     if (fits(request.precisions)) {
       groups.push_back({edge, ranks, request.precisions});
@@ -49,11 +60,12 @@ std::vector<Group> groups_of(const BenchRequest& request, int ranks) {
     }
     for (const Precision precision : request.precisions) {
       if (!fits({precision})) {
-        throw InputError("--edge",
-                         fmt::format("{} needs {:.1f} GB in {} precision on {} ranks, more than the {:.1f} "
-                                     "GB that are free; take a smaller edge",
-                                     edge, 1e-9 * ranks * BenchScenes::bytes(edge, {precision}),
-                                     name_of(precision), ranks, 1e-9 * available));
+        throw InputError(
+            "--edge",
+            fmt::format("{} needs {:.1f} GB a rank in {} precision, more than the {:.1f} GB that are "
+                        "free; take a smaller edge",
+                        edge, 1e-9 * BenchScenes::bytes(edge, {precision}), name_of(precision),
+                        1e-9 * available));
       }
       groups.push_back({edge, ranks, {precision}});
     }
@@ -131,8 +143,11 @@ void measure(const Group& group, int rounds, const Communicator& communicator, B
 }  // namespace
 
 BenchReport measure_all(const BenchRequest& request, const Communicator& world) {
-  std::vector<Group> groups = groups_of(request, 1);
-  if (world.size() > 1) std::ranges::copy(groups_of(request, world.size()), std::back_inserter(groups));
+  const double available = bytes_for_a_rank(world);
+  std::vector<Group> groups = groups_of(request, 1, available * world.size());
+  if (world.size() > 1) {
+    std::ranges::copy(groups_of(request, world.size(), available), std::back_inserter(groups));
+  }
   BenchReport report{.rounds = request.rounds, .rows = {}, .bandwidths = {}};
   const double start = MPI_Wtime();
   for (std::size_t g = 0; g < groups.size(); ++g) {

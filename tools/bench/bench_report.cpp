@@ -14,7 +14,8 @@ namespace {
 std::string processor_name() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    const std::size_t name = line.find(": ");
+    if (line.starts_with("model name") && name != std::string::npos) return line.substr(name + 2);
   }
   return "unknown";
 }

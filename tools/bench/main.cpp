@@ -28,7 +28,7 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       "ranks. On an otherwise idle machine.");
   program->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
       ->delimiter(',')
-      ->check(CLI::Range(32, 1024).description(""))
+      ->check(CLI::Range(32, 4096).description(""))
       ->default_str("64,128,256")
       ->type_name("N,...");
   program->add_option("--precision", options.precisions, "double, single or both.")

@@ -48,7 +48,7 @@ struct BenchScenes::Scene {
         periodic_halo(communicator, decomposition, periodic),
         walled_halo(communicator, decomposition, walls),
         swarm(swarm_scene(edge, communicator.size(), precision), communicator) {
-    yardstick.choose_layout(3);
+    yardstick.choose_layout(3, communicator);
     set_uniform_flow(populations);
   }
 
@@ -86,10 +86,12 @@ std::string BenchScenes::layout_name(Precision precision) const {
 }
 
 double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
-  constexpr double padding = 1.15, copies = 3;  // yardstick, fluid, swarm
-  double bytes = 0;
+  constexpr double copies = 3, streams = 2;  // yardstick, fluid, swarm; arrays for bandwidth
+  double bytes = streams * sizeof(double) * Bandwidth::numbers;
   for (const Precision precision : precisions) {
-    bytes += padding * (copies * bytes_per_update(precision) / 2 + sizeof(int)) * edge * edge * edge;
+    const double number = static_cast<double>(bytes_of_number(precision));
+    const double row = edge + 2 + 64 / number;  // with its padding
+    bytes += (copies * d3q19::directions * number + 1) * row * (edge + 2) * (edge + 2);
   }
   return bytes;
 }

@@ -45,8 +45,9 @@ class Bandwidth {
   void copy();
   void scale_in_place();
 
+  static constexpr long numbers = 1L << 25;  ///< of each of the two arrays
+
  private:
-  static constexpr long numbers = 1L << 25;
   struct Free {
     void operator()(double* p) const { std::free(p); }
   };

@@ -37,6 +37,7 @@ class Collector : public benchmark::BenchmarkReporter {
   bool ReportContext(const Context&) override { return true; }
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration) continue;
       seconds_[run.counters.at("case")].push_back(run.real_accumulated_time / run.counters.at("steps"));
     }
   }
@@ -59,11 +60,11 @@ std::vector<std::vector<double>> time_in_rounds(const std::vector<BenchCase>& ca
       state.counters["case"] = static_cast<double>(c);
       state.counters["steps"] = steps;
     };
-    benchmark::RegisterBenchmark(cases[c].name.c_str(), body)->UseManualTime()->Iterations(1);
+    benchmark::RegisterBenchmark(cases[c].name.c_str(), body)->UseManualTime()->Iterations(1)->Repetitions(1);
   }
   std::vector<std::vector<double>> seconds(cases.size());
   Collector collector(seconds);
-  for (int round = 0; round < rounds; ++round) benchmark::RunSpecifiedBenchmarks(&collector);
+  for (int round = 0; round < rounds; ++round) benchmark::RunSpecifiedBenchmarks(&collector, "all");
   return seconds;
 }
 

@@ -1,8 +1,7 @@
 #include "yardstick.hpp"
 
-#include <mpi.h>
-
 #include <algorithm>
+#include <limits>
 
 #include "beadswim/core/huge_pages.hpp"
 #include "stream_kernels.hpp"
@@ -38,18 +37,20 @@ StreamYardstick::StreamYardstick(int edge, Precision precision)
   memory_.reset(zeros_on_huge_pages(most * bytes_of_number(precision)));
 }
 
-void StreamYardstick::choose_layout(int rounds) {
+void StreamYardstick::choose_layout(int rounds, const Communicator& communicator) {
   StreamLayout best = layout_;
-  double shortest = 0;
+  double shortest = std::numeric_limits<double>::infinity();
   for (const StreamLayout& layout : stream_layouts(edge_, precision_)) {
     use(layout);
     sweep();
     for (int round = 0; round < rounds; ++round) {
+      MPI_Barrier(communicator.get());
       const double start = MPI_Wtime();
       sweep();
       sweep();
-      const double seconds = MPI_Wtime() - start;
-      if (shortest == 0 || seconds < shortest) {
+      double seconds = MPI_Wtime() - start;  // of the slowest rank
+      MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
+      if (seconds < shortest) {
         shortest = seconds;
         best = layout;
       }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/communicator.hpp"
 #include "beadswim/lattice/precision.hpp"
 
 namespace beadswim {
@@ -27,8 +28,9 @@ class StreamYardstick {
  public:
   StreamYardstick(int edge, Precision precision);
 
-  /// The layout in which sweep() is fastest on this machine; measured once, `rounds` times each.
-  void choose_layout(int rounds);
+  /// Takes the layout in which sweep() is fastest on this machine, measured `rounds` times each, the same on
+  /// all ranks. Collective.
+  void choose_layout(int rounds, const Communicator& communicator);
   void use(const StreamLayout& layout) { layout_ = layout; }
   const StreamLayout& layout() const { return layout_; }
 

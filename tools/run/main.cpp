@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
@@ -79,7 +80,8 @@ void announce(const SceneOnLattice& on_lattice, const Communicator& communicator
 }
 
 /// What may go wrong, known before it starts.
-void warn(const SceneOnLattice& on_lattice, long steps) {
+/// precision_error: single_precision_error(), if populations are in single precision.
+void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_error) {
   if (on_lattice.cells_per_radius < 2) {
     tell(fmt::format("beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
                      on_lattice.cells_per_radius));
@@ -90,14 +92,12 @@ void warn(const SceneOnLattice& on_lattice, long steps) {
         "below about one half it becomes unstable\n",
         lightest_bead(on_lattice.scene)));
   }
-  if (on_lattice.scene.precision == Precision::fp64) return;
-  const double error = single_precision_error(on_lattice.scene, steps);
-  if (error <= tolerated_precision_error) return;
+  if (!precision_error || *precision_error <= tolerated_precision_error) return;
   tell(
       fmt::format("beadswim-run: warning: in single precision the velocity may be wrong by {}: a swimmer is "
                   "slow beside its beads, or the run long; take --precision double\n",
-                  std::isfinite(error) ? fmt::format("{:.2g} of itself", error)
-                                       : "more than itself, as to second order it is zero"));
+                  std::isfinite(*precision_error) ? fmt::format("{:.2g} of itself", *precision_error)
+                                                  : "more than itself, as to second order it is zero"));
 }
 
 constexpr const char* program_name = "beadswim-run";
@@ -128,9 +128,13 @@ int run(int argc, char** argv, const Communicator& communicator) {
   Progress progress(options.progress, total_steps(on_lattice, options),
                     static_cast<double>(on_lattice.lattice.steps_per_period),
                     on_lattice.scene.cells.cast<double>().prod());
+  std::optional<double> precision_error;  // on all ranks, which fail alike if it does
+  if (on_lattice.scene.precision == Precision::fp32) {
+    precision_error = single_precision_error(on_lattice.scene, total_steps(on_lattice, options));
+  }
   if (communicator.is_root()) {
     if (options.progress != ProgressStyle::none) announce(on_lattice, communicator);
-    warn(on_lattice, total_steps(on_lattice, options));
+    warn(on_lattice, precision_error);
   }
 
   CoupledSystem system(on_lattice.scene, communicator);

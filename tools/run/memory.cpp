@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <numbers>
+
 #include "beadswim/core/error.hpp"
+#include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
 namespace beadswim {
@@ -25,10 +28,18 @@ int ranks_on_this_node(const Communicator& communicator) {
 }  // namespace
 
 double lattice_bytes(const CoupledScene& scene) {
-  constexpr double padding =
-      1.04;  // halo, and rows of whole cache lines; a byte says which cells are covered
+  constexpr double padding = 1.04;  // halo, and rows of whole cache lines
   const double number = static_cast<double>(bytes_of_number(scene.precision));
-  return padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
+  const double cells = padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
+  constexpr double links_of_area = 5.74;  // sum of |c_i.n| over half the directions, mean over n
+  constexpr double growth = 2;            // of lists
+  double links = 0;
+  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
+    for (const Bead& bead : scene.types[swimmer.type].beads) {
+      links += links_of_area * 4 * std::numbers::pi * bead.radius * bead.radius;
+    }
+  }
+  return cells + growth * sizeof(BeadLink) * links;
 }
 
 void require_memory(const CoupledScene& scene, const Communicator& communicator) {

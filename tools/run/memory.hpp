@@ -5,7 +5,7 @@
 
 namespace beadswim {
 
-/// Bytes that the whole lattice takes: populations, and which bead covers a cell.
+/// Bytes that the whole lattice takes: populations, which cells are covered, and links at beads.
 double lattice_bytes(const CoupledScene& scene);
 
 /// Throws InputError on all ranks if a node's ranks need more memory than the node has. Collective.

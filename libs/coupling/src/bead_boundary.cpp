@@ -57,6 +57,7 @@ void bounce_back(std::span<BeadLink> links, const CoveredImage& covered, const B
     incoming[batch.links] = populations.incoming_row<Real>(link.out, fluid_cell);
     put(batch, link, covered.from_centre(link.x, link.y, link.z));
   }
+  if (batch.links == 0) return;
   fill_lanes(batch);
   LinkSums& sums = boundary.sums[covered.bead];
   sums.make_room(LinkBatch::most / LinkSums::lanes);

@@ -188,7 +188,8 @@ RowEnds Halo::row_ends() const {
 
 template <class Real>
 void Halo::fill_as(Populations& populations) {
-  for (int axis = populations.row_ends_filled() ? 1 : 0; axis < 3; ++axis) {
+  const bool x_is_filled = row_ends() != RowEnds::left_to_halo && populations.row_ends_filled() == row_ends();
+  for (int axis = x_is_filled ? 1 : 0; axis < 3; ++axis) {
     fill_from_neighbours<Real>(populations, axis);
     for (int side = 0; side < 2; ++side) {
       if (at_wall(axis, side, Wall::free_slip)) fill_free_slip<Real>(populations, axis, side);

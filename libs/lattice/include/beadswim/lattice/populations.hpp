@@ -59,7 +59,7 @@ class Populations {
 
   /// Both return the number as it is stored, rounded to the precision.
   double set_outgoing(int i, std::ptrdiff_t cell, double f) {
-    if (ends_a_row(cell)) row_ends_filled_ = false;
+    if (ends_a_row(cell)) row_ends_filled_ = RowEnds::left_to_halo;
     return store(place_[parity_][i] + cell, f);
   }
   double set_incoming(int i, std::ptrdiff_t cell, double f) {
@@ -92,11 +92,11 @@ class Populations {
   /// All cells have been stepped: what they put in next_outgoing_row is outgoing now.
   void advance(RowEnds row_ends) {
     parity_ = 1 - parity_;
-    row_ends_filled_ = row_ends != RowEnds::left_to_halo;
+    row_ends_filled_ = row_ends;
   }
 
-  /// Whether the halo cells at the two ends of each row hold what the last sweep put there.
-  bool row_ends_filled() const { return row_ends_filled_; }
+  /// What the last sweep put into the halo cells at the two ends of each row and still holds.
+  RowEnds row_ends_filled() const { return row_ends_filled_; }
 
   /// Cells have indices below this.
   std::ptrdiff_t cell_indices() const { return cell_indices_; }
@@ -132,7 +132,7 @@ class Populations {
   std::array<std::ptrdiff_t, d3q19::directions> shift_;
   std::array<std::array<std::ptrdiff_t, d3q19::directions>, 2> place_;  ///< [parity][i]: outgoing i of cell 0
   int parity_ = 1;                                                      ///< 0: local, 1: streamed
-  bool row_ends_filled_ = false;
+  RowEnds row_ends_filled_ = RowEnds::left_to_halo;
   std::size_t bytes_;
   std::unique_ptr<void, Free> data_;
 };
