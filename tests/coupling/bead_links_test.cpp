@@ -85,11 +85,10 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
   return links;
 }
 
-class BeadLinksOf : public testing::TestWithParam<std::tuple<unsigned, int>> {
- protected:
-  BeadLinksOf()
-      : seed(std::get<0>(GetParam())),
-        shape(shapes[std::get<1>(GetParam())]),
+/// Two beads in a block, and their links.
+struct Scene {
+  Scene(unsigned seed, const Shape& shape)
+      : shape(shape),
         beads(random_beads(seed, shape.periodic)),
         at{.block = shape.block, .cells = lattice, .periodic = shape.periodic},
         populations(at.block.size),
@@ -109,7 +108,6 @@ class BeadLinksOf : public testing::TestWithParam<std::tuple<unsigned, int>> {
     return true;
   }
 
-  unsigned seed;
   Shape shape;
   std::vector<BeadOnLattice> beads;
   BlockInLattice at;
@@ -118,58 +116,76 @@ class BeadLinksOf : public testing::TestWithParam<std::tuple<unsigned, int>> {
   BeadLinks links;
 };
 
-INSTANTIATE_TEST_SUITE_P(SeedsAndShapes, BeadLinksOf,
-                         testing::Combine(testing::Range(1u, 31u), testing::Range(0, 6)));
-
-// Catches a row, an image or a seam whose links are missed, found twice, or given to the wrong owner.
-TEST_P(BeadLinksOf, AreAllLinksBetweenCoveredAndFluidCells) {
-  std::multiset<Link> found;
-  for (const LinkSegment& segment : links.segments()) {
-    for (const BeadLink& link : links.links(segment)) {
-      found.insert({link.x, link.y, link.z, link.out, link.fluid_is_own});
+class BeadLinksIn : public testing::TestWithParam<Shape> {
+ protected:
+  /// Calls check(scene) for scenes of seeds 1 to 30.
+  template <class Check>
+  void for_each_scene(Check&& check) {
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+      SCOPED_TRACE(seed);
+      Scene scene(seed, GetParam());
+      check(scene);
     }
   }
-  const std::set<Link> expected = links_by_search(beads, shape);
-  EXPECT_EQ(found, std::multiset<Link>(expected.begin(), expected.end()));
+};
+
+INSTANTIATE_TEST_SUITE_P(Shapes, BeadLinksIn, testing::ValuesIn(shapes));
+
+// Catches a row, an image or a seam whose links are missed, found twice, or given to the wrong owner.
+TEST_P(BeadLinksIn, AreAllLinksBetweenCoveredAndFluidCells) {
+  for_each_scene([](Scene& scene) {
+    std::multiset<Link> found;
+    for (const LinkSegment& segment : scene.links.segments()) {
+      for (const BeadLink& link : scene.links.links(segment)) {
+        found.insert({link.x, link.y, link.z, link.out, link.fluid_is_own});
+      }
+    }
+    const std::set<Link> expected = links_by_search(scene.beads, scene.shape);
+    EXPECT_EQ(found, std::multiset<Link>(expected.begin(), expected.end()));
+  });
 }
 
 // What lets links be done row by row: none comes after the sweep of a row that it reads from or writes to.
-TEST_P(BeadLinksOf, ComeBeforeTheSweepOfBothTheirRows) {
-  const Index3& n = at.block.size;
-  for (int z = 0; z < n[2]; ++z) {
-    for (int y = 0; y < n[1]; ++y) {
-      for (int s = links.first_segment_of(y, z); s < links.end_segment_of(y, z); ++s) {
-        for (const BeadLink& link : links.links(links.segments()[s])) {
-          const auto& c = d3q19::velocity[link.out];
-          for (const auto& [row_y, row_z] :
-               {std::pair{link.y, link.z}, std::pair{link.y + c[1], link.z + c[2]}}) {
-            const bool is_swept = row_y >= 0 && row_y < n[1] && row_z >= 0 && row_z < n[2];
-            if (is_swept) {
-              EXPECT_GE(row_y + n[1] * row_z, y + n[1] * z);
+TEST_P(BeadLinksIn, ComeBeforeTheSweepOfBothTheirRows) {
+  for_each_scene([](Scene& scene) {
+    const Index3& n = scene.at.block.size;
+    for (int z = 0; z < n[2]; ++z) {
+      for (int y = 0; y < n[1]; ++y) {
+        for (int s = scene.links.first_segment_of(y, z); s < scene.links.end_segment_of(y, z); ++s) {
+          for (const BeadLink& link : scene.links.links(scene.links.segments()[s])) {
+            const auto& c = d3q19::velocity[link.out];
+            for (const auto& [row_y, row_z] :
+                 {std::pair{link.y, link.z}, std::pair{link.y + c[1], link.z + c[2]}}) {
+              const bool is_swept = row_y >= 0 && row_y < n[1] && row_z >= 0 && row_z < n[2];
+              if (is_swept) {
+                EXPECT_GE(row_y + n[1] * row_z, y + n[1] * z);
+              }
             }
           }
         }
       }
     }
-  }
+  });
 }
 
 // Catches a link of a cell that is looked for in the wrong rows.
-TEST_P(BeadLinksOf, OfACellAreFoundFromTheCell) {
-  std::size_t found = 0, all = 0;
-  for (const LinkSegment& segment : links.segments()) all += segment.end - segment.first;
-  for (const CoveredImage& covered : coverage.images().images) {
-    const BeadImage& box = covered.image;
-    for (int z = box.low[2]; z < box.high[2]; ++z) {
-      for (int y = box.low[1]; y < box.high[1]; ++y) {
-        const CoveredRun run = coverage.images().run(covered, y, z);
-        for (int x = run.low; x < run.high; ++x) {
-          links.for_each_link_of(covered.index, x, y, z, [&](const BeadLink&) { ++found; });
+TEST_P(BeadLinksIn, OfACellAreFoundFromTheCell) {
+  for_each_scene([](Scene& scene) {
+    std::size_t found = 0, all = 0;
+    for (const LinkSegment& segment : scene.links.segments()) all += segment.end - segment.first;
+    for (const CoveredImage& covered : scene.coverage.images().images) {
+      const BeadImage& box = covered.image;
+      for (int z = box.low[2]; z < box.high[2]; ++z) {
+        for (int y = box.low[1]; y < box.high[1]; ++y) {
+          const CoveredRun run = scene.coverage.images().run(covered, y, z);
+          for (int x = run.low; x < run.high; ++x) {
+            scene.links.for_each_link_of(covered.index, x, y, z, [&](const BeadLink&) { ++found; });
+          }
         }
       }
     }
-  }
-  EXPECT_EQ(found, all);
+    EXPECT_EQ(found, all);
+  });
 }
 
 }  // namespace
