@@ -20,7 +20,7 @@ section() { printf '\n== %s\n' "$*"; }
 
 build() { # PRESET CMAKE-ARGUMENT...
   cmake --preset "$@"
-  timeout 1500 cmake --build --preset "$1"
+  timeout 2400 cmake --build --preset "$1"
 }
 
 # A small swimmer for a few hundred steps: enough for every part of a step to run.
