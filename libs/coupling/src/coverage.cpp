@@ -70,8 +70,12 @@ void Coverage::cover(std::span<const BeadOnLattice> beads, int bead, const BeadI
                                             .first_run = static_cast<int>(now_.runs.size())});
   for (int z = image.low[2]; z < image.high[2]; ++z) {
     for (int y = image.low[1]; y < image.high[1]; ++y) {
-      const CoveredRun& run = now_.runs.emplace_back(covered_run(covered, beads[bead].radius, y, z));
-      cover_run(beads, covered, run, y, z);
+      now_.runs.push_back(covered_run(covered, beads[bead].radius, y, z));
+    }
+  }
+  for (int z = image.low[2]; z < image.high[2]; ++z) {
+    for (int y = image.low[1]; y < image.high[1]; ++y) {
+      cover_run(beads, covered, now_.run(covered, y, z), y, z);
     }
   }
 }
