@@ -1,7 +1,6 @@
 #include "bench_groups.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -36,13 +35,8 @@ double available_bytes() {
 
 /// The part of it that each rank may take, the same number on all ranks.
 double bytes_for_a_rank(const Communicator& world) {
-  MPI_Comm node = MPI_COMM_NULL;
-  int ranks_here = 1;
-  MPI_Comm_split_type(world.get(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
-  MPI_Comm_size(node, &ranks_here);
-  MPI_Comm_free(&node);
   constexpr double share = 0.85;
-  double bytes = share * available_bytes() / ranks_here;
+  double bytes = share * available_bytes() / ranks_on_this_node(world);
   MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_MIN, world.get());
   return bytes;
 }

@@ -25,9 +25,8 @@ struct Speeds {
 Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
   const CollinearSwimmer swimmer = collinear_swimmer(type, Vec3::UnitX(), viscosity);
   const CollinearMobility mobility = rest_mobility(swimmer, rotne_prager);
-  const Eigen::Vector3cd force = linear_response(swimmer, mobility.value).force;
-  const Eigen::Vector3cd velocity = mobility.value.cast<std::complex<double>>() * force;
-  return {.bead = velocity.cwiseAbs().maxCoeff(),
+  const Eigen::Vector3cd displacement = linear_response(swimmer, mobility.value).displacement;
+  return {.bead = swimmer.angular_frequency() * displacement.cwiseAbs().maxCoeff(),
           .swimmer = std::abs(second_order_motion(swimmer, mobility).velocity)};
 }
 

@@ -8,7 +8,7 @@ namespace beadswim {
 
 /// While it lives, numbers too small for the format's full digits become zero. Ahead of the first waves in a
 /// fluid at rest populations fall by an order of magnitude a cell, below what single precision can hold, and
-/// processors handle such numbers a hundred times more slowly.
+/// processors handle such numbers much more slowly.
 class FlushSubnormals {
  public:
 #if defined(__SSE2__)

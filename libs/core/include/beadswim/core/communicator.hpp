@@ -32,4 +32,7 @@ class Communicator {
   int size_ = 1;
 };
 
+/// Ranks of the communicator that share this rank's memory. Collective.
+int ranks_on_this_node(const Communicator& communicator);
+
 }  // namespace beadswim
