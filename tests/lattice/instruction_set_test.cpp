@@ -20,7 +20,9 @@ Rows<Real> random_rows(long cells) {
   std::uniform_real_distribution<double> deviation(-0.05, 0.05);
   Rows<Real> rows;
   for (auto& row : rows) {
-    for (long x = 0; x < cells; ++x) row.push_back(static_cast<Real>(deviation(random)));
+    for (long x = 0; x < cells; ++x) {  // every third cell so slow that its terms must be cut
+      row.push_back(static_cast<Real>(deviation(random) * (x % 3 == 0 ? 1e-7 : 1)));
+    }
   }
   return rows;
 }
