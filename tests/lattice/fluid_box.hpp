@@ -5,6 +5,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/lattice/block.hpp"
+#include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/populations.hpp"
 #include "beadswim/lattice/sweep.hpp"
@@ -23,8 +24,12 @@ struct FluidBox {
         rates(relaxation_rates(relaxation_time)) {}
 
   void step() {
-    halo.fill(populations);
-    stream_and_collide(populations, rates, row_ends.value_or(halo.row_ends()));
+    if (row_ends) {
+      halo.fill(populations);
+      stream_and_collide(populations, rates, *row_ends);
+    } else {
+      step_fluid(populations, halo, rates);
+    }
     add_body_force();
   }
 
@@ -63,7 +68,7 @@ struct FluidBox {
   Halo halo;
   RelaxationRates rates;
   Vec3 body_force = Vec3::Zero();
-  std::optional<RowEnds> row_ends;  ///< what the sweep fills; unset: all that it can
+  std::optional<RowEnds> row_ends;  ///< what the sweep fills, after all of the halo; unset: all that it can
 };
 
 }  // namespace beadswim::test

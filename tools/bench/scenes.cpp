@@ -1,9 +1,11 @@
 #include "scenes.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "beadswim/core/huge_pages.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/sweep.hpp"
 #include "stream_kernels.hpp"
@@ -53,9 +55,9 @@ struct BenchScenes::Scene {
   }
 
   void step(Halo* halo) {
-    if (halo != nullptr) halo->fill(populations);
-    stream_and_collide(populations, relaxation_rates(relaxation_time),
-                       halo != nullptr ? halo->row_ends() : RowEnds::left_to_halo);
+    const RelaxationRates rates = relaxation_rates(relaxation_time);
+    if (halo == nullptr) return stream_and_collide(populations, rates);
+    step_fluid(populations, *halo, rates);
   }
 
   Precision precision;
@@ -90,8 +92,7 @@ double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
   double bytes = streams * sizeof(double) * Bandwidth::numbers;
   for (const Precision precision : precisions) {
     const double number = static_cast<double>(bytes_of_number(precision));
-    const double row = edge + 2 + 64 / number;  // with its padding
-    bytes += (copies * d3q19::directions * number + 1) * row * (edge + 2) * (edge + 2);
+    bytes += (copies * d3q19::directions * number + 1) * std::pow(edge + 2, 3);
   }
   return bytes;
 }

@@ -21,9 +21,9 @@ std::ptrdiff_t StreamLayout::numbers(int edge) const {
 
 std::vector<StreamLayout> stream_layouts(int edge, Precision precision) {
   const auto line = static_cast<std::ptrdiff_t>(64 / bytes_of_number(precision)), page = 64 * line;
-  const std::ptrdiff_t padded = whole_multiple(edge + 2, line), tight = whole_multiple(edge, line);
-  const std::ptrdiff_t cube = tight * edge * edge, padded_cube = padded * (edge + 2) * (edge + 2);
-  return {{"solver", whole_multiple(padded_cube, page) + 5 * line, padded, padded * (edge + 2)},
+  const std::ptrdiff_t with_halo = edge + 2, tight = whole_multiple(edge, line);
+  const std::ptrdiff_t cube = tight * edge * edge, cube_with_halo = with_halo * with_halo * with_halo;
+  return {{"solver", whole_multiple(cube_with_halo, page) + 5 * line, with_halo, with_halo * with_halo},
           {"plain", cube, tight, tight * edge},
           {"staggered", whole_multiple(cube, page) + 5 * line, tight, tight * edge},
           {"interleaved-rows", tight, d3q19::directions * tight, d3q19::directions * tight * edge}};

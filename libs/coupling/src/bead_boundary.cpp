@@ -46,16 +46,17 @@ void add_one_by_one(const LinkBatch& batch, LinkSums& sums) {
 template <class Real>
 void bounce_back(std::span<BeadLink> links, const CoveredImage& covered, const BeadBoundary& boundary,
                  Populations& populations) {
+  const Index3& low = covered.image.low;
   LinkBatch batch;
   std::array<Real*, LinkBatch::most> incoming;
   for (BeadLink& link : links) {
-    const std::ptrdiff_t fluid_cell =
-        boundary.coverage.cell(link.x, link.y, link.z) + populations.shift(link.out);
+    const int x = low[0] + link.from_low[0], y = low[1] + link.from_low[1], z = low[2] + link.from_low[2];
+    const std::ptrdiff_t fluid_cell = boundary.coverage.cell(x, y, z) + populations.shift(link.out);
     link.outgoing =
         static_cast<double>(*populations.outgoing_row<Real>(d3q19::opposite(link.out), fluid_cell));
     if (!link.fluid_is_own) continue;  // its owner's link
     incoming[batch.links] = populations.incoming_row<Real>(link.out, fluid_cell);
-    put(batch, link, covered.from_centre(link.x, link.y, link.z));
+    put(batch, link, covered.from_centre(x, y, z));
   }
   if (batch.links == 0) return;
   fill_lanes(batch);

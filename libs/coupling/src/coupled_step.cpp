@@ -2,7 +2,7 @@
 
 #include "beadswim/coupling/bead_boundary.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
-#include "beadswim/lattice/sweep.hpp"
+#include "beadswim/lattice/fluid_step.hpp"
 
 // The method, step by step. Populations are kept as they are after collision at time n; a step takes fluid
 // and beads from n to n + 1. See docs/method/staircase-beads.md.
@@ -11,17 +11,10 @@ namespace beadswim {
 
 void CoupledSystem::step() {
   // Fluid: what streams in from neighbours, walls and beads, then streaming and collision, row by row.
-  halo_.fill(populations_);
   link_sums_.resize(beads_.size());
   BeadBoundary boundary{coverage_, links_, beads_, link_sums_};
-  BlockSweep sweep(populations_, rates_, halo_.row_ends());
-  for (int z = 0; z < populations_.size()[2]; ++z) {
-    for (int y = 0; y < populations_.size()[1]; ++y) {
-      boundary.bounce_back_before_row(populations_, y, z);
-      sweep.row(y, z);
-    }
-  }
-  sweep.finish();
+  step_fluid(populations_, halo_, rates_,
+             [&](int y, int z) { boundary.bounce_back_before_row(populations_, y, z); });
   hand_over_impulses(link_sums_, beads_);
 
   // Beads: the fluid's impulses go to the swimmers' owners, who move them and tell where they are.

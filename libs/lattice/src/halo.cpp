@@ -108,12 +108,13 @@ void fill_free_slip(Populations& populations, int axis, int side) {
 }
 
 /// Bounce-back: what enters an own cell along i left the same cell along the opposite direction. Local, and
-/// so needs no halo; it overrules what other axes put where two walls meet.
+/// so needs no halo; it overrules what other axes put where two walls meet. In the planes low_z to high_z
+/// - 1.
 template <class Real>
-void bounce_back_at_face(Populations& populations, int axis, int side) {
-  Index3 low = Index3::Zero(), high = populations.size();
-  low[axis] = edge_plane(populations, axis, side);
-  high[axis] = low[axis] + 1;
+void bounce_back_at_face(Populations& populations, int axis, int side, int low_z, int high_z) {
+  Index3 low(0, 0, low_z), high(populations.size()[0], populations.size()[1], high_z);
+  low[axis] = std::max(low[axis], edge_plane(populations, axis, side));
+  high[axis] = std::min(high[axis], edge_plane(populations, axis, side) + 1);
   for (int z = low[2]; z < high[2]; ++z) {
     for (int y = low[1]; y < high[1]; ++y) {
       for (const int i : directions_along(axis, entering_sign(side))) {
@@ -177,8 +178,33 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
   }
 }
 
-void Halo::fill(Populations& populations) {
-  in_precision(populations.precision(), [&]<class Real>() { fill_as<Real>(populations); });
+/// Messages still under way: an error broke a step off, and the program is about to stop all ranks. MPI may
+/// write into their buffers until then.
+Halo::~Halo() {
+  if (!is_under_way_) return;
+  for (Face& face : faces_[2]) {
+    static_cast<void>(new std::vector<std::byte>(std::move(face.send)));
+    static_cast<void>(new std::vector<std::byte>(std::move(face.receive)));
+  }
+}
+
+void Halo::start(Populations& populations) {
+  in_precision(populations.precision(), [&]<class Real>() { start_as<Real>(populations); });
+}
+
+void Halo::progress() {
+  int done = 0;
+  if (is_under_way_) MPI_Testall(messages_.size(), messages_.data(), &done, MPI_STATUSES_IGNORE);
+}
+
+void Halo::finish(Populations& populations) {
+  if (!is_under_way_) return;
+  in_precision(populations.precision(), [&]<class Real>() {
+    receive<Real>(populations, 2);
+    const int planes = populations.size()[2];
+    for (const int z : {0, planes - 1}) bounce_back_at_walls<Real>(populations, z, z + 1);
+  });
+  is_under_way_ = false;
 }
 
 RowEnds Halo::row_ends() const {
@@ -187,38 +213,51 @@ RowEnds Halo::row_ends() const {
 }
 
 template <class Real>
-void Halo::fill_as(Populations& populations) {
+void Halo::start_as(Populations& populations) {
   const bool x_is_filled = row_ends() != RowEnds::left_to_halo && populations.row_ends_filled() == row_ends();
   for (int axis = x_is_filled ? 1 : 0; axis < 3; ++axis) {
-    fill_from_neighbours<Real>(populations, axis);
+    if (faces_[axis][0].neighbour == rank_) {
+      wrap_around<Real>(populations, axis);
+    } else if (faces_[axis][0].is_open() || faces_[axis][1].is_open()) {
+      send<Real>(populations, axis);
+      is_under_way_ = axis == 2;
+      if (!is_under_way_) receive<Real>(populations, axis);
+    }
     for (int side = 0; side < 2; ++side) {
       if (at_wall(axis, side, Wall::free_slip)) fill_free_slip<Real>(populations, axis, side);
     }
   }
+  bounce_back_at_walls<Real>(populations, 0, populations.size()[2]);
+}
+
+template <class Real>
+void Halo::bounce_back_at_walls(Populations& populations, int low_z, int high_z) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Wall::no_slip)) bounce_back_at_face<Real>(populations, axis, side);
+      if (at_wall(axis, side, Wall::no_slip))
+        bounce_back_at_face<Real>(populations, axis, side, low_z, high_z);
     }
   }
 }
 
 template <class Real>
-void Halo::fill_from_neighbours(Populations& populations, int axis) {
-  if (faces_[axis][0].neighbour == rank_) return wrap_around<Real>(populations, axis);
+void Halo::send(const Populations& populations, int axis) {
   for (int side = 0; side < 2; ++side) {
     if (faces_[axis][side].is_open()) pack<Real>(populations, axis, side, faces_[axis][side].send);
   }
-  std::array<MPI_Request, 4> requests;
-  int count = 0;
   for (int side = 0; side < 2; ++side) {
     Face& face = faces_[axis][side];
     face.receive.resize(face.send.size());
     const int size = static_cast<int>(face.send.size());
     // A message is tagged by the side through which it leaves; two blocks may meet at both their faces.
-    MPI_Irecv(face.receive.data(), size, MPI_BYTE, face.neighbour, 1 - side, comm_, &requests[count++]);
-    MPI_Isend(face.send.data(), size, MPI_BYTE, face.neighbour, side, comm_, &requests[count++]);
+    MPI_Irecv(face.receive.data(), size, MPI_BYTE, face.neighbour, 1 - side, comm_, &messages_[2 * side]);
+    MPI_Isend(face.send.data(), size, MPI_BYTE, face.neighbour, side, comm_, &messages_[2 * side + 1]);
   }
-  MPI_Waitall(count, requests.data(), MPI_STATUSES_IGNORE);
+}
+
+template <class Real>
+void Halo::receive(Populations& populations, int axis) {
+  MPI_Waitall(messages_.size(), messages_.data(), MPI_STATUSES_IGNORE);
   for (int side = 0; side < 2; ++side) {
     if (faces_[axis][side].is_open()) unpack<Real>(populations, axis, side, faces_[axis][side].receive);
   }

@@ -7,8 +7,7 @@
 namespace beadswim {
 namespace {
 
-/// A cache line, the width of the widest vectors: rows of own cells begin at a multiple of it [byte].
-constexpr std::size_t line = 64;
+constexpr std::size_t line = 64;  ///< of the cache [byte]
 
 std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
   return (count + unit - 1) / unit * unit;
@@ -18,10 +17,10 @@ std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
 
 Populations::Populations(const Index3& size, Precision precision) : precision_(precision), size_(size) {
   const auto per_line = static_cast<std::ptrdiff_t>(line / bytes_of_number(precision));
-  pitch_y_ = whole_multiple(size[0] + 2, per_line);
+  pitch_y_ = size[0] + 2;  // rows that begin at cache lines would cost more in padding than they gain
   pitch_z_ = pitch_y_ * (size[1] + 2);
   // Outgoing populations of the halo's outermost cells lie up to a cell, row and plane outside the halo.
-  first_ = whole_multiple(pitch_y_ + 2, per_line);
+  first_ = pitch_y_ + 2;
   cell_indices_ = pitch_z_ * (size[2] + 2) + 2 * first_;
   // The 19 streams of a sweep advance together; arrays a multiple of a page (4 KiB) apart would compete for
   // the same cache sets, so that each is placed some lines further on within a page.

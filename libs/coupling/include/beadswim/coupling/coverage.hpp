@@ -16,6 +16,7 @@ struct CoveredRun {
   int low = 0, high = 0;
 
   bool empty() const { return low >= high; }
+  bool operator==(const CoveredRun&) const = default;
 };
 
 /// One image of a bead with all its runs.
@@ -39,11 +40,23 @@ struct CoveredImages {
   std::vector<CoveredImage> images;
   std::vector<CoveredRun> runs;
 
+  /// The runs of an image, row by row.
+  std::span<const CoveredRun> runs_of(const CoveredImage& covered) const {
+    const Index3 rows = covered.image.high - covered.image.low;
+    return std::span(runs).subspan(covered.first_run, rows[1] * rows[2]);
+  }
+
+  /// Index of row (y, z) among the runs of an image; -1 outside it.
+  static int run_index(const CoveredImage& covered, int y, int z) {
+    const BeadImage& box = covered.image;
+    if (y < box.low[1] || y >= box.high[1] || z < box.low[2] || z >= box.high[2]) return -1;
+    return y - box.low[1] + (box.high[1] - box.low[1]) * (z - box.low[2]);
+  }
+
   /// The row (y, z) of an image; empty outside it.
   CoveredRun run(const CoveredImage& covered, int y, int z) const {
-    const BeadImage& box = covered.image;
-    if (y < box.low[1] || y >= box.high[1] || z < box.low[2] || z >= box.high[2]) return {};
-    return runs[covered.first_run + y - box.low[1] + (box.high[1] - box.low[1]) * (z - box.low[2])];
+    const int index = run_index(covered, y, z);
+    return index < 0 ? CoveredRun{} : runs[covered.first_run + index];
   }
 
   /// Calls visit(image, run, y, z).

@@ -23,12 +23,33 @@ enum class Wall {
 /// Axis by axis, each over the halo already filled, so that edges and corners need no case of their own;
 /// no-slip walls, which are local to a cell, come last. Only the five directions that enter the block through
 /// a face are filled there; the rest of the halo is unspecified.
+///
+/// Messages across z, the axis that is cut first, may be under way while the planes inside are swept
+/// (fluid_step.hpp): only the planes next to the halo need it.
 class Halo {
  public:
   Halo(const Communicator& communicator, const Decomposition& decomposition,
        const std::array<Wall, 3>& walls);
+  ~Halo();
 
-  void fill(Populations& populations);
+  Halo(const Halo&) = delete;
+  Halo& operator=(const Halo&) = delete;
+
+  /// Fills all that needs no message across z, and sends these.
+  void start(Populations& populations);
+
+  /// Moves messages on. Call it now and then: MPI need not do so by itself.
+  void progress();
+
+  /// Fills the rest. Of the populations, only what planes between the outermost two read or write may have
+  /// changed since start().
+  void finish(Populations& populations);
+
+  /// Fills everything.
+  void fill(Populations& populations) {
+    start(populations);
+    finish(populations);
+  }
 
   /// What of this the sweep before can do, row by row: fill() then leaves it.
   RowEnds row_ends() const;
@@ -45,13 +66,19 @@ class Halo {
   bool at_wall(int axis, int side, Wall wall) const { return faces_[axis][side].closed_by == wall; }
 
   template <class Real>
-  void fill_as(Populations& populations);
+  void start_as(Populations& populations);
   template <class Real>
-  void fill_from_neighbours(Populations& populations, int axis);
+  void bounce_back_at_walls(Populations& populations, int low_z, int high_z);
+  template <class Real>
+  void send(const Populations& populations, int axis);
+  template <class Real>
+  void receive(Populations& populations, int axis);
 
   MPI_Comm comm_;
   int rank_;
   std::array<std::array<Face, 2>, 3> faces_;  ///< [axis][0: low side, 1: high side]
+  std::array<MPI_Request, 4> messages_;       ///< across one axis
+  bool is_under_way_ = false;                 ///< messages across z
 };
 
 }  // namespace beadswim

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+
+#include "beadswim/lattice/halo.hpp"
+#include "beadswim/lattice/populations.hpp"
+#include "beadswim/lattice/sweep.hpp"
+#include "beadswim/lattice/trt.hpp"
+
+namespace beadswim {
+
+/// The order in which a step comes to the planes of a block across z: 1, 2, ..., planes - 1, 0. Those between
+/// the outermost two come first, while messages for the halo of these are under way.
+constexpr int plane_in_order(int n, int planes) {
+  return (n + 1) % planes;
+}
+constexpr int place_in_order(int z, int planes) {
+  return (z + planes - 1) % planes;
+}
+
+/// One step of the fluid in a block. Calls before_row(y, z) before each row is swept, with the halo filled
+/// that the row reads: there, bounce back along links between this row and rows not yet swept.
+template <class BeforeRow>
+void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, BeforeRow&& before_row) {
+  halo.start(populations);
+  BlockSweep sweep(populations, rates, halo.row_ends());
+  const int rows = populations.size()[1], planes = populations.size()[2];
+  const int first_outer = std::max(planes - 2, 0);
+  for (int n = 0; n < planes; ++n) {
+    if (n < first_outer) halo.progress();
+    if (n == first_outer) halo.finish(populations);
+    const int z = plane_in_order(n, planes);
+    for (int y = 0; y < rows; ++y) {
+      before_row(y, z);
+      sweep.row(y, z);
+    }
+  }
+  sweep.finish();
+}
+
+inline void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates) {
+  step_fluid(populations, halo, rates, [](int, int) {});
+}
+
+}  // namespace beadswim
