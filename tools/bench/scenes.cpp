@@ -50,7 +50,7 @@ struct BenchScenes::Scene {
         periodic_halo(communicator, decomposition, periodic),
         walled_halo(communicator, decomposition, walls),
         swarm(swarm_scene(edge, communicator.size(), precision), communicator) {
-    yardstick.choose_layout(3, communicator);
+    yardstick.choose_layout(9, communicator);
     set_uniform_flow(populations);
   }
 
