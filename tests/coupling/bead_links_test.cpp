@@ -27,8 +27,9 @@ const std::array shapes{Shape{{.offset = {0, 4, 3}, .size = {22, 7, 6}}, {true, 
                         Shape{{.offset = {21, 0, 0}, .size = {1, 15, 13}}, {true, true, true}},
                         Shape{{.offset = {0, 8, 6}, .size = {22, 7, 7}}, {true, false, false}}};
 
-/// Covered cell, direction, and whether the fluid cell is the block's own.
-using Link = std::tuple<int, int, int, int, bool>;
+/// Covered cell, direction, whether the fluid cell is the block's own, and if so whether the cell behind is
+/// fluid.
+using Link = std::tuple<int, int, int, int, bool, bool>;
 
 /// Two beads, in every third scene almost in contact; off the walls, if there are any.
 std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<bool, 3>& periodic) {
@@ -78,9 +79,11 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
         for (int out = 1; out < d3q19::directions; ++out) {
           const auto& c = d3q19::velocity[out];
           const Index3 q = p + Index3(c[0], c[1], c[2]);
+          const Index3 behind = q + Index3(c[0], c[1], c[2]);
           if (!is_own(p) && !is_own(q)) continue;
           if (covering_bead(beads, q + block.offset, shape.periodic) < 0)
-            links.insert({x, y, z, out, is_own(q)});
+            links.insert({x, y, z, out, is_own(q),
+                          !is_own(q) || covering_bead(beads, behind + block.offset, shape.periodic) < 0});
         }
       }
     }
@@ -90,12 +93,13 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
 
 /// Two beads in a block, and their links.
 struct Scene {
-  Scene(unsigned seed, const Shape& shape)
+  Scene(unsigned seed, const Shape& shape, LinkScheme scheme)
       : shape(shape),
         beads(random_beads(seed, shape.periodic)),
         at{.block = shape.block, .cells = lattice, .periodic = shape.periodic},
         populations(at.block.size),
-        coverage(at, populations) {
+        coverage(at, populations),
+        links(scheme) {
     // Beads that overlap are of no interest here.
     for (unsigned other = seed + 999; !covers(); other += 3) beads = random_beads(other, shape.periodic);
     links.find(coverage);
@@ -126,25 +130,27 @@ std::vector<Link> links_of(BeadLinks& links, std::size_t segment, const Coverage
   std::vector<Link> found;
   for (const BeadLink& link : links.links(at)) {
     const auto& [x, y, z] = link.from_low;
-    found.push_back({low[0] + x, low[1] + y, low[2] + z, link.out, link.fluid_is_own});
+    found.push_back({low[0] + x, low[1] + y, low[2] + z, link.out, link.fluid_is_own, link.has_fluid_behind});
   }
   return found;
 }
 
-class BeadLinksIn : public testing::TestWithParam<Shape> {
+class BeadLinksIn : public testing::TestWithParam<std::tuple<Shape, LinkScheme>> {
  protected:
   /// Calls check(scene) for scenes of seeds 1 to 30.
   template <class Check>
   void for_each_scene(Check&& check) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
       SCOPED_TRACE(seed);
-      Scene scene(seed, GetParam());
+      Scene scene(seed, std::get<Shape>(GetParam()), std::get<LinkScheme>(GetParam()));
       check(scene);
     }
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(Shapes, BeadLinksIn, testing::ValuesIn(shapes));
+INSTANTIATE_TEST_SUITE_P(Shapes, BeadLinksIn,
+                         testing::Combine(testing::ValuesIn(shapes),
+                                          testing::Values(LinkScheme::staircase, LinkScheme::cli)));
 
 // Catches a row, an image or a seam whose links are missed, found twice, or given to the wrong owner.
 TEST_P(BeadLinksIn, AreAllLinksBetweenCoveredAndFluidCells) {
@@ -171,7 +177,7 @@ TEST_P(BeadLinksIn, OfBeadsThatMovedAreThoseFoundAnew) {
         ASSERT_TRUE(scene.covers());
       }
       scene.links.find(scene.coverage);
-      BeadLinks anew;
+      BeadLinks anew(scene.links.scheme());
       anew.find(scene.coverage);
       ASSERT_EQ(scene.links.segments().size(), anew.segments().size()) << step;
       for (std::size_t s = 0; s < anew.segments().size(); ++s) {
@@ -189,13 +195,15 @@ TEST_P(BeadLinksIn, ComeBeforeTheSweepOfBothTheirRows) {
     std::set<std::pair<int, int>> swept;
     for (int k = 0; k < n[2]; ++k) {
       const int z = plane_in_order(k, n[2]);
-      const bool halo_is_filled = k >= n[2] - 2;
+      const bool halo_is_filled = k >= first_outer_plane(n[2]);
       for (int y = 0; y < n[1]; ++y) {
         for (int s = scene.links.first_segment_of(y, z); s < scene.links.end_segment_of(y, z); ++s) {
-          for (const auto& [link_x, link_y, link_z, out, own] : links_of(scene.links, s, scene.coverage)) {
+          for (const auto& [link_x, link_y, link_z, out, own, behind] :
+               links_of(scene.links, s, scene.coverage)) {
             const auto& c = d3q19::velocity[out];
-            for (const auto& [row_y, row_z] :
-                 {std::pair{link_y, link_z}, std::pair{link_y + c[1], link_z + c[2]}}) {
+            const int reach = own && behind && reads_behind(scene.links.scheme()) ? 2 : 1;
+            for (int m = 0; m <= reach; ++m) {
+              const int row_y = link_y + m * c[1], row_z = link_z + m * c[2];
               EXPECT_FALSE(swept.contains({row_y, row_z}));
               EXPECT_TRUE(halo_is_filled || (row_z >= 0 && row_z < n[2]));
             }

@@ -10,9 +10,11 @@ namespace beadswim::test {
 /// One sphere held in a periodic box of fluid, at rest or turning at a given rate: an infinite cubic array.
 class FixedSphere {
  public:
-  FixedSphere(int edge, double radius, const Vec3& centre, double relaxation_time)
+  FixedSphere(int edge, double radius, const Vec3& centre, double relaxation_time,
+              LinkScheme scheme = LinkScheme::staircase)
       : fluid(Index3::Constant(edge), periodic, relaxation_time),
         coverage(block_in_lattice(fluid.decomposition, 0, periodic), fluid.populations),
+        links(scheme),
         beads{{.name = {}, .owner = 0, .radius = radius, .motion = {.position = centre}, .impulse = {}}} {
     coverage.update(beads);
     links.find(coverage);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <random>
@@ -16,34 +17,45 @@ LinkBatch random_batch(int links, unsigned seed) {
   std::uniform_int_distribution<int> direction(-1, 1);
   LinkBatch batch{};
   batch.links = links;
+  std::fill_n(batch.cx, LinkBatch::most, 1.0);
   for (int k = 0; k < links; ++k) {
     batch.x[k] = place(random), batch.y[k] = place(random), batch.z[k] = place(random);
-    batch.cx[k] = direction(random), batch.cy[k] = direction(random), batch.cz[k] = direction(random);
+    batch.cx[k] = k % 2 == 0 ? 1 : -1, batch.cy[k] = direction(random), batch.cz[k] = direction(random);
     batch.weight[k] = k % 3 == 0 ? 1.0 / 18 : 1.0 / 36;
-    batch.outgoing[k] = deviation(random);
+    batch.outgoing[k] = deviation(random), batch.behind[k] = deviation(random);
+    batch.arrived[k] = deviation(random), batch.interpolates[k] = k % 5 == 0 ? 0 : 1;
   }
   return batch;
 }
 
-constexpr LinkBead bead{
-    .velocity = {0.01, -0.02, 0.003}, .angular_velocity = {0.001, 0.0005, -0.002}, .mass_source = 1e-4};
+constexpr LinkBead bead{.velocity = {0.01, -0.02, 0.003},
+                        .angular_velocity = {0.001, 0.0005, -0.002},
+                        .mass_source = 1e-4,
+                        .radius = 6.5};
 
 /// The kernels that this processor can run.
 std::vector<LinkKernels> kernels() {
-  std::vector<LinkKernels> kernels{{baseline::reflect_fp64, baseline::reflect_fp32}};
+  std::vector<LinkKernels> kernels{BEADSWIM_LINK_KERNELS(baseline)};
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("x86-64-v3"))
-    kernels.push_back({x86_64_v3::reflect_fp64, x86_64_v3::reflect_fp32});
-  if (__builtin_cpu_supports("x86-64-v4"))
-    kernels.push_back({x86_64_v4::reflect_fp64, x86_64_v4::reflect_fp32});
+  if (__builtin_cpu_supports("x86-64-v3")) kernels.push_back(BEADSWIM_LINK_KERNELS(x86_64_v3));
+  if (__builtin_cpu_supports("x86-64-v4")) kernels.push_back(BEADSWIM_LINK_KERNELS(x86_64_v4));
 #endif
   return kernels;
 }
 
-template <class Real>
+template <LinkScheme scheme, class Real>
+struct Kernel {
+  static bool reflect(const LinkKernels& kernels, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+    return kernels.reflect<Real>(scheme, batch, bead, sums);
+  }
+  using Number = Real;
+};
+
+template <class Kernel>
 class LinkKernelsOf : public testing::Test {};
-using Reals = testing::Types<double, float>;
-TYPED_TEST_SUITE(LinkKernelsOf, Reals);
+using AllKernels = testing::Types<Kernel<LinkScheme::staircase, double>, Kernel<LinkScheme::staircase, float>,
+                                  Kernel<LinkScheme::cli, double>, Kernel<LinkScheme::cli, float>>;
+TYPED_TEST_SUITE(LinkKernelsOf, AllKernels);
 
 // Catches a lane that is left out or counted twice, a fused multiply-add, and sums that depend on the lanes:
 // the sums are those of the terms one by one.
@@ -51,7 +63,7 @@ TYPED_TEST(LinkKernelsOf, GiveTheSameBitsOnEveryInstructionSetAndLinkByLink) {
   for (const int links : {1, 7, 8, 9, 30, LinkBatch::most}) {
     LinkBatch expected = random_batch(links, links);
     LinkSums expected_sums;
-    ASSERT_TRUE(kernels().front().template reflect<TypeParam>(expected, bead, expected_sums));
+    ASSERT_TRUE(TypeParam::reflect(kernels().front(), expected, bead, expected_sums));
     std::array<OrderFreeSum, link_terms> one_by_one;
     for (int t = 0; t < link_terms; ++t) {
       for (int k = 0; k < links; ++k) one_by_one[t].add(expected.terms[t][k]);
@@ -60,7 +72,7 @@ TYPED_TEST(LinkKernelsOf, GiveTheSameBitsOnEveryInstructionSetAndLinkByLink) {
       LinkBatch batch = random_batch(links, links);
       LinkSums sums;
       sums.make_room(LinkBatch::most / LinkSums::lanes);
-      ASSERT_TRUE(each.template reflect<TypeParam>(batch, bead, sums));
+      ASSERT_TRUE(TypeParam::reflect(each, batch, bead, sums));
       const std::array<OrderFreeSum, link_terms> total = sums.take();
       for (int t = 0; t < link_terms; ++t) {
         EXPECT_EQ(total[t].coarse, one_by_one[t].coarse);
@@ -68,7 +80,8 @@ TYPED_TEST(LinkKernelsOf, GiveTheSameBitsOnEveryInstructionSetAndLinkByLink) {
       }
       for (int k = 0; k < links; ++k) {
         EXPECT_EQ(batch.returned[k], expected.returned[k]);
-        EXPECT_EQ(batch.returned[k], static_cast<double>(static_cast<TypeParam>(batch.returned[k])));
+        EXPECT_EQ(batch.returned[k],
+                  static_cast<double>(static_cast<typename TypeParam::Number>(batch.returned[k])));
       }
     }
   }
@@ -81,7 +94,7 @@ TYPED_TEST(LinkKernelsOf, RefuseTermsThatDoNotFitAndAddNothing) {
       LinkBatch batch = random_batch(20, 3);
       batch.outgoing[13] = bad;
       LinkSums sums;
-      EXPECT_FALSE(each.template reflect<TypeParam>(batch, bead, sums));
+      EXPECT_FALSE(TypeParam::reflect(each, batch, bead, sums));
       for (const OrderFreeSum& sum : sums.take()) EXPECT_EQ(sum.value(), 0);
     }
   }

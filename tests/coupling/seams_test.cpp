@@ -47,8 +47,12 @@ std::string final_state(const CoupledScene& scene, const Communicator& communica
 TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
   for (CoupledScene scene : {crossing_scene(), long_arms(), between_walls()}) {
-    for (const Precision precision : {Precision::fp64, Precision::fp32}) {
+    for (const auto& [precision, scheme] :
+         {std::pair{Precision::fp64, LinkScheme::staircase},
+          std::pair{Precision::fp32, LinkScheme::staircase}, std::pair{Precision::fp64, LinkScheme::cli},
+          std::pair{Precision::fp32, LinkScheme::cli}}) {
       scene.precision = precision;
+      scene.bead_boundary = scheme;
       const std::string cut = final_state(scene, world);
       const std::string whole = final_state(scene, self);
       if (world.is_root()) {
@@ -75,13 +79,15 @@ TEST(Seams, HandSwimmersToNewOwners) {
 }
 
 // Catches a link or a changing cell whose momentum or mass is lost, or counted twice, at a seam.
-class Conserving : public testing::TestWithParam<std::tuple<Precision, double>> {};
+class Conserving : public testing::TestWithParam<std::tuple<std::tuple<Precision, double>, LinkScheme>> {};
 
 TEST_P(Conserving, MomentumAndMassAcrossSeams) {
   const Communicator world(MPI_COMM_WORLD);
-  const auto [precision, roundoff] = GetParam();
+  const auto [precision_and_roundoff, scheme] = GetParam();
+  const auto [precision, roundoff] = precision_and_roundoff;
   CoupledScene scene = crossing_scene();
   scene.precision = precision;
+  scene.bead_boundary = scheme;
   CoupledSystem system(scene, world);
   advance(system, 360);
   const SceneTotals totals = system.totals();
@@ -100,8 +106,9 @@ TEST_P(Conserving, MomentumAndMassAcrossSeams) {
 // Roundoff: bead momenta of some 0.5 and densities of 0.01, 360 steps; in single precision of each cell's
 // populations, with either sign.
 INSTANTIATE_TEST_SUITE_P(Seams, Conserving,
-                         testing::Values(std::tuple{Precision::fp64, 1e-12},
-                                         std::tuple{Precision::fp32, 2e-5}));
+                         testing::Combine(testing::Values(std::tuple{Precision::fp64, 1e-12},
+                                                          std::tuple{Precision::fp32, 2e-5}),
+                                          testing::Values(LinkScheme::staircase, LinkScheme::cli)));
 
 TEST(Guards, ReportTheFirstBeadThatIsTooFastOnAllRanks) {
   const Communicator world(MPI_COMM_WORLD);

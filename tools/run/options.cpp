@@ -15,6 +15,8 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
                                                            {"json", ProgressStyle::json},
                                                            {"none", ProgressStyle::none}};
 
+const std::map<std::string, LinkScheme> bead_boundaries{
+    {name_of(LinkScheme::staircase), LinkScheme::staircase}, {name_of(LinkScheme::cli), LinkScheme::cli}};
 const std::map<std::string, Precision> precisions{{name_of(Precision::fp64), Precision::fp64},
                                                   {name_of(Precision::fp32), Precision::fp32}};
 
@@ -32,7 +34,7 @@ CLI::Validator relaxation_time() {
 
 /// Flags whose values are words.
 struct Words {
-  std::string model, precision, progress;
+  std::string model, bead_boundary, precision, progress;
 };
 
 void add_flags(CLI::App& program, RunOptions& options, Words& words) {
@@ -68,6 +70,13 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
           "whole number of steps [default: the layout's, else 1.5]")
       ->check(relaxation_time())
       ->default_str("");
+  program
+      .add_option("--bead-boundary", words.bead_boundary,
+                  "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
+                  "paper's); cli, its surface where it is along each link, by central linear interpolation.")
+      ->check(CLI::IsMember(bead_boundaries))
+      ->type_name("staircase|cli")
+      ->default_val(name_of(LinkScheme::staircase));
   program
       .add_option("--precision", words.precision,
                   "Of the populations. single takes half the memory and somewhat over half the time; the run "
@@ -111,6 +120,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   Words words;
   add_flags(*program, options, words);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
+  options.bead_boundary = bead_boundaries.at(words.bead_boundary);
   options.precision = precisions.at(words.precision);
   options.progress = progress_styles.at(words.progress);
   options.provenance = provenance_record(*program);

@@ -84,7 +84,7 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
                         .relaxation_time = on_lattice.lattice.relaxation_time,
                         .kinematic_viscosity_lattice = lattice_viscosity(on_lattice.lattice.relaxation_time),
                         .steps_per_cycle = on_lattice.lattice.steps_per_period,
-                        .bead_boundary = "staircase",
+                        .bead_boundary = name_of(on_lattice.scene.bead_boundary),
                         .precision = name_of(on_lattice.scene.precision)};
   record.cost = cost_of(parts, on_lattice, outcome);
   record.state_sha256 = state_sha256(parts.system, parts.communicator);

@@ -13,25 +13,17 @@ LinkBead link_bead(const BeadOnLattice& bead) {
   const Vec3 &v = bead.motion.velocity, &omega = bead.motion.angular_velocity;
   return {.velocity = {v[0], v[1], v[2]},
           .angular_velocity = {omega[0], omega[1], omega[2]},
-          .mass_source = bead.mass_source};
+          .mass_source = bead.mass_source,
+          .radius = bead.radius};
 }
 
-/// Puts a link into the batch.
-void put(LinkBatch& batch, const BeadLink& link, const Vec3& from_centre) {
-  const int k = batch.links++;
-  const auto& c = d3q19::velocity[link.out];
-  batch.x[k] = from_centre[0], batch.y[k] = from_centre[1], batch.z[k] = from_centre[2];
-  batch.cx[k] = c[0], batch.cy[k] = c[1], batch.cz[k] = c[2];
-  batch.weight[k] = d3q19::weight(link.out);
-  batch.outgoing[k] = link.outgoing;
-}
-
-/// Zeros after the last link, up to whole lanes.
+/// Ends the batch with whole lanes.
 void fill_lanes(LinkBatch& batch) {
   for (int k = batch.links; k % LinkSums::lanes != 0; ++k) {
-    for (double* values :
-         {batch.x, batch.y, batch.z, batch.cx, batch.cy, batch.cz, batch.weight, batch.outgoing})
+    for (double* values : {batch.x, batch.y, batch.z, batch.cy, batch.cz, batch.weight, batch.outgoing,
+                           batch.behind, batch.arrived, batch.interpolates})
       values[k] = 0;
+    batch.cx[k] = 1;
   }
 }
 
@@ -42,30 +34,81 @@ void add_one_by_one(const LinkBatch& batch, LinkSums& sums) {
   }
 }
 
-/// Bounces back along up to LinkBatch::most links of one bead.
+/// Links of one image of a bead on their way through the kernel.
 template <class Real>
-void bounce_back(std::span<BeadLink> links, const CoveredImage& covered, const BeadBoundary& boundary,
-                 Populations& populations) {
-  const Index3& low = covered.image.low;
-  LinkBatch batch;
-  std::array<Real*, LinkBatch::most> incoming;
-  for (BeadLink& link : links) {
-    const int x = low[0] + link.from_low[0], y = low[1] + link.from_low[1], z = low[2] + link.from_low[2];
-    const std::ptrdiff_t fluid_cell = boundary.coverage.cell(x, y, z) + populations.shift(link.out);
-    link.outgoing =
-        static_cast<double>(*populations.outgoing_row<Real>(d3q19::opposite(link.out), fluid_cell));
-    if (!link.fluid_is_own) continue;  // its owner's link
-    incoming[batch.links] = populations.incoming_row<Real>(link.out, fluid_cell);
-    put(batch, link, covered.from_centre(x, y, z));
+class Bounce {
+ public:
+  Bounce(BeadBoundary& boundary, Populations& populations) : boundary_(boundary), populations_(populations) {}
+
+  void add(std::span<BeadLink> links, const CoveredImage& covered) {
+    if (covered_ != &covered) flush();
+    covered_ = &covered;
+    for (BeadLink& link : links) {
+      if (batch_.links == LinkBatch::most) flush();
+      add(link);
+    }
   }
-  if (batch.links == 0) return;
-  fill_lanes(batch);
-  LinkSums& sums = boundary.sums[covered.bead];
-  sums.make_room(LinkBatch::most / LinkSums::lanes);
-  if (!link_kernels().reflect<Real>(batch, link_bead(boundary.beads[covered.bead]), sums))
-    add_one_by_one(batch, sums);
-  for (int k = 0; k < batch.links; ++k) *incoming[k] = static_cast<Real>(batch.returned[k]);
-}
+
+  /// Bounces back all that were added.
+  void flush() {
+    if (batch_.links == 0) return;
+    fetch();
+    fill_lanes(batch_);
+    LinkSums& sums = boundary_.sums[covered_->bead];
+    sums.make_room(LinkBatch::most / LinkSums::lanes);
+    const LinkBead bead = link_bead(boundary_.beads[covered_->bead]);
+    if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch_, bead, sums))
+      add_one_by_one(batch_, sums);
+    for (int k = 0; k < batch_.links; ++k) *incoming_[k] = static_cast<Real>(batch_.returned[k]);
+    batch_.links = 0;
+  }
+
+ private:
+  void add(BeadLink& link) {
+    const Index3& low = covered_->image.low;
+    const int x = low[0] + link.from_low[0], y = low[1] + link.from_low[1], z = low[2] + link.from_low[2];
+    const int out = link.out, in = d3q19::opposite(out);
+    const std::ptrdiff_t fluid_cell = boundary_.coverage.cell(x, y, z) + populations_.shift(out);
+    const Real* outgoing = populations_.outgoing_row<Real>(in, fluid_cell);
+    if (!link.fluid_is_own) {  // its owner's link
+      link.outgoing = static_cast<double>(*outgoing);
+      return;
+    }
+    const int k = batch_.links++;
+    links_[k] = &link;
+    outgoing_[k] = outgoing;
+    incoming_[k] = populations_.incoming_row<Real>(out, fluid_cell);
+    const Vec3 from_centre = covered_->from_centre(x, y, z);
+    batch_.x[k] = from_centre[0], batch_.y[k] = from_centre[1], batch_.z[k] = from_centre[2];
+    const auto& c = d3q19::velocity[out];
+    batch_.cx[k] = c[0], batch_.cy[k] = c[1], batch_.cz[k] = c[2];
+    batch_.weight[k] = d3q19::weight(out);
+    if (!reads_behind_) return;
+    batch_.interpolates[k] = link.has_fluid_behind ? 1 : 0;
+    const std::ptrdiff_t behind = link.has_fluid_behind ? fluid_cell + populations_.shift(out) : fluid_cell;
+    behind_[k] = populations_.outgoing_row<Real>(in, behind);
+    arrived_[k] = populations_.outgoing_row<Real>(out, fluid_cell);
+  }
+
+  /// Reads what the links need, in short loops: memory answers many at a time.
+  void fetch() {
+    for (int k = 0; k < batch_.links; ++k) batch_.outgoing[k] = static_cast<double>(*outgoing_[k]);
+    if (reads_behind_) {
+      for (int k = 0; k < batch_.links; ++k) batch_.behind[k] = static_cast<double>(*behind_[k]);
+      for (int k = 0; k < batch_.links; ++k) batch_.arrived[k] = static_cast<double>(*arrived_[k]);
+    }
+    for (int k = 0; k < batch_.links; ++k) links_[k]->outgoing = batch_.outgoing[k];
+  }
+
+  BeadBoundary& boundary_;
+  Populations& populations_;
+  const bool reads_behind_ = reads_behind(boundary_.links.scheme());
+  const CoveredImage* covered_ = nullptr;
+  LinkBatch batch_;
+  std::array<BeadLink*, LinkBatch::most> links_;
+  std::array<Real*, LinkBatch::most> incoming_;
+  std::array<const Real*, LinkBatch::most> outgoing_, behind_, arrived_;
+};
 
 /// Mean density deviation of the fluid around a cell that was covered, over its links.
 double density_around(const ChangedCell& cell, const BeadLinks& links, const BeadOnLattice& bead) {
@@ -85,18 +128,15 @@ double density_around(const ChangedCell& cell, const BeadLinks& links, const Bea
 }  // namespace
 
 void BeadBoundary::bounce_back_before_row(Populations& populations, int y, int z) {
-  const std::span<const LinkSegment> segments = links.segments();
-  const int end = links.end_segment_of(y, z);
-  for (int s = links.first_segment_of(y, z); s < end; ++s) {
-    std::span<BeadLink> rest = links.links(segments[s]);
-    while (!rest.empty()) {
-      const std::size_t now = std::min<std::size_t>(rest.size(), LinkBatch::most);
-      const CoveredImage& covered = coverage.images().images[segments[s].image];
-      in_precision(populations.precision(),
-                   [&]<class Real>() { bounce_back<Real>(rest.first(now), covered, *this, populations); });
-      rest = rest.subspan(now);
+  const int first = links.first_segment_of(y, z), end = links.end_segment_of(y, z);
+  if (first == end) return;
+  in_precision(populations.precision(), [&]<class Real>() {
+    Bounce<Real> bounce(*this, populations);
+    for (const LinkSegment& segment : links.segments().subspan(first, end - first)) {
+      bounce.add(links.links(segment), coverage.images().images[segment.image]);
     }
-  }
+    bounce.flush();
+  });
 }
 
 void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads) {

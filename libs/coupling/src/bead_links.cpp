@@ -10,21 +10,6 @@
 namespace beadswim {
 namespace {
 
-/// Rows at which a link that belongs to row (y, z) may have its other end: (y + dy, z + dz).
-constexpr std::array<std::array<int, 2>, 5> facing_rows{{{0, 0}, {1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
-
-/// Row of the block, counted as the step goes, before which the links that belong to row (y, z) of it or its
-/// halo must be done: the first of the rows that they join.
-int row_in_order(const Index3& block, int y, int z) {
-  int first = std::numeric_limits<int>::max();
-  for (const auto& [dy, dz] : facing_rows) {
-    if (z + dz < 0 || z + dz >= block[2]) continue;
-    first =
-        std::min(first, std::clamp(y + dy, 0, block[1] - 1) + block[1] * place_in_order(z + dz, block[2]));
-  }
-  return first;
-}
-
 /// Appends links from runs of covered cells of one image.
 struct LinkFinder {
   const Coverage& coverage;
@@ -32,19 +17,11 @@ struct LinkFinder {
   bool is_alone;
   std::vector<BeadLink>& links;
 
-  /// Links between row (y, z) and itself or later rows.
-  void add_between_rows(int y, int z) {
-    const CoveredRun here = coverage.images().run(covered, y, z);
-    for (const auto& [dy, dz] : facing_rows) {
-      const CoveredRun there = coverage.images().run(covered, y + dy, z + dz);
-      if (!here.empty()) add(here, y, z, dy, dz, there);
-      if (!there.empty() && (dy != 0 || dz != 0)) add(there, y + dy, z + dz, -dy, -dz, here);
-    }
-  }
-
- private:
-  /// From the run in row (y, z) to row (y + cy, z + cz), in which the same image covers `facing`.
-  void add(const CoveredRun& run, int y, int z, int cy, int cz, const CoveredRun& facing) {
+  /// From covered cells of row (y, z) to fluid cells of row (y + cy, z + cz).
+  void add(int y, int z, int cy, int cz) {
+    const CoveredRun run = coverage.images().run(covered, y, z);
+    if (run.empty()) return;
+    const CoveredRun facing = coverage.images().run(covered, y + cy, z + cz);
     for (int cx = -1; cx <= 1; ++cx) {
       const int out = direction[cx + 1][cy + 1][cz + 1];
       if (out <= 0) continue;  // at rest, or no direction of the lattice
@@ -53,6 +30,7 @@ struct LinkFinder {
     }
   }
 
+ private:
   static constexpr auto direction = [] {
     std::array<std::array<std::array<int, 3>, 3>, 3> table{};
     for (int x = 0; x < 3; ++x) {
@@ -78,11 +56,14 @@ struct LinkFinder {
       const bool is_own = row_is_own && x >= 0 && x < cells;
       if (!fluid_is_own && !is_own) continue;
       if (!is_alone && coverage.is_covered(fluid_row + fx)) continue;  // another bead's
+      const bool has_fluid_behind =
+          is_alone || !fluid_is_own || !coverage.is_covered(coverage.cell(fx + c[0], fy + c[1], fz + c[2]));
       links.push_back(
           {.from_low = {static_cast<std::int16_t>(x + from_low[0]), static_cast<std::int16_t>(from_low[1]),
                         static_cast<std::int16_t>(from_low[2])},
-           .out = static_cast<std::int8_t>(out),
-           .fluid_is_own = fluid_is_own});
+           .out = static_cast<std::uint8_t>(out),
+           .fluid_is_own = fluid_is_own,
+           .has_fluid_behind = has_fluid_behind});
     }
   }
 };
@@ -91,12 +72,12 @@ bool same_box(const BeadImage& a, const BeadImage& b) {
   return (a.low == b.low).all() && (a.high == b.high).all();
 }
 
-/// Whether cells of one box may be neighbours of cells of the other.
+/// Whether cells of one box may be within two cells of cells of the other.
 bool may_meet(const BeadImage& a, const BeadImage& b) {
-  return (a.low <= b.high).all() && (b.low <= a.high).all();
+  return (a.low <= b.high + 1).all() && (b.low <= a.high + 1).all();
 }
 
-/// Of each image, whether no other one may have cells next to its own.
+/// Of each image, whether no other one may have cells within two cells of its own.
 std::vector<bool> images_alone(const std::vector<CoveredImage>& images) {
   std::vector<int> by_z(images.size());
   std::iota(by_z.begin(), by_z.end(), 0);
@@ -104,7 +85,7 @@ std::vector<bool> images_alone(const std::vector<CoveredImage>& images) {
   std::ranges::sort(by_z, {}, low_z);
   std::vector<bool> alone(images.size(), true);
   for (auto a = by_z.begin(); a != by_z.end(); ++a) {
-    for (auto b = a + 1; b != by_z.end() && low_z(*b) <= images[*a].image.high[2]; ++b) {
+    for (auto b = a + 1; b != by_z.end() && low_z(*b) <= images[*a].image.high[2] + 1; ++b) {
       if (may_meet(images[*a].image, images[*b].image)) alone[*a] = alone[*b] = false;
     }
   }
@@ -114,11 +95,12 @@ std::vector<bool> images_alone(const std::vector<CoveredImage>& images) {
 }  // namespace
 
 void BeadLinks::find(const Coverage& coverage) {
+  block_ = coverage.block_size();
   const std::vector<CoveredImage>& images = coverage.images().images;
   const std::vector<bool> alone = images_alone(images);
   images_.resize(images.size());
   for (std::size_t i = 0; i < images.size(); ++i) find_of_image(coverage, images[i], alone[i], images_[i]);
-  sort_by_row(coverage.block_size());
+  sort_by_row();
 }
 
 void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& covered, bool is_alone,
@@ -127,60 +109,92 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
   const bool keep = known.is_alone && is_alone && same_box(known.box, covered.image);
   if (keep && std::ranges::equal(known.runs, runs)) return;
   const auto changed = [&](int y, int z) {
-    const int run = coverage.images().run_index(covered, y, z);
+    const int run = CoveredImages::run_index(covered, y, z);
     return run >= 0 && known.runs[run] != runs[run];
   };
 
   found_.clear();
   first_found_.clear();
   LinkFinder finder{coverage, covered, is_alone, found_};
+  const auto begin_segment = [&] { first_found_.push_back(static_cast<int>(found_.size())); };
   const BeadImage& box = covered.image;
   for (int z = box.low[2] - 1; z < box.high[2]; ++z) {
     for (int y = box.low[1] - 1; y <= box.high[1]; ++y) {
-      first_found_.push_back(static_cast<int>(found_.size()));
-      const bool kept = keep && std::ranges::none_of(facing_rows, [&](const auto& row) {
-                          return changed(y + row[0], z + row[1]);
+      const bool kept = keep && !changed(y, z) && std::ranges::none_of(later_rows, [&](const auto& later) {
+                          return changed(y + later[0], z + later[1]);
                         });
       if (kept) {
-        const int row = known.row(y, z);
-        found_.insert(found_.end(), known.links.begin() + known.first_of_row[row],
-                      known.links.begin() + known.first_of_row[row + 1]);
-      } else {
-        finder.add_between_rows(y, z);
+        for (const int downwards : {0, 1}) {
+          begin_segment();
+          const int segment = known.segment(y, z, downwards);
+          found_.insert(found_.end(), known.links.begin() + known.first_of_segment[segment],
+                        known.links.begin() + known.first_of_segment[segment + 1]);
+        }
+        continue;
+      }
+      begin_segment();
+      finder.add(y, z, 0, 0);
+      for (const auto& [dy, dz] : later_rows) finder.add(y, z, dy, dz);
+      begin_segment();
+      for (const auto& [dy, dz] : later_rows) finder.add(y + dy, z + dz, -dy, -dz);
+    }
+  }
+  begin_segment();
+
+  if (!same_box(known.box, covered.image) || known.place_of_segment.empty()) {
+    known.place_of_segment.clear();
+    for (int z = box.low[2] - 1; z < box.high[2]; ++z) {
+      for (int y = box.low[1] - 1; y <= box.high[1]; ++y) {
+        for (const int downwards : {0, 1})
+          known.place_of_segment.push_back(place_of_segment(y, z, downwards));
       }
     }
   }
-  first_found_.push_back(static_cast<int>(found_.size()));
-
   known.box = covered.image;
   known.is_alone = is_alone;
   known.runs.assign(runs.begin(), runs.end());
-  known.first_of_row = first_found_;
+  known.first_of_segment = first_found_;
   known.links.assign(found_.begin(), found_.end());
 }
 
-/// Counting sort of the segments that have links.
-void BeadLinks::sort_by_row(const Index3& block) {
-  block_ = block;
-  const auto for_each_segment = [&](auto&& visit) {
-    for (int i = 0; i < std::ssize(images_); ++i) {
-      const ImageLinks& of = images_[i];
-      for (int z = of.box.low[2] - 1; z < of.box.high[2]; ++z) {
-        for (int y = of.box.low[1] - 1; y <= of.box.high[1]; ++y) {
-          const int row = of.row(y, z);
-          const LinkSegment segment{
-              .first = of.first_of_row[row], .end = of.first_of_row[row + 1], .image = i};
-          if (segment.first < segment.end) visit(row_in_order(block, y, z), segment);
-        }
-      }
-    }
+/// The place, in the order of the step, of the first row that the links of a segment read or write.
+int BeadLinks::place_of_segment(int y, int z, int downwards) const {
+  int first = std::numeric_limits<int>::max();
+  const auto involve = [&](int row_y, int row_z) {
+    if (row_y < 0 || row_y >= block_[1] || row_z < 0 || row_z >= block_[2]) return;
+    first = std::min(first, place_of_row(row_y, row_z));
   };
-  first_of_row_.assign(block[1] * block[2] + 1, 0);
-  for_each_segment([&](int row, const LinkSegment&) { ++first_of_row_[row]; });
+  involve(y, z);
+  for (const auto& [dy, dz] : later_rows) {
+    involve(y + dy, z + dz);
+    if (!reads_behind(scheme_)) continue;
+    if (downwards == 0) involve(y + 2 * dy, z + 2 * dz);
+    if (downwards == 1) involve(y - dy, z - dz);
+  }
+  return first;
+}
+
+/// Calls visit(segment, its place in the order of the step) for all segments that have links.
+template <class Visit>
+void BeadLinks::for_each_segment(Visit&& visit) const {
+  for (int i = 0; i < std::ssize(images_); ++i) {
+    const ImageLinks& of = images_[i];
+    for (std::size_t s = 0; s < of.place_of_segment.size(); ++s) {
+      const LinkSegment segment{
+          .first = of.first_of_segment[s], .end = of.first_of_segment[s + 1], .image = i};
+      if (segment.first < segment.end) visit(segment, of.place_of_segment[s]);
+    }
+  }
+}
+
+/// Counting sort.
+void BeadLinks::sort_by_row() {
+  first_of_row_.assign(block_[1] * block_[2] + 1, 0);
+  for_each_segment([&](const LinkSegment&, int place) { ++first_of_row_[place]; });
   std::exclusive_scan(first_of_row_.begin(), first_of_row_.end(), first_of_row_.begin(), 0);
   by_row_.resize(first_of_row_.back());
   next_of_row_ = first_of_row_;
-  for_each_segment([&](int row, const LinkSegment& segment) { by_row_[next_of_row_[row]++] = segment; });
+  for_each_segment([&](const LinkSegment& segment, int place) { by_row_[next_of_row_[place]++] = segment; });
 }
 
 }  // namespace beadswim

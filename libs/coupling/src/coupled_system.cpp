@@ -36,7 +36,8 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       populations_(decomposition_.block(communicator.rank()).size, scene.precision),
       halo_(communicator, decomposition_, scene.walls),
       exchange_(communicator, decomposition_, scene_),
-      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_) {
+      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_),
+      links_(scene.bead_boundary) {
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   for (const CoupledScene::Swimmer& swimmer : scene_.swimmers) {
     if (exchange_.owner_of(swimmer.position) == communicator.rank())

@@ -3,6 +3,7 @@
 #include "link_kernel.hpp"
 
 #include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/coupling/interpolated_bounce_back.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
@@ -39,7 +40,7 @@ BEADSWIM_KERNEL bool add_terms(const LinkBatch& batch, int places, LinkSums& sum
   return true;
 }
 
-template <class Real>
+template <LinkScheme scheme, class Real>
 BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
   const LinkBead b = bead;
   const int places = (batch.links + LinkSums::lanes - 1) / LinkSums::lanes * LinkSums::lanes;
@@ -49,8 +50,16 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
     const double r[3] = {batch.x[k], batch.y[k], batch.z[k]};
     const double w = batch.weight[k], outgoing = batch.outgoing[k];
     const double approach = speed_along(c, b.velocity, b.angular_velocity, r);
-    const double returned =
-        static_cast<double>(static_cast<Real>(bounced(w, outgoing, approach) + w * b.mass_source));
+    double bounced_back;
+    if constexpr (scheme == LinkScheme::staircase) {
+      bounced_back = bounced(w, outgoing, approach);
+    } else {
+      const double k_of_link =
+          batch.interpolates[k] * interpolation_weight(wall_distance(c, r, b.radius * b.radius));
+      bounced_back =
+          bounced_interpolated(w, k_of_link, outgoing, batch.behind[k], batch.arrived[k], approach);
+    }
+    const double returned = static_cast<double>(static_cast<Real>(bounced_back + w * b.mass_source));
     batch.returned[k] = returned;
     const double p = outgoing + returned;
     const double px = c[0] * p, py = c[1] * p, pz = c[2] * p;
@@ -66,11 +75,17 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
   return add_terms(batch, places, sums);
 }
 
-bool reflect_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<double>(batch, bead, sums);
+bool staircase_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<LinkScheme::staircase, double>(batch, bead, sums);
 }
-bool reflect_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<float>(batch, bead, sums);
+bool staircase_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<LinkScheme::staircase, float>(batch, bead, sums);
+}
+bool cli_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<LinkScheme::cli, double>(batch, bead, sums);
+}
+bool cli_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<LinkScheme::cli, float>(batch, bead, sums);
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "beadswim/coupling/link_scheme.hpp"
 #include "beadswim/coupling/link_sums.hpp"
 
 // The arithmetic of many links of one bead side by side. link_kernel.cpp is compiled once for each
@@ -7,41 +8,50 @@
 
 namespace beadswim {
 
-/// Links of one bead.
+/// Links of one bead. Places after the last one, up to whole lanes, have direction (1, 0, 0) and zeros.
 struct LinkBatch {
   static constexpr int most = 64;
 
-  int links = 0;                        ///< places after them, up to the next whole lanes, hold zeros
+  int links = 0;
   double x[most], y[most], z[most];     ///< centre of the covered cell relative to the bead's
   double cx[most], cy[most], cz[most];  ///< direction from the covered cell into the fluid
   double weight[most];                  ///< of the direction
   double outgoing[most];                ///< what the fluid sends
-  double returned[most];           ///< result: what comes back, rounded to the precision of the populations
+  double behind[most];        ///< what the fluid cell behind sends along the same direction; for cli
+  double arrived[most];       ///< what the fluid cell sends the other way; for cli
+  double interpolates[most];  ///< 1; 0 for a link that has no fluid behind and bounces back half-way; for cli
+  double returned[most];      ///< result: what comes back, rounded to the precision of the populations
   double terms[link_terms][most];  ///< result: what each link hands to the bead
 };
 
 struct LinkBead {
   double velocity[3], angular_velocity[3];
   double mass_source;  ///< fluid mass that each link returns, over its weight
+  double radius;
 };
 
 /// Reflects what goes out along the links of a batch, and adds what they hand to the bead to its sums. False,
 /// and nothing is added, if a term is too large, or not a number.
 struct LinkKernels {
-  bool (*reflect_fp64)(LinkBatch&, const LinkBead&, LinkSums&);
-  bool (*reflect_fp32)(LinkBatch&, const LinkBead&, LinkSums&);
+  using Reflect = bool(LinkBatch&, const LinkBead&, LinkSums&);
+  Reflect *staircase_fp64, *staircase_fp32, *cli_fp64, *cli_fp32;
 
   /// Real: the type of the populations.
   template <class Real>
-  bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
-    return (sizeof(Real) == sizeof(float) ? reflect_fp32 : reflect_fp64)(batch, bead, sums);
+  bool reflect(LinkScheme scheme, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
+    constexpr bool is_single = sizeof(Real) == sizeof(float);
+    Reflect* kernel = scheme == LinkScheme::staircase ? (is_single ? staircase_fp32 : staircase_fp64)
+                                                      : (is_single ? cli_fp32 : cli_fp64);
+    return kernel(batch, bead, sums);
   }
 };
 
-#define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)                       \
-  namespace instruction_set {                                                \
-  bool reflect_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums); \
-  bool reflect_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums); \
+#define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)         \
+  namespace instruction_set {                                  \
+  bool staircase_fp64(LinkBatch&, const LinkBead&, LinkSums&); \
+  bool staircase_fp32(LinkBatch&, const LinkBead&, LinkSums&); \
+  bool cli_fp64(LinkBatch&, const LinkBead&, LinkSums&);       \
+  bool cli_fp32(LinkBatch&, const LinkBead&, LinkSums&);       \
   }
 
 BEADSWIM_DECLARE_LINK_KERNELS(baseline)
@@ -49,6 +59,11 @@ BEADSWIM_DECLARE_LINK_KERNELS(baseline)
 BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v3)
 BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v4)
 #endif
+
+/// Those of one instruction set.
+#define BEADSWIM_LINK_KERNELS(instruction_set)                                                              \
+  (LinkKernels{instruction_set::staircase_fp64, instruction_set::staircase_fp32, instruction_set::cli_fp64, \
+               instruction_set::cli_fp32})
 
 /// The best that this processor can run.
 const LinkKernels& link_kernels();

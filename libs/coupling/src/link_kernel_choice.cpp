@@ -5,10 +5,10 @@ namespace {
 
 LinkKernels choose() {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("x86-64-v4")) return {x86_64_v4::reflect_fp64, x86_64_v4::reflect_fp32};
-  if (__builtin_cpu_supports("x86-64-v3")) return {x86_64_v3::reflect_fp64, x86_64_v3::reflect_fp32};
+  if (__builtin_cpu_supports("x86-64-v4")) return BEADSWIM_LINK_KERNELS(x86_64_v4);
+  if (__builtin_cpu_supports("x86-64-v3")) return BEADSWIM_LINK_KERNELS(x86_64_v3);
 #endif
-  return {baseline::reflect_fp64, baseline::reflect_fp32};
+  return BEADSWIM_LINK_KERNELS(baseline);
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/populations.hpp"
 #include "beadswim/lattice/sweep.hpp"
@@ -9,13 +7,18 @@
 
 namespace beadswim {
 
-/// The order in which a step comes to the planes of a block across z: 1, 2, ..., planes - 1, 0. Those between
-/// the outermost two come first, while messages for the halo of these are under way.
+/// The order in which a step comes to the planes of a block across z: 2, 3, ..., planes - 1, 0, 1. Messages
+/// for the halo may be under way until the outermost two on either side: rows of these, or links of beads
+/// next to them, read it.
 constexpr int plane_in_order(int n, int planes) {
-  return (n + 1) % planes;
+  return (n + 2) % planes;
 }
 constexpr int place_in_order(int z, int planes) {
-  return (z + planes - 1) % planes;
+  return (z + 2 * planes - 2) % planes;
+}
+/// The place in this order from which on all of the halo is filled.
+constexpr int first_outer_plane(int planes) {
+  return planes > 4 ? planes - 4 : 0;
 }
 
 /// One step of the fluid in a block. Calls before_row(y, z) before each row is swept, with the halo filled
@@ -25,10 +28,9 @@ void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rat
   halo.start(populations);
   BlockSweep sweep(populations, rates, halo.row_ends());
   const int rows = populations.size()[1], planes = populations.size()[2];
-  const int first_outer = std::max(planes - 2, 0);
   for (int n = 0; n < planes; ++n) {
-    if (n < first_outer) halo.progress();
-    if (n == first_outer) halo.finish(populations);
+    if (n < first_outer_plane(planes)) halo.progress();
+    if (n == first_outer_plane(planes)) halo.finish(populations);
     const int z = plane_in_order(n, planes);
     for (int y = 0; y < rows; ++y) {
       before_row(y, z);

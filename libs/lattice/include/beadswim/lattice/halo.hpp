@@ -25,7 +25,7 @@ enum class Wall {
 /// a face are filled there; the rest of the halo is unspecified.
 ///
 /// Messages across z, the axis that is cut first, may be under way while the planes inside are swept
-/// (fluid_step.hpp): only the planes next to the halo need it.
+/// (fluid_step.hpp): only planes near the halo need it.
 class Halo {
  public:
   Halo(const Communicator& communicator, const Decomposition& decomposition,
@@ -41,7 +41,7 @@ class Halo {
   /// Moves messages on. Call it now and then: MPI need not do so by itself.
   void progress();
 
-  /// Fills the rest. Of the populations, only what planes between the outermost two read or write may have
+  /// Fills the rest. Of the populations, only what planes other than the outermost read or write may have
   /// changed since start().
   void finish(Populations& populations);
 

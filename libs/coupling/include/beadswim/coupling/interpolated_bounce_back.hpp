@@ -1,0 +1,41 @@
+#pragma once
+
+#include "beadswim/core/kernel.hpp"
+
+// Bounce-back off a moving wall at its place along the link, by central linear interpolation (CLI).
+//
+//   f_ibar(x, t+1) = f_i*(x) + k (f_i*(x - c_i) - f_ibar*(x)) - 6 w_i (1 + k) c_i.u_w
+//   k = (1 - 2 q) / (1 + 2 q)
+//
+// i points from the fluid cell x into the bead, q c_i from x to its surface, 0 <= q <= 1. Exact in a linear
+// shear flow at any q, whatever the viscosity, as bounce-back (q = 1/2, k = 0) is at q = 1/2. For two
+// relaxation times with a fixed product.
+//
+// Ginzburg, Verhaeghe & d'Humieres, Commun. Comput. Phys. 3 (2008) 427, section 5.
+
+namespace beadswim {
+
+/// q, for a sphere about the origin: c points from the fluid into it, r is the centre of the covered cell at
+/// the link's end. The smaller root of (r - c + q c)^2 = R^2. Between 0 and 1 whatever rounding does.
+BEADSWIM_KERNEL double wall_distance(const double (&c)[3], const double (&r)[3], double radius_squared) {
+  const double cc = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+  const double rc = r[0] * c[0] + r[1] * c[1] + r[2] * c[2];
+  const double rr = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+  const double discriminant = rc * rc - cc * (rr - radius_squared);
+  const double q = (cc - rc - __builtin_sqrt(discriminant > 0 ? discriminant : 0)) / cc;
+  return q > 0 ? (q < 1 ? q : 1) : 0;
+}
+
+/// k
+BEADSWIM_KERNEL double interpolation_weight(double q) {
+  return (1 - 2 * q) / (1 + 2 * q);
+}
+
+/// What comes back when `outgoing` leaves along a direction of this weight: behind = f_i*(x - c_i),
+/// arrived = f_ibar*(x), approach_speed = c_i.u_w.
+BEADSWIM_KERNEL double bounced_interpolated(double weight, double k, double outgoing, double behind,
+                                            double arrived, double approach_speed) {
+  return outgoing + k * (behind - arrived) - 6 * weight * (1 + k) * approach_speed;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,9 @@
+#include "beadswim/coupling/link_scheme.hpp"
+
+namespace beadswim {
+
+std::string name_of(LinkScheme scheme) {
+  return scheme == LinkScheme::staircase ? "staircase" : "cli";
+}
+
+}  // namespace beadswim
