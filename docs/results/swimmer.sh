@@ -1,15 +1,18 @@
 #!/bin/bash
 # The run records of this folder: the paper's swimmer in a periodic box of 120 x 80 x 80 cells.
-#   docs/results/swimmer.sh FOLDER        (some 7 minutes on 2 idle cores; the programs on PATH)
+#   docs/results/swimmer.sh FOLDER        (some 15 minutes on 2 idle cores; the programs on PATH)
 set -euo pipefail
 folder=${1:?name a folder for the records}
 mkdir -p "$folder"
 for period in 2000 4800; do
   for amplitude in 0.1 0.2; do
-    name=swimmer-T$period-A$amplitude
+    layout=$folder/swimmer-T$period-A$amplitude.layout.json
     beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic --period "$period" \
-      --amplitude "$amplitude" >"$folder/$name.layout.json"
-    mpirun -n 2 beadswim-run "$folder/$name.layout.json" -o "$folder/$name.h5md" --cycles 6 \
-      >"$folder/$name.json" </dev/null
+      --amplitude "$amplitude" >"$layout"
+    for scheme in staircase cli; do
+      name=swimmer-$scheme-T$period-A$amplitude
+      mpirun -n 2 beadswim-run "$layout" -o "$folder/$name.h5md" --bead-boundary $scheme --cycles 6 \
+        >"$folder/$name.json" </dev/null
+    done
   done
 done

@@ -14,7 +14,7 @@ err_has '^two/figure-2.svg$'
 well_formed two/figure-2.svg
 check 'there are not 41 separations' test "$(wc -l <two/predictions.jsonl)" -eq 41
 
-record=$BEADSWIM_SOURCE/docs/results/swimmer-T4800-A0.2.json
+record=$BEADSWIM_SOURCE/docs/results/swimmer-staircase-T4800-A0.2.json
 run "$examples/figure-3.sh" three "$record"
 has_status 0
 out_empty

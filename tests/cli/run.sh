@@ -95,6 +95,21 @@ run beadswim-run slow.json -o slow.h5md --cycles 0.1 --progress none
 err_empty
 refuses 'precision: half' beadswim-run layout.json -o x.h5md --precision half
 
+# --- interpolated links: another law at the bead, nearly the same swimmer, on record, the same bits on any ranks
+for ranks in 2 3; do
+  run mpirun -n $ranks beadswim-run strong.json -o cli$ranks.h5md --cycles 2 --bead-boundary cli --progress none
+  has_status 0
+  err_empty
+  cp out cli$ranks.json
+done
+check "2 and 3 ranks end in different states" \
+  test "$(jq .state_sha256 cli2.json)" = "$(jq .state_sha256 cli3.json)"
+check "the scheme is on record" test "$(jq -r .resolution.bead_boundary cli2.json)" = cli
+jq -s 'map(.swimmers[0].cycles[-1])' double.json cli2.json >both.json
+check "the stroke is another one, and near" \
+  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 0.001 and . < 0.2) | all' both.json
+refuses 'bead-boundary: sphere' beadswim-run layout.json -o x.h5md --bead-boundary sphere
+
 # --- stopped early on purpose: results are there, and exit status 4
 small --period 100 --amplitude 0,1e4 --stiffness 1e-6 >wild.json
 run mpirun -n 2 beadswim-run wild.json -o wild.h5md --progress none

@@ -8,6 +8,13 @@
 // and beads from n to n + 1. See docs/method/staircase-beads.md.
 
 namespace beadswim {
+namespace {
+
+/// The part of the fluid mass held by a bead that its links return in a step. What they return changes what
+/// interpolated links take in the next steps: all of it at once makes that overshoot, and grow.
+constexpr double returned_part = 0.1;
+
+}  // namespace
 
 void CoupledSystem::step() {
   // Fluid: what streams in from neighbours, walls and beads, then streaming and collision, row by row.
@@ -39,9 +46,9 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
       loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
-      // Its links return the fluid mass that it has come to hold in the next step, alike in all directions.
+      // Its links return a part of the fluid mass that it has come to hold, alike in all directions.
       swimmer.held_mass[b] += from_fluid.mass.value();
-      swimmer.mass_source[b] = swimmer.held_mass[b] / from_fluid.link_weight.value();
+      swimmer.mass_source[b] = returned_part * swimmer.held_mass[b] / from_fluid.link_weight.value();
     }
     const SwimmerMotion before = swimmer.motion;
     advance_swimmer(swimmer.motion, scene_.types[swimmer.type], swimmer.initial_axis, loads,
