@@ -12,7 +12,7 @@ small --period 100 --amplitude 0.02 >layout.json
 
 # --- what it says of itself
 accepts beadswim-run --help
-for flag in output model cycles frames-per-cycle cells-per-radius relaxation-time precision time-limit flow-every progress; do
+for flag in output model cycles frames-per-cycle cells-per-radius relaxation-time bead-boundary precision time-limit flow-every progress; do
   out_has "--$flag"
 done
 accepts beadswim-run --version

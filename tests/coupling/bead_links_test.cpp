@@ -189,7 +189,7 @@ TEST_P(BeadLinksIn, OfBeadsThatMovedAreThoseFoundAnew) {
 
 // What lets links be done row by row: none comes after the sweep of a row that it reads from or writes to, or
 // before messages for the halo across z have arrived.
-TEST_P(BeadLinksIn, ComeBeforeTheSweepOfBothTheirRows) {
+TEST_P(BeadLinksIn, ComeBeforeTheSweepOfTheirRows) {
   for_each_scene([](Scene& scene) {
     const Index3& n = scene.at.block.size;
     std::set<std::pair<int, int>> swept;

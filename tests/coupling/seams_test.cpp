@@ -28,6 +28,14 @@ CoupledScene long_arms() {
   return scene;
 }
 
+/// Two swimmers side by side along z, where ranks cut, their beads one to two cells apart: links face each
+/// other across single fluid cells.
+CoupledScene side_by_side() {
+  CoupledScene scene = small_swimmer(Index3(14, 14, 30), Vec3(7.1, 7.3, 15.2), Vec3::UnitZ());
+  scene.swimmers.push_back({.id = 3, .type = 0, .position = Vec3(12.8, 7.3, 15.2), .axis = Vec3::UnitZ()});
+  return scene;
+}
+
 /// Between walls of both kinds, beads within a cell of each.
 CoupledScene between_walls() {
   CoupledScene scene = small_swimmer(Index3(26, 14, 12), Vec3(13, 3.2, 8.7), Vec3::UnitX());
@@ -46,7 +54,7 @@ std::string final_state(const CoupledScene& scene, const Communicator& communica
 // Catches a missing exchange, a sum whose order depends on ranks, a bead lost or counted twice at a seam.
 TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
-  for (CoupledScene scene : {crossing_scene(), long_arms(), between_walls()}) {
+  for (CoupledScene scene : {crossing_scene(), long_arms(), side_by_side(), between_walls()}) {
     for (const auto& [precision, scheme] :
          {std::pair{Precision::fp64, LinkScheme::staircase},
           std::pair{Precision::fp32, LinkScheme::staircase}, std::pair{Precision::fp64, LinkScheme::cli},

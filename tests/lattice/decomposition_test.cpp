@@ -22,13 +22,14 @@ CellMoments rough_state(const Index3& cell) {
   return {density, Vec3(ux, uy, deviation(random))};
 }
 
-class Decomposed : public testing::TestWithParam<std::tuple<std::array<Wall, 3>, Precision>> {};
+/// Cells along z: 8 leave no plane inside a block to be swept while messages are under way, 24 do.
+class Decomposed : public testing::TestWithParam<std::tuple<std::array<Wall, 3>, Precision, int>> {};
 
 // Catches any exchange that is missing or out of order, at faces, edges and wall corners alike, and row ends
 // that the sweep fills otherwise than the halo does: the block of one piece leaves them to the halo.
 TEST_P(Decomposed, GivesTheBitsOfOneBlock) {
-  const Index3 cells(9, 7, 8);
-  const auto [walls, precision] = GetParam();
+  const auto [walls, precision, planes] = GetParam();
+  const Index3 cells(9, 7, planes);
   FluidBox cut(cells, walls, 1.1, MPI_COMM_WORLD, precision);
   FluidBox whole(cells, walls, 1.1, MPI_COMM_SELF, precision);
   whole.row_ends = RowEnds::left_to_halo;
@@ -51,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(
                                      std::array{Wall::no_slip, Wall::no_slip, Wall::no_slip},
                                      std::array{Wall::periodic, Wall::no_slip, Wall::free_slip},
                                      std::array{Wall::free_slip, Wall::periodic, Wall::no_slip}),
-                     testing::Values(Precision::fp64, Precision::fp32)));
+                     testing::Values(Precision::fp64, Precision::fp32), testing::Values(8, 24)));
 
 // Catches row ends that are believed although a cell there has been set since the sweep.
 TEST(RowEnds, AreFilledAnewAfterACellThereWasSet) {

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "beadswim/lattice/d3q19.hpp"
-#include "beadswim/lattice/fluid_step.hpp"
 
 namespace beadswim {
 namespace {
@@ -141,7 +140,7 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
   }
   begin_segment();
 
-  if (!same_box(known.box, covered.image) || known.place_of_segment.empty()) {
+  if (known.place_of_segment.empty() || !same_box(known.box, covered.image)) {
     known.place_of_segment.clear();
     for (int z = box.low[2] - 1; z < box.high[2]; ++z) {
       for (int y = box.low[1] - 1; y <= box.high[1]; ++y) {

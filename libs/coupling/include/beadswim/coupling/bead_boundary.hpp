@@ -9,8 +9,8 @@
 #include "beadswim/coupling/link_sums.hpp"
 #include "beadswim/lattice/populations.hpp"
 
-// The loops over links and changing cells; the laws are in moving_bounce_back.hpp. Each works on one rank's
-// block.
+// The loops over links and changing cells; the laws are in moving_bounce_back.hpp and
+// interpolated_bounce_back.hpp. Each works on one rank's block.
 
 namespace beadswim {
 
@@ -22,7 +22,8 @@ struct BeadBoundary {
   std::vector<LinkSums>& sums;  ///< one a bead
 
   /// Bounces populations back at the links that belong to row (y, z) of the block, and adds up what they hand
-  /// to the beads. The halo must have been filled; to be called for all rows, each before it is swept.
+  /// to the beads. For step_fluid() to call, before each row and in its order: links need no more of the halo
+  /// than is filled then.
   void bounce_back_before_row(Populations& populations, int y, int z);
 };
 

@@ -29,8 +29,8 @@ struct LinkSegment {
 /// All links of a block, by the row at which the step comes to them.
 ///
 /// A link reads and writes places among the incoming populations of its covered cell, of its fluid cell and,
-/// where the scheme looks there, of the fluid cell behind. It is done just before the first of their rows
-/// that the step comes to, so that its populations are on their way into the cache anyway.
+/// where the scheme looks there, of the fluid cell behind. Its segment is done just before the first of the
+/// segment's rows that the step comes to, so that its populations are on their way into the cache anyway.
 ///
 /// Beads cross a fraction of a cell a step, so that most links are those of the step before.
 class BeadLinks {
@@ -43,7 +43,7 @@ class BeadLinks {
   /// the same cells as before are kept.
   void find(const Coverage& coverage);
 
-  /// Segments, all in order of their rows.
+  /// Segments, all in the order of the step.
   std::span<const LinkSegment> segments() const { return by_row_; }
 
   /// The range of segments to be done before row (y, z) of the block is swept.
@@ -75,8 +75,8 @@ class BeadLinks {
   static constexpr std::array<std::array<int, 2>, 4> later_rows{{{1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
   /// The links of one image in two segments a row: from covered cells of the row to fluid cells of the same
-  /// and of later rows (upwards 0), and from covered cells of later rows to fluid cells of the row (1). Rows
-  /// from one before the image's box to its last along z, to one after it along y.
+  /// and of later rows (downwards: 0), and from covered cells of later rows to fluid cells of the row (1).
+  /// Rows from one before the image's box to its last along z, to one after it along y.
   struct ImageLinks {
     BeadImage box;
     bool is_alone = false;              ///< no other image within two cells, so that its own runs say all

@@ -24,7 +24,7 @@ enum class Wall {
 /// no-slip walls, which are local to a cell, come last. Only the five directions that enter the block through
 /// a face are filled there; the rest of the halo is unspecified.
 ///
-/// Messages across z, the axis that is cut first, may be under way while the planes inside are swept
+/// Messages across z may be under way while the planes inside are swept
 /// (fluid_step.hpp): only planes near the halo need it.
 class Halo {
  public:
@@ -41,8 +41,8 @@ class Halo {
   /// Moves messages on. Call it now and then: MPI need not do so by itself.
   void progress();
 
-  /// Fills the rest. Of the populations, only what planes other than the outermost read or write may have
-  /// changed since start().
+  /// Fills the rest. Rows other than those of the outermost planes may have been swept since start(), and
+  /// links done that touch nothing which enters through a face across z or stands at a wall.
   void finish(Populations& populations);
 
   /// Fills everything.

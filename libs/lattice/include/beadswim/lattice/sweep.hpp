@@ -10,8 +10,8 @@ namespace beadswim {
 
 /// One step of the fluid in a block, row by row in any order: every own cell reads its 19 incoming
 /// populations, collides them and puts its outgoing ones in their places. Branch-free: beads and walls have
-/// set the incoming populations of a row's links before. The halo must have been filled (`row_ends` says what
-/// of the next one is filled here: Halo::row_ends()).
+/// set the incoming populations of a row's links before. The halo beside a row must have been filled before
+/// it is swept (`row_ends` says what of the next one is filled here: Halo::row_ends()).
 ///
 /// The same bits on every instruction set and for every shape of block.
 class BlockSweep {
