@@ -61,8 +61,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SlowSwimmer,
                          testing::Values(std::tuple{4.0, 1.5}, std::tuple{3.0, 0.8}, std::tuple{6.0, 3.0}));
 
 // The paper's swimmer driven weakly, for two cycles: beads hold little of the fluid's mass and feel no kicks.
-// Catches the mass that they return making their links take more (returned at once with cli, it grows to 0.2
-// and kicks the beads by 1e-4).
+// Catches the mass that they return making their links take more (returned at once with cli, it grows to
+// 149).
 TEST_P(SlowSwimmer, IsNotKickedByTheMassThatBeadsReturn) {
   const auto [radius, relaxation_time] = GetParam();
   const Communicator self(MPI_COMM_SELF);

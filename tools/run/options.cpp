@@ -37,6 +37,12 @@ struct Words {
   std::string model, bead_boundary, precision, progress;
 };
 
+/// A flag that takes one of some words; `names`: as --help lists them.
+void add_word(CLI::App& program, const std::string& flag, std::string& word, const CLI::Validator& one_of,
+              const std::string& names, const std::string& initial, const std::string& help) {
+  program.add_option(flag, word, help)->check(one_of)->type_name(names)->default_val(initial);
+}
+
 void add_flags(CLI::App& program, RunOptions& options, Words& words) {
   program.add_option("LAYOUT", options.layout, "Layout, as beadswim-layout writes it; - for standard input.");
   program
@@ -44,12 +50,8 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
                   "Trajectory to write (H5MD); an older file of that name is replaced when the run ends.")
       ->type_name("FILE.h5md")
       ->required();
-  program
-      .add_option("--model", words.model,
-                  "lbm: beads resolved in a lattice-Boltzmann fluid. auto: the best model there is, lbm.")
-      ->check(CLI::IsMember({"lbm", "auto"}))
-      ->type_name("lbm|auto")
-      ->default_val("auto");
+  add_word(program, "--model", words.model, CLI::IsMember({"lbm", "auto"}), "lbm|auto", "auto",
+           "lbm: beads resolved in a lattice-Boltzmann fluid. auto: the best model there is, lbm.");
   program
       .add_option("--cycles", options.cycles,
                   "Length of the run, in periods of the first type's driving; fractions allowed.")
@@ -70,20 +72,14 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
           "whole number of steps [default: the layout's, else 1.5]")
       ->check(relaxation_time())
       ->default_str("");
-  program
-      .add_option("--bead-boundary", words.bead_boundary,
-                  "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
-                  "paper's); cli, its surface where it is along each link, by central linear interpolation.")
-      ->check(CLI::IsMember(bead_boundaries))
-      ->type_name("staircase|cli")
-      ->default_val(name_of(LinkScheme::staircase));
-  program
-      .add_option("--precision", words.precision,
-                  "Of the populations. single takes half the memory and somewhat over half the time; the run "
-                  "says when it would change the result.")
-      ->check(CLI::IsMember(precisions))
-      ->type_name("double|single")
-      ->default_val(name_of(Precision::fp64));
+  add_word(program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_boundaries), "staircase|cli",
+           name_of(LinkScheme::staircase),
+           "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
+           "paper's); cli, its surface where it is along each link, by central linear interpolation.");
+  add_word(program, "--precision", words.precision, CLI::IsMember(precisions), "double|single",
+           name_of(Precision::fp64),
+           "Of the populations. single takes half the memory and somewhat over half the time; the run "
+           "says when it would change the result.");
   program
       .add_option("--time-limit", options.time_limit,
                   "Stop after this many seconds, results intact, with exit status 4 [default: none]")
@@ -96,14 +92,10 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
           "none]")
       ->check(finite_positive())
       ->default_str("");
-  program
-      .add_option(
-          "--progress", words.progress,
-          "Progress on standard error: bar, lines (one each 10 s), json (likewise), none; auto is bar on a "
-          "terminal, else lines.")
-      ->check(CLI::IsMember(progress_styles))
-      ->type_name("auto|bar|lines|json|none")
-      ->default_val("auto");
+  add_word(program, "--progress", words.progress, CLI::IsMember(progress_styles), "auto|bar|lines|json|none",
+           "auto",
+           "Progress on standard error: bar, lines (one each 10 s), json (likewise), none; auto is bar on a "
+           "terminal, else lines.");
   program.add_flag("!--no-provenance", options.with_provenance,
                    "Leave cost and provenance out of the run record, so that equal runs give equal bytes.");
 }

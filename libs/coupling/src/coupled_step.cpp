@@ -5,8 +5,8 @@
 #include "beadswim/lattice/fluid_step.hpp"
 
 // The method, step by step. Populations are kept as they are after collision at time n; a step takes fluid
-// and beads from n to n + 1. See docs/method/staircase-beads.md
-// and interpolated-beads.md.
+// and beads from n to n + 1. See docs/method/staircase-beads.md and
+// interpolated-beads.md.
 
 namespace beadswim {
 namespace {

@@ -108,8 +108,8 @@ void fill_free_slip(Populations& populations, int axis, int side) {
 }
 
 /// Bounce-back: what enters an own cell along i left the same cell along the opposite direction. Local, and
-/// so needs no halo; it overrules what other axes put where two walls meet. In the planes low_z to high_z
-/// - 1.
+/// so needs no halo; it overrules what other axes put where two walls meet. In planes [low_z,
+/// high_z).
 template <class Real>
 void bounce_back_at_face(Populations& populations, int axis, int side, int low_z, int high_z) {
   Index3 low(0, 0, low_z), high(populations.size()[0], populations.size()[1], high_z);

@@ -8,8 +8,8 @@
 //   k = (1 - 2 q) / (1 + 2 q)
 //
 // i points from the fluid cell x into the bead, q c_i from x to its surface, 0 <= q <= 1. Exact in a linear
-// shear flow at any q, whatever the viscosity, as bounce-back (k = 0) is at q = 1/2. Steady
-// flows do not depend on the viscosity as long as the product of the two relaxation times is fixed (trt.hpp).
+// shear flow at any q, whatever the viscosity, as bounce-back (k = 0) is at q = 1/2. Steady flows
+// do not depend on the viscosity as long as the product of the two relaxation times is fixed (trt.hpp).
 //
 // Ginzburg, Verhaeghe & d'Humieres, Commun. Comput. Phys. 3 (2008) 427, section 5.
 

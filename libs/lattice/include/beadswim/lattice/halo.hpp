@@ -24,8 +24,8 @@ enum class Wall {
 /// no-slip walls, which are local to a cell, come last. Only the five directions that enter the block through
 /// a face are filled there; the rest of the halo is unspecified.
 ///
-/// Messages across z may be under way while the planes inside are swept
-/// (fluid_step.hpp): only planes near the halo need it.
+/// Messages across z may be under way while the planes inside are swept (fluid_step.hpp): only planes near
+/// the halo need it.
 class Halo {
  public:
   Halo(const Communicator& communicator, const Decomposition& decomposition,
