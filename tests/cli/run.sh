@@ -108,6 +108,19 @@ check "the scheme is on record" test "$(jq -r .resolution.bead_boundary cli2.jso
 jq -s 'map(.swimmers[0].cycles[-1])' double.json cli2.json >both.json
 check "the stroke is another one, and near" \
   holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 0.001 and . < 0.2) | all' both.json
+for ranks in 1 3; do
+  run mpirun -n $ranks beadswim-run strong.json -o mr$ranks.h5md --cycles 2 --bead-boundary mr --progress none
+  has_status 0
+  cp out mr$ranks.json
+done
+check "1 and 3 ranks end in different states" \
+  test "$(jq .state_sha256 mr1.json)" = "$(jq .state_sha256 mr3.json)"
+jq -s 'map(.swimmers[0].cycles[-1])' cli2.json mr1.json >both.json
+check "multireflection gives another stroke, and near" \
+  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 1e-5 and . < 0.05) | all' both.json
+small --period 150 >even.json
+refuses 'relaxation-time: 0.875 leaves multireflection' beadswim-run even.json -o x.h5md --bead-boundary mr \
+  --relaxation-time 0.875
 refuses 'bead-boundary: sphere' beadswim-run layout.json -o x.h5md --bead-boundary sphere
 
 # --- stopped early on purpose: results are there, and exit status 4

@@ -27,9 +27,9 @@ const std::array shapes{Shape{{.offset = {0, 4, 3}, .size = {22, 7, 6}}, {true, 
                         Shape{{.offset = {21, 0, 0}, .size = {1, 15, 13}}, {true, true, true}},
                         Shape{{.offset = {0, 8, 6}, .size = {22, 7, 7}}, {true, false, false}}};
 
-/// Covered cell, direction, whether the fluid cell is the block's own, and if so whether the cell behind is
-/// fluid.
-using Link = std::tuple<int, int, int, int, bool, bool>;
+/// Covered cell, direction, whether the fluid cell is the block's own, and if so how many cells behind are
+/// fluid, as far as the scheme reads.
+using Link = std::tuple<int, int, int, int, bool, int>;
 
 /// Two beads, in every third scene almost in contact; off the walls, if there are any.
 std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<bool, 3>& periodic) {
@@ -67,7 +67,18 @@ int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell,
   return -1;
 }
 
-std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Shape& shape) {
+/// A cell beyond a mirror is the mirror image of one before it.
+Index3 before_mirror(Index3 cell, const std::array<bool, 3>& periodic) {
+  for (int a = 0; a < 3; ++a) {
+    if (periodic[a]) continue;
+    if (cell[a] < 0) cell[a] = -1 - cell[a];
+    if (cell[a] >= lattice[a]) cell[a] = 2 * lattice[a] - 1 - cell[a];
+  }
+  return cell;
+}
+
+std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Shape& shape,
+                               LinkScheme scheme) {
   const Block& block = shape.block;
   const auto is_own = [&](const Index3& p) { return (p >= 0).all() && (p < block.size).all(); };
   std::set<Link> links;
@@ -79,11 +90,17 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
         for (int out = 1; out < d3q19::directions; ++out) {
           const auto& c = d3q19::velocity[out];
           const Index3 q = p + Index3(c[0], c[1], c[2]);
-          const Index3 behind = q + Index3(c[0], c[1], c[2]);
           if (!is_own(p) && !is_own(q)) continue;
-          if (covering_bead(beads, q + block.offset, shape.periodic) < 0)
-            links.insert({x, y, z, out, is_own(q),
-                          !is_own(q) || covering_bead(beads, behind + block.offset, shape.periodic) < 0});
+          if (covering_bead(beads, q + block.offset, shape.periodic) >= 0) continue;
+          const auto is_fluid = [&](int on) {
+            const Index3 behind = q + block.offset + on * Index3(c[0], c[1], c[2]);
+            return covering_bead(beads, before_mirror(behind, shape.periodic), shape.periodic) < 0;
+          };
+          int behind = 0;
+          if (is_own(q)) {
+            while (behind < cells_behind(scheme) && is_fluid(behind + 1)) ++behind;
+          }
+          links.insert({x, y, z, out, is_own(q), behind});
         }
       }
     }
@@ -130,7 +147,8 @@ std::vector<Link> links_of(BeadLinks& links, std::size_t segment, const Coverage
   std::vector<Link> found;
   for (const BeadLink& link : links.links(at)) {
     const auto& [x, y, z] = link.from_low;
-    found.push_back({low[0] + x, low[1] + y, low[2] + z, link.out, link.fluid_is_own, link.has_fluid_behind});
+    found.push_back({low[0] + x, low[1] + y, low[2] + z, link.out, link.fluid_is_own,
+                     link.fluid_is_own ? link.fluid_behind : 0});
   }
   return found;
 }
@@ -150,7 +168,8 @@ class BeadLinksIn : public testing::TestWithParam<std::tuple<Shape, LinkScheme>>
 
 INSTANTIATE_TEST_SUITE_P(Shapes, BeadLinksIn,
                          testing::Combine(testing::ValuesIn(shapes),
-                                          testing::Values(LinkScheme::staircase, LinkScheme::cli)));
+                                          testing::Values(LinkScheme::staircase, LinkScheme::cli,
+                                                          LinkScheme::mr)));
 
 // Catches a row, an image or a seam whose links are missed, found twice, or given to the wrong owner.
 TEST_P(BeadLinksIn, AreAllLinksBetweenCoveredAndFluidCells) {
@@ -159,7 +178,7 @@ TEST_P(BeadLinksIn, AreAllLinksBetweenCoveredAndFluidCells) {
     for (std::size_t s = 0; s < scene.links.segments().size(); ++s) {
       for (const Link& link : links_of(scene.links, s, scene.coverage)) found.insert(link);
     }
-    const std::set<Link> expected = links_by_search(scene.beads, scene.shape);
+    const std::set<Link> expected = links_by_search(scene.beads, scene.shape, scene.links.scheme());
     EXPECT_EQ(found, std::multiset<Link>(expected.begin(), expected.end()));
   });
 }
@@ -201,11 +220,16 @@ TEST_P(BeadLinksIn, ComeBeforeTheSweepOfTheirRows) {
           for (const auto& [link_x, link_y, link_z, out, own, behind] :
                links_of(scene.links, s, scene.coverage)) {
             const auto& c = d3q19::velocity[out];
-            const int reach = own && behind && reads_behind(scene.links.scheme()) ? 2 : 1;
-            for (int m = 0; m <= reach; ++m) {
+            const bool is_mr = scene.links.scheme() == LinkScheme::mr;  // has all of its halo from the start
+            for (int m = 0; m <= behind + 1; ++m) {
               const int row_y = link_y + m * c[1], row_z = link_z + m * c[2];
               EXPECT_FALSE(swept.contains({row_y, row_z}));
-              EXPECT_TRUE(halo_is_filled || (row_z >= 0 && row_z < n[2]));
+              EXPECT_TRUE(is_mr || halo_is_filled || (row_z >= 0 && row_z < n[2]));
+            }
+            if (!is_mr || !own) continue;
+            for (int i = 0; i < d3q19::directions; ++i) {  // all that leaves the fluid cell
+              const auto& d = d3q19::velocity[i];
+              EXPECT_FALSE(swept.contains({link_y + c[1] + d[1], link_z + c[2] + d[2]}));
             }
           }
         }

@@ -12,7 +12,8 @@ class FixedSphere {
  public:
   FixedSphere(int edge, double radius, const Vec3& centre, double relaxation_time,
               LinkScheme scheme = LinkScheme::staircase)
-      : fluid(Index3::Constant(edge), periodic, relaxation_time),
+      : fluid(Index3::Constant(edge), periodic, relaxation_time, MPI_COMM_SELF, Precision::fp64,
+              halo_content(scheme)),
         coverage(block_in_lattice(fluid.decomposition, 0, periodic), fluid.populations),
         links(scheme),
         beads{{.name = {}, .owner = 0, .radius = radius, .motion = {.position = centre}, .impulse = {}}} {
@@ -24,7 +25,7 @@ class FixedSphere {
   Load step() {
     beads[0].impulse = {};
     fluid.halo.fill(fluid.populations);
-    BeadBoundary boundary{coverage, links, beads, sums};
+    BeadBoundary boundary{coverage, links, beads, fluid.rates, sums};
     for (int z = 0; z < fluid.populations.size()[2]; ++z) {
       for (int y = 0; y < fluid.populations.size()[1]; ++y) {
         boundary.bounce_back_before_row(fluid.populations, y, z);

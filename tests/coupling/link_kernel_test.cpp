@@ -23,7 +23,9 @@ LinkBatch random_batch(int links, unsigned seed) {
     batch.cx[k] = k % 2 == 0 ? 1 : -1, batch.cy[k] = direction(random), batch.cz[k] = direction(random);
     batch.weight[k] = k % 3 == 0 ? 1.0 / 18 : 1.0 / 36;
     batch.outgoing[k] = deviation(random), batch.behind[k] = deviation(random);
-    batch.arrived[k] = deviation(random), batch.interpolates[k] = k % 5 == 0 ? 0 : 1;
+    batch.arrived[k] = deviation(random), batch.two_behind[k] = deviation(random);
+    batch.arrived_behind[k] = deviation(random), batch.speed[k] = deviation(random);
+    batch.fluid_behind[k] = k % 3;
   }
   return batch;
 }
@@ -31,7 +33,8 @@ LinkBatch random_batch(int links, unsigned seed) {
 constexpr LinkBead bead{.velocity = {0.01, -0.02, 0.003},
                         .angular_velocity = {0.001, 0.0005, -0.002},
                         .mass_source = 1e-4,
-                        .radius = 6.5};
+                        .radius = 6.5,
+                        .slip = 0.4};
 
 /// The kernels that this processor can run.
 std::vector<LinkKernels> kernels() {
@@ -54,7 +57,8 @@ struct Kernel {
 template <class Kernel>
 class LinkKernelsOf : public testing::Test {};
 using AllKernels = testing::Types<Kernel<LinkScheme::staircase, double>, Kernel<LinkScheme::staircase, float>,
-                                  Kernel<LinkScheme::cli, double>, Kernel<LinkScheme::cli, float>>;
+                                  Kernel<LinkScheme::cli, double>, Kernel<LinkScheme::cli, float>,
+                                  Kernel<LinkScheme::mr, double>, Kernel<LinkScheme::mr, float>>;
 TYPED_TEST_SUITE(LinkKernelsOf, AllKernels);
 
 // Catches a lane that is left out or counted twice, a fused multiply-add, and sums that depend on the lanes:

@@ -27,8 +27,9 @@ double array_drag(double volume_fraction, double cells_per_diameter, const Vec3&
     for (int n = 0; n < 200; ++n) sphere.step();
     before = superficial;
     superficial = 0;
-    for_each_cell(sphere.fluid.populations, [&](const Index3& p, std::ptrdiff_t cell) {
-      if (!sphere.coverage.is_covered(cell)) superficial += sphere.fluid.velocity(p[0], p[1], p[2])[0];
+    for_each_cell(sphere.fluid.populations, [&](const Index3& p, std::ptrdiff_t) {
+      if (!sphere.coverage.is_covered(p[0], p[1], p[2]))
+        superficial += sphere.fluid.velocity(p[0], p[1], p[2])[0];
     });
     superficial /= std::pow(edge, 3);
   }
@@ -74,18 +75,22 @@ TEST_P(SimpleCubicArray, HasTheDragOfZickAndHomsy) {
   EXPECT_LT(spread / m.drag, m.model_error);
 }
 
-INSTANTIATE_TEST_SUITE_P(FractionsAndResolutions, SimpleCubicArray,
-                         testing::Values(Measured{0.027, 2.008, 8, 0.06}, Measured{0.064, 2.810, 8, 0.06},
-                                         Measured{0.125, 4.292, 8, 0.08}, Measured{0.125, 4.292, 16, 0.04},
-                                         Measured{0.216, 7.442, 12, 0.08},
-                                         Measured{0.027, 2.008, 8, 0.02, LinkScheme::cli},
-                                         Measured{0.125, 4.292, 8, 0.02, LinkScheme::cli},
-                                         Measured{0.125, 4.292, 16, 0.01, LinkScheme::cli}));
+INSTANTIATE_TEST_SUITE_P(
+    FractionsAndResolutions, SimpleCubicArray,
+    testing::Values(Measured{0.027, 2.008, 8, 0.06}, Measured{0.064, 2.810, 8, 0.06},
+                    Measured{0.125, 4.292, 8, 0.08}, Measured{0.125, 4.292, 16, 0.04},
+                    Measured{0.216, 7.442, 12, 0.08}, Measured{0.027, 2.008, 8, 0.02, LinkScheme::cli},
+                    Measured{0.125, 4.292, 8, 0.02, LinkScheme::cli},
+                    Measured{0.125, 4.292, 16, 0.01, LinkScheme::cli},
+                    Measured{0.125, 4.292, 4, 0.045, LinkScheme::mr},  // two cells between spheres
+                    Measured{0.125, 4.292, 8, 0.015, LinkScheme::mr},
+                    Measured{0.125, 4.292, 16, 0.01, LinkScheme::mr}));
 
 class TurningSphere : public testing::TestWithParam<std::tuple<LinkScheme, double>> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, TurningSphere,
                          testing::Values(std::tuple{LinkScheme::staircase, 0.12},
-                                         std::tuple{LinkScheme::cli, 0.02}));
+                                         std::tuple{LinkScheme::cli, 0.02},
+                                         std::tuple{LinkScheme::mr, 0.02}));
 
 // Torque on a slowly turning sphere, 8 pi eta R^3 Omega; the neighbours of a cubic array at phi = 0.027 add
 // about phi to it. Catches a wrong lever arm or sign.

@@ -9,6 +9,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
+#include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
 namespace {
@@ -67,6 +68,18 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
       }
     }
   }
+}
+
+/// Throws InputError at the one relaxation time at which multireflection has nothing to go by.
+void require_slip(LinkScheme scheme, double relaxation_time) {
+  constexpr double nearest = 1e-4;
+  const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
+  if (scheme != LinkScheme::mr || std::abs(1 - antisymmetric_time) > nearest) return;
+  throw InputError(
+      "--relaxation-time",
+      fmt::format("{:.6g} leaves multireflection (--bead-boundary mr) no trace of what it corrects: "
+                  "take 0.87 or 0.88, or another --bead-boundary",
+                  relaxation_time));
 }
 
 Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) {
@@ -147,6 +160,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
                                options.relaxation_time.value_or(hint.relaxation_time), result.period);
   const LatticeScales& scales = result.lattice.scales;
   require_off_walls(layout, scales.cell, source);
+  require_slip(options.bead_boundary, result.lattice.relaxation_time);
 
   CoupledScene& scene = result.scene;
   scene.relaxation_time = result.lattice.relaxation_time;

@@ -4,24 +4,27 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
+#include "beadswim/coupling/multireflection.hpp"
 #include "link_kernel.hpp"
 
 namespace beadswim {
 namespace {
 
-LinkBead link_bead(const BeadOnLattice& bead) {
+LinkBead link_bead(const BeadOnLattice& bead, double slip = 0) {
   const Vec3 &v = bead.motion.velocity, &omega = bead.motion.angular_velocity;
   return {.velocity = {v[0], v[1], v[2]},
           .angular_velocity = {omega[0], omega[1], omega[2]},
           .mass_source = bead.mass_source,
-          .radius = bead.radius};
+          .radius = bead.radius,
+          .slip = slip};
 }
 
 /// Ends the batch with whole lanes.
 void fill_lanes(LinkBatch& batch) {
   for (int k = batch.links; k % LinkSums::lanes != 0; ++k) {
-    for (double* values : {batch.x, batch.y, batch.z, batch.cy, batch.cz, batch.weight, batch.outgoing,
-                           batch.behind, batch.arrived, batch.interpolates})
+    for (double* values :
+         {batch.x, batch.y, batch.z, batch.cy, batch.cz, batch.weight, batch.outgoing, batch.fluid_behind,
+          batch.behind, batch.arrived, batch.two_behind, batch.arrived_behind, batch.speed})
       values[k] = 0;
     batch.cx[k] = 1;
   }
@@ -33,6 +36,23 @@ void add_one_by_one(const LinkBatch& batch, LinkSums& sums) {
     for (int k = 0; k < batch.links; ++k) sums.sums[t].add(batch.terms[t][k]);
   }
 }
+
+/// For each direction i those j with c_i.c_j != 0, and c_i.c_j.
+struct Projection {
+  int direction;
+  double value;
+};
+const auto along = [] {
+  std::array<std::vector<Projection>, d3q19::directions> table;
+  for (int i = 0; i < d3q19::directions; ++i) {
+    for (int j = 0; j < d3q19::directions; ++j) {
+      const auto &a = d3q19::velocity[i], &b = d3q19::velocity[j];
+      const int value = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+      if (value != 0) table[i].push_back({j, static_cast<double>(value)});
+    }
+  }
+  return table;
+}();
 
 /// Links of one image of a bead on their way through the kernel.
 template <class Real>
@@ -56,7 +76,7 @@ class Bounce {
     fill_lanes(batch_);
     LinkSums& sums = boundary_.sums[covered_->bead];
     sums.make_room(LinkBatch::most / LinkSums::lanes);
-    const LinkBead bead = link_bead(boundary_.beads[covered_->bead]);
+    const LinkBead bead = link_bead(boundary_.beads[covered_->bead], slip_);
     if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch_, bead, sums))
       add_one_by_one(batch_, sums);
     for (int k = 0; k < batch_.links; ++k) *incoming_[k] = static_cast<Real>(batch_.returned[k]);
@@ -83,31 +103,49 @@ class Bounce {
     const auto& c = d3q19::velocity[out];
     batch_.cx[k] = c[0], batch_.cy[k] = c[1], batch_.cz[k] = c[2];
     batch_.weight[k] = d3q19::weight(out);
-    if (!reads_behind_) return;
-    batch_.interpolates[k] = link.has_fluid_behind ? 1 : 0;
-    const std::ptrdiff_t behind = link.has_fluid_behind ? fluid_cell + populations_.shift(out) : fluid_cell;
+    if (cells_behind_ == 0) return;
+    batch_.fluid_behind[k] = link.fluid_behind;
+    const std::ptrdiff_t behind = link.fluid_behind > 0 ? fluid_cell + populations_.shift(out) : fluid_cell;
     behind_[k] = populations_.outgoing_row<Real>(in, behind);
     arrived_[k] = populations_.outgoing_row<Real>(out, fluid_cell);
+    if (cells_behind_ == 1) return;
+    two_behind_[k] = link.fluid_behind > 1 ? populations_.incoming_row<Real>(in, behind) : outgoing;
+    arrived_behind_[k] = populations_.outgoing_row<Real>(out, behind);
+    batch_.speed[k] = link.fluid_behind > 1 ? momentum_along(in, fluid_cell) : 0;
+  }
+
+  /// c_i.u of a cell
+  double momentum_along(int i, std::ptrdiff_t cell) const {
+    double sum = 0;
+    for (const auto& [j, projection] : along[i])
+      sum += projection * static_cast<double>(*populations_.outgoing_row<Real>(j, cell));
+    return sum;
   }
 
   /// Reads what the links need, in short loops: memory answers many at a time.
   void fetch() {
     for (int k = 0; k < batch_.links; ++k) batch_.outgoing[k] = static_cast<double>(*outgoing_[k]);
-    if (reads_behind_) {
+    if (cells_behind_ >= 1) {
       for (int k = 0; k < batch_.links; ++k) batch_.behind[k] = static_cast<double>(*behind_[k]);
       for (int k = 0; k < batch_.links; ++k) batch_.arrived[k] = static_cast<double>(*arrived_[k]);
+    }
+    if (cells_behind_ >= 2) {
+      for (int k = 0; k < batch_.links; ++k) batch_.two_behind[k] = static_cast<double>(*two_behind_[k]);
+      for (int k = 0; k < batch_.links; ++k)
+        batch_.arrived_behind[k] = static_cast<double>(*arrived_behind_[k]);
     }
     for (int k = 0; k < batch_.links; ++k) links_[k]->outgoing = batch_.outgoing[k];
   }
 
   BeadBoundary& boundary_;
   Populations& populations_;
-  const bool reads_behind_ = reads_behind(boundary_.links.scheme());
+  const int cells_behind_ = cells_behind(boundary_.links.scheme());
+  const double slip_ = multireflection_slip(boundary_.rates);
   const CoveredImage* covered_ = nullptr;
   LinkBatch batch_;
   std::array<BeadLink*, LinkBatch::most> links_;
   std::array<Real*, LinkBatch::most> incoming_;
-  std::array<const Real*, LinkBatch::most> outgoing_, behind_, arrived_;
+  std::array<const Real*, LinkBatch::most> outgoing_, behind_, arrived_, two_behind_, arrived_behind_;
 };
 
 /// Mean density deviation of the fluid around a cell that was covered, over its links.

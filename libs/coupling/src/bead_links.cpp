@@ -14,6 +14,7 @@ struct LinkFinder {
   const Coverage& coverage;
   const CoveredImage& covered;
   bool is_alone;
+  int cells_behind;
   std::vector<BeadLink>& links;
 
   /// From covered cells of row (y, z) to fluid cells of row (y + cy, z + cz).
@@ -47,23 +48,28 @@ struct LinkFinder {
     const int fy = y + c[1], fz = z + c[2], cells = coverage.block_size()[0];
     const bool row_is_own = coverage.is_own(0, y, z), fluid_row_is_own = coverage.is_own(0, fy, fz);
     if (!fluid_row_is_own && !(row_is_own && coverage.is_own_or_halo(0, fy, fz))) return;
-    const std::ptrdiff_t fluid_row = coverage.cell(0, fy, fz);
     const Index3 from_low = Index3(0, y, z) - covered.image.low;
     for (int x = low; x < high; ++x) {
       const int fx = x + c[0];
       const bool fluid_is_own = fluid_row_is_own && fx >= 0 && fx < cells;
       const bool is_own = row_is_own && x >= 0 && x < cells;
       if (!fluid_is_own && !is_own) continue;
-      if (!is_alone && coverage.is_covered(fluid_row + fx)) continue;  // another bead's
-      const bool has_fluid_behind =
-          is_alone || !fluid_is_own || !coverage.is_covered(coverage.cell(fx + c[0], fy + c[1], fz + c[2]));
+      if (!is_alone && coverage.is_covered(fx, fy, fz)) continue;  // another bead's
+      int fluid_behind = cells_behind;
+      if (!is_alone && fluid_is_own) fluid_behind = count_fluid_behind({fx, fy, fz}, {c[0], c[1], c[2]});
       links.push_back(
           {.from_low = {static_cast<std::int16_t>(x + from_low[0]), static_cast<std::int16_t>(from_low[1]),
                         static_cast<std::int16_t>(from_low[2])},
            .out = static_cast<std::uint8_t>(out),
-           .fluid_is_own = fluid_is_own,
-           .has_fluid_behind = has_fluid_behind});
+           .fluid_behind = static_cast<std::uint8_t>(fluid_behind),
+           .fluid_is_own = fluid_is_own});
     }
+  }
+
+  int count_fluid_behind(const Index3& fluid_cell, const Index3& c) const {
+    int count = 0;
+    while (count < cells_behind && coverage.is_fluid(fluid_cell + (count + 1) * c)) ++count;
+    return count;
   }
 };
 
@@ -71,21 +77,24 @@ bool same_box(const BeadImage& a, const BeadImage& b) {
   return (a.low == b.low).all() && (a.high == b.high).all();
 }
 
-/// Whether cells of one box may be within two cells of cells of the other.
-bool may_meet(const BeadImage& a, const BeadImage& b) {
-  return (a.low <= b.high + 1).all() && (b.low <= a.high + 1).all();
+/// Whether cells of one box may be within `distance` cells of cells of the other.
+bool may_meet(const BeadImage& a, const BeadImage& b, int distance) {
+  return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
 }
 
-/// Of each image, whether no other one may have cells within two cells of its own.
-std::vector<bool> images_alone(const std::vector<CoveredImage>& images) {
+/// Of each image, whether neither another one nor a wall may be within `distance` cells of its own.
+std::vector<bool> images_alone(const Coverage& coverage, int distance) {
+  const std::vector<CoveredImage>& images = coverage.images().images;
   std::vector<int> by_z(images.size());
   std::iota(by_z.begin(), by_z.end(), 0);
   const auto low_z = [&](int i) { return images[i].image.low[2]; };
   std::ranges::sort(by_z, {}, low_z);
-  std::vector<bool> alone(images.size(), true);
+  std::vector<bool> alone(images.size());
+  for (std::size_t i = 0; i < images.size(); ++i)
+    alone[i] = !coverage.is_near_wall(images[i].image, distance);
   for (auto a = by_z.begin(); a != by_z.end(); ++a) {
-    for (auto b = a + 1; b != by_z.end() && low_z(*b) <= images[*a].image.high[2] + 1; ++b) {
-      if (may_meet(images[*a].image, images[*b].image)) alone[*a] = alone[*b] = false;
+    for (auto b = a + 1; b != by_z.end() && low_z(*b) < images[*a].image.high[2] + distance; ++b) {
+      if (may_meet(images[*a].image, images[*b].image, distance)) alone[*a] = alone[*b] = false;
     }
   }
   return alone;
@@ -96,7 +105,7 @@ std::vector<bool> images_alone(const std::vector<CoveredImage>& images) {
 void BeadLinks::find(const Coverage& coverage) {
   block_ = coverage.block_size();
   const std::vector<CoveredImage>& images = coverage.images().images;
-  const std::vector<bool> alone = images_alone(images);
+  const std::vector<bool> alone = images_alone(coverage, 1 + cells_behind(scheme_));
   images_.resize(images.size());
   for (std::size_t i = 0; i < images.size(); ++i) find_of_image(coverage, images[i], alone[i], images_[i]);
   sort_by_row();
@@ -114,7 +123,7 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
 
   found_.clear();
   first_found_.clear();
-  LinkFinder finder{coverage, covered, is_alone, found_};
+  LinkFinder finder{coverage, covered, is_alone, cells_behind(scheme_), found_};
   const auto begin_segment = [&] { first_found_.push_back(static_cast<int>(found_.size())); };
   const BeadImage& box = covered.image;
   for (int z = box.low[2] - 1; z < box.high[2]; ++z) {
@@ -163,12 +172,22 @@ int BeadLinks::place_of_segment(int y, int z, int downwards) const {
     if (row_y < 0 || row_y >= block_[1] || row_z < 0 || row_z >= block_[2]) return;
     first = std::min(first, place_of_row(row_y, row_z));
   };
+  const auto involve_around = [&](int fluid_y, int fluid_z) {
+    for (int dz = -1; dz <= 1; ++dz) {
+      for (int dy = -1; dy <= 1; ++dy) involve(fluid_y + dy, fluid_z + dz);
+    }
+  };
+  const int behind = cells_behind(scheme_);
+  const bool reads_moments = scheme_ == LinkScheme::mr;
   involve(y, z);
+  if (reads_moments) involve_around(y, z);
   for (const auto& [dy, dz] : later_rows) {
     involve(y + dy, z + dz);
-    if (!reads_behind(scheme_)) continue;
-    if (downwards == 0) involve(y + 2 * dy, z + 2 * dz);
-    if (downwards == 1) involve(y - dy, z - dz);
+    if (reads_moments && downwards == 0) involve_around(y + dy, z + dz);
+    for (int m = 1; m <= behind; ++m) {
+      if (downwards == 0) involve(y + (1 + m) * dy, z + (1 + m) * dz);
+      if (downwards == 1) involve(y - m * dy, z - m * dz);
+    }
   }
   return first;
 }

@@ -6,7 +6,7 @@
 
 // The method, step by step. Populations are kept as they are after collision at time n; a step takes fluid
 // and beads from n to n + 1. See docs/method/staircase-beads.md and
-// interpolated-beads.md.
+// interpolated-beads.md, multireflection.md.
 
 namespace beadswim {
 namespace {
@@ -20,7 +20,7 @@ constexpr double returned_part = 0.1;
 void CoupledSystem::step() {
   // Fluid: what streams in from neighbours, walls and beads, then streaming and collision, row by row.
   link_sums_.resize(beads_.size());
-  BeadBoundary boundary{coverage_, links_, beads_, link_sums_};
+  BeadBoundary boundary{coverage_, links_, beads_, rates_, link_sums_};
   step_fluid(populations_, halo_, rates_,
              [&](int y, int z) { boundary.bounce_back_before_row(populations_, y, z); });
   hand_over_impulses(link_sums_, beads_);

@@ -33,8 +33,9 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       scene_(scene),
       rates_(relaxation_rates(scene.relaxation_time)),
       decomposition_(scene.cells, communicator.size()),
-      populations_(decomposition_.block(communicator.rank()).size, scene.precision),
-      halo_(communicator, decomposition_, scene.walls),
+      populations_(decomposition_.block(communicator.rank()).size, scene.precision,
+                   halo_content(scene.bead_boundary)),
+      halo_(communicator, decomposition_, scene.walls, halo_content(scene.bead_boundary)),
       exchange_(communicator, decomposition_, scene_),
       coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_),
       links_(scene.bead_boundary) {

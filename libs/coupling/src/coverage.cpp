@@ -35,27 +35,48 @@ Coverage::Coverage(const BlockInLattice& at, const Populations& populations)
       pitch_y_(populations.pitch(1)),
       pitch_z_(populations.pitch(2)),
       origin_(populations.cell(0, 0, 0)),
-      state_(populations.cell_indices(), State::fluid) {}
+      state_((at.block.size + 2 * margin).cast<std::ptrdiff_t>().prod(), State::fluid) {}
+
+bool Coverage::is_fluid(const Index3& cell) const {
+  Index3 inside = cell;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (at_.periodic[axis]) continue;
+    const int place = cell[axis] + at_.block.offset[axis], end = at_.cells[axis];
+    if (place >= 0 && place < end) continue;
+    if (at_.no_slip[axis]) return false;
+    inside[axis] = (place < 0 ? -1 - place : 2 * end - 1 - place) - at_.block.offset[axis];
+  }
+  return !is_covered(inside[0], inside[1], inside[2]);
+}
+
+bool Coverage::is_near_wall(const BeadImage& image, int distance) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    const int low = image.low[axis] + at_.block.offset[axis],
+              high = image.high[axis] + at_.block.offset[axis];
+    if (!at_.periodic[axis] && (low < distance || high > at_.cells[axis] - distance)) return true;
+  }
+  return false;
+}
 
 void Coverage::update(std::span<const BeadOnLattice> beads) {
   std::swap(before_, now_);
   before_.for_each_run([&](const CoveredImage&, const CoveredRun& run, int y, int z) {
-    const auto row = state_.begin() + cell(0, y, z);
-    std::fill(row + run.low, row + run.high, State::just_left);
+    const auto first = state_.begin() + place_of_state(run.low, y, z);
+    std::fill_n(first, run.high - run.low, State::just_left);
   });
   now_.images.clear();
   now_.runs.clear();
   newly_covered_.clear();
   for (int b = 0; b < std::ssize(beads); ++b) {
-    for_each_image(at_, 1, beads[b].motion.position, beads[b].radius,
+    for_each_image(at_, margin, beads[b].motion.position, beads[b].radius,
                    [&](const BeadImage& image) { cover(beads, b, image); });
   }
   uncovered_.clear();
   before_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int y, int z) {
     for (int x = run.low; x < run.high; ++x) {
-      State& state = state_[cell(x, y, z)];
-      if (state != State::just_left) continue;
-      state = State::fluid;
+      State& now = state(x, y, z);
+      if (now != State::just_left) continue;
+      now = State::fluid;
       if (is_own(x, y, z)) uncovered_.push_back(changed_cell(covered, x, y, z));
     }
   });
@@ -83,10 +104,10 @@ void Coverage::cover(std::span<const BeadOnLattice> beads, int bead, const BeadI
 void Coverage::cover_run(std::span<const BeadOnLattice> beads, const CoveredImage& covered,
                          const CoveredRun& run, int y, int z) {
   for (int x = run.low; x < run.high; ++x) {
-    State& state = state_[cell(x, y, z)];
-    if (state == State::covered) throw_overlap(beads[first_bead_at(x, y, z)], beads[covered.bead]);
-    if (state == State::fluid && is_own(x, y, z)) newly_covered_.push_back(changed_cell(covered, x, y, z));
-    state = State::covered;
+    State& now = state(x, y, z);
+    if (now == State::covered) throw_overlap(beads[first_bead_at(x, y, z)], beads[covered.bead]);
+    if (now == State::fluid && is_own(x, y, z)) newly_covered_.push_back(changed_cell(covered, x, y, z));
+    now = State::covered;
   }
 }
 

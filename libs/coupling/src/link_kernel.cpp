@@ -5,6 +5,7 @@
 #include "beadswim/core/order_free_cut.hpp"
 #include "beadswim/coupling/interpolated_bounce_back.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
+#include "beadswim/coupling/multireflection.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
@@ -54,10 +55,20 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
     if constexpr (scheme == LinkScheme::staircase) {
       bounced_back = bounced(w, outgoing, approach);
     } else {
-      const double k_of_link =
-          batch.interpolates[k] * interpolation_weight(wall_distance(c, r, b.radius * b.radius));
+      const double q = wall_distance(c, r, b.radius * b.radius);
+      const double k_of_link = batch.fluid_behind[k] > 0 ? interpolation_weight(q) : 0;
       bounced_back =
           bounced_interpolated(w, k_of_link, outgoing, batch.behind[k], batch.arrived[k], approach);
+      if constexpr (scheme == LinkScheme::mr) {
+        const MultireflectionLink f{.outgoing = outgoing,
+                                    .arrived = batch.arrived[k],
+                                    .behind = batch.behind[k],
+                                    .arrived_behind = batch.arrived_behind[k],
+                                    .two_behind = batch.two_behind[k],
+                                    .speed = batch.speed[k]};
+        const double reflected = bounced_multireflection(w, q, b.slip, f, approach);
+        bounced_back = batch.fluid_behind[k] > 1 ? reflected : bounced_back;
+      }
     }
     const double returned = static_cast<double>(static_cast<Real>(bounced_back + w * b.mass_source));
     batch.returned[k] = returned;
@@ -86,6 +97,12 @@ bool cli_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
 }
 bool cli_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
   return reflect<LinkScheme::cli, float>(batch, bead, sums);
+}
+bool mr_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<LinkScheme::mr, double>(batch, bead, sums);
+}
+bool mr_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+  return reflect<LinkScheme::mr, float>(batch, bead, sums);
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -17,10 +17,13 @@ struct LinkBatch {
   double cx[most], cy[most], cz[most];  ///< direction from the covered cell into the fluid
   double weight[most];                  ///< of the direction
   double outgoing[most];                ///< what the fluid sends
-  double behind[most];        ///< what the fluid cell behind sends along the same direction; for cli
-  double arrived[most];       ///< what the fluid cell sends the other way; for cli
-  double interpolates[most];  ///< 1; 0 for a link that has no fluid behind and bounces back half-way; for cli
-  double returned[most];      ///< result: what comes back, rounded to the precision of the populations
+  double fluid_behind[most];  ///< fluid cells behind the link's; for cli and mr, which do with what there is
+  double behind[most];        ///< what the fluid cell behind sends along the same direction; for cli and mr
+  double arrived[most];       ///< what the fluid cell sends the other way; for cli and mr
+  double two_behind[most];    ///< what the second fluid cell behind sends along the same direction; for mr
+  double arrived_behind[most];     ///< what the fluid cell behind sends the other way; for mr
+  double speed[most];              ///< momentum of the fluid cell along the link, into the bead; for mr
+  double returned[most];           ///< result: what comes back, rounded to the precision of the populations
   double terms[link_terms][most];  ///< result: what each link hands to the bead
 };
 
@@ -28,21 +31,28 @@ struct LinkBead {
   double velocity[3], angular_velocity[3];
   double mass_source;  ///< fluid mass that each link returns, over its weight
   double radius;
+  double slip;  ///< of the fluid's relaxation (multireflection.hpp); for mr
 };
 
 /// Reflects what goes out along the links of a batch, and adds what they hand to the bead to its sums. False,
 /// and nothing is added, if a term is too large, or not a number.
 struct LinkKernels {
   using Reflect = bool(LinkBatch&, const LinkBead&, LinkSums&);
-  Reflect *staircase_fp64, *staircase_fp32, *cli_fp64, *cli_fp32;
+  Reflect *staircase_fp64, *staircase_fp32, *cli_fp64, *cli_fp32, *mr_fp64, *mr_fp32;
 
   /// Real: the type of the populations.
   template <class Real>
   bool reflect(LinkScheme scheme, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
     constexpr bool is_single = sizeof(Real) == sizeof(float);
-    Reflect* kernel = scheme == LinkScheme::staircase ? (is_single ? staircase_fp32 : staircase_fp64)
-                                                      : (is_single ? cli_fp32 : cli_fp64);
-    return kernel(batch, bead, sums);
+    switch (scheme) {
+      case LinkScheme::staircase:
+        return (is_single ? staircase_fp32 : staircase_fp64)(batch, bead, sums);
+      case LinkScheme::cli:
+        return (is_single ? cli_fp32 : cli_fp64)(batch, bead, sums);
+      case LinkScheme::mr:
+        return (is_single ? mr_fp32 : mr_fp64)(batch, bead, sums);
+    }
+    return false;
   }
 };
 
@@ -52,6 +62,8 @@ struct LinkKernels {
   bool staircase_fp32(LinkBatch&, const LinkBead&, LinkSums&); \
   bool cli_fp64(LinkBatch&, const LinkBead&, LinkSums&);       \
   bool cli_fp32(LinkBatch&, const LinkBead&, LinkSums&);       \
+  bool mr_fp64(LinkBatch&, const LinkBead&, LinkSums&);        \
+  bool mr_fp32(LinkBatch&, const LinkBead&, LinkSums&);        \
   }
 
 BEADSWIM_DECLARE_LINK_KERNELS(baseline)
@@ -63,7 +75,7 @@ BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v4)
 /// Those of one instruction set.
 #define BEADSWIM_LINK_KERNELS(instruction_set)                                                              \
   (LinkKernels{instruction_set::staircase_fp64, instruction_set::staircase_fp32, instruction_set::cli_fp64, \
-               instruction_set::cli_fp32})
+               instruction_set::cli_fp32, instruction_set::mr_fp64, instruction_set::mr_fp32})
 
 /// The best that this processor can run.
 const LinkKernels& link_kernels();

@@ -3,7 +3,15 @@
 namespace beadswim {
 
 std::string name_of(LinkScheme scheme) {
-  return scheme == LinkScheme::staircase ? "staircase" : "cli";
+  switch (scheme) {
+    case LinkScheme::staircase:
+      return "staircase";
+    case LinkScheme::cli:
+      return "cli";
+    case LinkScheme::mr:
+      return "mr";
+  }
+  return "";
 }
 
 }  // namespace beadswim

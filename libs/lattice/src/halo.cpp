@@ -1,6 +1,10 @@
 #include "beadswim/lattice/halo.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
+
+#include "beadswim/core/error.hpp"
 
 namespace beadswim {
 namespace {
@@ -71,15 +75,30 @@ void for_each_run_of_plane(const Populations& populations, int axis, int at, Vis
   }
 }
 
-/// What is sent through the halo plane on `side` of `axis`, for every cell of the plane: outgoing `to` of the
-/// halo cell becomes outgoing `from` of the cell that is `distance` on in memory.
+/// Numbers of a cell, for a direction i that enters the block.
+enum class Numbers {
+  entering,  ///< outgoing i
+  leaving,   ///< outgoing ibar
+  behind,    ///< incoming i
+};
+
+/// Those of cells along a row.
+template <class Real, class SomePopulations>
+auto* row_of(SomePopulations& populations, Numbers numbers, int i, std::ptrdiff_t first) {
+  if (numbers == Numbers::behind)
+    return populations.template outgoing_row<Real>(i, first - populations.shift(i));
+  return populations.template outgoing_row<Real>(numbers == Numbers::leaving ? d3q19::opposite(i) : i, first);
+}
+
+/// What is sent through the halo plane on `side` of `axis`, for every cell of the plane: numbers `to` of the
+/// halo cell become numbers `from` of the cell that is `distance` on in memory.
 template <class Real>
-void copy_into_halo(Populations& populations, int axis, int side, const FaceDirections& to,
+void copy_into_halo(Populations& populations, Numbers numbers, int axis, int side, const FaceDirections& to,
                     const FaceDirections& from, std::ptrdiff_t distance) {
   for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
     for (int k = 0; k < entering_directions; ++k) {
-      const Real* source = populations.outgoing_row<Real>(from[k], run.first + distance);
-      Real* target = populations.outgoing_row<Real>(to[k], run.first);
+      const Real* source = row_of<Real>(populations, numbers, from[k], run.first + distance);
+      Real* target = row_of<Real>(populations, numbers, to[k], run.first);
       prefetch_run(source + run.next, run);
       prefetch_run(target + run.next, run);
       copy_run(source, run, target);
@@ -89,21 +108,21 @@ void copy_into_halo(Populations& populations, int axis, int side, const FaceDire
 
 /// A periodic axis that is not cut: what enters on one side leaves on the other.
 template <class Real>
-void wrap_around(Populations& populations, int axis) {
+void wrap_around(Populations& populations, Numbers numbers, int axis) {
   const std::ptrdiff_t period = populations.size()[axis] * populations.pitch(axis);
   for (int side = 0; side < 2; ++side) {
     const FaceDirections entering = directions_along(axis, entering_sign(side));
-    copy_into_halo<Real>(populations, axis, side, entering, entering, entering_sign(side) * period);
+    copy_into_halo<Real>(populations, numbers, axis, side, entering, entering, entering_sign(side) * period);
   }
 }
 
 /// Mirror: what enters along i left along its mirror image, from the cell in front of the wall.
 template <class Real>
-void fill_free_slip(Populations& populations, int axis, int side) {
+void fill_free_slip(Populations& populations, Numbers numbers, int axis, int side) {
   const FaceDirections entering = directions_along(axis, entering_sign(side));
   FaceDirections images;
   for (int k = 0; k < entering_directions; ++k) images[k] = d3q19::mirrored(entering[k], axis);
-  copy_into_halo<Real>(populations, axis, side, entering, images,
+  copy_into_halo<Real>(populations, numbers, axis, side, entering, images,
                        entering_sign(side) * populations.pitch(axis));
 }
 
@@ -126,7 +145,7 @@ void bounce_back_at_face(Populations& populations, int axis, int side, int low_z
   }
 }
 
-/// Numbers that leave through a face.
+/// Numbers of one kind that leave through a face.
 std::size_t face_numbers(const Populations& populations, int axis) {
   std::size_t numbers = entering_directions;
   for (int a = 0; a < 3; ++a) {
@@ -135,34 +154,55 @@ std::size_t face_numbers(const Populations& populations, int axis) {
   return numbers;
 }
 
-/// What leaves through the face on `side`, in the order in which unpack() reads it on the other side.
+/// What the halo on the other side of the face on `side` needs, appended to `buffer` in the order in which
+/// unpack() reads it there.
 template <class Real>
-void pack(const Populations& populations, int axis, int side, std::vector<std::byte>& buffer) {
-  buffer.resize(face_numbers(populations, axis) * sizeof(Real));
-  auto* to = reinterpret_cast<Real*>(buffer.data());
+void pack(const Populations& populations, Numbers numbers, int axis, int side,
+          std::vector<std::byte>& buffer) {
+  const std::size_t first = buffer.size();
+  buffer.resize(first + face_numbers(populations, axis) * sizeof(Real));
+  auto* to = reinterpret_cast<Real*>(buffer.data() + first);
   for_each_run_of_plane(populations, axis, edge_plane(populations, axis, side), [&](const Run& run) {
     for (const int i : directions_along(axis, -entering_sign(side))) {
-      to = copy_run(populations.outgoing_row<Real>(i, run.first), run, to);
+      to = copy_run(row_of<Real>(populations, numbers, i, run.first), run, to);
     }
   });
 }
 
+/// Returns where the numbers after those of this kind begin.
 template <class Real>
-void unpack(Populations& populations, int axis, int side, const std::vector<std::byte>& buffer) {
-  const auto* from = reinterpret_cast<const Real*>(buffer.data());
+const std::byte* unpack(Populations& populations, Numbers numbers, int axis, int side,
+                        const std::byte* buffer) {
+  const auto* from = reinterpret_cast<const Real*>(buffer);
   for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
     for (const int i : directions_along(axis, entering_sign(side))) {
-      copy_run(from, run, populations.outgoing_row<Real>(i, run.first));
+      copy_run(from, run, row_of<Real>(populations, numbers, i, run.first));
       from += run.cells;
     }
   });
+  return reinterpret_cast<const std::byte*>(from);
+}
+
+/// Calls visit(numbers) for each kind that is filled together. What is behind a halo cell may itself have
+/// come through another face, and so is filled after all that enters.
+template <class Visit>
+void for_each_kind(HaloContent together, Visit&& visit) {
+  if (together == HaloContent::entering) return visit(Numbers::entering);
+  visit(Numbers::leaving);
+  visit(Numbers::behind);
 }
 
 }  // namespace
 
 Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
-           const std::array<Wall, 3>& walls)
-    : comm_(communicator.get()), rank_(communicator.rank()) {
+           const std::array<Wall, 3>& walls, HaloContent content)
+    : comm_(communicator.get()), rank_(communicator.rank()), content_(content) {
+  if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
+    throw InputError(
+        fmt::format("{} ranks cut the box into blocks a single cell thick, too thin for what multireflection "
+                    "reads across them; use fewer ranks",
+                    communicator.size()));
+  }
   const Index3 position = decomposition.grid_position(rank_);
   for (int axis = 0; axis < 3; ++axis) {
     const int blocks = decomposition.grid()[axis];
@@ -200,7 +240,7 @@ void Halo::progress() {
 void Halo::finish(Populations& populations) {
   if (!is_under_way_) return;
   in_precision(populations.precision(), [&]<class Real>() {
-    receive<Real>(populations, 2);
+    receive<Real>(populations, HaloContent::entering, 2);
     const int planes = populations.size()[2];
     for (const int z : {0, planes - 1}) bounce_back_at_walls<Real>(populations, z, z + 1);
   });
@@ -216,18 +256,30 @@ template <class Real>
 void Halo::start_as(Populations& populations) {
   const bool x_is_filled = row_ends() != RowEnds::left_to_halo && populations.row_ends_filled() == row_ends();
   for (int axis = x_is_filled ? 1 : 0; axis < 3; ++axis) {
-    if (faces_[axis][0].neighbour == rank_) {
-      wrap_around<Real>(populations, axis);
-    } else if (faces_[axis][0].is_open() || faces_[axis][1].is_open()) {
-      send<Real>(populations, axis);
-      is_under_way_ = axis == 2;
-      if (!is_under_way_) receive<Real>(populations, axis);
-    }
-    for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Wall::free_slip)) fill_free_slip<Real>(populations, axis, side);
+    start_across<Real>(populations, HaloContent::entering, axis);
+    is_under_way_ = axis == 2 && is_cut(2);
+    if (is_cut(axis) && (axis < 2 || content_ == HaloContent::behind)) {
+      receive<Real>(populations, HaloContent::entering, axis);
+      is_under_way_ = false;
     }
   }
+  for (int axis = 0; axis < 3 && content_ == HaloContent::behind; ++axis) {
+    start_across<Real>(populations, HaloContent::behind, axis);
+    if (is_cut(axis)) receive<Real>(populations, HaloContent::behind, axis);
+  }
   bounce_back_at_walls<Real>(populations, 0, populations.size()[2]);
+}
+
+/// Fills, across one axis, all of a kind that needs no message, and sends the messages.
+template <class Real>
+void Halo::start_across(Populations& populations, HaloContent together, int axis) {
+  if (is_cut(axis)) send<Real>(populations, together, axis);
+  for_each_kind(together, [&](Numbers numbers) {
+    if (faces_[axis][0].neighbour == rank_) wrap_around<Real>(populations, numbers, axis);
+    for (int side = 0; side < 2; ++side) {
+      if (at_wall(axis, side, Wall::free_slip)) fill_free_slip<Real>(populations, numbers, axis, side);
+    }
+  });
 }
 
 template <class Real>
@@ -241,9 +293,13 @@ void Halo::bounce_back_at_walls(Populations& populations, int low_z, int high_z)
 }
 
 template <class Real>
-void Halo::send(const Populations& populations, int axis) {
+void Halo::send(const Populations& populations, HaloContent together, int axis) {
   for (int side = 0; side < 2; ++side) {
-    if (faces_[axis][side].is_open()) pack<Real>(populations, axis, side, faces_[axis][side].send);
+    Face& face = faces_[axis][side];
+    if (!face.is_open()) continue;
+    face.send.clear();
+    for_each_kind(together,
+                  [&](Numbers numbers) { pack<Real>(populations, numbers, axis, side, face.send); });
   }
   for (int side = 0; side < 2; ++side) {
     Face& face = faces_[axis][side];
@@ -256,10 +312,13 @@ void Halo::send(const Populations& populations, int axis) {
 }
 
 template <class Real>
-void Halo::receive(Populations& populations, int axis) {
+void Halo::receive(Populations& populations, HaloContent together, int axis) {
   MPI_Waitall(messages_.size(), messages_.data(), MPI_STATUSES_IGNORE);
   for (int side = 0; side < 2; ++side) {
-    if (faces_[axis][side].is_open()) unpack<Real>(populations, axis, side, faces_[axis][side].receive);
+    if (!faces_[axis][side].is_open()) continue;
+    const std::byte* from = faces_[axis][side].receive.data();
+    for_each_kind(together,
+                  [&](Numbers numbers) { from = unpack<Real>(populations, numbers, axis, side, from); });
   }
 }
 

@@ -15,12 +15,15 @@ std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
 
 }  // namespace
 
-Populations::Populations(const Index3& size, Precision precision) : precision_(precision), size_(size) {
+Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
+    : precision_(precision), size_(size) {
   const auto per_line = static_cast<std::ptrdiff_t>(line / bytes_of_number(precision));
-  pitch_y_ = size[0] + 2;  // rows that begin at cache lines would cost more in padding than they gain
-  pitch_z_ = pitch_y_ * (size[1] + 2);
-  // Outgoing populations of the halo's outermost cells lie up to a cell, row and plane outside the halo.
-  first_ = pitch_y_ + 2;
+  // What is behind lies up to a cell outside the halo, and may not meet what lies there on the other side.
+  const int behind = halo == HaloContent::behind ? 1 : 0;
+  pitch_y_ =
+      size[0] + 2 + behind;  // rows that begin at cache lines would cost more in padding than they gain
+  pitch_z_ = pitch_y_ * (size[1] + 2 + behind);
+  first_ = behind * pitch_z_ + pitch_y_ + 2;  // also what enters may lie a cell and a row outside
   cell_indices_ = pitch_z_ * (size[2] + 2) + 2 * first_;
   // The 19 streams of a sweep advance together; arrays a multiple of a page (4 KiB) apart would compete for
   // the same cache sets, so that each is placed some lines further on within a page.

@@ -8,6 +8,7 @@
 #include "beadswim/coupling/coverage.hpp"
 #include "beadswim/coupling/link_sums.hpp"
 #include "beadswim/lattice/populations.hpp"
+#include "beadswim/lattice/trt.hpp"
 
 // The loops over links and changing cells; the laws are in moving_bounce_back.hpp and
 // interpolated_bounce_back.hpp. Each works on one rank's block.
@@ -19,7 +20,8 @@ struct BeadBoundary {
   const Coverage& coverage;
   BeadLinks& links;
   std::span<const BeadOnLattice> beads;
-  std::vector<LinkSums>& sums;  ///< one a bead
+  const RelaxationRates& rates;  ///< of the fluid
+  std::vector<LinkSums>& sums;   ///< one a bead
 
   /// Bounces populations back at the links that belong to row (y, z) of the block, and adds up what they hand
   /// to the beads. For step_fluid() to call, before each row and in its order: links need no more of the halo

@@ -23,6 +23,7 @@ struct BlockInLattice {
   Block block;
   Index3 cells;
   std::array<bool, 3> periodic;
+  std::array<bool, 3> no_slip{};  ///< axes that end in such walls; others that are not periodic in mirrors
 };
 
 BlockInLattice block_in_lattice(const Decomposition& decomposition, int rank,

@@ -15,9 +15,9 @@ namespace beadswim {
 struct BeadLink {
   std::array<std::int16_t, 3> from_low;  ///< the covered cell, from the low corner of the image
   std::uint8_t out : 5;                  ///< direction from the covered cell into the fluid
-  bool fluid_is_own : 1;      ///< whether the fluid cell is the block's own; else its owner reflects
-  bool has_fluid_behind : 1;  ///< whether the next cell along `out` is fluid too
-  double outgoing = 0;        ///< what the fluid sent along the link in the last step
+  std::uint8_t fluid_behind : 2;  ///< how many cells on along `out` are fluid too, as far as the scheme reads
+  bool fluid_is_own : 1;          ///< whether the fluid cell is the block's own; else its owner reflects
+  double outgoing = 0;            ///< what the fluid sent along the link in the last step
 };
 
 /// Links of one image of a bead that are done together.
@@ -26,11 +26,17 @@ struct LinkSegment {
   int image;       ///< index into CoveredImages::images
 };
 
+/// What a scheme needs of the halo.
+constexpr HaloContent halo_content(LinkScheme scheme) {
+  return cells_behind(scheme) > 1 ? HaloContent::behind : HaloContent::entering;
+}
+
 /// All links of a block, by the row at which the step comes to them.
 ///
-/// A link reads and writes places among the incoming populations of its covered cell, of its fluid cell and,
-/// where the scheme looks there, of the fluid cell behind. Its segment is done just before the first of the
-/// segment's rows that the step comes to, so that its populations are on their way into the cache anyway.
+/// A link reads and writes places among the incoming populations of its covered cell, of its fluid cell and
+/// of the fluid cells behind that the scheme reads; mr also among those of all cells around the fluid cell.
+/// Its segment is done just before the first of the segment's rows that the step comes to, so that its
+/// populations are on their way into the cache anyway.
 ///
 /// Beads cross a fraction of a cell a step, so that most links are those of the step before.
 class BeadLinks {
@@ -79,8 +85,8 @@ class BeadLinks {
   /// Rows from one before the image's box to its last along z, to one after it along y.
   struct ImageLinks {
     BeadImage box;
-    bool is_alone = false;              ///< no other image within two cells, so that its own runs say all
-    std::vector<CoveredRun> runs;       ///< from which the links were found
+    bool is_alone = false;         ///< no other image or wall within reach of its links: its own runs say all
+    std::vector<CoveredRun> runs;  ///< from which the links were found
     std::vector<int> first_of_segment;  ///< among the links; one more than segments
     std::vector<int> place_of_segment;  ///< in the order of the step
     std::vector<BeadLink> links;

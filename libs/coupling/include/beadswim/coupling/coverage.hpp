@@ -80,16 +80,26 @@ struct ChangedCell {
   Vec3 from_centre;  ///< at that update
 };
 
-/// The staircase: which cells of a block, and of its halo, are covered by which bead. A cell is covered if
-/// its centre lies inside the bead.
+/// The staircase: which cells of a block, and of two cells around it, are covered by which bead. A cell is
+/// covered if its centre lies inside the bead.
 class Coverage {
  public:
   Coverage(const BlockInLattice& at, const Populations& populations);
 
+  /// How many cells around the block it knows.
+  static constexpr int margin = 2;
+
   /// Covers anew for the beads where they are now. Throws SolverError if two beads claim one cell.
   void update(std::span<const BeadOnLattice> beads);
 
-  bool is_covered(std::ptrdiff_t cell) const { return state_[cell] == State::covered; }
+  bool is_covered(int x, int y, int z) const { return state(x, y, z) == State::covered; }
+
+  /// Whether there is fluid, or its mirror image behind a free-slip wall: neither a bead nor the outside of a
+  /// no-slip wall.
+  bool is_fluid(const Index3& cell) const;
+
+  /// Whether cells within `distance` of the image's may lie outside a wall.
+  bool is_near_wall(const BeadImage& image, int distance) const;
 
   const CoveredImages& images() const { return now_; }
 
@@ -122,6 +132,14 @@ class Coverage {
  private:
   enum class State : std::uint8_t { fluid, covered, just_left };
 
+  std::size_t place_of_state(int x, int y, int z) const {
+    const Index3& n = at_.block.size;
+    return x + margin +
+           (n[0] + 2 * margin) * (y + margin + static_cast<std::size_t>(n[1] + 2 * margin) * (z + margin));
+  }
+  State state(int x, int y, int z) const { return state_[place_of_state(x, y, z)]; }
+  State& state(int x, int y, int z) { return state_[place_of_state(x, y, z)]; }
+
   ChangedCell changed_cell(const CoveredImage& covered, int x, int y, int z) const {
     return {.local = {x, y, z},
             .cell = cell(x, y, z),
@@ -137,7 +155,7 @@ class Coverage {
 
   BlockInLattice at_;
   std::ptrdiff_t pitch_y_, pitch_z_, origin_;
-  std::vector<State> state_;  ///< of every cell: a byte beside its 19 populations
+  std::vector<State> state_;  ///< of every cell, x fastest: a byte beside its 19 populations
   CoveredImages now_, before_;
   std::vector<ChangedCell> newly_covered_, uncovered_;
 };

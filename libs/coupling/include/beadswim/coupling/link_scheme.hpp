@@ -8,13 +8,14 @@ namespace beadswim {
 enum class LinkScheme {
   staircase,  ///< bounce-back half-way: the bead is a staircase of cells
   cli,        ///< central linear interpolation: the surface is where it is along each link
+  mr,         ///< multireflection: the same for flows that are parabolic along the link
 };
 
 std::string name_of(LinkScheme scheme);
 
-/// Whether a link also reads the fluid cell behind its own.
-constexpr bool reads_behind(LinkScheme scheme) {
-  return scheme != LinkScheme::staircase;
+/// How many fluid cells behind its own a link reads.
+constexpr int cells_behind(LinkScheme scheme) {
+  return scheme == LinkScheme::staircase ? 0 : (scheme == LinkScheme::cli ? 1 : 2);
 }
 
 }  // namespace beadswim

@@ -22,14 +22,16 @@ enum class Wall {
 ///
 /// Axis by axis, each over the halo already filled, so that edges and corners need no case of their own;
 /// no-slip walls, which are local to a cell, come last. Only the five directions that enter the block through
-/// a face are filled there; the rest of the halo is unspecified.
+/// a face are filled there; the rest of the halo is unspecified, and so is what lies behind a no-slip wall.
 ///
-/// Messages across z may be under way while the planes inside are swept (fluid_step.hpp): only planes near
-/// the halo need it.
+/// Messages across z may be under way while the planes inside are swept (fluid_step.hpp), unless the halo
+/// holds what is behind: only planes near the halo need it.
 class Halo {
  public:
-  Halo(const Communicator& communicator, const Decomposition& decomposition,
-       const std::array<Wall, 3>& walls);
+  /// Throws InputError if a block is a single cell thick and content is `behind`. The populations that it
+  /// fills must have been made for this content.
+  Halo(const Communicator& communicator, const Decomposition& decomposition, const std::array<Wall, 3>& walls,
+       HaloContent content = HaloContent::entering);
   ~Halo();
 
   Halo(const Halo&) = delete;
@@ -65,17 +67,25 @@ class Halo {
 
   bool at_wall(int axis, int side, Wall wall) const { return faces_[axis][side].closed_by == wall; }
 
+  /// Whether a face across the axis leads to another rank.
+  bool is_cut(int axis) const {
+    return faces_[axis][0].neighbour != rank_ && (faces_[axis][0].is_open() || faces_[axis][1].is_open());
+  }
+
   template <class Real>
   void start_as(Populations& populations);
   template <class Real>
   void bounce_back_at_walls(Populations& populations, int low_z, int high_z);
   template <class Real>
-  void send(const Populations& populations, int axis);
+  void start_across(Populations& populations, HaloContent together, int axis);
   template <class Real>
-  void receive(Populations& populations, int axis);
+  void send(const Populations& populations, HaloContent together, int axis);
+  template <class Real>
+  void receive(Populations& populations, HaloContent together, int axis);
 
   MPI_Comm comm_;
   int rank_;
+  HaloContent content_;
   std::array<std::array<Face, 2>, 3> faces_;  ///< [axis][0: low side, 1: high side]
   std::array<MPI_Request, 4> messages_;       ///< across one axis
   bool is_under_way_ = false;                 ///< messages across z

@@ -19,6 +19,12 @@ enum class RowEnds {
   mirrored,  ///< x ends in free-slip walls on both sides
 };
 
+/// Which numbers of a halo cell h are filled, for each of the five directions i that enter the block from it.
+enum class HaloContent {
+  entering,  ///< outgoing i
+  behind,    ///< outgoing i and outgoing ibar of h, and incoming i of h: outgoing i of the cell behind it
+};
+
 /// The populations of one block and of a halo one cell wide: deviations f_i - w_i after collision, as one
 /// plain array a direction, x fastest, in a single copy.
 ///
@@ -37,7 +43,8 @@ enum class RowEnds {
 class Populations {
  public:
   /// All deviations start at zero: fluid of density 1 at rest.
-  explicit Populations(const Index3& size, Precision precision = Precision::fp64);
+  explicit Populations(const Index3& size, Precision precision = Precision::fp64,
+                       HaloContent halo = HaloContent::entering);
 
   Precision precision() const { return precision_; }
   const Index3& size() const { return size_; }
