@@ -5,6 +5,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
 #include "beadswim/coupling/multireflection.hpp"
+#include "beadswim/coupling/refill.hpp"
 #include "link_kernel.hpp"
 
 namespace beadswim {
@@ -148,19 +149,30 @@ class Bounce {
   std::array<const Real*, LinkBatch::most> outgoing_, behind_, arrived_, two_behind_, arrived_behind_;
 };
 
-/// Mean density deviation of the fluid around a cell that was covered, over its links.
-double density_around(const ChangedCell& cell, const BeadLinks& links, const BeadOnLattice& bead) {
+/// Fills a cell that was covered, from what has come to it along the links that it had (refill.hpp).
+void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& links,
+            const BeadOnLattice& bead, const RelaxationRates& rates) {
   const LinkBead b = link_bead(bead);
   const double r[3] = {cell.from_centre[0], cell.from_centre[1], cell.from_centre[2]};
+  Arrivals arrivals;
   double sum = 0, weights = 0;
   links.for_each_link_of(cell.image, cell.local[0], cell.local[1], cell.local[2], [&](const BeadLink& link) {
-    const auto& in = d3q19::velocity[d3q19::opposite(link.out)];
-    const double c[3] = {double(in[0]), double(in[1]), double(in[2])}, weight = d3q19::weight(link.out);
+    const int in = d3q19::opposite(link.out);
+    const auto& to = d3q19::velocity[in];
+    const double c[3] = {double(to[0]), double(to[1]), double(to[2])}, weight = d3q19::weight(in);
+    arrivals.population[in] = link.outgoing;
+    arrivals.is_known[in] = true;
     sum +=
         weighted_density_deviation(weight, link.outgoing, speed_along(c, b.velocity, b.angular_velocity, r));
     weights += weight;
   });
-  return weights > 0 ? sum / weights : 0;
+  const double density_deviation = weights > 0 ? sum / weights : 0;
+  const Vec3 velocity = bead.velocity_at(cell.from_centre);
+  const Eigen::Matrix3d stress = stress_of(arrivals, density_deviation, velocity);
+  for (int i = 0; i < d3q19::directions; ++i) {
+    populations.set_outgoing(i, cell.cell,
+                             refilled(i, density_deviation, velocity, stress, 1 - rates.symmetric));
+  }
 }
 
 }  // namespace
@@ -192,7 +204,7 @@ void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads
 
 void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
                              const BeadLinks& links_before, std::span<const BeadOnLattice> beads_before,
-                             std::span<BeadOnLattice> beads) {
+                             std::span<BeadOnLattice> beads, const RelaxationRates& rates) {
   for (const ChangedCell& covered : coverage.newly_covered()) {
     const CellMoments fluid = cell_moments(populations, covered.cell);
     Impulse& impulse = beads[covered.bead].impulse;
@@ -205,8 +217,7 @@ void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
     if (bead == beads.end() || bead->name != before.name) {
       throw SolverError("a bead moved farther than a cell in one step");
     }
-    set_equilibrium(populations, uncovered.cell, density_around(uncovered, links_before, before),
-                    before.velocity_at(uncovered.from_centre));
+    refill(populations, uncovered, links_before, before, rates);
     const CellMoments fluid = cell_moments(populations, uncovered.cell);  // as stored
     bead->impulse.add(-fluid.momentum, uncovered.from_centre);
     bead->impulse.mass.add(-fluid.density_deviation);

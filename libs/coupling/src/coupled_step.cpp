@@ -32,7 +32,7 @@ void CoupledSystem::step() {
 
   // Cells that changed hands.
   coverage_.update(beads_);
-  hand_over_changed_cells(populations_, coverage_, links_, beads_before_, beads_);
+  hand_over_changed_cells(populations_, coverage_, links_, beads_before_, beads_, rates_);
   links_.find(coverage_);
   ++steps_done_;
 }

@@ -33,11 +33,11 @@ struct BeadBoundary {
 void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads);
 
 /// What changes hands in the last update of the coverage. A bead takes over momentum and mass of the fluid
-/// that it covers; a cell that it uncovers is filled with equilibrium at the bead's velocity and the density
-/// around it, and the bead gives up as much (Aidun, Lu & Ding 1998, section 3.3). `beads`: those of the
-/// update; `beads_before` and `links_before`: those of the update before.
+/// that it covers; a cell that it uncovers is filled (refill.hpp), and the bead gives up as much (Aidun, Lu &
+/// Ding 1998, section 3.3). `beads`: those of the update; `beads_before` and `links_before`: those of the
+/// update before. `rates`: of the fluid.
 void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
                              const BeadLinks& links_before, std::span<const BeadOnLattice> beads_before,
-                             std::span<BeadOnLattice> beads);
+                             std::span<BeadOnLattice> beads, const RelaxationRates& rates);
 
 }  // namespace beadswim

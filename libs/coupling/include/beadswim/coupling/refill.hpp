@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/lattice/trt.hpp"
+
+// The populations of a cell that a bead has just uncovered, by Grad's thirteen moments.
+//
+//   f_i* = e_i(r, u) + 9/2 w_i (c_i.Q c_i - tr Q / 3) (1 - w+)
+//   Q    = sum c_i c_i (f_i - e_i) over pairs i, ibar, with the mean of those of the pair that are known
+//
+// r, u: the density around the cell and the bead's velocity there. f_i: what has streamed into the cell out
+// of the fluid around it: about half of the populations, but of nearly every pair, and the stress Q is even
+// in c. Exact in a linear shear flow, if one of each pair is known; plain equilibrium, Q = 0, is not.
+//
+// Grad, Commun. Pure Appl. Math. 2 (1949) 331; as a refill: Dorschner, Chikatamarla, Boesch & Karlin, J.
+// Comput. Phys. 295 (2015) 340. Lattice units, mean density 1; f_i: deviations from w_i.
+
+namespace beadswim {
+
+/// What has streamed into an uncovered cell.
+struct Arrivals {
+  std::array<double, d3q19::directions> population;
+  std::array<bool, d3q19::directions> is_known{};
+};
+
+/// Q
+inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviation, const Vec3& velocity) {
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
+  for (int i = 1; i < d3q19::directions; i += 2) {
+    double sum = 0;
+    int known = 0;
+    for (const int j : {i, d3q19::opposite(i)}) {
+      if (!arrivals.is_known[j]) continue;
+      sum +=
+          arrivals.population[j] - equilibrium(j, density_deviation, velocity[0], velocity[1], velocity[2]);
+      ++known;
+    }
+    if (known == 0) continue;
+    const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
+    stress += 2 * sum / known * c * c.transpose();
+  }
+  return stress;
+}
+
+/// f_i*; decay = 1 - w+
+inline double refilled(int i, double density_deviation, const Vec3& velocity, const Eigen::Matrix3d& stress,
+                       double decay) {
+  const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
+  return equilibrium(i, density_deviation, velocity[0], velocity[1], velocity[2]) +
+         4.5 * d3q19::weight(i) * (c.dot(stress * c) - stress.trace() / 3) * decay;
+}
+
+}  // namespace beadswim
