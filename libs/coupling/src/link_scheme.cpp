@@ -3,6 +3,7 @@
 namespace beadswim {
 
 std::string name_of(LinkScheme scheme) {
+  if (scheme == LinkScheme::psm) return "psm";
   return scheme == LinkScheme::staircase ? "staircase" : "cli";
 }
 
