@@ -41,7 +41,7 @@ class FixedSphere {
     beads[0].impulse = {};
     fluid.halo.fill(fluid.populations);
     BeadBoundary boundary{coverage, links, beads, sums};
-    SaturatedBoundary saturated{cells, beads, lattice_viscosity(1 / fluid.rates.symmetric)};
+    SaturatedBoundary saturated{cells, beads, saturated_sums, lattice_viscosity(1 / fluid.rates.symmetric)};
     for (int z = 0; z < fluid.populations.size()[2]; ++z) {
       for (int y = 0; y < fluid.populations.size()[1]; ++y) {
         if (has_links(links.scheme())) {
@@ -53,6 +53,7 @@ class FixedSphere {
     }
     stream_and_collide(fluid.populations, fluid.rates, fluid.halo.row_ends());
     hand_over_impulses(sums, beads);
+    hand_over_impulses(saturated_sums, beads);
     fluid.add_body_force();
     return beads[0].impulse.value();
   }
@@ -63,6 +64,7 @@ class FixedSphere {
   BeadLinks links;
   SaturatedCells cells;
   std::vector<LinkSums> sums{1};
+  std::vector<SaturatedSums> saturated_sums{1};
   std::vector<BeadOnLattice> beads;
 
  private:

@@ -78,7 +78,7 @@ INSTANTIATE_TEST_SUITE_P(FractionsAndResolutions, SimpleCubicArray,
                                          Measured{0.027, 2.008, 8, 0.02, LinkScheme::cli},
                                          Measured{0.125, 4.292, 8, 0.02, LinkScheme::cli},
                                          Measured{0.125, 4.292, 16, 0.01, LinkScheme::cli},
-                                         Measured{0.027, 2.008, 8, 0.02, LinkScheme::psm},
+                                         Measured{0.027, 2.008, 8, 0.01, LinkScheme::psm},
                                          Measured{0.125, 4.292, 8, 0.02, LinkScheme::psm},
                                          Measured{0.125, 4.292, 16, 0.01, LinkScheme::psm}));
 
@@ -95,7 +95,7 @@ class TurningSphere : public testing::TestWithParam<std::tuple<LinkScheme, doubl
 INSTANTIATE_TEST_SUITE_P(Schemes, TurningSphere,
                          testing::Values(std::tuple{LinkScheme::staircase, 0.12},
                                          std::tuple{LinkScheme::cli, 0.02},
-                                         std::tuple{LinkScheme::psm, 0.05}));
+                                         std::tuple{LinkScheme::psm, 0.02}));
 
 // Torque on a slowly turning sphere, 8 pi eta R^3 Omega; the neighbours of a cubic array at phi = 0.027 add
 // about phi to it. Catches a wrong lever arm or sign.

@@ -43,8 +43,8 @@ TEST(SphereOverlap, IsTheCapBeyondAFace) {
               pi * height * height * (3 * radius - height) / 3, roundoff);
 }
 
-// The ball takes the cube's corner, at distance h along its diagonal from the ball's surface: the integral of
-// the cross sections, by Simpson's rule in both directions. Catches a wrong sign of one of the cuts.
+// Cells with one, two and four corners in the ball, one that it cuts through a face. Catches a wrong sign of
+// one of the cuts.
 TEST(SphereOverlap, IsTheIntegralOfColumns) {
   constexpr double radius = 2.2;
   for (const auto& [x, y, z] : {std::array{0.9, 1.0, 0.8}, std::array{-1.6, 0.7, -1.9},

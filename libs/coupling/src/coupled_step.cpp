@@ -59,9 +59,12 @@ void CoupledSystem::step_fluid_with_links() {
 }
 
 void CoupledSystem::step_fluid_with_saturated_cells() {
-  SaturatedBoundary boundary{saturated_cells_, beads_, lattice_viscosity(scene_.relaxation_time)};
+  saturated_sums_.resize(beads_.size());
+  SaturatedBoundary boundary{saturated_cells_, beads_, saturated_sums_,
+                             lattice_viscosity(scene_.relaxation_time)};
   step_fluid(populations_, halo_, rates_,
              [&](int y, int z) { boundary.push_before_row(populations_, y, z); });
+  hand_over_impulses(saturated_sums_, beads_);
 }
 
 void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses) {

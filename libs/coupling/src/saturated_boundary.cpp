@@ -5,17 +5,18 @@
 
 #include "beadswim/coupling/saturated_cell.hpp"
 #include "beadswim/lattice/moments.hpp"
+#include "saturated_kernel.hpp"
 
 namespace beadswim {
 namespace {
 
-/// The beads that touch a cell: the law of saturated_cell.hpp with F = sum over beads of sigma (u_b - v).
-class CellForces {
+/// A cell that several beads touch: the law of saturated_cell.hpp with F = sum over beads of sigma (u_b - v).
+class SharedCell {
  public:
-  void add(int bead, double solid_fraction, double viscosity, const Vec3& from_centre, const Vec3& velocity) {
-    if (count_ == most) return;
+  void add(const SaturatedRun& run, double solid_fraction, double viscosity, const Vec3& from_centre,
+           const Vec3& velocity) {
     const double sigma = 3 * viscosity * resistance(solid_fraction);
-    shares_[count_++] = {bead, solid_fraction, sigma, from_centre, velocity};
+    shares_.push_back({run.bead, solid_fraction, sigma, from_centre, velocity});
     sigma_ += sigma;
     pull_ += sigma * velocity;
   }
@@ -24,77 +25,152 @@ class CellForces {
   Vec3 force(const Vec3& u) const { return (pull_ - sigma_ * u) / (1 + sigma_ / 2); }
 
   /// Hands the fluid's change of momentum from u, as it came out, to the beads: to each its part.
-  void hand_over(std::span<BeadOnLattice> beads, const Vec3& u, const Vec3& change) const {
+  void hand_over(std::vector<SaturatedSums>& sums, const Vec3& u, const Vec3& change) const {
     const Vec3 mean = u + 0.5 * force(u);
     Vec3 rest = change;  // all of it is handed over, whatever rounding did
-    for (int n = count_ - 1; n >= 0; --n) {
+    for (std::size_t n = shares_.size(); n-- > 0;) {
       const Share& share = shares_[n];
       const Vec3 part = n == 0 ? rest : Vec3(share.sigma * (share.velocity - mean));
       rest -= part;
-      beads[share.bead].impulse.add(-part, share.from_centre);
-      beads[share.bead].impulse.add_inner(share.solid_fraction * (u + change), share.from_centre);
+      add_momentum(sums[share.bead], 0, -part, share.from_centre);
+      add_momentum(sums[share.bead], 6, share.solid_fraction * (u + change), share.from_centre);
     }
   }
 
  private:
-  static constexpr int most = 8;  ///< beads that touch one cell; they would overlap
+  static void add_momentum(SaturatedSums& sums, int first_term, const Vec3& p, const Vec3& from_centre) {
+    const Vec3 l = from_centre.cross(p);
+    for (int a = 0; a < 3; ++a) {
+      sums.sums[first_term + a].add(p[a]);
+      sums.sums[first_term + 3 + a].add(l[a]);
+    }
+  }
+
   struct Share {
     int bead;
     double solid_fraction, sigma;
     Vec3 from_centre, velocity;
   };
-  std::array<Share, most> shares_;
-  int count_ = 0;
+  std::vector<Share> shares_;
   double sigma_ = 0;
   Vec3 pull_ = Vec3::Zero();
 };
 
-/// Adds e_i(u + F) - e_i(u) to the populations that the cell receives; returns the change of their momentum
-/// as they are stored.
+/// Cells of one row on their way through the kernel, or one by one.
 template <class Real>
-Vec3 push(const std::array<Real*, d3q19::directions>& places, const double (&f)[d3q19::directions],
-          const double (&u)[3], const Vec3& force) {
-  const double pushed[3] = {u[0] + force[0], u[1] + force[1], u[2] + force[2]};
-  double change[d3q19::directions], r, gained[3];
-  for (int i = 0; i < d3q19::directions; ++i) {
-    *places[i] = static_cast<Real>(f[i] + equilibrium_change(i, u, pushed));
-    change[i] = static_cast<double>(*places[i]) - f[i];
+class Push {
+ public:
+  Push(SaturatedBoundary& boundary, Populations& populations, int y, int z)
+      : boundary_(boundary),
+        runs_(boundary.cells.runs(y, z)),
+        populations_(populations),
+        first_(populations.cell(0, y, z)) {}
+
+  void row() {
+    for (std::size_t n = 0; n < runs_.size(); ++n) {
+      const SaturatedRun& run = runs_[n];
+      int start = run.low;  // of cells that no other bead touches
+      for (int x = run.low; x < run.high; ++x) {
+        if (!is_shared(n, x)) continue;
+        push(run, start, x);
+        start = x + 1;
+        const auto has_x = [x](const SaturatedRun& other) { return other.contains(x); };
+        if (std::ranges::none_of(runs_.first(n), has_x)) push_shared(x);
+      }
+      push(run, start, run.high);
+    }
   }
-  moments_of(change, r, gained);
-  return {gained[0], gained[1], gained[2]};
-}
+
+ private:
+  bool is_shared(std::size_t n, int x) const {
+    for (std::size_t other = 0; other < runs_.size(); ++other) {
+      if (other != n && runs_[other].contains(x)) return true;
+    }
+    return false;
+  }
+
+  /// Cells [low, high) of a run, which no other bead touches.
+  void push(const SaturatedRun& run, int low, int high) {
+    constexpr int most = SaturatedBatch<Real>::most, lanes = SaturatedSums::lanes;
+    for (; low < high; low += most) {
+      batch_.cells = std::min(most, high - low);
+      for (int i = 0; i < d3q19::directions; ++i)
+        batch_.places[i] = populations_.template incoming_row<Real>(i, first_ + low);
+      const int places = (batch_.cells + lanes - 1) / lanes * lanes;
+      for (int k = 0; k < places; ++k) {
+        batch_.solid_fraction[k] = k < batch_.cells ? boundary_.cells.fraction(run, low + k) : 0;
+        batch_.x[k] = run.from_centre(low + k)[0];
+      }
+      batch_.y = run.y, batch_.z = run.z;
+      push_batch(run.bead);
+    }
+  }
+
+  void push_batch(int b) {
+    const BeadMotion& motion = boundary_.beads[b].motion;
+    const Vec3 &v = motion.velocity, &omega = motion.angular_velocity;
+    const SaturatedBead bead{.velocity = {v[0], v[1], v[2]},
+                             .angular_velocity = {omega[0], omega[1], omega[2]},
+                             .viscosity = boundary_.viscosity};
+    SaturatedSums& sums = boundary_.sums[b];
+    sums.make_room(SaturatedBatch<Real>::most / SaturatedSums::lanes);
+    if (saturated_kernels().push(batch_, bead, sums)) return;
+    for (int t = 0; t < saturated_terms; ++t) {  // too large for lanes: more room there, or a message
+      for (int k = 0; k < batch_.cells; ++k) sums.sums[t].add(batch_.terms[t][k]);
+    }
+  }
+
+  void push_shared(int x) {
+    SharedCell cell;
+    for (const SaturatedRun& run : runs_) {
+      if (!run.contains(x)) continue;
+      const Vec3 r = run.from_centre(x);
+      cell.add(run, boundary_.cells.fraction(run, x), boundary_.viscosity, r,
+               boundary_.beads[run.bead].velocity_at(r));
+    }
+    std::array<Real*, d3q19::directions> places;
+    double f[d3q19::directions], density, u[3], gained[3];
+    for (int i = 0; i < d3q19::directions; ++i) {
+      places[i] = populations_.template incoming_row<Real>(i, first_ + x);
+      f[i] = static_cast<double>(*places[i]);
+    }
+    moments_of(f, density, u);
+    const Vec3 before(u[0], u[1], u[2]), force = cell.force(before);
+    const double pushed[3] = {u[0] + force[0], u[1] + force[1], u[2] + force[2]};
+    const double squares = squares_difference(u, pushed);
+    for (int i = 0; i < d3q19::directions; ++i) {
+      *places[i] = static_cast<Real>(f[i] + equilibrium_change(i, u, pushed, squares));
+      f[i] = static_cast<double>(*places[i]) - f[i];
+    }
+    moments_of(f, density, gained);
+    cell.hand_over(boundary_.sums, before, Vec3(gained[0], gained[1], gained[2]));
+  }
+
+  SaturatedBoundary& boundary_;
+  std::span<const SaturatedRun> runs_;
+  Populations& populations_;
+  std::ptrdiff_t first_;
+  SaturatedBatch<Real> batch_;
+};
 
 }  // namespace
 
 void SaturatedBoundary::push_before_row(Populations& populations, int y, int z) {
-  const std::span<const SaturatedRun> runs = cells.runs(y, z);
-  if (runs.empty()) return;
-  const std::ptrdiff_t first = populations.cell(0, y, z);
-  in_precision(populations.precision(), [&]<class Real>() {
-    for (std::size_t n = 0; n < runs.size(); ++n) {
-      for (int x = runs[n].low; x < runs[n].high; ++x) {
-        const auto has_x = [x](const SaturatedRun& run) { return run.contains(x); };
-        if (std::ranges::any_of(runs.first(n), has_x)) continue;  // done
-        CellForces forces;
-        for (const SaturatedRun& run : runs.subspan(n)) {
-          if (!has_x(run)) continue;
-          const Vec3 from_centre = run.from_centre(x);
-          forces.add(run.bead, cells.fraction(run, x), viscosity, from_centre,
-                     beads[run.bead].velocity_at(from_centre));
-        }
-        std::array<Real*, d3q19::directions> places;
-        double f[d3q19::directions], r, u[3];
-        for (int i = 0; i < d3q19::directions; ++i) {
-          places[i] = populations.incoming_row<Real>(i, first + x);
-          f[i] = static_cast<double>(*places[i]);
-        }
-        moments_of(f, r, u);
-        const Vec3 before(u[0], u[1], u[2]);
-        const Vec3 gained = push(places, f, u, forces.force(before));
-        forces.hand_over(beads, before, gained);
-      }
+  if (cells.runs(y, z).empty()) return;
+  in_precision(populations.precision(), [&]<class Real>() { Push<Real>(*this, populations, y, z).row(); });
+}
+
+void hand_over_impulses(std::span<SaturatedSums> sums, std::span<BeadOnLattice> beads) {
+  for (std::size_t b = 0; b < beads.size(); ++b) {
+    const std::array<OrderFreeSum, saturated_terms> total = sums[b].take();
+    Impulse& impulse = beads[b].impulse;
+    for (int a = 0; a < 3; ++a) {
+      impulse.linear[a].add(total[a]);
+      impulse.angular[a].add(total[3 + a]);
+      impulse.inner_linear[a].add(total[6 + a]);
+      impulse.inner_angular[a].add(total[9 + a]);
     }
-  });
+  }
 }
 
 }  // namespace beadswim

@@ -32,14 +32,6 @@ struct Impulse {
       angular[a].add(l[a]);
     }
   }
-  /// Adds the momentum p that fluid within the bead has at `from_centre`.
-  void add_inner(const Vec3& p, const Vec3& from_centre) {
-    const Vec3 l = from_centre.cross(p);
-    for (int a = 0; a < 3; ++a) {
-      inner_linear[a].add(p[a]);
-      inner_angular[a].add(l[a]);
-    }
-  }
   void add(const Impulse& other) {
     for (int a = 0; a < 3; ++a) {
       linear[a].add(other.linear[a]);

@@ -8,6 +8,7 @@
 #include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/coverage.hpp"
 #include "beadswim/coupling/saturated_cells.hpp"
+#include "beadswim/coupling/saturated_sums.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
 #include "beadswim/lattice/halo.hpp"
@@ -93,9 +94,10 @@ class CoupledSystem {
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_;
-  BeadLinks links_;                  ///< empty in a scene of saturated cells
-  SaturatedCells saturated_cells_;   ///< empty in a scene of links
-  std::vector<LinkSums> link_sums_;  ///< of beads_, empty between steps
+  BeadLinks links_;                            ///< empty in a scene of saturated cells
+  SaturatedCells saturated_cells_;             ///< empty in a scene of links
+  std::vector<LinkSums> link_sums_;            ///< of beads_, empty between steps
+  std::vector<SaturatedSums> saturated_sums_;  ///< likewise
   std::optional<SpeedFault> speed_fault_;
   double largest_bead_speed_ = 0;  ///< of owned swimmers
   long steps_done_ = 0;

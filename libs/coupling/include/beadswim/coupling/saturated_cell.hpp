@@ -25,25 +25,42 @@
 
 namespace beadswim {
 
+// Value: double, or a vector of doubles, one a cell.
+
 /// k
-BEADSWIM_KERNEL double resistance(double solid_fraction) {
+template <class Value>
+BEADSWIM_KERNEL Value resistance(Value solid_fraction) {
   constexpr double strength = 11.0 / 2, sharpness = 11.0 / 10;
   return strength * solid_fraction / (sharpness - solid_fraction);
 }
 
 /// s
-BEADSWIM_KERNEL double forcing_rate(double sigma) {
+template <class Value>
+BEADSWIM_KERNEL Value forcing_rate(Value sigma) {
   return sigma / (1 + sigma / 2);
 }
 
-/// e_i(u_new) - e_i(u_old) of direction i
-BEADSWIM_KERNEL double equilibrium_change(int i, const double (&u_old)[3], const double (&u_new)[3]) {
-  const auto& c = d3q19::velocity[i];
-  const double cu_old = c[0] * u_old[0] + c[1] * u_old[1] + c[2] * u_old[2];
-  const double cu_new = c[0] * u_new[0] + c[1] * u_new[1] + c[2] * u_new[2];
-  double squares = 0;
-  for (int a = 0; a < 3; ++a) squares += (u_new[a] - u_old[a]) * (u_new[a] + u_old[a]);
+/// e_i(u_new) - e_i(u_old) of direction i; squares = u_new^2 - u_old^2
+template <class Value>
+BEADSWIM_KERNEL Value equilibrium_change(int i, const Value (&u_old)[3], const Value (&u_new)[3],
+                                         Value squares) {
+  Value cu_old{}, cu_new{};
+#pragma GCC unroll 3
+  for (int a = 0; a < 3; ++a) {
+    const int c = d3q19::velocity[i][a];
+    if (c == 1) cu_old += u_old[a], cu_new += u_new[a];
+    if (c == -1) cu_old -= u_old[a], cu_new -= u_new[a];
+  }
   return d3q19::weight(i) * ((cu_new - cu_old) * (3 + 4.5 * (cu_new + cu_old)) - 1.5 * squares);
+}
+
+/// Difference of the squares of two vectors.
+template <class Value>
+BEADSWIM_KERNEL Value squares_difference(const Value (&u_old)[3], const Value (&u_new)[3]) {
+  Value sum{};
+#pragma GCC unroll 3
+  for (int a = 0; a < 3; ++a) sum += (u_new[a] - u_old[a]) * (u_new[a] + u_old[a]);
+  return sum;
 }
 
 }  // namespace beadswim
