@@ -10,11 +10,11 @@ function(beadswim_library name)
   target_link_libraries(beadswim_${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
 endfunction()
 
-# beadswim_kernels(TARGET SOURCE): compiles a file of kernels of a library or program once for each instruction set, with
+# beadswim_kernels(TARGET SOURCE...): compiles files of kernels of a library or program once for each instruction set, with
 # BEADSWIM_INSTRUCTION_SET naming the namespace; a function of the target chooses at run time. -fopenmp-simd lets
 # loops be cut into lanes where the source says so; nothing of OpenMP runs. -Wno-psabi: vectors pass between functions
 # that are always inlined, never through an ABI.
-function(beadswim_kernels target source)
+function(beadswim_kernels target)
   set(sets baseline)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     list(APPEND sets x86_64_v3 x86_64_v4)
@@ -23,7 +23,7 @@ function(beadswim_kernels target source)
   set(flags_of_x86_64_v4 -march=x86-64-v4 -mprefer-vector-width=512)
   foreach(set ${sets})
     set(kernels ${target}_kernels_${set})
-    add_library(${kernels} OBJECT ${source})
+    add_library(${kernels} OBJECT ${ARGN})
     target_include_directories(${kernels} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     target_compile_definitions(${kernels} PRIVATE BEADSWIM_INSTRUCTION_SET=${set})
     target_compile_options(${kernels} PRIVATE -O3 -fopenmp-simd -Wno-psabi ${flags_of_${set}})

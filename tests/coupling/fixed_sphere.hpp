@@ -4,6 +4,7 @@
 
 #include "../lattice/fluid_box.hpp"
 #include "beadswim/coupling/bead_boundary.hpp"
+#include "beadswim/coupling/saturated_boundary.hpp"
 
 namespace beadswim::test {
 
@@ -16,9 +17,24 @@ class FixedSphere {
               halo_content(scheme)),
         coverage(block_in_lattice(fluid.decomposition, 0, periodic), fluid.populations),
         links(scheme),
+        cells(block_in_lattice(fluid.decomposition, 0, periodic)),
         beads{{.name = {}, .owner = 0, .radius = radius, .motion = {.position = centre}, .impulse = {}}} {
     coverage.update(beads);
     links.find(coverage);
+    cells.find(beads);
+  }
+
+  /// Drives the fluid. The body force comes after the step's other forces: a sphere that pushes the fluid in
+  /// cells towards its motion is at rest, at mid-step, if it is half the force behind.
+  void set_body_force(const Vec3& force) {
+    fluid.body_force = force;
+    if (!has_links(links.scheme())) beads[0].motion.velocity = -0.5 * force;
+  }
+
+  /// Volume mean of the fluid's velocity outside the sphere, in the middle of a step, which it makes.
+  Vec3 superficial_velocity() {
+    const Vec3 sum = has_links(links.scheme()) ? sum_over_fluid_cells() : sum_over_parts_of_cells();
+    return sum / fluid.populations.size().cast<double>().prod();
   }
 
   /// One step; returns the impulse that the fluid hands to the sphere.
@@ -26,13 +42,19 @@ class FixedSphere {
     beads[0].impulse = {};
     fluid.halo.fill(fluid.populations);
     BeadBoundary boundary{coverage, links, beads, fluid.rates, sums};
+    SaturatedBoundary saturated{cells, beads, saturated_sums, lattice_viscosity(1 / fluid.rates.symmetric)};
     for (int z = 0; z < fluid.populations.size()[2]; ++z) {
       for (int y = 0; y < fluid.populations.size()[1]; ++y) {
-        boundary.bounce_back_before_row(fluid.populations, y, z);
+        if (has_links(links.scheme())) {
+          boundary.bounce_back_before_row(fluid.populations, y, z);
+        } else {
+          saturated.push_before_row(fluid.populations, y, z);
+        }
       }
     }
     stream_and_collide(fluid.populations, fluid.rates, fluid.halo.row_ends());
     hand_over_impulses(sums, beads);
+    hand_over_impulses(saturated_sums, beads);
     fluid.add_body_force();
     return beads[0].impulse.value();
   }
@@ -41,8 +63,44 @@ class FixedSphere {
   FluidBox fluid;
   Coverage coverage;
   BeadLinks links;
+  SaturatedCells cells;
   std::vector<LinkSums> sums{1};
+  std::vector<SaturatedSums> saturated_sums{1};
   std::vector<BeadOnLattice> beads;
+
+ private:
+  Vec3 sum_over_fluid_cells() {
+    step();
+    Vec3 sum = Vec3::Zero();
+    for_each_cell(fluid.populations, [&](const Index3& p, std::ptrdiff_t) {
+      if (!coverage.is_covered(p[0], p[1], p[2])) sum += fluid.velocity(p[0], p[1], p[2]);
+    });
+    return sum;
+  }
+
+  /// Each cell's velocity is the mean of its momenta before and after the step, as the sphere pushes it.
+  Vec3 sum_over_parts_of_cells() {
+    const Populations& populations = fluid.populations;
+    std::vector<double> fluid_part(populations.cell_indices(), 1);
+    for_each_cell(populations, [&](const Index3& p, std::ptrdiff_t cell) {
+      for (const SaturatedRun& run : cells.runs(p[1], p[2])) {
+        if (run.contains(p[0])) fluid_part[cell] -= cells.fraction(run, p[0]);
+      }
+    });
+    Vec3 sum = Vec3::Zero();
+    fluid.halo.fill(fluid.populations);
+    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
+      for (int i = 1; i < d3q19::directions; ++i) {
+        const auto& c = d3q19::velocity[i];
+        sum += 0.5 * fluid_part[cell] * populations.incoming(i, cell) * Vec3(c[0], c[1], c[2]);
+      }
+    });
+    step();
+    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
+      sum += 0.5 * fluid_part[cell] * cell_moments(populations, cell).momentum;
+    });
+    return sum;
+  }
 };
 
 }  // namespace beadswim::test

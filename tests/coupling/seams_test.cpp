@@ -59,7 +59,8 @@ TEST(Seams, GiveTheBitsOfOneRank) {
          {std::pair{Precision::fp64, LinkScheme::staircase},
           std::pair{Precision::fp32, LinkScheme::staircase}, std::pair{Precision::fp64, LinkScheme::cli},
           std::pair{Precision::fp32, LinkScheme::cli}, std::pair{Precision::fp64, LinkScheme::mr},
-          std::pair{Precision::fp32, LinkScheme::mr}}) {
+          std::pair{Precision::fp32, LinkScheme::mr}, std::pair{Precision::fp64, LinkScheme::psm},
+          std::pair{Precision::fp32, LinkScheme::psm}}) {
       scene.precision = precision;
       scene.bead_boundary = scheme;
       const std::string cut = final_state(scene, world);
@@ -114,10 +115,11 @@ TEST_P(Conserving, MomentumAndMassAcrossSeams) {
 
 // Roundoff: bead momenta of some 0.5 and densities of 0.01, 360 steps; in single precision of each cell's
 // populations, with either sign.
-INSTANTIATE_TEST_SUITE_P(
-    Seams, Conserving,
-    testing::Combine(testing::Values(std::tuple{Precision::fp64, 1e-12}, std::tuple{Precision::fp32, 2e-5}),
-                     testing::Values(LinkScheme::staircase, LinkScheme::cli, LinkScheme::mr)));
+INSTANTIATE_TEST_SUITE_P(Seams, Conserving,
+                         testing::Combine(testing::Values(std::tuple{Precision::fp64, 1e-12},
+                                                          std::tuple{Precision::fp32, 2e-5}),
+                                          testing::Values(LinkScheme::staircase, LinkScheme::cli,
+                                                          LinkScheme::mr, LinkScheme::psm)));
 
 TEST(Guards, ReportTheFirstBeadThatIsTooFastOnAllRanks) {
   const Communicator world(MPI_COMM_WORLD);

@@ -18,7 +18,8 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
 const std::map<std::string, LinkScheme> bead_boundaries{
     {name_of(LinkScheme::staircase), LinkScheme::staircase},
     {name_of(LinkScheme::cli), LinkScheme::cli},
-    {name_of(LinkScheme::mr), LinkScheme::mr}};
+    {name_of(LinkScheme::mr), LinkScheme::mr},
+    {name_of(LinkScheme::psm), LinkScheme::psm}};
 const std::map<std::string, Precision> precisions{{name_of(Precision::fp64), Precision::fp64},
                                                   {name_of(Precision::fp32), Precision::fp32}};
 
@@ -74,11 +75,13 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
           "whole number of steps [default: the layout's, else 1.5]")
       ->check(relaxation_time())
       ->default_str("");
-  add_word(program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_boundaries),
-           "staircase|cli|mr", name_of(LinkScheme::staircase),
-           "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
-           "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
-           "same by multireflection, exact for parabolic flow.");
+  add_word(
+      program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_boundaries), "staircase|cli|mr|psm",
+      name_of(LinkScheme::staircase),
+      "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
+      "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
+      "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
+      "exact part of it that the bead fills.");
   add_word(program, "--precision", words.precision, CLI::IsMember(precisions), "double|single",
            name_of(Precision::fp64),
            "Of the populations. single takes half the memory and somewhat over half the time; the run "

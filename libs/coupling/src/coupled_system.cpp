@@ -18,8 +18,12 @@ constexpr double speed_limit = 0.5;
 
 SwimmerState at_rest(const CoupledScene& scene, const CoupledScene::Swimmer& swimmer) {
   const SwimmerType& type = scene.types[swimmer.type];
-  SwimmerState state{
-      .id = swimmer.id, .type = swimmer.type, .initial_axis = swimmer.axis, .motion = {}, .last_impulse = {}};
+  SwimmerState state{.id = swimmer.id,
+                     .type = swimmer.type,
+                     .initial_axis = swimmer.axis,
+                     .motion = {},
+                     .last_impulse = {},
+                     .inner_momentum = {}};
   state.motion[0].position = swimmer.position - type.springs[0].rest_length * swimmer.axis;
   state.motion[1].position = swimmer.position;
   state.motion[2].position = swimmer.position + type.springs[1].rest_length * swimmer.axis;
@@ -38,7 +42,8 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       halo_(communicator, decomposition_, scene.walls, halo_content(scene.bead_boundary)),
       exchange_(communicator, decomposition_, scene_),
       coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_),
-      links_(scene.bead_boundary) {
+      links_(scene.bead_boundary),
+      saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.walls)) {
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   for (const CoupledScene::Swimmer& swimmer : scene_.swimmers) {
     if (exchange_.owner_of(swimmer.position) == communicator.rank())
@@ -46,7 +51,11 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
-  links_.find(coverage_);
+  if (has_links(scene_.bead_boundary)) {
+    links_.find(coverage_);
+  } else {
+    saturated_cells_.find(beads_);
+  }
 }
 
 bool CoupledSystem::is_too_fast(const SwimmerState& swimmer) {
@@ -118,15 +127,33 @@ std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
   return swimmers;
 }
 
-SceneTotals CoupledSystem::totals() const {
-  FluidTotals everything = block_totals(populations_);  // fluid, beads, and what is under way between them
-  FluidTotals beads_volume;                             // covered cells, moving with their beads
-  FluidTotals covered_cells;                            // what the lattice has there, which is no fluid
+FluidTotals CoupledSystem::exchange_covered_cells(FluidTotals& fluid) const {
+  FluidTotals beads_volume, covered_cells;
   coverage_.for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
     covered_cells.add(cell_moments(populations_, cell));
     beads_volume.add({.density_deviation = 0, .momentum = beads_[bead].velocity_at(from_centre)});
   });
-  everything.subtract(covered_cells);
+  fluid.subtract(covered_cells);
+  return beads_volume;
+}
+
+FluidTotals CoupledSystem::exchange_inner_fluid(FluidTotals& fluid) const {
+  FluidTotals beads_volume;
+  for (const SwimmerState& swimmer : owned_) {
+    for (int b = 0; b < 3; ++b) {
+      const Bead& bead = scene_.types[swimmer.type].beads[b];
+      const double volume = mass(bead) / bead.density;
+      fluid.add({.density_deviation = 0, .momentum = -swimmer.inner_momentum[b].force});
+      beads_volume.add({.density_deviation = 0, .momentum = volume * swimmer.motion[b].velocity});
+    }
+  }
+  return beads_volume;
+}
+
+SceneTotals CoupledSystem::totals() const {
+  FluidTotals everything = block_totals(populations_);  // fluid, beads, and what is under way between them
+  const FluidTotals beads_volume =
+      has_links(scene_.bead_boundary) ? exchange_covered_cells(everything) : exchange_inner_fluid(everything);
   FluidTotals all_cells = everything;
   all_cells.add(beads_volume);
   for (const SwimmerState& swimmer : owned_) {

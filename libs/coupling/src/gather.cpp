@@ -75,9 +75,9 @@ std::string state_sha256(const CoupledSystem& system, const Communicator& commun
       const std::array held{swimmer.held_mass[b], swimmer.mass_source[b]};
       hash.update(std::as_bytes(std::span(held)));
       const BeadMotion& motion = swimmer.motion[b];
-      const Load& impulse = swimmer.last_impulse[b];
-      for (const Vec3& v :
-           {motion.position, motion.velocity, motion.angular_velocity, impulse.force, impulse.torque}) {
+      const Load &impulse = swimmer.last_impulse[b], &inner = swimmer.inner_momentum[b];
+      for (const Vec3& v : {motion.position, motion.velocity, motion.angular_velocity, impulse.force,
+                            impulse.torque, inner.force, inner.torque}) {
         hash.update(std::as_bytes(std::span(v.data(), 3)));
       }
     }

@@ -51,6 +51,8 @@ struct LinkKernels {
         return (is_single ? cli_fp32 : cli_fp64)(batch, bead, sums);
       case LinkScheme::mr:
         return (is_single ? mr_fp32 : mr_fp64)(batch, bead, sums);
+      case LinkScheme::psm:
+        break;
     }
     return false;
   }

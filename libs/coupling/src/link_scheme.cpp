@@ -10,6 +10,8 @@ std::string name_of(LinkScheme scheme) {
       return "cli";
     case LinkScheme::mr:
       return "mr";
+    case LinkScheme::psm:
+      return "psm";
   }
   return "";
 }

@@ -19,6 +19,7 @@ void transfer_swimmer(Message& message, Swimmer& swimmer) {
   for (int b = 0; b < 3; ++b) {
     transfer_motion(message, swimmer.motion[b]);
     message(swimmer.last_impulse[b].force, swimmer.last_impulse[b].torque);
+    message(swimmer.inner_momentum[b].force, swimmer.inner_momentum[b].torque);
   }
 }
 

@@ -21,6 +21,8 @@ struct Impulse {
   std::array<OrderFreeSum, 3> linear, angular;  ///< momentum, and angular momentum about the centre
   OrderFreeSum mass;                            ///< of fluid, over that of as many cells at density 1
   OrderFreeSum link_weight;                     ///< sum of w_i over the bead's links
+  std::array<OrderFreeSum, 3> inner_linear,
+      inner_angular;  ///< what fluid within the bead has, where there is
 
   /// Adds the momentum p handed over at `from_centre`.
   void add(const Vec3& p, const Vec3& from_centre) {
@@ -34,6 +36,8 @@ struct Impulse {
     for (int a = 0; a < 3; ++a) {
       linear[a].add(other.linear[a]);
       angular[a].add(other.angular[a]);
+      inner_linear[a].add(other.inner_linear[a]);
+      inner_angular[a].add(other.inner_angular[a]);
     }
     mass.add(other.mass);
     link_weight.add(other.link_weight);
@@ -41,6 +45,10 @@ struct Impulse {
   Load value() const {
     return {Vec3(linear[0].value(), linear[1].value(), linear[2].value()),
             Vec3(angular[0].value(), angular[1].value(), angular[2].value())};
+  }
+  Load inner_value() const {
+    return {Vec3(inner_linear[0].value(), inner_linear[1].value(), inner_linear[2].value()),
+            Vec3(inner_angular[0].value(), inner_angular[1].value(), inner_angular[2].value())};
   }
 };
 

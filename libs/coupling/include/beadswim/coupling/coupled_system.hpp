@@ -7,6 +7,8 @@
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/coupling/coverage.hpp"
+#include "beadswim/coupling/saturated_cells.hpp"
+#include "beadswim/coupling/saturated_sums.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
 #include "beadswim/lattice/halo.hpp"
@@ -69,9 +71,17 @@ class CoupledSystem {
   SceneTotals totals() const;
 
  private:
+  void step_fluid_with_links();
+  void step_fluid_with_saturated_cells();
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
   /// Whether a bead is over the speed limit; notes the first that is, and the largest speed.
   bool is_too_fast(const SwimmerState& swimmer);
+  /// Takes what covered cells have, which is no fluid, out of the fluid's totals; returns their momentum when
+  /// they move with their beads.
+  FluidTotals exchange_covered_cells(FluidTotals& fluid) const;
+  /// Takes what fluid within owned swimmers' beads has out of the totals; returns the momentum of the beads'
+  /// volumes when they move with their beads.
+  FluidTotals exchange_inner_fluid(FluidTotals& fluid) const;
 
   const Communicator& communicator_;
   CoupledScene scene_;
@@ -84,8 +94,10 @@ class CoupledSystem {
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_;
-  BeadLinks links_;
-  std::vector<LinkSums> link_sums_;  ///< of beads_, empty between steps
+  BeadLinks links_;                            ///< empty in a scene of saturated cells
+  SaturatedCells saturated_cells_;             ///< empty in a scene of links
+  std::vector<LinkSums> link_sums_;            ///< of beads_, empty between steps
+  std::vector<SaturatedSums> saturated_sums_;  ///< likewise
   std::optional<SpeedFault> speed_fault_;
   double largest_bead_speed_ = 0;  ///< of owned swimmers
   long steps_done_ = 0;

@@ -4,18 +4,30 @@
 
 namespace beadswim {
 
-/// What returns to the fluid along a link that ends in a bead.
+/// How fluid and beads meet: what returns to the fluid along a link that ends in a bead, or no links at all.
 enum class LinkScheme {
   staircase,  ///< bounce-back half-way: the bead is a staircase of cells
   cli,        ///< central linear interpolation: the surface is where it is along each link
   mr,         ///< multireflection: the same for flows that are parabolic along the link
+  psm,        ///< no links: fluid fills beads too, and partially saturated cells hold it to their motion
 };
 
 std::string name_of(LinkScheme scheme);
 
+constexpr bool has_links(LinkScheme scheme) {
+  return scheme != LinkScheme::psm;
+}
+
 /// How many fluid cells behind its own a link reads.
 constexpr int cells_behind(LinkScheme scheme) {
-  return scheme == LinkScheme::staircase ? 0 : (scheme == LinkScheme::cli ? 1 : 2);
+  switch (scheme) {
+    case LinkScheme::cli:
+      return 1;
+    case LinkScheme::mr:
+      return 2;
+    default:
+      return 0;
+  }
 }
 
 }  // namespace beadswim

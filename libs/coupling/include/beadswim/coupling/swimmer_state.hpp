@@ -13,6 +13,7 @@ struct SwimmerState {
   std::array<double, 3> held_mass{};    ///< of fluid that covered cells had over density 1, to be returned
   std::array<double, 3> mass_source{};  ///< BeadOnLattice::mass_source of the coming step
   SwimmerLoads last_impulse;            ///< handed over by the fluid in the step before
+  SwimmerLoads inner_momentum;          ///< of fluid within the beads, where there is (saturated_cells.hpp)
 };
 
 }  // namespace beadswim

@@ -1,0 +1,176 @@
+#include "beadswim/coupling/saturated_boundary.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "beadswim/coupling/saturated_cell.hpp"
+#include "beadswim/lattice/moments.hpp"
+#include "saturated_kernel.hpp"
+
+namespace beadswim {
+namespace {
+
+/// A cell that several beads touch: the law of saturated_cell.hpp with F = sum over beads of sigma (u_b - v).
+class SharedCell {
+ public:
+  void add(const SaturatedRun& run, double solid_fraction, double viscosity, const Vec3& from_centre,
+           const Vec3& velocity) {
+    const double sigma = 3 * viscosity * resistance(solid_fraction);
+    shares_.push_back({run.bead, solid_fraction, sigma, from_centre, velocity});
+    sigma_ += sigma;
+    pull_ += sigma * velocity;
+  }
+
+  /// F on fluid that streams in with momentum u.
+  Vec3 force(const Vec3& u) const { return (pull_ - sigma_ * u) / (1 + sigma_ / 2); }
+
+  /// Hands the fluid's change of momentum from u, as it came out, to the beads: to each its part.
+  void hand_over(std::vector<SaturatedSums>& sums, const Vec3& u, const Vec3& change) const {
+    const Vec3 mean = u + 0.5 * force(u);
+    Vec3 rest = change;  // all of it is handed over, whatever rounding did
+    for (std::size_t n = shares_.size(); n-- > 0;) {
+      const Share& share = shares_[n];
+      const Vec3 part = n == 0 ? rest : Vec3(share.sigma * (share.velocity - mean));
+      rest -= part;
+      add_momentum(sums[share.bead], 0, -part, share.from_centre);
+      add_momentum(sums[share.bead], 6, share.solid_fraction * (u + change), share.from_centre);
+    }
+  }
+
+ private:
+  static void add_momentum(SaturatedSums& sums, int first_term, const Vec3& p, const Vec3& from_centre) {
+    const Vec3 l = from_centre.cross(p);
+    for (int a = 0; a < 3; ++a) {
+      sums.sums[first_term + a].add(p[a]);
+      sums.sums[first_term + 3 + a].add(l[a]);
+    }
+  }
+
+  struct Share {
+    int bead;
+    double solid_fraction, sigma;
+    Vec3 from_centre, velocity;
+  };
+  std::vector<Share> shares_;
+  double sigma_ = 0;
+  Vec3 pull_ = Vec3::Zero();
+};
+
+/// Cells of one row on their way through the kernel, or one by one.
+template <class Real>
+class Push {
+ public:
+  Push(SaturatedBoundary& boundary, Populations& populations, int y, int z)
+      : boundary_(boundary),
+        runs_(boundary.cells.runs(y, z)),
+        populations_(populations),
+        first_(populations.cell(0, y, z)) {}
+
+  void row() {
+    for (std::size_t n = 0; n < runs_.size(); ++n) {
+      const SaturatedRun& run = runs_[n];
+      int start = run.low;  // of cells that no other bead touches
+      for (int x = run.low; x < run.high; ++x) {
+        if (!is_shared(n, x)) continue;
+        push(run, start, x);
+        start = x + 1;
+        const auto has_x = [x](const SaturatedRun& other) { return other.contains(x); };
+        if (std::ranges::none_of(runs_.first(n), has_x)) push_shared(x);
+      }
+      push(run, start, run.high);
+    }
+  }
+
+ private:
+  bool is_shared(std::size_t n, int x) const {
+    for (std::size_t other = 0; other < runs_.size(); ++other) {
+      if (other != n && runs_[other].contains(x)) return true;
+    }
+    return false;
+  }
+
+  /// Cells [low, high) of a run, which no other bead touches.
+  void push(const SaturatedRun& run, int low, int high) {
+    constexpr int most = SaturatedBatch<Real>::most, lanes = SaturatedSums::lanes;
+    for (; low < high; low += most) {
+      batch_.cells = std::min(most, high - low);
+      for (int i = 0; i < d3q19::directions; ++i)
+        batch_.places[i] = populations_.template incoming_row<Real>(i, first_ + low);
+      const int places = (batch_.cells + lanes - 1) / lanes * lanes;
+      for (int k = 0; k < places; ++k) {
+        batch_.solid_fraction[k] = k < batch_.cells ? boundary_.cells.fraction(run, low + k) : 0;
+        batch_.x[k] = run.from_centre(low + k)[0];
+      }
+      batch_.y = run.y, batch_.z = run.z;
+      push_batch(run.bead);
+    }
+  }
+
+  void push_batch(int b) {
+    const BeadMotion& motion = boundary_.beads[b].motion;
+    const Vec3 &v = motion.velocity, &omega = motion.angular_velocity;
+    const SaturatedBead bead{.velocity = {v[0], v[1], v[2]},
+                             .angular_velocity = {omega[0], omega[1], omega[2]},
+                             .viscosity = boundary_.viscosity};
+    SaturatedSums& sums = boundary_.sums[b];
+    sums.make_room(SaturatedBatch<Real>::most / SaturatedSums::lanes);
+    if (saturated_kernels().push(batch_, bead, sums)) return;
+    for (int t = 0; t < saturated_terms; ++t) {  // too large for lanes: more room there, or a message
+      for (int k = 0; k < batch_.cells; ++k) sums.sums[t].add(batch_.terms[t][k]);
+    }
+  }
+
+  void push_shared(int x) {
+    SharedCell cell;
+    for (const SaturatedRun& run : runs_) {
+      if (!run.contains(x)) continue;
+      const Vec3 r = run.from_centre(x);
+      cell.add(run, boundary_.cells.fraction(run, x), boundary_.viscosity, r,
+               boundary_.beads[run.bead].velocity_at(r));
+    }
+    std::array<Real*, d3q19::directions> places;
+    double f[d3q19::directions], density, u[3], gained[3];
+    for (int i = 0; i < d3q19::directions; ++i) {
+      places[i] = populations_.template incoming_row<Real>(i, first_ + x);
+      f[i] = static_cast<double>(*places[i]);
+    }
+    moments_of(f, density, u);
+    const Vec3 before(u[0], u[1], u[2]), force = cell.force(before);
+    const double pushed[3] = {u[0] + force[0], u[1] + force[1], u[2] + force[2]};
+    const double squares = squares_difference(u, pushed);
+    for (int i = 0; i < d3q19::directions; ++i) {
+      *places[i] = static_cast<Real>(f[i] + equilibrium_change(i, u, pushed, squares));
+      f[i] = static_cast<double>(*places[i]) - f[i];
+    }
+    moments_of(f, density, gained);
+    cell.hand_over(boundary_.sums, before, Vec3(gained[0], gained[1], gained[2]));
+  }
+
+  SaturatedBoundary& boundary_;
+  std::span<const SaturatedRun> runs_;
+  Populations& populations_;
+  std::ptrdiff_t first_;
+  SaturatedBatch<Real> batch_;
+};
+
+}  // namespace
+
+void SaturatedBoundary::push_before_row(Populations& populations, int y, int z) {
+  if (cells.runs(y, z).empty()) return;
+  in_precision(populations.precision(), [&]<class Real>() { Push<Real>(*this, populations, y, z).row(); });
+}
+
+void hand_over_impulses(std::span<SaturatedSums> sums, std::span<BeadOnLattice> beads) {
+  for (std::size_t b = 0; b < beads.size(); ++b) {
+    const std::array<OrderFreeSum, saturated_terms> total = sums[b].take();
+    Impulse& impulse = beads[b].impulse;
+    for (int a = 0; a < 3; ++a) {
+      impulse.linear[a].add(total[a]);
+      impulse.angular[a].add(total[3 + a]);
+      impulse.inner_linear[a].add(total[6 + a]);
+      impulse.inner_angular[a].add(total[9 + a]);
+    }
+  }
+}
+
+}  // namespace beadswim

@@ -1,0 +1,127 @@
+// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace. No function
+// outside that namespace may be emitted from here.
+#include "saturated_kernel.hpp"
+
+#include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/coupling/saturated_cell.hpp"
+#include "beadswim/lattice/moments.hpp"
+
+namespace beadswim::BEADSWIM_INSTRUCTION_SET {
+
+constexpr int lanes = SaturatedSums::lanes;
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+
+BEADSWIM_KERNEL Lanes load(const double* from) {
+  Lanes values;
+  __builtin_memcpy(&values, from, sizeof values);
+  return values;
+}
+
+/// Populations of `cells` cells, at most a lane each; zeros after the last.
+template <class Real>
+BEADSWIM_KERNEL Lanes load_populations(const Real* from, int cells) {
+  Real __attribute__((vector_size(lanes * sizeof(Real)))) stored{};
+  if (cells == lanes) {
+    __builtin_memcpy(&stored, from, sizeof stored);
+  } else {
+    for (int k = 0; k < cells; ++k) stored[k] = from[k];
+  }
+  return __builtin_convertvector(stored, Lanes);
+}
+
+/// Stores populations; returns them as stored.
+template <class Real>
+BEADSWIM_KERNEL Lanes store_populations(Lanes f, int cells, Real* to) {
+  Real __attribute__((vector_size(lanes * sizeof(Real)))) stored;
+  stored = __builtin_convertvector(f, decltype(stored));
+  if (cells == lanes) {
+    __builtin_memcpy(to, &stored, sizeof stored);
+  } else {
+    for (int k = 0; k < cells; ++k) to[k] = stored[k];
+  }
+  return __builtin_convertvector(stored, Lanes);
+}
+
+/// Stores a momentum, and its angular momentum at r, as six terms of cells from `first` on.
+BEADSWIM_KERNEL void store_terms(double (*terms)[64], int first, const Lanes (&p)[3], const Lanes (&r)[3]) {
+  const Lanes values[6]{
+      p[0], p[1], p[2], r[1] * p[2] - r[2] * p[1], r[2] * p[0] - r[0] * p[2], r[0] * p[1] - r[1] * p[0]};
+#pragma GCC unroll 6
+  for (int t = 0; t < 6; ++t) __builtin_memcpy(&terms[t][first], &values[t], sizeof values[t]);
+}
+
+/// Pushes up to a lane each of cells, from `first` of the batch on.
+template <class Real>
+BEADSWIM_KERNEL void push_lanes(SaturatedBatch<Real>& batch, const SaturatedBead& b, int first) {
+  const int cells = batch.cells - first < lanes ? batch.cells - first : lanes;
+  Lanes f[d3q19::directions], density, u[3], pushed[3];
+#pragma GCC unroll 19
+  for (int i = 0; i < d3q19::directions; ++i) f[i] = load_populations(batch.places[i] + first, cells);
+  moments_of(f, density, u);
+
+  const Lanes fraction = load(&batch.solid_fraction[first]);
+  const Lanes rate = forcing_rate(3 * b.viscosity * resistance(fraction));
+  const Lanes r[3]{load(&batch.x[first]), Lanes{} + batch.y, Lanes{} + batch.z};
+  const auto &v = b.velocity, &omega = b.angular_velocity;
+  const Lanes velocity[3]{v[0] + (omega[1] * r[2] - omega[2] * r[1]),
+                          v[1] + (omega[2] * r[0] - omega[0] * r[2]),
+                          v[2] + (omega[0] * r[1] - omega[1] * r[0])};
+#pragma GCC unroll 3
+  for (int a = 0; a < 3; ++a) pushed[a] = u[a] + rate * (velocity[a] - u[a]);
+
+  const Lanes squares = squares_difference(u, pushed);
+#pragma GCC unroll 19
+  for (int i = 0; i < d3q19::directions; ++i) {
+    const Lanes changed = f[i] + equilibrium_change(i, u, pushed, squares);
+    f[i] = store_populations(changed, cells, batch.places[i] + first) - f[i];
+  }
+  Lanes gained[3], given[3], inner[3];
+  moments_of(f, density, gained);
+#pragma GCC unroll 3
+  for (int a = 0; a < 3; ++a) {
+    given[a] = -gained[a];
+    inner[a] = fraction * (u[a] + gained[a]);
+  }
+  store_terms(batch.terms, first, given, r);
+  store_terms(batch.terms + 6, first, inner, r);
+}
+
+/// Adds the terms of all places to the sums, unless one of them does not fit.
+template <class Real>
+BEADSWIM_KERNEL bool add_terms(const SaturatedBatch<Real>& batch, SaturatedSums& sums) {
+  Lanes coarse[saturated_terms], fine[saturated_terms];
+  auto fit = Lanes{} == Lanes{};
+#pragma GCC unroll 12
+  for (int t = 0; t < saturated_terms; ++t) {
+    coarse[t] = load(sums.coarse[t]);
+    fine[t] = load(sums.fine[t]);
+    for (int k = 0; k < batch.cells; k += lanes) {
+      const Lanes term = load(&batch.terms[t][k]);
+      const Lanes multiple = order_free::coarse_part(term);
+      coarse[t] += multiple;
+      fine[t] += order_free::fine_part(term, multiple);
+      fit &= (term < order_free::largest_term) & (term > -order_free::largest_term);  // not if not a number
+    }
+  }
+  for (int lane = 0; lane < lanes; ++lane) {
+    if (!fit[lane]) return false;
+  }
+  __builtin_memcpy(sums.coarse, coarse, sizeof coarse);
+  __builtin_memcpy(sums.fine, fine, sizeof fine);
+  return true;
+}
+
+template <class Real>
+BEADSWIM_KERNEL bool push(SaturatedBatch<Real>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
+  for (int first = 0; first < batch.cells; first += lanes) push_lanes(batch, bead, first);
+  return add_terms(batch, sums);
+}
+
+bool push_cells(SaturatedBatch<double>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
+  return push(batch, bead, sums);
+}
+bool push_cells(SaturatedBatch<float>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
+  return push(batch, bead, sums);
+}
+
+}  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
