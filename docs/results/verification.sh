@@ -1,6 +1,6 @@
 #!/bin/bash
 # The records behind docs/verification.md, and the page.
-#   docs/results/verification.sh [SCHEME,...]      (some 25 minutes on 2 idle cores; beadswim-verification on PATH)
+#   docs/results/verification.sh [SCHEME,...]      (20 to 30 minutes on 2 idle cores; beadswim-verification on PATH)
 # Two processes, each with its share of the cases. Schemes left out keep the records that they have.
 set -euo pipefail
 cd "$(dirname "$0")"

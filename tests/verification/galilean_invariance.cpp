@@ -93,10 +93,10 @@ Seen moving(const CubicArray& array, const Vec3& drift, double tau, LinkScheme s
   return sums.seen(array, tau);
 }
 
-void measure(const std::vector<double>& speeds, int cells_per_diameter, double tau, LinkScheme scheme,
-             const Emit& emit) {
+void measure(const std::vector<std::string>& axes, const std::vector<double>& speeds, int cells_per_diameter,
+             double tau, LinkScheme scheme, const Emit& emit) {
   const CubicArray array = cubic_array(phi, cells_per_diameter);
-  for (const std::string along : {"x", "z"}) {
+  for (const std::string& along : axes) {
     const Vec3 direction = along == "x" ? Vec3::UnitX() : Vec3::UnitZ();
     const Seen rest = at_rest(array, direction, tau, scheme);
     for (const double speed : speeds) {
@@ -139,9 +139,9 @@ std::string table(const std::vector<Json>& records) {
 }  // namespace
 
 void measure_galilean_invariance(LinkScheme scheme, Extent extent, const Emit& emit) {
-  if (extent == Extent::brief) return measure({1e-2}, 6, 1.5, scheme, emit);
-  measure({-1e-3, 1e-3, 1e-2, 3e-2, 1e-1}, 8, 1.5, scheme, emit);
-  measure({-1e-3, 1e-2, 1e-1}, 8, 0.8, scheme, emit);
+  if (extent == Extent::brief) return measure({"x"}, {1e-2}, 6, 1.5, scheme, emit);
+  measure({"x", "z"}, {-1e-1, -1e-3, 1e-3, 1e-2, 3e-2, 1e-1}, 8, 1.5, scheme, emit);
+  measure({"x", "z"}, {-1e-3, 1e-2, 1e-1}, 8, 0.8, scheme, emit);
 }
 
 std::string report_galilean_invariance(const std::vector<Json>& records) {
@@ -152,8 +152,19 @@ std::string report_galilean_invariance(const std::vector<Json>& records) {
          "over "
          "that of the sphere at rest, less 1; the latter is the mean over 16 places on the same way. A drift "
          "of "
-         "-1e-3 along x is a sphere that moves through fluid at rest. Changes of the speed of sound's order "
-         "u²/c_s² = 3u² are to be expected of the lattice itself: 3 % at 0.1.\n\n" +
+         "-1e-3 along x is a sphere that moves through fluid at rest, and changes nothing: below 0.06 %, of "
+         "which a "
+         "part is the mean over places at rest. Up to a drift of 0.03, faster than beads of any swimmer "
+         "here, the drag "
+         "changes by less than 0.5 %.\n\n"
+         "At 0.1 along the flow it changes by 6 to 12 %, with the other sign at -0.1: this is not a "
+         "drag that depends on the frame, but a small force on a sphere that moves with the fluid, odd in "
+         "the drift. "
+         "Without other forces the sphere would run ahead of the fluid by 1e-3 of the drift (12 % of the "
+         "relative speed "
+         "1e-3, over 0.1) or less, which only shows because the relative speed is so small here. Across the "
+         "flow the "
+         "change is even in the drift, -2.3 % at 0.1: the lattice's own error of order u²/c_s² = 3u².\n\n" +
          table(records);
 }
 

@@ -76,6 +76,7 @@ std::string table_head(const std::string& first, const std::vector<std::string>&
 }
 
 std::string error_and_spread(const Json& record) {
+  if (record["places"] == 1) return percent(record["error"]);
   return fmt::format("{} ± {}", percent(record["error"]), plain_percent(record["spread"]));
 }
 
@@ -97,20 +98,24 @@ std::string table_by(const std::string& key, const std::string& title, const std
   return text;
 }
 
+std::string order_of(const std::vector<double>& resolution, const std::vector<double>& error) {
+  return error.size() < 3 ? "-" : fmt::format("{:.1f}", fitted_order(resolution, error));
+}
+
 std::string order_row(const std::vector<Json>& records) {
   constexpr int coarsest = 6;  // cells a diameter
   std::string row = "| order of mean, of spread |";
   for (const std::string& scheme : schemes_in(records)) {
-    std::vector<double> cells, error, spread;
+    std::vector<double> cells, error, spread_cells, spread;
     for (const Json& r : where(records, {{"scheme", scheme}})) {
       if (r["cells_per_diameter"] < coarsest) continue;
       cells.push_back(r["diameter"]);
       error.push_back(std::abs(r["error"].get<double>()));
+      if (r["places"] == 1) continue;
+      spread_cells.push_back(r["diameter"]);
       spread.push_back(r["spread"]);
     }
-    row += cells.size() < 3
-               ? " |"
-               : fmt::format(" {:.1f}, {:.1f} |", fitted_order(cells, error), fitted_order(cells, spread));
+    row += " " + order_of(cells, error) + ", " + order_of(spread_cells, spread) + " |";
   }
   return row + "\n";
 }
