@@ -264,7 +264,10 @@ std::string report_collinear_spheres(const std::vector<Json>& all) {
   if (boxes.empty()) return text;
   return text +
          "\nTwo spheres 3 R apart, 6 cells a diameter, in a box that reaches 5 R beyond them, as above, and "
-         "in one of 7.5 R:\n\n" +
+         "in "
+         "one of 7.5 R, whose middle lies half a cell off across the line, which matters to the staircase "
+         "more than "
+         "the box does:\n\n" +
          table_head("scheme, forces", {"5 R", "7.5 R"}) + boxes;
 }
 
