@@ -121,7 +121,8 @@ std::string report_array_drag(const std::vector<Json>& records) {
   text +=
       "\nso the reference is good to 2e-4 or better. A run ends when K is settled to 1e-5 of itself. The "
       "Reynolds "
-      "number is below 1e-4 and density varies by less than 1e-5: neither inertia nor compressibility "
+      "number is below 2e-4 and pressures are of order ηU/R, 1e-6 in the density: neither inertia nor "
+      "compressibility "
       "shows.\n\n"
       "With cli the mean falls fast up to 16 cells a diameter and then changes sign: two contributions "
       "cancel, so "
