@@ -1,0 +1,23 @@
+#!/bin/bash
+# The records behind docs/verification.md, and the page.
+#   docs/results/verification.sh [SCHEME,...]      (20 to 30 minutes on 2 idle cores; beadswim-verification on PATH)
+# Two processes, each with its share of the cases. Schemes left out keep the records that they have.
+set -euo pipefail
+cd "$(dirname "$0")"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+schemes=${1:-staircase,cli}
+new=$(mktemp -d)
+trap 'rm -rf "$new"' EXIT
+
+measure() { beadswim-verification --scheme "$schemes" --case "$1" >"$new/$2"; }
+measure array-drag 1 &
+measure torque,collinear-spheres,sedimentation,oscillation,galilean-invariance,conservation 2
+wait $!
+
+touch verification.jsonl
+for scheme in ${schemes//,/ }; do
+  grep -v "\"scheme\":\"$scheme\"" verification.jsonl >"$new/kept" || true
+  mv "$new/kept" verification.jsonl
+done
+cat "$new/1" "$new/2" >>verification.jsonl
+beadswim-verification --report verification.jsonl >../verification.md
