@@ -78,7 +78,7 @@ Index3 before_mirror(Index3 cell, const std::array<bool, 3>& periodic) {
 }
 
 std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Shape& shape,
-                               LinkScheme scheme) {
+                               BeadScheme scheme) {
   const Block& block = shape.block;
   const auto is_own = [&](const Index3& p) { return (p >= 0).all() && (p < block.size).all(); };
   std::set<Link> links;
@@ -110,7 +110,7 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
 
 /// Two beads in a block, and their links.
 struct Scene {
-  Scene(unsigned seed, const Shape& shape, LinkScheme scheme)
+  Scene(unsigned seed, const Shape& shape, BeadScheme scheme)
       : shape(shape),
         beads(random_beads(seed, shape.periodic)),
         at{.block = shape.block, .cells = lattice, .periodic = shape.periodic},
@@ -153,14 +153,14 @@ std::vector<Link> links_of(BeadLinks& links, std::size_t segment, const Coverage
   return found;
 }
 
-class BeadLinksIn : public testing::TestWithParam<std::tuple<Shape, LinkScheme>> {
+class BeadLinksIn : public testing::TestWithParam<std::tuple<Shape, BeadScheme>> {
  protected:
   /// Calls check(scene) for scenes of seeds 1 to 30.
   template <class Check>
   void for_each_scene(Check&& check) {
     for (unsigned seed = 1; seed <= 30; ++seed) {
       SCOPED_TRACE(seed);
-      Scene scene(seed, std::get<Shape>(GetParam()), std::get<LinkScheme>(GetParam()));
+      Scene scene(seed, std::get<Shape>(GetParam()), std::get<BeadScheme>(GetParam()));
       check(scene);
     }
   }
@@ -168,8 +168,8 @@ class BeadLinksIn : public testing::TestWithParam<std::tuple<Shape, LinkScheme>>
 
 INSTANTIATE_TEST_SUITE_P(Shapes, BeadLinksIn,
                          testing::Combine(testing::ValuesIn(shapes),
-                                          testing::Values(LinkScheme::staircase, LinkScheme::cli,
-                                                          LinkScheme::mr)));
+                                          testing::Values(BeadScheme::staircase, BeadScheme::cli,
+                                                          BeadScheme::mr)));
 
 // Catches a row, an image or a seam whose links are missed, found twice, or given to the wrong owner.
 TEST_P(BeadLinksIn, AreAllLinksBetweenCoveredAndFluidCells) {
@@ -220,7 +220,7 @@ TEST_P(BeadLinksIn, ComeBeforeTheSweepOfTheirRows) {
           for (const auto& [link_x, link_y, link_z, out, own, behind] :
                links_of(scene.links, s, scene.coverage)) {
             const auto& c = d3q19::velocity[out];
-            const bool is_mr = scene.links.scheme() == LinkScheme::mr;  // has all of its halo from the start
+            const bool is_mr = scene.links.scheme() == BeadScheme::mr;  // has all of its halo from the start
             for (int m = 0; m <= behind + 1; ++m) {
               const int row_y = link_y + m * c[1], row_z = link_z + m * c[2];
               EXPECT_FALSE(swept.contains({row_y, row_z}));

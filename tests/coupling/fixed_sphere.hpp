@@ -12,7 +12,7 @@ namespace beadswim::test {
 class FixedSphere {
  public:
   FixedSphere(int edge, double radius, const Vec3& centre, double relaxation_time,
-              LinkScheme scheme = LinkScheme::staircase)
+              BeadScheme scheme = BeadScheme::staircase)
       : fluid(Index3::Constant(edge), periodic, relaxation_time, MPI_COMM_SELF, Precision::fp64,
               halo_content(scheme)),
         coverage(block_in_lattice(fluid.decomposition, 0, periodic), fluid.populations),

@@ -46,7 +46,7 @@ std::vector<LinkKernels> kernels() {
   return kernels;
 }
 
-template <LinkScheme scheme, class Real>
+template <BeadScheme scheme, class Real>
 struct Kernel {
   static bool reflect(const LinkKernels& kernels, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
     return kernels.reflect<Real>(scheme, batch, bead, sums);
@@ -56,9 +56,9 @@ struct Kernel {
 
 template <class Kernel>
 class LinkKernelsOf : public testing::Test {};
-using AllKernels = testing::Types<Kernel<LinkScheme::staircase, double>, Kernel<LinkScheme::staircase, float>,
-                                  Kernel<LinkScheme::cli, double>, Kernel<LinkScheme::cli, float>,
-                                  Kernel<LinkScheme::mr, double>, Kernel<LinkScheme::mr, float>>;
+using AllKernels = testing::Types<Kernel<BeadScheme::staircase, double>, Kernel<BeadScheme::staircase, float>,
+                                  Kernel<BeadScheme::cli, double>, Kernel<BeadScheme::cli, float>,
+                                  Kernel<BeadScheme::mr, double>, Kernel<BeadScheme::mr, float>>;
 TYPED_TEST_SUITE(LinkKernelsOf, AllKernels);
 
 // Catches a lane that is left out or counted twice, a fused multiply-add, and sums that depend on the lanes:

@@ -56,11 +56,11 @@ TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
   for (CoupledScene scene : {crossing_scene(), long_arms(), side_by_side(), between_walls()}) {
     for (const auto& [precision, scheme] :
-         {std::pair{Precision::fp64, LinkScheme::staircase},
-          std::pair{Precision::fp32, LinkScheme::staircase}, std::pair{Precision::fp64, LinkScheme::cli},
-          std::pair{Precision::fp32, LinkScheme::cli}, std::pair{Precision::fp64, LinkScheme::mr},
-          std::pair{Precision::fp32, LinkScheme::mr}, std::pair{Precision::fp64, LinkScheme::psm},
-          std::pair{Precision::fp32, LinkScheme::psm}}) {
+         {std::pair{Precision::fp64, BeadScheme::staircase},
+          std::pair{Precision::fp32, BeadScheme::staircase}, std::pair{Precision::fp64, BeadScheme::cli},
+          std::pair{Precision::fp32, BeadScheme::cli}, std::pair{Precision::fp64, BeadScheme::mr},
+          std::pair{Precision::fp32, BeadScheme::mr}, std::pair{Precision::fp64, BeadScheme::psm},
+          std::pair{Precision::fp32, BeadScheme::psm}}) {
       scene.precision = precision;
       scene.bead_boundary = scheme;
       const std::string cut = final_state(scene, world);
@@ -89,7 +89,7 @@ TEST(Seams, HandSwimmersToNewOwners) {
 }
 
 // Catches a link or a changing cell whose momentum or mass is lost, or counted twice, at a seam.
-class Conserving : public testing::TestWithParam<std::tuple<std::tuple<Precision, double>, LinkScheme>> {};
+class Conserving : public testing::TestWithParam<std::tuple<std::tuple<Precision, double>, BeadScheme>> {};
 
 TEST_P(Conserving, MomentumAndMassAcrossSeams) {
   const Communicator world(MPI_COMM_WORLD);
@@ -118,8 +118,8 @@ TEST_P(Conserving, MomentumAndMassAcrossSeams) {
 INSTANTIATE_TEST_SUITE_P(Seams, Conserving,
                          testing::Combine(testing::Values(std::tuple{Precision::fp64, 1e-12},
                                                           std::tuple{Precision::fp32, 2e-5}),
-                                          testing::Values(LinkScheme::staircase, LinkScheme::cli,
-                                                          LinkScheme::mr, LinkScheme::psm)));
+                                          testing::Values(BeadScheme::staircase, BeadScheme::cli,
+                                                          BeadScheme::mr, BeadScheme::psm)));
 
 TEST(Guards, ReportTheFirstBeadThatIsTooFastOnAllRanks) {
   const Communicator world(MPI_COMM_WORLD);

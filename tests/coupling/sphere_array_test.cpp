@@ -14,7 +14,7 @@ constexpr double tau = 1.5;
 
 /// Drag coefficient K of a simple-cubic array of spheres: F = 6 pi eta R K U, U the superficial velocity, F
 /// the body force on the whole cell (it includes the mean pressure gradient on the sphere's volume).
-double array_drag(double volume_fraction, double cells_per_diameter, const Vec3& offset, LinkScheme scheme,
+double array_drag(double volume_fraction, double cells_per_diameter, const Vec3& offset, BeadScheme scheme,
                   double tau = test::tau) {
   const double per_edge = std::cbrt(6 * volume_fraction / pi);  // diameter / spacing
   const int edge = static_cast<int>(std::lround(cells_per_diameter / per_edge));
@@ -35,7 +35,7 @@ double array_drag(double volume_fraction, double cells_per_diameter, const Vec3&
 struct Drag {
   double mean, spread;  ///< over positions within a cell; standard deviation
 };
-Drag mean_array_drag(double volume_fraction, double cells_per_diameter, LinkScheme scheme) {
+Drag mean_array_drag(double volume_fraction, double cells_per_diameter, BeadScheme scheme) {
   constexpr std::array offsets{std::array{0.0, 0.0, 0.0}, std::array{0.5, 0.5, 0.5},
                                std::array{0.25, 0.1, 0.4}, std::array{0.4, 0.2, 0.0}};
   double sum = 0, squares = 0;
@@ -53,7 +53,7 @@ struct Measured {
   double drag;         ///< Zick & Homsy, J. Fluid Mech. 115 (1982) 13, table 2
   double diameter;     ///< [cell]
   double model_error;  ///< of the scheme at this resolution: radius errors, amplified in close arrays
-  LinkScheme scheme = LinkScheme::staircase;
+  BeadScheme scheme = BeadScheme::staircase;
 };
 
 class SimpleCubicArray : public testing::TestWithParam<Measured> {};
@@ -76,27 +76,27 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Measured{0.027, 2.008, 8, 0.06}, Measured{0.064, 2.810, 8, 0.06}, Measured{0.125, 4.292, 8, 0.08},
         Measured{0.125, 4.292, 16, 0.04}, Measured{0.216, 7.442, 12, 0.08},
-        Measured{0.027, 2.008, 8, 0.02, LinkScheme::cli}, Measured{0.125, 4.292, 8, 0.02, LinkScheme::cli},
-        Measured{0.125, 4.292, 16, 0.01, LinkScheme::cli},
-        Measured{0.125, 4.292, 4, 0.045, LinkScheme::mr},  // two cells between spheres
-        Measured{0.125, 4.292, 8, 0.015, LinkScheme::mr}, Measured{0.125, 4.292, 16, 0.01, LinkScheme::mr},
-        Measured{0.027, 2.008, 8, 0.01, LinkScheme::psm}, Measured{0.125, 4.292, 8, 0.02, LinkScheme::psm},
-        Measured{0.125, 4.292, 16, 0.01, LinkScheme::psm}));
+        Measured{0.027, 2.008, 8, 0.02, BeadScheme::cli}, Measured{0.125, 4.292, 8, 0.02, BeadScheme::cli},
+        Measured{0.125, 4.292, 16, 0.01, BeadScheme::cli},
+        Measured{0.125, 4.292, 4, 0.045, BeadScheme::mr},  // two cells between spheres
+        Measured{0.125, 4.292, 8, 0.015, BeadScheme::mr}, Measured{0.125, 4.292, 16, 0.01, BeadScheme::mr},
+        Measured{0.027, 2.008, 8, 0.01, BeadScheme::psm}, Measured{0.125, 4.292, 8, 0.02, BeadScheme::psm},
+        Measured{0.125, 4.292, 16, 0.01, BeadScheme::psm}));
 
 // What the law of the force in a cell is made for. Catches one that weakens or stiffens with the viscosity
 // (Noble & Torczynski's weights: 13 % between these relaxation times).
 TEST(SaturatedCells, HaveTheSameDragAtEveryViscosity) {
   const Vec3 offset(0.25, 0.1, 0.4);
-  const double slow = array_drag(0.064, 6, offset, LinkScheme::psm, 0.8);
-  const double fast = array_drag(0.064, 6, offset, LinkScheme::psm, 3);
+  const double slow = array_drag(0.064, 6, offset, BeadScheme::psm, 0.8);
+  const double fast = array_drag(0.064, 6, offset, BeadScheme::psm, 3);
   EXPECT_NEAR(fast / slow, 1, 1e-4);  // how far the runs are from steady
 }
 
-class TurningSphere : public testing::TestWithParam<std::tuple<LinkScheme, double>> {};
+class TurningSphere : public testing::TestWithParam<std::tuple<BeadScheme, double>> {};
 INSTANTIATE_TEST_SUITE_P(Schemes, TurningSphere,
-                         testing::Values(std::tuple{LinkScheme::staircase, 0.12},
-                                         std::tuple{LinkScheme::cli, 0.02}, std::tuple{LinkScheme::mr, 0.02},
-                                         std::tuple{LinkScheme::psm, 0.02}));
+                         testing::Values(std::tuple{BeadScheme::staircase, 0.12},
+                                         std::tuple{BeadScheme::cli, 0.02}, std::tuple{BeadScheme::mr, 0.02},
+                                         std::tuple{BeadScheme::psm, 0.02}));
 
 // Torque on a slowly turning sphere, 8 pi eta R^3 Omega; the neighbours of a cubic array at phi = 0.027 add
 // about phi to it. Catches a wrong lever arm or sign.

@@ -73,7 +73,7 @@ TEST_P(SlowSwimmer, IsNotKickedByTheMassThatBeadsReturn) {
   type.driving.amplitude = {0.1, 0.1};
   type.driving.period = 2000;
   scene.relaxation_time = relaxation_time;
-  scene.bead_boundary = LinkScheme::cli;
+  scene.bead_boundary = BeadScheme::cli;
   CoupledSystem system(scene, self);
   double most_held = 0;
   for (int n = 0; n < 4000; ++n) {

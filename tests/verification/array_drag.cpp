@@ -17,7 +17,7 @@ constexpr double settled_to = 1e-5;  // of K
 
 /// K with the sphere `offset` from the middle of the box: the fluid is kept flowing at constant momentum, and
 /// the body force that this takes is awaited.
-double drag(const CubicArray& array, const Vec3& offset, double tau, LinkScheme scheme) {
+double drag(const CubicArray& array, const Vec3& offset, double tau, BeadScheme scheme) {
   constexpr double speed = 1e-6;
   const Index3 cells = Index3::Constant(array.edge);
   SpheresInFluid fluid(cells, tau, scheme, {{array.radius, Vec3::Constant(array.edge / 2.0) + offset}});
@@ -32,15 +32,14 @@ double drag(const CubicArray& array, const Vec3& offset, double tau, LinkScheme 
       fluid.step();
       if (n < interval - 2) continue;
       force += 0.5 * fluid.body_force[0] * fluid.volume();
-      superficial += 0.5 * (fluid.fluid_momentum()[0] - 0.5 * fluid.body_force[0] * fluid.fluid_cells()) /
-                     fluid.volume();
+      superficial += 0.5 * fluid.mid_step_momentum()[0] / fluid.volume();
     }
     settling.add({force / (6 * pi * lattice_viscosity(tau) * array.radius * superficial)});
   }
   return settling.limits()[0];
 }
 
-void measure(double phi, int cells_per_diameter, int places, double tau, LinkScheme scheme,
+void measure(double phi, int cells_per_diameter, int places, double tau, BeadScheme scheme,
              const Emit& emit) {
   const CubicArray array = cubic_array(phi, cells_per_diameter);
   std::vector<double> drags;
@@ -87,7 +86,7 @@ std::string relaxation_tables(const std::vector<Json>& all) {
 
 }  // namespace
 
-void measure_array_drag(LinkScheme scheme, Extent extent, const Emit& emit) {
+void measure_array_drag(BeadScheme scheme, Extent extent, const Emit& emit) {
   if (extent == Extent::brief) {
     for (const int cells : {6, 8, 12}) measure(pi / 48, cells, 4, 1.5, scheme, emit);
     return;

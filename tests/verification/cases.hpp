@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/coupling/link_scheme.hpp"
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/io/json.hpp"
 
 namespace beadswim::verification {
@@ -21,7 +21,7 @@ using Emit = std::function<void(const Json&)>;
 /// One phenomenon: measured for one scheme, and what the records of all schemes say, in Markdown.
 struct Case {
   std::string name;
-  void (*measure)(LinkScheme, Extent, const Emit&);
+  void (*measure)(BeadScheme, Extent, const Emit&);
   std::string (*report)(const std::vector<Json>& records);
 };
 
@@ -30,25 +30,25 @@ const std::vector<Case>& all_cases();
 /// docs/verification.md from records in any order.
 std::string verification_page(const std::vector<Json>& records);
 
-void measure_array_drag(LinkScheme scheme, Extent extent, const Emit& emit);
+void measure_array_drag(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_array_drag(const std::vector<Json>& records);
 
-void measure_torque(LinkScheme scheme, Extent extent, const Emit& emit);
+void measure_torque(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_torque(const std::vector<Json>& records);
 
-void measure_collinear_spheres(LinkScheme scheme, Extent extent, const Emit& emit);
+void measure_collinear_spheres(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_collinear_spheres(const std::vector<Json>& records);
 
-void measure_sedimentation(LinkScheme scheme, Extent extent, const Emit& emit);
+void measure_sedimentation(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_sedimentation(const std::vector<Json>& records);
 
-void measure_oscillation(LinkScheme scheme, Extent extent, const Emit& emit);
+void measure_oscillation(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_oscillation(const std::vector<Json>& records);
 
-void measure_galilean_invariance(LinkScheme scheme, Extent extent, const Emit& emit);
+void measure_galilean_invariance(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_galilean_invariance(const std::vector<Json>& records);
 
-void measure_conservation(LinkScheme scheme, Extent extent, const Emit& emit);
+void measure_conservation(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_conservation(const std::vector<Json>& records);
 
 }  // namespace beadswim::verification

@@ -92,7 +92,7 @@ double mobility_in_box(const Line& line, const Eigen::VectorXd& forces, double e
 
 /// Forces along x that keep one sphere moving and the others at rest, per speed: one column of M^{-1}.
 Eigen::VectorXd resistance_column(const Line& line, int moving, const Vec3& offset, double tau,
-                                  LinkScheme scheme) {
+                                  BeadScheme scheme) {
   constexpr double speed = 1e-6, settled_to = 1e-5;
   std::vector<Sphere> spheres;
   const Index3 cells = box_of(line);
@@ -107,7 +107,7 @@ Eigen::VectorXd resistance_column(const Line& line, int moving, const Vec3& offs
   while (!settling.settled()) {
     std::vector<double> forces(line.spheres, 0.0);
     for (int n = 0; n < interval; ++n) {
-      fluid.hold_fluid_momentum(with_sphere_at_rest + 0.5 * fluid.fluid_cells() * fluid.body_force);
+      fluid.hold_fluid_momentum(with_sphere_at_rest + fluid.fluid_momentum() - fluid.mid_step_momentum());
       const std::vector<Load> loads = fluid.step();
       if (n < interval - 2) continue;
       // The mean pressure gradient, which balances the body force, acts on spheres too.
@@ -134,7 +134,7 @@ std::vector<Pattern> patterns_of(int spheres) {
           {"together", Eigen::Vector3d(1, 1, 1)}};
 }
 
-void measure(const Line& line, int places, double tau, LinkScheme scheme, const Emit& emit) {
+void measure(const Line& line, int places, double tau, BeadScheme scheme, const Emit& emit) {
   const double eta = lattice_viscosity(tau);
   std::vector<Eigen::MatrixXd> measured;
   for (const Vec3& place : random_places(places)) {
@@ -225,7 +225,7 @@ std::string box_check(const std::vector<Json>& records) {
 
 }  // namespace
 
-void measure_collinear_spheres(LinkScheme scheme, Extent extent, const Emit& emit) {
+void measure_collinear_spheres(BeadScheme scheme, Extent extent, const Emit& emit) {
   if (extent == Extent::brief) return measure({.radius = 3}, 1, 1.5, scheme, emit);
   for (const double distance : {2.25, 2.5, 3.0, 4.0, 6.0})
     measure({.distance = distance}, 2, 1.5, scheme, emit);

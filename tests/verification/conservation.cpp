@@ -19,7 +19,7 @@ double bead_momentum(const CoupledSystem& system) {
   return largest;
 }
 
-void measure(int steps, LinkScheme scheme, const Emit& emit) {
+void measure(int steps, BeadScheme scheme, const Emit& emit) {
   const Communicator self(MPI_COMM_SELF);
   const Vec3 axis = Vec3(1, 0.6180, 0.3820).normalized();
   CoupledScene scene = test::small_swimmer(Index3::Constant(box_edge), Vec3(11.3, 12.2, 12.6), axis);
@@ -53,7 +53,7 @@ void measure(int steps, LinkScheme scheme, const Emit& emit) {
 
 }  // namespace
 
-void measure_conservation(LinkScheme scheme, Extent extent, const Emit& emit) {
+void measure_conservation(BeadScheme scheme, Extent extent, const Emit& emit) {
   measure(extent == Extent::brief ? 1000 : 100000, scheme, emit);
 }
 

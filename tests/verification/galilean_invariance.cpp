@@ -29,9 +29,7 @@ struct Sums {
   Vec3 force = Vec3::Zero(), flow = Vec3::Zero();
 
   void add(SpheresInFluid& fluid) {
-    const double cells = static_cast<double>(fluid.fluid_cells());
-    const Vec3 momentum = fluid.fluid_momentum() - 0.5 * cells * fluid.body_force;
-    flow += (momentum - cells * fluid.motion(0).velocity) / fluid.volume();
+    flow += (fluid.mid_step_momentum() - fluid.fluid_cells() * fluid.motion(0).velocity) / fluid.volume();
     force += fluid.body_force * fluid.volume();
     ++steps;
   }
@@ -42,7 +40,7 @@ struct Sums {
 };
 
 std::unique_ptr<SpheresInFluid> start(const CubicArray& array, const Vec3& offset, const Vec3& drift,
-                                      double tau, LinkScheme scheme) {
+                                      double tau, BeadScheme scheme) {
   auto fluid = std::make_unique<SpheresInFluid>(
       Index3::Constant(array.edge), tau, scheme,
       std::vector<Sphere>{{array.radius, Vec3::Constant(array.edge / 2.0) + offset}});
@@ -61,7 +59,7 @@ int steps_to_settle(const CubicArray& array, double tau) {
 }
 
 /// Places on the way of the moving sphere, but at rest.
-Seen at_rest(const CubicArray& array, const Vec3& direction, double tau, LinkScheme scheme) {
+Seen at_rest(const CubicArray& array, const Vec3& direction, double tau, BeadScheme scheme) {
   constexpr int places = 16;
   Sums sums;
   for (int k = 0; k < places; ++k) {
@@ -77,7 +75,7 @@ Seen at_rest(const CubicArray& array, const Vec3& direction, double tau, LinkSch
 }
 
 /// Moving along an axis over whole cells.
-Seen moving(const CubicArray& array, const Vec3& drift, double tau, LinkScheme scheme) {
+Seen moving(const CubicArray& array, const Vec3& drift, double tau, BeadScheme scheme) {
   const auto fluid = start(array, Vec3(0.05, 0.3, 0.1), drift, tau, scheme);
   for (int n = steps_to_settle(array, tau); n > 0; --n) {
     fluid->step();
@@ -94,7 +92,7 @@ Seen moving(const CubicArray& array, const Vec3& drift, double tau, LinkScheme s
 }
 
 void measure(const std::vector<std::string>& axes, const std::vector<double>& speeds, int cells_per_diameter,
-             double tau, LinkScheme scheme, const Emit& emit) {
+             double tau, BeadScheme scheme, const Emit& emit) {
   const CubicArray array = cubic_array(phi, cells_per_diameter);
   for (const std::string& along : axes) {
     const Vec3 direction = along == "x" ? Vec3::UnitX() : Vec3::UnitZ();
@@ -138,7 +136,7 @@ std::string table(const std::vector<Json>& records) {
 
 }  // namespace
 
-void measure_galilean_invariance(LinkScheme scheme, Extent extent, const Emit& emit) {
+void measure_galilean_invariance(BeadScheme scheme, Extent extent, const Emit& emit) {
   if (extent == Extent::brief) return measure({"x"}, {1e-2}, 6, 1.5, scheme, emit);
   measure({"x", "z"}, {-1e-1, -1e-3, 1e-3, 1e-2, 3e-2, 1e-1}, 8, 1.5, scheme, emit);
   measure({"x", "z"}, {-1e-3, 1e-2, 1e-1}, 8, 0.8, scheme, emit);

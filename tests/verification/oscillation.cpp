@@ -64,7 +64,7 @@ class Amplitude {
 };
 
 /// The same friction, measured: places are held, as to first order in the amplitude.
-Complex friction(const Oscillation& of, const Vec3& offset, LinkScheme scheme) {
+Complex friction(const Oscillation& of, const Vec3& offset, BeadScheme scheme) {
   constexpr double speed = 1e-6;
   const Index3 cells = Index3::Constant(of.edge());
   SpheresInFluid fluid(cells, of.tau, scheme,
@@ -83,7 +83,7 @@ Complex friction(const Oscillation& of, const Vec3& offset, LinkScheme scheme) {
     velocity.add(middle, fluid.motion(0).velocity[0]);
     force.add(middle, handed_over);
     gravity.add(end, fluid.body_force[0]);
-    momentum.add(end, fluid.fluid_momentum()[0] - 0.5 * fluid.body_force[0] * fluid.fluid_cells());
+    momentum.add(end, fluid.mid_step_momentum()[0]);
   }
   const double volume = 4 * pi / 3 * std::pow(of.radius, 3);
   const Complex u = velocity.value();
@@ -94,7 +94,7 @@ Complex friction(const Oscillation& of, const Vec3& offset, LinkScheme scheme) {
   return induced / (u - mean_flow);
 }
 
-void measure(const Oscillation& of, int places, LinkScheme scheme, const Emit& emit) {
+void measure(const Oscillation& of, int places, BeadScheme scheme, const Emit& emit) {
   const Complex reference = friction_in_box(of);
   const double stokes = 6 * pi * of.viscosity() * of.radius;
   std::vector<double> amplitudes, phases;
@@ -145,7 +145,7 @@ std::string table(const std::vector<Json>& records) {
 
 }  // namespace
 
-void measure_oscillation(LinkScheme scheme, Extent extent, const Emit& emit) {
+void measure_oscillation(BeadScheme scheme, Extent extent, const Emit& emit) {
   if (extent == Extent::brief) return measure(oscillation(3, 0.5, 1.5), 1, scheme, emit);
   for (const double layers : {0.1, 0.2, 0.5, 1.0}) measure(oscillation(4, layers, 1.5), 4, scheme, emit);
   for (const int radius : {2, 3, 6, 8})

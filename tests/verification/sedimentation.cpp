@@ -38,27 +38,26 @@ struct Motion {
 /// A sphere pulled by `force` for as long as it is asked to.
 class FallingSphere {
  public:
-  FallingSphere(const CubicArray& array, double tau, LinkScheme scheme, const Vec3& force,
+  FallingSphere(const CubicArray& array, double tau, BeadScheme scheme, const Vec3& force,
                 const Vec3& velocity)
       : force_(force),
         mass_(4 * pi / 3 * std::pow(array.radius, 3)),
         inertia_(0.4 * mass_ * array.radius * array.radius),
         fluid_(Index3::Constant(array.edge), tau, scheme,
                {{array.radius, Vec3::Constant(array.edge / 2.0) + Vec3(0.2, 0.3, 0.1)}}) {
-    fluid_.start_fluid(-mass_ / static_cast<double>(fluid_.fluid_cells()) * velocity);
+    fluid_.start_fluid(-mass_ / fluid_.fluid_cells() * velocity);
     motion().velocity = velocity;
     momentum_at_start_ = momentum();
   }
 
   void step() {
-    fluid_.body_force = -force_ / static_cast<double>(fluid_.fluid_cells());
+    fluid_.body_force = -force_ / fluid_.fluid_cells();
     const Load now = fluid_.step()[0];
     mean_load_ = {0.5 * (now.force + last_.force), 0.5 * (now.torque + last_.torque)};
     last_ = now;
     // Relative to the mean flow in the middle of the step.
     relative_velocity_ =
-        motion().velocity -
-        (fluid_.fluid_momentum() + 0.5 * force_ + mass_ * motion().velocity) / fluid_.volume();
+        motion().velocity - (fluid_.mid_step_momentum() + mass_ * motion().velocity) / fluid_.volume();
     motion().velocity += (force_ + mean_load_.force) / mass_;
     motion().angular_velocity += mean_load_.torque / inertia_;
     fluid_.move();
@@ -90,7 +89,7 @@ double array_mobility(const CubicArray& array, double tau) {
   return 1 / (6 * pi * lattice_viscosity(tau) * array.radius * cubic_array_drag(array.phi) * (1 - array.phi));
 }
 
-Motion fall(const Fall& fall, double tau, LinkScheme scheme) {
+Motion fall(const Fall& fall, double tau, BeadScheme scheme) {
   const CubicArray array = cubic_array(fall.phi, fall.cells_per_diameter);
   const Vec3 along = direction_of(fall);
   FallingSphere sphere(array, tau, scheme, fall.speed / array_mobility(array, tau) * along,
@@ -121,7 +120,7 @@ Motion fall(const Fall& fall, double tau, LinkScheme scheme) {
           .momentum_defect = sphere.momentum_defect()};
 }
 
-void measure(const Fall& of, double tau, LinkScheme scheme, const Emit& emit) {
+void measure(const Fall& of, double tau, BeadScheme scheme, const Emit& emit) {
   const CubicArray array = cubic_array(of.phi, of.cells_per_diameter);
   const Motion m = fall(of, tau, scheme);
   emit({{"case", "sedimentation"},
@@ -159,7 +158,7 @@ std::string table(const std::vector<Json>& records) {
 
 }  // namespace
 
-void measure_sedimentation(LinkScheme scheme, Extent extent, const Emit& emit) {
+void measure_sedimentation(BeadScheme scheme, Extent extent, const Emit& emit) {
   if (extent == Extent::brief) return measure({.cells_per_diameter = 6, .cells = 2}, 1.5, scheme, emit);
   for (const std::string along : {"x", "oblique"}) {
     for (const int cells : {6, 8, 12, 16})

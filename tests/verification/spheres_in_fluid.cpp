@@ -1,5 +1,6 @@
 #include "spheres_in_fluid.hpp"
 
+#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -10,6 +11,10 @@ constexpr std::array<Wall, 3> periodic{Wall::periodic, Wall::periodic, Wall::per
 
 /// As in coupled_step.cpp.
 constexpr double returned_part = 0.1;
+
+double volume_of(const BeadOnLattice& bead) {
+  return 4.0 / 3 * std::numbers::pi * std::pow(bead.radius, 3);
+}
 
 std::vector<BeadOnLattice> beads_of(const std::vector<Sphere>& spheres) {
   std::vector<BeadOnLattice> beads;
@@ -26,39 +31,50 @@ std::vector<BeadOnLattice> beads_of(const std::vector<Sphere>& spheres) {
 
 }  // namespace
 
-SpheresInFluid::SpheresInFluid(const Index3& cells, double relaxation_time, LinkScheme scheme,
+SpheresInFluid::SpheresInFluid(const Index3& cells, double relaxation_time, BeadScheme scheme,
                                const std::vector<Sphere>& spheres)
     : cells_(cells),
       decomposition_(cells, 1),
-      populations_(cells),
-      halo_(self_, decomposition_, periodic),
+      populations_(cells, Precision::fp64, halo_content(scheme)),
+      halo_(self_, decomposition_, periodic, halo_content(scheme)),
       rates_(relaxation_rates(relaxation_time)),
       coverage_(block_in_lattice(decomposition_, 0, periodic), populations_),
       links_(scheme),
+      saturated_cells_(block_in_lattice(decomposition_, 0, periodic)),
       beads_(beads_of(spheres)),
       sums_(spheres.size()),
+      saturated_sums_(spheres.size()),
+      inner_momentum_(spheres.size()),
       held_mass_(spheres.size(), 0.0) {
   coverage_.update(beads_);
-  links_.find(coverage_);
-  count_fluid_cells();
+  place_spheres();
 }
 
-void SpheresInFluid::count_fluid_cells() {
-  fluid_cells_ = cells_.cast<long>().prod();
-  coverage_.for_each_own_covered_cell([&](std::ptrdiff_t, int, const Vec3&) { --fluid_cells_; });
+/// Where the covered spheres meet the fluid.
+void SpheresInFluid::place_spheres() {
+  fluid_cells_ = volume();
+  if (has_links(links_.scheme())) {
+    links_.find(coverage_);
+    coverage_.for_each_own_covered_cell([&](std::ptrdiff_t, int, const Vec3&) { --fluid_cells_; });
+  } else {
+    saturated_cells_.find(beads_);
+    for (const BeadOnLattice& bead : beads_) fluid_cells_ -= volume_of(bead);
+  }
 }
 
 void SpheresInFluid::start_fluid(const Vec3& velocity) {
   for_each_cell(populations_, [&](const Index3&, std::ptrdiff_t cell) {
     set_equilibrium(populations_, cell, 0, velocity);
   });
+  for (std::size_t b = 0; b < beads_.size(); ++b)
+    inner_momentum_[b] = {.force = volume_of(beads_[b]) * velocity, .torque = Vec3::Zero()};
   fluid_momentum_ = counted_fluid().momentum;
 }
 
 void SpheresInFluid::hold_fluid_momentum(const Vec3& momentum) {
   constexpr double corrected_part = 0.02;
   const Vec3 missing = corrected_part * (momentum - fluid_momentum_);
-  body_force = (0.5 * (taken_ + taken_before_) + missing) / static_cast<double>(fluid_cells_);
+  body_force = (0.5 * (taken_ + taken_before_) + missing) / fluid_cells_;
 }
 
 void SpheresInFluid::accelerate_row(int y, int z) {
@@ -71,31 +87,77 @@ void SpheresInFluid::accelerate_row(int y, int z) {
   }
 }
 
+/// Saturated cells of a row. The body force comes after: in the middle of the step a cell has half of it.
+void SpheresInFluid::push_row(int y, int z) {
+  const std::span<const SaturatedRun> runs = saturated_cells_.runs(y, z);
+  if (runs.empty()) return;
+  const auto incoming_momentum = [&](double weight, int x) {
+    Vec3 sum = Vec3::Zero();
+    for (int i = 1; i < d3q19::directions; ++i) {
+      const auto& c = d3q19::velocity[i];
+      sum += weight * populations_.incoming(i, populations_.cell(x, y, z)) * Vec3(c[0], c[1], c[2]);
+    }
+    return sum;
+  };
+  std::vector<double> fluid_part(cells_[0], 1);
+  for (const SaturatedRun& run : runs) {
+    for (int x = run.low; x < run.high; ++x) fluid_part[x] -= saturated_cells_.fraction(run, x);
+  }
+  for (int x = 0; x < cells_[0]; ++x) force_on_fluid_part_ -= incoming_momentum(fluid_part[x], x);
+  std::vector<BeadOnLattice> at_mid_step = beads_;
+  for (BeadOnLattice& bead : at_mid_step) bead.motion.velocity -= 0.5 * body_force;
+  SaturatedBoundary boundary{saturated_cells_, at_mid_step, saturated_sums_,
+                             lattice_viscosity(1 / rates_.symmetric)};
+  boundary.push_before_row(populations_, y, z);
+  for (int x = 0; x < cells_[0]; ++x) force_on_fluid_part_ += incoming_momentum(fluid_part[x], x);
+}
+
+/// What the last step handed to a sphere.
+Load SpheresInFluid::take_load(int sphere) {
+  Impulse& impulse = beads_[sphere].impulse;
+  Load load = impulse.value();
+  if (has_links(links_.scheme())) {
+    held_mass_[sphere] += impulse.mass.value();
+    beads_[sphere].mass_source = returned_part * held_mass_[sphere] / impulse.link_weight.value();
+  } else {
+    const Vec3 inner_body_force = volume_of(beads_[sphere]) * body_force;
+    Load inner = impulse.inner_value();
+    inner.force += inner_body_force;
+    load.force += inner.force - inner_momentum_[sphere].force - inner_body_force;
+    load.torque += inner.torque - inner_momentum_[sphere].torque;
+    inner_momentum_[sphere] = inner;
+  }
+  impulse = {};
+  return load;
+}
+
 std::vector<Load> SpheresInFluid::step() {
-  BeadBoundary boundary{coverage_, links_, beads_, sums_};
+  BeadBoundary boundary{coverage_, links_, beads_, rates_, sums_};
+  force_on_fluid_part_ = Vec3::Zero();
   halo_.fill(populations_);
   BlockSweep sweep(populations_, rates_, RowEnds::left_to_halo);
   for (int n = 0; n < cells_[2]; ++n) {
     const int z = plane_in_order(n, cells_[2]);
     for (int y = 0; y < cells_[1]; ++y) {
-      boundary.bounce_back_before_row(populations_, y, z);
+      if (has_links(links_.scheme())) {
+        boundary.bounce_back_before_row(populations_, y, z);
+      } else {
+        push_row(y, z);
+      }
       sweep.row(y, z);
       accelerate_row(y, z);
     }
   }
   sweep.finish();
   hand_over_impulses(sums_, beads_);
+  hand_over_impulses(saturated_sums_, beads_);
 
-  fluid_momentum_ += static_cast<double>(fluid_cells_) * body_force;
+  fluid_momentum_ += fluid_cells_ * body_force;
   taken_before_ = std::exchange(taken_, Vec3::Zero());
   std::vector<Load> loads;
-  for (std::size_t b = 0; b < beads_.size(); ++b) {
-    Impulse& impulse = beads_[b].impulse;
-    loads.push_back(impulse.value());
+  for (int b = 0; b < std::ssize(beads_); ++b) {
+    loads.push_back(take_load(b));
     taken_ += loads.back().force;
-    held_mass_[b] += impulse.mass.value();
-    beads_[b].mass_source = returned_part * held_mass_[b] / impulse.link_weight.value();
-    impulse = {};
   }
   fluid_momentum_ -= taken_;
   return loads;
@@ -105,15 +167,16 @@ void SpheresInFluid::move() {
   const std::vector<BeadOnLattice> before = beads_;
   for (BeadOnLattice& bead : beads_) bead.motion.position += bead.motion.velocity;
   coverage_.update(beads_);
-  hand_over_changed_cells(populations_, coverage_, links_, before, beads_);
-  links_.find(coverage_);
-  count_fluid_cells();
+  if (has_links(links_.scheme()))
+    hand_over_changed_cells(populations_, coverage_, links_, before, beads_, rates_);
+  place_spheres();
 }
 
 CellMoments SpheresInFluid::counted_fluid() const {
   CellMoments sum;
-  for_each_cell(populations_, [&](const Index3&, std::ptrdiff_t cell) {
-    if (coverage_.is_covered(cell)) return;
+  const bool by_links = has_links(links_.scheme());
+  for_each_cell(populations_, [&](const Index3& p, std::ptrdiff_t cell) {
+    if (by_links && coverage_.is_covered(p[0], p[1], p[2])) return;
     const CellMoments moments = cell_moments(populations_, cell);
     sum.density_deviation += moments.density_deviation;
     sum.momentum += moments.momentum;
@@ -121,6 +184,9 @@ CellMoments SpheresInFluid::counted_fluid() const {
   for (const BeadOnLattice& bead : beads_) {  // handed over by the last move, not yet returned by step()
     sum.density_deviation += bead.impulse.mass.value();
     sum.momentum += bead.impulse.value().force;
+  }
+  for (const Load& inner : inner_momentum_) {
+    if (!by_links) sum.momentum -= inner.force;
   }
   return sum;
 }

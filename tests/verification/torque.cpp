@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double torque(const CubicArray& array, const Vec3& offset, double tau, LinkScheme scheme) {
+double torque(const CubicArray& array, const Vec3& offset, double tau, BeadScheme scheme) {
   constexpr double rate = 1e-7, settled_to = 1e-5;
   const Index3 cells = Index3::Constant(array.edge);
   SpheresInFluid fluid(cells, tau, scheme, {{array.radius, Vec3::Constant(array.edge / 2.0) + offset}});
@@ -29,7 +29,7 @@ double torque(const CubicArray& array, const Vec3& offset, double tau, LinkSchem
   return -settling.limits()[0] / (8 * pi * lattice_viscosity(tau) * std::pow(array.radius, 3) * rate);
 }
 
-void measure(double phi, int cells_per_diameter, int places, double tau, LinkScheme scheme,
+void measure(double phi, int cells_per_diameter, int places, double tau, BeadScheme scheme,
              const Emit& emit) {
   const CubicArray array = cubic_array(phi, cells_per_diameter);
   std::vector<double> torques;
@@ -52,7 +52,7 @@ void measure(double phi, int cells_per_diameter, int places, double tau, LinkSch
 
 }  // namespace
 
-void measure_torque(LinkScheme scheme, Extent extent, const Emit& emit) {
+void measure_torque(BeadScheme scheme, Extent extent, const Emit& emit) {
   if (extent == Extent::brief) {
     for (const int cells : {6, 8, 12}) measure(0.027, cells, 2, 1.5, scheme, emit);
     return;

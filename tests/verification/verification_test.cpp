@@ -12,7 +12,7 @@
 namespace beadswim::verification {
 namespace {
 
-std::vector<Json> records_of(const std::string& name, LinkScheme scheme) {
+std::vector<Json> records_of(const std::string& name, BeadScheme scheme) {
   std::vector<Json> records;
   for (const Case& one : all_cases()) {
     if (one.name != name) continue;
@@ -27,7 +27,7 @@ struct Bound {
   double error, spread;
 };
 
-class Verified : public testing::TestWithParam<std::tuple<Bound, LinkScheme>> {};
+class Verified : public testing::TestWithParam<std::tuple<Bound, BeadScheme>> {};
 
 TEST_P(Verified, StaysWithinItsBounds) {
   const auto& [bound, scheme] = GetParam();

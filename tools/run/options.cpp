@@ -15,11 +15,11 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
                                                            {"json", ProgressStyle::json},
                                                            {"none", ProgressStyle::none}};
 
-const std::map<std::string, LinkScheme> bead_boundaries{
-    {name_of(LinkScheme::staircase), LinkScheme::staircase},
-    {name_of(LinkScheme::cli), LinkScheme::cli},
-    {name_of(LinkScheme::mr), LinkScheme::mr},
-    {name_of(LinkScheme::psm), LinkScheme::psm}};
+const std::map<std::string, BeadScheme> bead_boundaries{
+    {name_of(BeadScheme::staircase), BeadScheme::staircase},
+    {name_of(BeadScheme::cli), BeadScheme::cli},
+    {name_of(BeadScheme::mr), BeadScheme::mr},
+    {name_of(BeadScheme::psm), BeadScheme::psm}};
 const std::map<std::string, Precision> precisions{{name_of(Precision::fp64), Precision::fp64},
                                                   {name_of(Precision::fp32), Precision::fp32}};
 
@@ -77,7 +77,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->default_str("");
   add_word(
       program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_boundaries), "staircase|cli|mr|psm",
-      name_of(LinkScheme::staircase),
+      name_of(BeadScheme::staircase),
       "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
       "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
       "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "

@@ -4,7 +4,7 @@
 #include <string>
 #include <variant>
 
-#include "beadswim/coupling/link_scheme.hpp"
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/lattice/precision.hpp"
 
@@ -20,7 +20,7 @@ struct RunOptions {
   int frames_per_cycle = 40;
   std::optional<double> cells_per_radius;
   std::optional<double> relaxation_time;
-  LinkScheme bead_boundary = LinkScheme::staircase;
+  BeadScheme bead_boundary = BeadScheme::staircase;
   Precision precision = Precision::fp64;
   std::optional<double> time_limit;  ///< [s]
   std::optional<double> flow_every;  ///< [cycle]

@@ -71,10 +71,10 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
 }
 
 /// Throws InputError at the one relaxation time at which multireflection has nothing to go by.
-void require_slip(LinkScheme scheme, double relaxation_time) {
+void require_slip(BeadScheme scheme, double relaxation_time) {
   constexpr double nearest = 1e-4;
   const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
-  if (scheme != LinkScheme::mr || std::abs(1 - antisymmetric_time) > nearest) return;
+  if (scheme != BeadScheme::mr || std::abs(1 - antisymmetric_time) > nearest) return;
   throw InputError(
       "--relaxation-time",
       fmt::format("{:.6g} leaves multireflection (--bead-boundary mr) no trace of what it corrects: "

@@ -178,7 +178,7 @@ int BeadLinks::place_of_segment(int y, int z, int downwards) const {
     }
   };
   const int behind = cells_behind(scheme_);
-  const bool reads_moments = scheme_ == LinkScheme::mr;
+  const bool reads_moments = scheme_ == BeadScheme::mr;
   involve(y, z);
   if (reads_moments) involve_around(y, z);
   for (const auto& [dy, dz] : later_rows) {

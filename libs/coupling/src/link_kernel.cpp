@@ -41,7 +41,7 @@ BEADSWIM_KERNEL bool add_terms(const LinkBatch& batch, int places, LinkSums& sum
   return true;
 }
 
-template <LinkScheme scheme, class Real>
+template <BeadScheme scheme, class Real>
 BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
   const LinkBead b = bead;
   const int places = (batch.links + LinkSums::lanes - 1) / LinkSums::lanes * LinkSums::lanes;
@@ -52,14 +52,14 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
     const double w = batch.weight[k], outgoing = batch.outgoing[k];
     const double approach = speed_along(c, b.velocity, b.angular_velocity, r);
     double bounced_back;
-    if constexpr (scheme == LinkScheme::staircase) {
+    if constexpr (scheme == BeadScheme::staircase) {
       bounced_back = bounced(w, outgoing, approach);
     } else {
       const double q = wall_distance(c, r, b.radius * b.radius);
       const double k_of_link = batch.fluid_behind[k] > 0 ? interpolation_weight(q) : 0;
       bounced_back =
           bounced_interpolated(w, k_of_link, outgoing, batch.behind[k], batch.arrived[k], approach);
-      if constexpr (scheme == LinkScheme::mr) {
+      if constexpr (scheme == BeadScheme::mr) {
         const MultireflectionLink f{.outgoing = outgoing,
                                     .arrived = batch.arrived[k],
                                     .behind = batch.behind[k],
@@ -87,22 +87,22 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
 }
 
 bool staircase_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<LinkScheme::staircase, double>(batch, bead, sums);
+  return reflect<BeadScheme::staircase, double>(batch, bead, sums);
 }
 bool staircase_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<LinkScheme::staircase, float>(batch, bead, sums);
+  return reflect<BeadScheme::staircase, float>(batch, bead, sums);
 }
 bool cli_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<LinkScheme::cli, double>(batch, bead, sums);
+  return reflect<BeadScheme::cli, double>(batch, bead, sums);
 }
 bool cli_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<LinkScheme::cli, float>(batch, bead, sums);
+  return reflect<BeadScheme::cli, float>(batch, bead, sums);
 }
 bool mr_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<LinkScheme::mr, double>(batch, bead, sums);
+  return reflect<BeadScheme::mr, double>(batch, bead, sums);
 }
 bool mr_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<LinkScheme::mr, float>(batch, bead, sums);
+  return reflect<BeadScheme::mr, float>(batch, bead, sums);
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/coupling/link_scheme.hpp"
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/link_sums.hpp"
 
 // The arithmetic of many links of one bead side by side. link_kernel.cpp is compiled once for each
@@ -42,16 +42,16 @@ struct LinkKernels {
 
   /// Real: the type of the populations.
   template <class Real>
-  bool reflect(LinkScheme scheme, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
+  bool reflect(BeadScheme scheme, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
     constexpr bool is_single = sizeof(Real) == sizeof(float);
     switch (scheme) {
-      case LinkScheme::staircase:
+      case BeadScheme::staircase:
         return (is_single ? staircase_fp32 : staircase_fp64)(batch, bead, sums);
-      case LinkScheme::cli:
+      case BeadScheme::cli:
         return (is_single ? cli_fp32 : cli_fp64)(batch, bead, sums);
-      case LinkScheme::mr:
+      case BeadScheme::mr:
         return (is_single ? mr_fp32 : mr_fp64)(batch, bead, sums);
-      case LinkScheme::psm:
+      case BeadScheme::psm:
         break;
     }
     return false;

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/coverage.hpp"
-#include "beadswim/coupling/link_scheme.hpp"
 #include "beadswim/lattice/fluid_step.hpp"
 
 namespace beadswim {
@@ -27,7 +27,7 @@ struct LinkSegment {
 };
 
 /// What a scheme needs of the halo.
-constexpr HaloContent halo_content(LinkScheme scheme) {
+constexpr HaloContent halo_content(BeadScheme scheme) {
   return cells_behind(scheme) > 1 ? HaloContent::behind : HaloContent::entering;
 }
 
@@ -41,9 +41,9 @@ constexpr HaloContent halo_content(LinkScheme scheme) {
 /// Beads cross a fraction of a cell a step, so that most links are those of the step before.
 class BeadLinks {
  public:
-  explicit BeadLinks(LinkScheme scheme) : scheme_(scheme) {}
+  explicit BeadLinks(BeadScheme scheme) : scheme_(scheme) {}
 
-  LinkScheme scheme() const { return scheme_; }
+  BeadScheme scheme() const { return scheme_; }
 
   /// Finds the links for a coverage that has been updated. Those next to rows of which the same image covers
   /// the same cells as before are kept.
@@ -104,7 +104,7 @@ class BeadLinks {
   void for_each_segment(Visit&& visit) const;
   void sort_by_row();
 
-  LinkScheme scheme_;
+  BeadScheme scheme_;
   Index3 block_;  ///< its size
   std::vector<ImageLinks> images_;
   std::vector<LinkSegment> by_row_;

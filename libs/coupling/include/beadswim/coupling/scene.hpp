@@ -5,7 +5,7 @@
 
 #include "beadswim/bodies/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/coupling/link_scheme.hpp"
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/precision.hpp"
 
@@ -25,7 +25,7 @@ struct CoupledScene {
   std::array<Wall, 3> walls{};
   double relaxation_time = 1;
   Precision precision = Precision::fp64;  ///< of the populations
-  LinkScheme bead_boundary = LinkScheme::staircase;
+  BeadScheme bead_boundary = BeadScheme::staircase;
   std::vector<SwimmerType> types;
   std::vector<Swimmer> swimmers;
 };

@@ -5,25 +5,25 @@
 namespace beadswim {
 
 /// How fluid and beads meet: what returns to the fluid along a link that ends in a bead, or no links at all.
-enum class LinkScheme {
+enum class BeadScheme {
   staircase,  ///< bounce-back half-way: the bead is a staircase of cells
   cli,        ///< central linear interpolation: the surface is where it is along each link
   mr,         ///< multireflection: the same for flows that are parabolic along the link
   psm,        ///< no links: fluid fills beads too, and partially saturated cells hold it to their motion
 };
 
-std::string name_of(LinkScheme scheme);
+std::string name_of(BeadScheme scheme);
 
-constexpr bool has_links(LinkScheme scheme) {
-  return scheme != LinkScheme::psm;
+constexpr bool has_links(BeadScheme scheme) {
+  return scheme != BeadScheme::psm;
 }
 
 /// How many fluid cells behind its own a link reads.
-constexpr int cells_behind(LinkScheme scheme) {
+constexpr int cells_behind(BeadScheme scheme) {
   switch (scheme) {
-    case LinkScheme::cli:
+    case BeadScheme::cli:
       return 1;
-    case LinkScheme::mr:
+    case BeadScheme::mr:
       return 2;
     default:
       return 0;
