@@ -24,11 +24,12 @@ build() { # PRESET CMAKE-ARGUMENT...
 }
 
 # A small swimmer for a few hundred steps: enough for every part of a step to run.
-tiny_scene() { # RANKS
+tiny_scene() { # RANKS BEAD-BOUNDARY
   beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic \
     --period 100 --amplitude 0.02 >layout.json
   timeout 600 mpirun -n "$1" beadswim-run layout.json -o "ranks$1.h5md" --cells-per-radius 2 --relaxation-time 1.5 \
-    --cycles 2 --flow-every 1 --progress none --no-provenance >"ranks$1.json"
+    --bead-boundary "$2" --radius-correction on --cycles 2 --flow-every 1 --progress none --no-provenance \
+    >"ranks$1.json"
 }
 
 # The commands of README.md that follow the comment <!-- tested -->, as one script.
@@ -48,9 +49,11 @@ timeout 1200 ctest --preset sanitize --label-regex unit
 section "A tiny scene under the sanitizers, on 1 and 3 ranks"
 cd "$scratch"
 PATH=$root/build/sanitize/bin:$PATH
-for ranks in 1 3; do tiny_scene "$ranks"; done
-cmp ranks1.json ranks3.json
-echo "1 and 3 ranks give the same record."
+for scheme in psm mr cli staircase; do
+  for ranks in 1 3; do tiny_scene "$ranks" $scheme; done
+  cmp ranks1.json ranks3.json
+  echo "$scheme: 1 and 3 ranks give the same record."
+done
 
 section "Results in other readers"
 for reader in "$root"/tests/readers/*.py; do

@@ -121,6 +121,21 @@ check "multireflection gives another stroke, and near" \
 small --period 150 >even.json
 refuses 'relaxation-time: 0.875 leaves multireflection' beadswim-run even.json -o x.h5md --bead-boundary mr \
   --relaxation-time 0.875
+run beadswim-run strong.json -o psm.h5md --cycles 2 --bead-boundary psm --progress none
+has_status 0
+check "the radius on the lattice is the layout's" holds '.resolution | .radius_on_lattice == .cells_per_radius' out
+jq -s 'map(.swimmers[0].cycles[-1])' cli2.json out >both.json
+check "saturated cells give another stroke, and near" \
+  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 1e-5 and . < 0.1) | all' both.json
+
+# --- corrected radii: on record, a larger bead for cli, which makes beads seem too small, and so a smaller stroke
+run beadswim-run strong.json -o corrected.h5md --cycles 2 --bead-boundary cli --radius-correction on --progress none
+has_status 0
+check "the bead is larger" holds '.resolution | .radius_on_lattice > 1.01 * .cells_per_radius' out
+jq -s 'map(.swimmers[0].cycles[-1])' cli2.json out >both.json
+check "the stroke is smaller" \
+  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] | . > 0.9 and . < 0.995) | all' both.json
+refuses 'radius-correction: maybe' beadswim-run layout.json -o x.h5md --radius-correction maybe
 refuses 'bead-boundary: sphere' beadswim-run layout.json -o x.h5md --bead-boundary sphere
 
 # --- stopped early on purpose: results are there, and exit status 4

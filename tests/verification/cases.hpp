@@ -33,6 +33,9 @@ std::string verification_page(const std::vector<Json>& records);
 void measure_array_drag(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_array_drag(const std::vector<Json>& records);
 
+void measure_hydrodynamic_radius(BeadScheme scheme, Extent extent, const Emit& emit);
+std::string report_hydrodynamic_radius(const std::vector<Json>& records);
+
 void measure_torque(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_torque(const std::vector<Json>& records);
 

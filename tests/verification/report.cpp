@@ -37,6 +37,7 @@ std::string wrapped(const std::string& text) {
 const std::vector<Case>& all_cases() {
   static const std::vector<Case> cases{
       {"array-drag", measure_array_drag, report_array_drag},
+      {"hydrodynamic-radius", measure_hydrodynamic_radius, report_hydrodynamic_radius},
       {"torque", measure_torque, report_torque},
       {"collinear-spheres", measure_collinear_spheres, report_collinear_spheres},
       {"sedimentation", measure_sedimentation, report_sedimentation},

@@ -91,25 +91,28 @@ void SpheresInFluid::accelerate_row(int y, int z) {
 void SpheresInFluid::push_row(int y, int z) {
   const std::span<const SaturatedRun> runs = saturated_cells_.runs(y, z);
   if (runs.empty()) return;
-  const auto incoming_momentum = [&](double weight, int x) {
+  int low = cells_[0], high = 0;
+  std::vector<double> fluid_part(cells_[0], 1);
+  for (const SaturatedRun& run : runs) {
+    low = std::min(low, run.low), high = std::max(high, run.high);
+    for (int x = run.low; x < run.high; ++x) fluid_part[x] -= saturated_cells_.fraction(run, x);
+  }
+  const auto incoming_momentum = [&] {  // weighted
     Vec3 sum = Vec3::Zero();
     for (int i = 1; i < d3q19::directions; ++i) {
-      const auto& c = d3q19::velocity[i];
-      sum += weight * populations_.incoming(i, populations_.cell(x, y, z)) * Vec3(c[0], c[1], c[2]);
+      const double* incoming = populations_.incoming_row<double>(i, populations_.cell(0, y, z));
+      const double along = std::inner_product(incoming + low, incoming + high, &fluid_part[low], 0.0);
+      sum += along * Vec3(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
     }
     return sum;
   };
-  std::vector<double> fluid_part(cells_[0], 1);
-  for (const SaturatedRun& run : runs) {
-    for (int x = run.low; x < run.high; ++x) fluid_part[x] -= saturated_cells_.fraction(run, x);
-  }
-  for (int x = 0; x < cells_[0]; ++x) force_on_fluid_part_ -= incoming_momentum(fluid_part[x], x);
+  force_on_fluid_part_ -= incoming_momentum();
   std::vector<BeadOnLattice> at_mid_step = beads_;
   for (BeadOnLattice& bead : at_mid_step) bead.motion.velocity -= 0.5 * body_force;
   SaturatedBoundary boundary{saturated_cells_, at_mid_step, saturated_sums_,
                              lattice_viscosity(1 / rates_.symmetric)};
   boundary.push_before_row(populations_, y, z);
-  for (int x = 0; x < cells_[0]; ++x) force_on_fluid_part_ += incoming_momentum(fluid_part[x], x);
+  force_on_fluid_part_ += incoming_momentum();
 }
 
 /// What the last step handed to a sphere.

@@ -37,7 +37,7 @@ CLI::Validator relaxation_time() {
 
 /// Flags whose values are words.
 struct Words {
-  std::string model, bead_boundary, precision, progress;
+  std::string model, bead_boundary, radius_correction, precision, progress;
 };
 
 /// A flag that takes one of some words; `names`: as --help lists them.
@@ -82,6 +82,11 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
       "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
       "exact part of it that the bead fills.");
+  add_word(program, "--radius-correction", words.radius_correction, CLI::IsMember({"on", "off"}), "on|off",
+           "off",
+           "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
+           "cell, is "
+           "that of the layout's radius; the record says which.");
   add_word(program, "--precision", words.precision, CLI::IsMember(precisions), "double|single",
            name_of(Precision::fp64),
            "Of the populations. single takes half the memory and somewhat over half the time; the run "
@@ -119,6 +124,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   add_flags(*program, options, words);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
   options.bead_boundary = bead_boundaries.at(words.bead_boundary);
+  options.radius_correction = words.radius_correction == "on";
   options.precision = precisions.at(words.precision);
   options.progress = progress_styles.at(words.progress);
   options.provenance = provenance_record(*program);

@@ -21,6 +21,7 @@ struct RunOptions {
   std::optional<double> cells_per_radius;
   std::optional<double> relaxation_time;
   BeadScheme bead_boundary = BeadScheme::staircase;
+  bool radius_correction = false;
   Precision precision = Precision::fp64;
   std::optional<double> time_limit;  ///< [s]
   std::optional<double> flow_every;  ///< [cycle]

@@ -166,6 +166,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   scene.relaxation_time = result.lattice.relaxation_time;
   scene.precision = options.precision;
   scene.bead_boundary = options.bead_boundary;
+  scene.corrects_radii = options.radius_correction;
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
   for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(layout.domain->boundary[a]);
   add_swimmers(scene, layout, scales);

@@ -13,6 +13,11 @@ struct SceneOnLattice {
   double cells_per_radius = 0;
   double period = 0;  ///< of all swimmers' driving [time]
   CoupledScene scene;
+
+  /// With which the fluid meets the smallest bead [cell].
+  double radius_on_lattice() const {
+    return scene.corrects_radii ? corrected_radius(scene.bead_boundary, cells_per_radius) : cells_per_radius;
+  }
 };
 
 /// Throws InputError, `source` naming the layout, if the layout cannot be run on a lattice: no box, edges

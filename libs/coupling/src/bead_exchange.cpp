@@ -24,7 +24,8 @@ double reach(const CoupledScene& scene) {
   double farthest = 0;
   for (const SwimmerType& type : scene.types) {
     for (int arm = 0; arm < 2; ++arm) {
-      const double radius = std::max(type.beads[2 * arm].radius, type.beads[1].radius);
+      const double radius =
+          std::max(scene.radius_on_lattice(type.beads[2 * arm]), scene.radius_on_lattice(type.beads[1]));
       farthest = std::max(farthest, longest_stretch * type.springs[arm].rest_length + radius);
     }
   }
@@ -57,9 +58,10 @@ void require_whole_arms(const SwimmerState& swimmer, const SwimmerType& type) {
 }
 
 /// Throws SolverError if a bead comes so near to a wall that it would cover cells along it.
-void require_off_walls(const SwimmerState& swimmer, const SwimmerType& type, const BlockInLattice& at) {
+void require_off_walls(const SwimmerState& swimmer, const std::array<double, 3>& radii,
+                       const BlockInLattice& at) {
   for (int b = 0; b < 3; ++b) {
-    const double nearest = type.beads[b].radius + nearest_to_wall;
+    const double nearest = radii[b] + nearest_to_wall;
     for (int axis = 0; axis < 3; ++axis) {
       const double place = swimmer.motion[b].position[axis];
       if (at.periodic[axis] || (place >= nearest && place <= at.cells[axis] - nearest)) continue;
@@ -79,6 +81,11 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
       rank_(communicator.rank()),
       decomposition_(decomposition),
       types_(scene.types) {
+  for (const SwimmerType& type : scene.types) {
+    std::array<double, 3>& radii = radii_.emplace_back();
+    std::ranges::transform(type.beads, radii.begin(),
+                           [&](const Bead& bead) { return scene.radius_on_lattice(bead); });
+  }
   for (int r = 0; r < communicator.size(); ++r) {
     blocks_.push_back(block_in_lattice(decomposition, r, scene.walls));
   }
@@ -102,7 +109,7 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
   std::vector<SwimmerState> staying;
   for (const SwimmerState& swimmer : owned) {
     require_whole_arms(swimmer, types_[swimmer.type]);
-    require_off_walls(swimmer, types_[swimmer.type], blocks_[rank_]);
+    require_off_walls(swimmer, radii_[swimmer.type], blocks_[rank_]);
     if (owner_of(swimmer.motion[1].position) == rank_) staying.push_back(swimmer);
   }
   for (std::size_t p = 0; p < peers_.size(); ++p) to_peers[p] = announcement(owned, peers_[p]);
@@ -130,7 +137,7 @@ std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& ow
     for (int b = 0; b < 3; ++b) {
       const BeadOnLattice bead{.name = {swimmer.id, b},
                                .owner = owner,
-                               .radius = types_[swimmer.type].beads[b].radius,
+                               .radius = radii_[swimmer.type][b],
                                .motion = swimmer.motion[b],
                                .mass_source = swimmer.mass_source[b],
                                .impulse = {}};

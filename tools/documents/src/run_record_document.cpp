@@ -108,14 +108,16 @@ DimensionlessNumbers dimensionless_from(const Json& json) {
 
 Json json_of(const std::optional<LatticeResolution>& resolution) {
   if (!resolution) return nullptr;
-  return {{"cells_per_radius", resolution->cells_per_radius},
-          {"cell_size", resolution->cell_size},
-          {"time_step", resolution->time_step},
-          {"relaxation_time", resolution->relaxation_time},
-          {"kinematic_viscosity_lattice", resolution->kinematic_viscosity_lattice},
-          {"steps_per_cycle", resolution->steps_per_cycle},
-          {"bead_boundary", resolution->bead_boundary},
-          {"precision", resolution->precision}};
+  Json json{{"cells_per_radius", resolution->cells_per_radius},
+            {"cell_size", resolution->cell_size},
+            {"time_step", resolution->time_step},
+            {"relaxation_time", resolution->relaxation_time},
+            {"kinematic_viscosity_lattice", resolution->kinematic_viscosity_lattice},
+            {"steps_per_cycle", resolution->steps_per_cycle},
+            {"bead_boundary", resolution->bead_boundary},
+            {"precision", resolution->precision}};
+  if (resolution->radius_on_lattice) json["radius_on_lattice"] = *resolution->radius_on_lattice;
+  return json;
 }
 
 std::optional<LatticeResolution> resolution_from(const Json& json) {
@@ -128,6 +130,9 @@ std::optional<LatticeResolution> resolution_from(const Json& json) {
       .kinematic_viscosity_lattice = json.at("kinematic_viscosity_lattice").get<double>(),
       .steps_per_cycle = json.at("steps_per_cycle").get<std::int64_t>(),
       .bead_boundary = json.at("bead_boundary").get<std::string>(),
+      .radius_on_lattice = json.contains("radius_on_lattice")
+                               ? std::optional(json.at("radius_on_lattice").get<double>())
+                               : std::nullopt,
       .precision = json.at("precision").get<std::string>()};
 }
 

@@ -48,6 +48,7 @@ class BeadExchange {
   std::vector<BlockInLattice> blocks_;  ///< of all ranks
   std::vector<int> peers_;
   const std::vector<SwimmerType>& types_;
+  std::vector<std::array<double, 3>> radii_;  ///< on the lattice, of each type
 };
 
 }  // namespace beadswim

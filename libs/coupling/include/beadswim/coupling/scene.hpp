@@ -6,6 +6,7 @@
 #include "beadswim/bodies/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
+#include "beadswim/coupling/hydrodynamic_radius.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/precision.hpp"
 
@@ -26,8 +27,14 @@ struct CoupledScene {
   double relaxation_time = 1;
   Precision precision = Precision::fp64;  ///< of the populations
   BeadScheme bead_boundary = BeadScheme::staircase;
+  bool corrects_radii = false;  ///< gives beads the radii for which their hydrodynamic radii are the types'
   std::vector<SwimmerType> types;
   std::vector<Swimmer> swimmers;
+
+  /// Radius of a bead of a type as the fluid meets it [cell].
+  double radius_on_lattice(const Bead& bead) const {
+    return corrects_radii ? corrected_radius(bead_boundary, bead.radius) : bead.radius;
+  }
 };
 
 }  // namespace beadswim
