@@ -46,20 +46,7 @@ void measure(double phi, int cells_per_diameter, int places, double tau, BeadSch
   const CubicArray array = cubic_array(phi, cells_per_diameter);
   std::vector<double> drags;
   for (const Vec3& place : random_places(places)) drags.push_back(array_drag(array, place, tau, scheme));
-  const double reference = cubic_array_drag(phi);
-  const auto [mean, deviation] = mean_and_deviation(drags);
-  emit({{"case", "array-drag"},
-        {"scheme", name_of(scheme)},
-        {"tau", tau},
-        {"phi", phi},
-        {"cells_per_diameter", cells_per_diameter},
-        {"diameter", 2 * array.radius},
-        {"edge", array.edge},
-        {"places", places},
-        {"measured", mean},
-        {"reference", reference},
-        {"error", mean / reference - 1},
-        {"spread", deviation / reference}});
+  emit(array_record("array-drag", scheme, tau, array, cells_per_diameter, drags, cubic_array_drag(phi)));
 }
 
 constexpr std::array fractions{0.027, 0.064, pi / 48, 0.125, 0.216};

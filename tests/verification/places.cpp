@@ -4,12 +4,31 @@
 #include <numbers>
 #include <random>
 
+#include "records.hpp"
+
 namespace beadswim::verification {
 
 CubicArray cubic_array(double phi, double cells_per_diameter) {
   const double diameter = std::cbrt(6 * phi / std::numbers::pi);  // over spacing
   const int edge = static_cast<int>(std::lround(cells_per_diameter / diameter));
   return {phi, edge, 0.5 * diameter * edge};
+}
+
+Json array_record(const std::string& name, BeadScheme scheme, double relaxation_time, const CubicArray& array,
+                  int cells_per_diameter, const std::vector<double>& measured, double reference) {
+  const auto [mean, deviation] = mean_and_deviation(measured);
+  return {{"case", name},
+          {"scheme", name_of(scheme)},
+          {"tau", relaxation_time},
+          {"phi", array.phi},
+          {"cells_per_diameter", cells_per_diameter},
+          {"diameter", 2 * array.radius},
+          {"edge", array.edge},
+          {"places", measured.size()},
+          {"measured", mean},
+          {"reference", reference},
+          {"error", mean / reference - 1},
+          {"spread", deviation / reference}};
 }
 
 std::vector<Vec3> random_places(int count) {

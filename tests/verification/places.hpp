@@ -1,8 +1,11 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/coupling/bead_scheme.hpp"
+#include "beadswim/io/json.hpp"
 
 namespace beadswim::verification {
 
@@ -15,6 +18,10 @@ struct CubicArray {
 
 /// The one whose spheres come nearest to so many cells a diameter.
 CubicArray cubic_array(double phi, double cells_per_diameter);
+
+/// A record of what was measured in such an array at several places of the sphere: mean, error and spread.
+Json array_record(const std::string& name, BeadScheme scheme, double relaxation_time, const CubicArray& array,
+                  int cells_per_diameter, const std::vector<double>& measured, double reference);
 
 /// Random places within a cell, the same for every case and scheme [cell].
 std::vector<Vec3> random_places(int count);

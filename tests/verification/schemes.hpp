@@ -10,18 +10,15 @@
 
 namespace beadswim::verification {
 
-/// The one list of bead boundary schemes here: a new one is verified once it stands in it.
-constexpr std::array all_schemes{BeadScheme::staircase, BeadScheme::cli, BeadScheme::mr, BeadScheme::psm};
-
 inline std::vector<std::string> scheme_names() {
   std::vector<std::string> names;
-  for (const BeadScheme scheme : all_schemes) names.push_back(name_of(scheme));
+  for (const BeadScheme scheme : all_bead_schemes) names.push_back(name_of(scheme));
   return names;
 }
 
 /// Throws InputError for a name that no scheme has.
 inline BeadScheme scheme_of(const std::string& name) {
-  for (const BeadScheme scheme : all_schemes) {
+  for (const BeadScheme scheme : all_bead_schemes) {
     if (name_of(scheme) == name) return scheme;
   }
   throw InputError("no bead boundary scheme is called '" + name + "'");

@@ -9,9 +9,6 @@ namespace {
 
 constexpr std::array<Wall, 3> periodic{Wall::periodic, Wall::periodic, Wall::periodic};
 
-/// As in coupled_step.cpp.
-constexpr double returned_part = 0.1;
-
 double volume_of(const BeadOnLattice& bead) {
   return 4.0 / 3 * std::numbers::pi * std::pow(bead.radius, 3);
 }
@@ -121,7 +118,7 @@ Load SpheresInFluid::take_load(int sphere) {
   Load load = impulse.value();
   if (has_links(links_.scheme())) {
     held_mass_[sphere] += impulse.mass.value();
-    beads_[sphere].mass_source = returned_part * held_mass_[sphere] / impulse.link_weight.value();
+    beads_[sphere].mass_source = returned_mass(held_mass_[sphere], impulse.link_weight.value());
   } else {
     const Vec3 inner_body_force = volume_of(beads_[sphere]) * body_force;
     Load inner = impulse.inner_value();

@@ -34,20 +34,7 @@ void measure(double phi, int cells_per_diameter, int places, double tau, BeadSch
   const CubicArray array = cubic_array(phi, cells_per_diameter);
   std::vector<double> torques;
   for (const Vec3& place : random_places(places)) torques.push_back(torque(array, place, tau, scheme));
-  const double reference = array_torque(phi);
-  const auto [mean, deviation] = mean_and_deviation(torques);
-  emit({{"case", "torque"},
-        {"scheme", name_of(scheme)},
-        {"tau", tau},
-        {"phi", phi},
-        {"cells_per_diameter", cells_per_diameter},
-        {"diameter", 2 * array.radius},
-        {"edge", array.edge},
-        {"places", places},
-        {"measured", mean},
-        {"reference", reference},
-        {"error", mean / reference - 1},
-        {"spread", deviation / reference}});
+  emit(array_record("torque", scheme, tau, array, cells_per_diameter, torques, array_torque(phi)));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
                                      Bound{"collinear-spheres", 0.06, 0.01},
                                      Bound{"sedimentation", 0.03, 0.02}, Bound{"oscillation", 0.04, 0.01},
                                      Bound{"galilean-invariance", 0.002, 0}, Bound{"conservation", 1e-12, 0}),
-                     testing::ValuesIn(all_schemes)),
+                     testing::ValuesIn(all_bead_schemes)),
     [](const auto& info) {
       std::string name = std::get<0>(info.param).name + "_" + name_of(std::get<1>(info.param));
       std::ranges::replace(name, '-', '_');
@@ -77,7 +77,7 @@ TEST(CubicArrayDrag, AgreesWithZickAndHomsyAndHasimoto) {
 }
 
 class RadiusCorrection : public testing::TestWithParam<BeadScheme> {};
-INSTANTIATE_TEST_SUITE_P(Schemes, RadiusCorrection, testing::ValuesIn(all_schemes),
+INSTANTIATE_TEST_SUITE_P(Schemes, RadiusCorrection, testing::ValuesIn(all_bead_schemes),
                          [](const auto& info) { return name_of(info.param); });
 
 // In an array more dilute than that of the calibration, at a radius between those of its table. Catches a
@@ -97,7 +97,7 @@ TEST_P(RadiusCorrection, BringsTheDragToThatOfTheRadius) {
 }
 
 TEST(RadiusCorrection, UndoesTheExcessAndGoesOnBeyondTheTable) {
-  for (const BeadScheme scheme : all_schemes) {
+  for (const BeadScheme scheme : all_bead_schemes) {
     for (double radius = 1.1; radius < 30; radius += 0.37) {
       const double corrected = corrected_radius(scheme, radius);
       EXPECT_NEAR(corrected + excess_radius(scheme, corrected), radius, 1e-12);

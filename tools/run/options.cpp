@@ -15,11 +15,11 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
                                                            {"json", ProgressStyle::json},
                                                            {"none", ProgressStyle::none}};
 
-const std::map<std::string, BeadScheme> bead_boundaries{
-    {name_of(BeadScheme::staircase), BeadScheme::staircase},
-    {name_of(BeadScheme::cli), BeadScheme::cli},
-    {name_of(BeadScheme::mr), BeadScheme::mr},
-    {name_of(BeadScheme::psm), BeadScheme::psm}};
+const auto bead_boundaries = [] {
+  std::map<std::string, BeadScheme> by_name;
+  for (const BeadScheme scheme : all_bead_schemes) by_name[name_of(scheme)] = scheme;
+  return by_name;
+}();
 const std::map<std::string, Precision> precisions{{name_of(Precision::fp64), Precision::fp64},
                                                   {name_of(Precision::fp32), Precision::fp32}};
 

@@ -12,10 +12,6 @@
 namespace beadswim {
 namespace {
 
-/// The part of the fluid mass held by a bead that its links return in a step. What they return changes what
-/// interpolated links take in the next steps: all of it at once makes that overshoot, and grow.
-constexpr double returned_part = 0.1;
-
 /// Fluid within a bead moves with it, but its inertia is not the bead's: what sets it in motion is no load.
 void add_change(Load& impulse, Load& inner, const Load& inner_now) {
   impulse.force += inner_now.force - inner.force;
@@ -81,7 +77,7 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       // Its links return a part of the fluid mass that it has come to hold, alike in all directions.
       swimmer.held_mass[b] += from_fluid.mass.value();
       const double link_weight = from_fluid.link_weight.value();
-      swimmer.mass_source[b] = link_weight > 0 ? returned_part * swimmer.held_mass[b] / link_weight : 0;
+      swimmer.mass_source[b] = returned_mass(swimmer.held_mass[b], link_weight);
     }
     const SwimmerMotion before = swimmer.motion;
     advance_swimmer(swimmer.motion, scene_.types[swimmer.type], swimmer.initial_axis, loads,

@@ -2,44 +2,12 @@
 // outside that namespace may be emitted from here.
 #include "link_kernel.hpp"
 
-#include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/core/order_free_terms.hpp"
 #include "beadswim/coupling/interpolated_bounce_back.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
 #include "beadswim/coupling/multireflection.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
-
-using Lanes = double __attribute__((vector_size(LinkSums::lanes * sizeof(double))));
-
-BEADSWIM_KERNEL Lanes load(const double* from) {
-  Lanes lanes;
-  __builtin_memcpy(&lanes, from, sizeof lanes);
-  return lanes;
-}
-
-/// Adds the terms of all places to the sums, unless one of them does not fit.
-BEADSWIM_KERNEL bool add_terms(const LinkBatch& batch, int places, LinkSums& sums) {
-  Lanes coarse[link_terms], fine[link_terms];
-  auto fit = load(batch.terms[0]) == load(batch.terms[0]);
-#pragma GCC unroll 8
-  for (int t = 0; t < link_terms; ++t) {
-    coarse[t] = load(sums.coarse[t]);
-    fine[t] = load(sums.fine[t]);
-    for (int k = 0; k < places; k += LinkSums::lanes) {
-      const Lanes term = load(&batch.terms[t][k]);
-      const Lanes multiple = order_free::coarse_part(term);
-      coarse[t] += multiple;
-      fine[t] += order_free::fine_part(term, multiple);
-      fit &= (term < order_free::largest_term) & (term > -order_free::largest_term);  // not if not a number
-    }
-  }
-  for (int lane = 0; lane < LinkSums::lanes; ++lane) {
-    if (!fit[lane]) return false;
-  }
-  __builtin_memcpy(sums.coarse, coarse, sizeof coarse);
-  __builtin_memcpy(sums.fine, fine, sizeof fine);
-  return true;
-}
 
 template <BeadScheme scheme, class Real>
 BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
@@ -83,7 +51,7 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
     batch.terms[6][k] = outgoing - returned;
     batch.terms[7][k] = w;
   }
-  return add_terms(batch, places, sums);
+  return order_free::add_terms(batch.terms, places, sums);
 }
 
 bool staircase_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {

@@ -2,7 +2,7 @@
 // outside that namespace may be emitted from here.
 #include "saturated_kernel.hpp"
 
-#include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/core/order_free_terms.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
 #include "beadswim/lattice/moments.hpp"
 
@@ -86,35 +86,10 @@ BEADSWIM_KERNEL void push_lanes(SaturatedBatch<Real>& batch, const SaturatedBead
   store_terms(batch.terms + 6, first, inner, r);
 }
 
-/// Adds the terms of all places to the sums, unless one of them does not fit.
-template <class Real>
-BEADSWIM_KERNEL bool add_terms(const SaturatedBatch<Real>& batch, SaturatedSums& sums) {
-  Lanes coarse[saturated_terms], fine[saturated_terms];
-  auto fit = Lanes{} == Lanes{};
-#pragma GCC unroll 12
-  for (int t = 0; t < saturated_terms; ++t) {
-    coarse[t] = load(sums.coarse[t]);
-    fine[t] = load(sums.fine[t]);
-    for (int k = 0; k < batch.cells; k += lanes) {
-      const Lanes term = load(&batch.terms[t][k]);
-      const Lanes multiple = order_free::coarse_part(term);
-      coarse[t] += multiple;
-      fine[t] += order_free::fine_part(term, multiple);
-      fit &= (term < order_free::largest_term) & (term > -order_free::largest_term);  // not if not a number
-    }
-  }
-  for (int lane = 0; lane < lanes; ++lane) {
-    if (!fit[lane]) return false;
-  }
-  __builtin_memcpy(sums.coarse, coarse, sizeof coarse);
-  __builtin_memcpy(sums.fine, fine, sizeof fine);
-  return true;
-}
-
 template <class Real>
 BEADSWIM_KERNEL bool push(SaturatedBatch<Real>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
   for (int first = 0; first < batch.cells; first += lanes) push_lanes(batch, bead, first);
-  return add_terms(batch, sums);
+  return order_free::add_terms(batch.terms, batch.cells, sums);
 }
 
 bool push_cells(SaturatedBatch<double>& batch, const SaturatedBead& bead, SaturatedSums& sums) {

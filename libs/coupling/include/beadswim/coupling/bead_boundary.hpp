@@ -29,6 +29,15 @@ struct BeadBoundary {
   void bounce_back_before_row(Populations& populations, int y, int z);
 };
 
+/// Fluid mass that each link of a bead returns in a step, over its weight w_i: of what the bead has come to
+/// hold a tenth, alike in all directions; link_weight: sum of w_i over the links, which a bead may lack. What
+/// links return changes what interpolated ones take in the next steps: all of it at once makes that
+/// overshoot, and grow.
+constexpr double returned_mass(double held_mass, double link_weight) {
+  constexpr double returned_part = 0.1;
+  return link_weight > 0 ? returned_part * held_mass / link_weight : 0;
+}
+
 /// Adds the sums over a step to the beads' impulses, and starts them anew.
 void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 namespace beadswim {
@@ -11,6 +12,10 @@ enum class BeadScheme {
   mr,         ///< multireflection: the same for flows that are parabolic along the link
   psm,        ///< no links: fluid fills beads too, and partially saturated cells hold it to their motion
 };
+
+/// All that --bead-boundary offers and tests/verification measures.
+inline constexpr std::array all_bead_schemes{BeadScheme::staircase, BeadScheme::cli, BeadScheme::mr,
+                                             BeadScheme::psm};
 
 std::string name_of(BeadScheme scheme);
 

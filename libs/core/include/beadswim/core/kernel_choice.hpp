@@ -1,0 +1,20 @@
+#pragma once
+
+// The instruction sets for which kernels are compiled (beadswim_kernels in cmake/BeadswimTargets.cmake), and
+// the choice between them at run time.
+
+namespace beadswim::instruction_set_name {
+
+constexpr const char *baseline = "baseline", *x86_64_v3 = "x86-64-v3", *x86_64_v4 = "x86-64-v4";
+
+}  // namespace beadswim::instruction_set_name
+
+/// kernels_of(instruction_set), for the best set that this processor can run; kernels_of: a macro.
+#if defined(__x86_64__)
+#define BEADSWIM_BEST_KERNELS(kernels_of)                        \
+  (__builtin_cpu_supports("x86-64-v4")   ? kernels_of(x86_64_v4) \
+   : __builtin_cpu_supports("x86-64-v3") ? kernels_of(x86_64_v3) \
+                                         : kernels_of(baseline))
+#else
+#define BEADSWIM_BEST_KERNELS(kernels_of) (kernels_of(baseline))
+#endif
