@@ -39,17 +39,21 @@ void add_one_by_one(const LinkBatch& batch, LinkSums& sums) {
 }
 
 /// For each direction i those j with c_i.c_j != 0, and c_i.c_j.
-struct Projection {
-  int direction;
-  double value;
+struct Projections {
+  int count = 0;
+  std::array<int, 14> direction{};
+  std::array<double, 14> value{};
 };
-const auto along = [] {
-  std::array<std::vector<Projection>, d3q19::directions> table;
+constexpr auto along = [] {
+  std::array<Projections, d3q19::directions> table{};
   for (int i = 0; i < d3q19::directions; ++i) {
     for (int j = 0; j < d3q19::directions; ++j) {
       const auto &a = d3q19::velocity[i], &b = d3q19::velocity[j];
       const int value = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-      if (value != 0) table[i].push_back({j, static_cast<double>(value)});
+      if (value == 0) continue;
+      Projections& of = table[i];
+      of.direction[of.count] = j;
+      of.value[of.count++] = value;
     }
   }
   return table;
@@ -106,7 +110,10 @@ class Bounce {
     batch_.weight[k] = d3q19::weight(out);
     if (cells_behind_ == 0) return;
     batch_.fluid_behind[k] = link.fluid_behind;
-    const std::ptrdiff_t behind = link.fluid_behind > 0 ? fluid_cell + populations_.shift(out) : fluid_cell;
+    const std::ptrdiff_t behind =
+        link.fluid_behind > 0
+            ? boundary_.coverage.wrapped_along_x(fluid_cell + populations_.shift(out), x + 2 * c[0])
+            : fluid_cell;
     behind_[k] = populations_.outgoing_row<Real>(in, behind);
     arrived_[k] = populations_.outgoing_row<Real>(out, fluid_cell);
     if (cells_behind_ == 1) return;
@@ -117,9 +124,10 @@ class Bounce {
 
   /// c_i.u of a cell
   double momentum_along(int i, std::ptrdiff_t cell) const {
+    const Projections& of = along[i];
     double sum = 0;
-    for (const auto& [j, projection] : along[i])
-      sum += projection * static_cast<double>(*populations_.outgoing_row<Real>(j, cell));
+    for (int n = 0; n < of.count; ++n)
+      sum += of.value[n] * static_cast<double>(*populations_.outgoing_row<Real>(of.direction[n], cell));
     return sum;
   }
 

@@ -263,7 +263,8 @@ void Halo::start_as(Populations& populations) {
       is_under_way_ = false;
     }
   }
-  for (int axis = 0; axis < 3 && content_ == HaloContent::behind; ++axis) {
+  const int first_axis = row_ends() == RowEnds::wrapped ? 1 : 0;
+  for (int axis = first_axis; axis < 3 && content_ == HaloContent::behind; ++axis) {
     start_across<Real>(populations, HaloContent::behind, axis);
     if (is_cut(axis)) receive<Real>(populations, HaloContent::behind, axis);
   }

@@ -129,6 +129,13 @@ class Coverage {
   std::ptrdiff_t cell(int x, int y, int z) const { return origin_ + x + pitch_y_ * y + pitch_z_ * z; }
   const Index3& block_size() const { return at_.block.size; }
 
+  /// `cell`, whose local coordinate is x, or the own cell of which it is the periodic image along an uncut x.
+  std::ptrdiff_t wrapped_along_x(std::ptrdiff_t cell, int x) const {
+    const int cells = at_.block.size[0];
+    if (!at_.periodic[0] || cells != at_.cells[0] || (x >= 0 && x < cells)) return cell;
+    return x < 0 ? cell + cells : cell - cells;
+  }
+
  private:
   enum class State : std::uint8_t { fluid, covered, just_left };
 

@@ -22,7 +22,9 @@ enum class RowEnds {
 /// Which numbers of a halo cell h are filled, for each of the five directions i that enter the block from it.
 enum class HaloContent {
   entering,  ///< outgoing i
-  behind,    ///< outgoing i and outgoing ibar of h, and incoming i of h: outgoing i of the cell behind it
+  /// Outgoing i and outgoing ibar of h, and incoming i of h: outgoing i of the cell behind it. Along an x
+  /// that is periodic and not cut only outgoing i, as the rest is at hand at the other end of the row.
+  behind,
 };
 
 /// The populations of one block and of a halo one cell wide: deviations f_i - w_i after collision, as one
