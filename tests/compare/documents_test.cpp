@@ -40,6 +40,7 @@ RunRecord full_record() {
                                         .kinematic_viscosity_lattice = 1.0 / 3,
                                         .steps_per_cycle = 19202,
                                         .bead_boundary = "cli",
+                                        .density_on_lattice = 1.2344,
                                         .radius_on_lattice = 4.0209,
                                         .precision = "single"};
   record.cost = RunCost{.wall_seconds = 10.5,

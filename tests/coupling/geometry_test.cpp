@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 #include <set>
 
+#include "beadswim/bodies/swimmer_dynamics.hpp"
 #include "beadswim/coupling/bead_images.hpp"
+#include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/lattice/trt.hpp"
 
@@ -98,6 +101,16 @@ TEST(LatticeScales, KeepDimensionlessNumbers) {
   expect_same(1100.0 / 998, lattice.beads[0].density);
   expect_same(static_cast<double>(choice.steps_per_period), lattice.driving.period);
   EXPECT_NEAR(choice.relaxation_time, 0.9, 0.01);
+}
+
+// A lone bead's friction is 6 pi eta R; that it comes late takes 6 pi eta R t_d from its inertia.
+TEST(ForceDelay, IsMadeUpForByMass) {
+  constexpr double tau = 1.7, radius = 2.6;
+  const Bead bead{.radius = radius, .density = 1.3};
+  const double friction = 6 * std::numbers::pi * lattice_viscosity(tau) * radius;
+  const double more = mass(made_up_for_delay(bead, tau)) - mass(bead);
+  EXPECT_NEAR(more / (friction * force_delay(tau)), 1, 1e-12);
+  EXPECT_EQ(made_up_for_delay(bead, tau).radius, radius);
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <memory>
 #include <optional>
 
@@ -60,14 +59,6 @@ TrajectoryHeader header_of(const LayoutDocument& document, const SceneOnLattice&
   return header;
 }
 
-double lightest_bead(const CoupledScene& scene) {
-  double lightest = std::numeric_limits<double>::infinity();
-  for (const SwimmerType& type : scene.types) {
-    for (const Bead& bead : type.beads) lightest = std::min(lightest, bead.density);
-  }
-  return lightest;
-}
-
 void announce(const SceneOnLattice& on_lattice, const Communicator& communicator) {
   const Index3& cells = on_lattice.scene.cells;
   const LatticeChoice& lattice = on_lattice.lattice;
@@ -86,11 +77,12 @@ void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_erro
     tell(fmt::format("beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
                      on_lattice.cells_per_radius));
   }
-  if (lightest_bead(on_lattice.scene) < 0.5) {
+  constexpr double light = 0.65;
+  if (on_lattice.density_on_lattice() < light) {
     tell(fmt::format(
-        "beadswim-run: warning: beads of {:.3g} times the fluid's density; the coupling is explicit, and "
-        "below about one half it becomes unstable\n",
-        lightest_bead(on_lattice.scene)));
+        "beadswim-run: warning: beads of {:.3g} times the fluid's density on the lattice; the coupling is "
+        "explicit, and below {} it may become unstable: a larger --relaxation-time helps\n",
+        on_lattice.density_on_lattice(), light));
   }
   if (!precision_error || *precision_error <= tolerated_precision_error) return;
   tell(

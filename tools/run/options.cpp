@@ -37,7 +37,7 @@ CLI::Validator relaxation_time() {
 
 /// Flags whose values are words.
 struct Words {
-  std::string model, bead_boundary, radius_correction, precision, progress;
+  std::string model, bead_boundary, delay_correction, radius_correction, precision, progress;
 };
 
 /// A flag that takes one of some words; `names`: as --help lists them.
@@ -77,13 +77,17 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->default_str("");
   add_word(
       program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_boundaries), "staircase|cli|mr|psm",
-      name_of(BeadScheme::staircase),
+      name_of(options.bead_boundary),
       "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
       "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
       "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
       "exact part of it that the bead fills.");
+  add_word(program, "--delay-correction", words.delay_correction, CLI::IsMember({"on", "off"}), "on|off",
+           "on",
+           "on: beads are heavier on the lattice by what makes up for the time by which the fluid's force "
+           "comes late there, 3/2 (tau - 1/2) + 1 steps; the record says the density.");
   add_word(program, "--radius-correction", words.radius_correction, CLI::IsMember({"on", "off"}), "on|off",
-           "off",
+           "on",
            "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
            "cell, is "
            "that of the layout's radius; the record says which.");
@@ -124,6 +128,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   add_flags(*program, options, words);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
   options.bead_boundary = bead_boundaries.at(words.bead_boundary);
+  options.delay_correction = words.delay_correction == "on";
   options.radius_correction = words.radius_correction == "on";
   options.precision = precisions.at(words.precision);
   options.progress = progress_styles.at(words.progress);

@@ -20,8 +20,9 @@ struct RunOptions {
   int frames_per_cycle = 40;
   std::optional<double> cells_per_radius;
   std::optional<double> relaxation_time;
-  BeadScheme bead_boundary = BeadScheme::staircase;
-  bool radius_correction = false;
+  BeadScheme bead_boundary = BeadScheme::mr;
+  bool delay_correction = true;
+  bool radius_correction = true;
   Precision precision = Precision::fp64;
   std::optional<double> time_limit;  ///< [s]
   std::optional<double> flow_every;  ///< [cycle]

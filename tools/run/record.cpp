@@ -85,6 +85,7 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
                         .kinematic_viscosity_lattice = lattice_viscosity(on_lattice.lattice.relaxation_time),
                         .steps_per_cycle = on_lattice.lattice.steps_per_period,
                         .bead_boundary = name_of(on_lattice.scene.bead_boundary),
+                        .density_on_lattice = on_lattice.density_on_lattice(),
                         .radius_on_lattice = on_lattice.radius_on_lattice(),
                         .precision = name_of(on_lattice.scene.precision)};
   record.cost = cost_of(parts, on_lattice, outcome);

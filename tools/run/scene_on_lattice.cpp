@@ -9,6 +9,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
+#include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
@@ -133,22 +134,41 @@ Wall wall_of(Boundary boundary) {
   throw SolverError("unknown boundary");
 }
 
+SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {
+  SwimmerType result = in_lattice_units(type, lattice.scales);
+  if (corrects_delay) {
+    for (Bead& bead : result.beads) bead = made_up_for_delay(bead, lattice.relaxation_time);
+  }
+  return result;
+}
+
 /// The layout's swimmers in order of their ids, and the types that they share.
-void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeScales& scales) {
+void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice& lattice,
+                  bool corrects_delay) {
   std::map<std::string, int> shared_types;  // of swimmers that do not override their type's driving
   for (const Swimmer& swimmer : layout.swimmers) {
     int type = static_cast<int>(scene.types.size());
     if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
     if (type == std::ssize(scene.types)) {
-      scene.types.push_back(in_lattice_units(layout.resolved_type(swimmer), scales));
+      scene.types.push_back(type_on_lattice(layout.resolved_type(swimmer), lattice, corrects_delay));
     }
-    scene.swimmers.push_back(
-        {.id = swimmer.id, .type = type, .position = swimmer.position / scales.cell, .axis = swimmer.axis});
+    scene.swimmers.push_back({.id = swimmer.id,
+                              .type = type,
+                              .position = swimmer.position / lattice.scales.cell,
+                              .axis = swimmer.axis});
   }
   std::ranges::sort(scene.swimmers, {}, &CoupledScene::Swimmer::id);  // the order of every list of beads
 }
 
 }  // namespace
+
+double SceneOnLattice::density_on_lattice() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SwimmerType& type : scene.types) {
+    for (const Bead& bead : type.beads) least = std::min(least, bead.density);
+  }
+  return least;
+}
 
 SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, const std::string& source) {
   require_box(layout, source);
@@ -169,7 +189,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   scene.corrects_radii = options.radius_correction;
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
   for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(layout.domain->boundary[a]);
-  add_swimmers(scene, layout, scales);
+  add_swimmers(scene, layout, result.lattice, options.delay_correction);
   return result;
 }
 

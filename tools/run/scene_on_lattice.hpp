@@ -14,6 +14,9 @@ struct SceneOnLattice {
   double period = 0;  ///< of all swimmers' driving [time]
   CoupledScene scene;
 
+  /// Least density with which a bead moves [density of the fluid].
+  double density_on_lattice() const;
+
   /// With which the fluid meets the smallest bead [cell].
   double radius_on_lattice() const {
     return scene.corrects_radii ? corrected_radius(scene.bead_boundary, cells_per_radius) : cells_per_radius;

@@ -116,8 +116,13 @@ Json json_of(const std::optional<LatticeResolution>& resolution) {
             {"steps_per_cycle", resolution->steps_per_cycle},
             {"bead_boundary", resolution->bead_boundary},
             {"precision", resolution->precision}};
+  if (resolution->density_on_lattice) json["density_on_lattice"] = *resolution->density_on_lattice;
   if (resolution->radius_on_lattice) json["radius_on_lattice"] = *resolution->radius_on_lattice;
   return json;
+}
+
+std::optional<double> number_if_any(const Json& json, const char* key) {
+  return json.contains(key) ? std::optional(json.at(key).get<double>()) : std::nullopt;
 }
 
 std::optional<LatticeResolution> resolution_from(const Json& json) {
@@ -130,9 +135,8 @@ std::optional<LatticeResolution> resolution_from(const Json& json) {
       .kinematic_viscosity_lattice = json.at("kinematic_viscosity_lattice").get<double>(),
       .steps_per_cycle = json.at("steps_per_cycle").get<std::int64_t>(),
       .bead_boundary = json.at("bead_boundary").get<std::string>(),
-      .radius_on_lattice = json.contains("radius_on_lattice")
-                               ? std::optional(json.at("radius_on_lattice").get<double>())
-                               : std::nullopt,
+      .density_on_lattice = number_if_any(json, "density_on_lattice"),
+      .radius_on_lattice = number_if_any(json, "radius_on_lattice"),
       .precision = json.at("precision").get<std::string>()};
 }
 

@@ -48,9 +48,10 @@ struct LatticeResolution {
   double relaxation_time = 0;              ///< as used, in time steps
   double kinematic_viscosity_lattice = 0;  ///< nu in cells^2/step
   std::int64_t steps_per_cycle = 0;
-  std::string bead_boundary;                ///< "staircase", "cli", "mr" or "psm"
-  std::optional<double> radius_on_lattice;  ///< of the smallest bead, as the fluid meets it [cell]
-  std::string precision;                    ///< "double" or "single"
+  std::string bead_boundary;                 ///< "staircase", "cli", "mr" or "psm"
+  std::optional<double> density_on_lattice;  ///< least of any bead as it moves [fluid density]
+  std::optional<double> radius_on_lattice;   ///< of the smallest bead, as the fluid meets it [cell]
+  std::string precision;                     ///< "double" or "single"
 };
 
 struct RunCost {
