@@ -12,7 +12,7 @@ drawn() { # NUMBER ELEMENT   how often the element is in out
 
 # --- what it says of itself
 accepts beadswim-plot --help
-for flag in '-o,--output' --method --cycle --relative-to --against --axes; do out_has "^  $flag"; done
+for flag in '-o,--output' --method --cycle --relative-to --reference --against --axes; do out_has "^  $flag"; done
 accepts beadswim-plot --version
 for flag in --help --version; do
   run bash -c "beadswim-plot $flag >/dev/full"
@@ -148,8 +148,43 @@ check 'a refused figure left a file behind' test ! -e other.png
 refuses '/no/such/folder/x.svg: cannot be created' beadswim-plot stroke run.json -o /no/such/folder/x.svg
 refuses '--output: "x.pdf" is neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
 
+# --- speed against error: rms of errors and median of speeds of runs at one resolution, joined by setting
+scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so many times as large, and that cost
+  jq -c --argjson f "$1" --argjson cells "$2" --argjson seconds "$3" '
+    .swimmers[].cycles[] |= (.velocity |= map(. * $f) | .mean_flow |= map(. * $f) | .speed_along_axis *= $f
+      | .arm_amplitudes |= map(. * $f))
+    | .resolution.cells_per_radius = $cells | .cost.core_seconds = $seconds'" ${4:-}" run.json
+}
+{ scaled 1.03 2 10; scaled 0.96 2 30; scaled 1.01 2 20; scaled 1.01 4 100; } >several.jsonl
+{ scaled "$(jq -n '1 + ((9 + 16 + 1) / 30000 | sqrt)')" 2 20; scaled 0.99 4 100; } >one_each.jsonl
+accepts beadswim-plot speed-against-error several.jsonl --reference run.json
+well_formed out
+drawn 6 circle     # two resolutions and the legend, in two panels
+drawn 4 polyline   # a line, and its legend
+out_has '>error of the velocity \(%\)<'
+out_has '>cli, τ = 1.5, double<'
+out_has 'against lbm, cli, 4 cells a radius'
+out_has 'along a line: 2, 4 cells a radius'
+same_bytes 'beadswim-plot speed-against-error several.jsonl --reference run.json' \
+  'beadswim-plot speed-against-error one_each.jsonl --reference run.json'
+{ cat several.jsonl; scaled 1.02 2 5 '| .resolution.precision = "single"'; } >two_settings.jsonl
+accepts beadswim-plot speed-against-error two_settings.jsonl --reference prediction.json
+out_has '>cli, τ = 1.5, single<'
+out_has 'against multipole-ode'
+refuses '--reference: none given' beadswim-plot speed-against-error several.jsonl
+refuses 'several.jsonl: holds several documents' \
+  beadswim-plot speed-against-error several.jsonl --reference several.jsonl
+refuses 'draws runs alone; name a prediction with --reference' \
+  beadswim-plot speed-against-error run.json prediction.json --reference prediction.json
+jq 'del(.cost)' run.json >free.json
+refuses 'free.json: does not say its cost' beadswim-plot speed-against-error free.json --reference run.json
+refuses 'si.json: is in other units than run.json' beadswim-plot speed-against-error run.json --reference si.json
+refuses '--reference: has no meaning for stroke' beadswim-plot stroke run.json --reference run.json
+refuses '--axes: has no meaning for speed-against-error' \
+  beadswim-plot speed-against-error run.json --reference run.json --axes linear
+
 # --- what it refuses
-refuses 'KIND: none given; there are stroke, velocity-against-period, separation' beadswim-plot
+refuses 'KIND: none given; there are stroke, velocity-against-period, separation, speed-against-error' beadswim-plot
 refuses 'KIND: unknown "strok"; did you mean "stroke"' beadswim-plot strok run.json
 refuses 'no file given' beadswim-plot stroke
 refuses 'no run with a whole cycle' beadswim-plot stroke prediction.json

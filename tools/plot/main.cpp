@@ -2,6 +2,7 @@
 #include "beadswim/tools/program.hpp"
 #include "plot_inputs.hpp"
 #include "plot_request.hpp"
+#include "speed_figure.hpp"
 #include "stroke_figure.hpp"
 #include "velocity_figure.hpp"
 #include "write_figure.hpp"
@@ -20,6 +21,7 @@ Figure draw(const PlotRequest& request) {
   if (request.kind == stroke_kind) {
     return against ? stroke_against(inputs, *against, cycle) : stroke_by_cycle(inputs);
   }
+  if (request.kind == speed_kind) return speed_figure(inputs, {request.reference, cycle});
   const Abscissa abscissa = request.kind == separation_kind ? Abscissa::separation_ratio : Abscissa::period;
   return velocity_figure(inputs, {abscissa, cycle, axes});
 }
@@ -33,6 +35,7 @@ int run(int argc, const char* const* argv) {
   require_consistent(request);
   require_figure_path(request.output);
   for (const std::string& file : request.files) require_other_file(file, request.output);
+  if (!request.reference.empty()) require_other_file(request.reference, request.output);
   write_figure(request.output, figure_to_svg(draw(request)));
   return static_cast<int>(ExitStatus::fine);
 }

@@ -40,6 +40,12 @@ void add_figure_flags(CLI::App& program, PlotRequest& request) {
       ->type_name("METHOD")
       ->default_str("none");
   program
+      .add_option("--reference", request.reference,
+                  "From which errors are measured, for speed-against-error: a prediction, by its best usable "
+                  "method, or a run record.")
+      ->type_name("FILE")
+      ->default_str("none");
+  program
       .add_option("--against", request.against,
                   "What the stroke is drawn against: cycle (of runs; predictions are level lines), "
                   "amplitude-ratio (A/B of the driving) or phase (alpha of the driving).")
@@ -65,8 +71,10 @@ void add_flags(CLI::App& program, PlotRequest& request) {
           "KIND", request.kind,
           "stroke: arm amplitudes and phase shift. velocity-against-period: velocity along the swimmer's "
           "axis, against the mean flow along periodic axes. separation: the same velocity against l/λ, "
-          "the beads' smallest separation over their radius.")
-      ->type_name("stroke|velocity-against-period|separation");
+          "the beads' smallest separation over their radius. speed-against-error: periods that a core does "
+          "in "
+          "an hour, against the error of velocity and stroke, by setting and resolution.")
+      ->type_name("stroke|velocity-against-period|separation|speed-against-error");
   program
       .add_option(
           "FILES", request.files,
@@ -88,17 +96,22 @@ void add_flags(CLI::App& program, PlotRequest& request) {
 }
 
 void require_consistent(const PlotRequest& request) {
-  const Names kinds{stroke_kind, period_kind, separation_kind};
+  const Names kinds{stroke_kind, period_kind, separation_kind, speed_kind};
   if (request.kind.empty()) {
     throw InputError("KIND", fmt::format("none given; there are {}", fmt::join(kinds, ", ")));
   }
   require_name("KIND", request.kind, kinds);
-  const bool is_stroke = request.kind == stroke_kind;
+  const bool is_stroke = request.kind == stroke_kind, is_speed = request.kind == speed_kind;
   const auto refuse = [&](const std::string& flag) {
     throw InputError(flag, fmt::format("has no meaning for {}; leave it out", request.kind));
   };
-  if (is_stroke && !request.relative_to.empty()) refuse("--relative-to");
-  if (is_stroke && request.axes != "auto") refuse("--axes");
+  if ((is_stroke || is_speed) && !request.relative_to.empty()) refuse("--relative-to");
+  if ((is_stroke || is_speed) && request.axes != "auto") refuse("--axes");
+  if (is_speed && !request.methods.empty()) refuse("--method");
+  if (!is_speed && !request.reference.empty()) refuse("--reference");
+  if (is_speed && request.reference.empty()) {
+    throw InputError("--reference", "none given; name a prediction or a run from which errors are measured");
+  }
   if (!is_stroke && request.against != "cycle") refuse("--against");
 }
 

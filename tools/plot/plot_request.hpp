@@ -13,6 +13,7 @@ namespace beadswim {
 inline constexpr const char* stroke_kind = "stroke";
 inline constexpr const char* period_kind = "velocity-against-period";
 inline constexpr const char* separation_kind = "separation";
+inline constexpr const char* speed_kind = "speed-against-error";
 
 /// The command line, as text.
 struct PlotRequest {
@@ -21,6 +22,7 @@ struct PlotRequest {
   std::string output = "-";
   std::vector<std::string> methods;
   std::string relative_to;
+  std::string reference;
   std::string against = "cycle";
   std::string axes = "auto";
   std::string cycle = "last";
