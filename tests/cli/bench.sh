@@ -5,7 +5,7 @@ source "$(dirname "$0")/harness.sh"
 holds() { jq -e "$1" "$2" >/dev/null; }
 
 accepts beadswim-bench --help
-for flag in edge precision rounds json; do out_has "--$flag"; done
+for flag in edge precision bead-boundary rounds json; do out_has "--$flag"; done
 accepts beadswim-bench --version
 
 run mpirun -n 2 beadswim-bench --json --edge 32,40 --rounds 1
@@ -26,12 +26,15 @@ if /usr/bin/python3 -c 'import jsonschema' 2>/dev/null; then
     /usr/bin/python3 -W ignore -m jsonschema -i bench.json "$BEADSWIM_SOURCE/schemas/bench.schema.json"
 fi
 
-run beadswim-bench --edge 32 --precision single --rounds 1
+check "beads are the paper's" test "$(jq -r .bead_boundary bench.json)" = staircase
+run beadswim-bench --edge 32 --precision single --rounds 1 --bead-boundary mr
 has_status 0
+out_has 'mr beads'
 out_has 'coupled-swarm'
 check "one precision alone" test "$(grep -c double out)" = 1  # in the head of the table
 
 refuses 'edge: Value 16 not in range 32 to 4096' beadswim-bench --edge 16
+refuses 'bead-boundary: sphere' beadswim-bench --bead-boundary sphere
 refuses 'precision: half' beadswim-bench --precision half
 refuses 'did you mean --edge' beadswim-bench --egde 64
 refuses 'GB that are free; take a smaller edge' beadswim-bench --edge 4096

@@ -6,7 +6,6 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/tools/program.hpp"
 #include "cases.hpp"
-#include "schemes.hpp"
 
 // beadswim-verification: measures what the bead boundary schemes get wrong, and prints the page about it.
 
@@ -16,7 +15,7 @@ using namespace beadswim;
 using namespace beadswim::verification;
 
 struct Options {
-  std::vector<std::string> cases, schemes = scheme_names();
+  std::vector<std::string> cases, schemes = bead_scheme_names();
   bool brief = false;
   std::string report;
 };
@@ -38,7 +37,7 @@ std::unique_ptr<CLI::App> verification_program(Options& options) {
       ->type_name("NAME,...");
   program->add_option("--scheme", options.schemes, "Bead boundary schemes.")
       ->delimiter(',')
-      ->check(CLI::IsMember(scheme_names()))
+      ->check(CLI::IsMember(bead_scheme_names()))
       ->type_name("NAME,...");
   program->add_flag("--brief", options.brief, "A part of each case, in seconds.");
   program
@@ -70,7 +69,7 @@ int run(int argc, char** argv) {
   for (const Case& one : all_cases()) {
     if (std::ranges::count(options.cases, one.name) == 0) continue;
     for (const std::string& scheme : options.schemes)
-      one.measure(scheme_of(scheme), options.brief ? Extent::brief : Extent::whole, emit);
+      one.measure(bead_scheme_named(scheme), options.brief ? Extent::brief : Extent::whole, emit);
   }
   return 0;
 }

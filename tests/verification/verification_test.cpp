@@ -7,7 +7,6 @@
 #include "cases.hpp"
 #include "records.hpp"
 #include "references.hpp"
-#include "schemes.hpp"
 
 // The brief part of each case, so that docs/verification.md cannot rot: the whole is in docs/results.
 
@@ -112,7 +111,7 @@ TEST(RadiusCorrection, IsThatOfTheStoredRecords) {
   int compared = 0;
   for (const Json& record : stored_records()) {
     if (record["case"] != "hydrodynamic-radius") continue;
-    const BeadScheme scheme = scheme_of(record["scheme"].get<std::string>());
+    const BeadScheme scheme = bead_scheme_named(record["scheme"].get<std::string>());
     constexpr double last_digit = 1e-4;
     EXPECT_NEAR(excess_radius(scheme, record["radius"].get<double>()), record["excess"].get<double>(),
                 0.51 * last_digit)

@@ -119,13 +119,13 @@ std::vector<BenchRow> rows_of(const Group& group, const BenchScenes& scenes,
 }
 
 /// Adds a group's rows, and its bandwidths, on rank 0.
-void measure(const Group& group, int rounds, const Communicator& communicator, BenchReport& report) {
+void measure(const Group& group, const Communicator& communicator, BenchReport& report) {
   Bandwidth bandwidth;
-  const BenchScenes scenes(group.edge, group.precisions, communicator);
+  const BenchScenes scenes(group.edge, group.precisions, report.bead_boundary, communicator);
   std::vector<BenchCase> cases = scenes.cases();
   cases.push_back({"copy", Precision::fp64, [&] { bandwidth.copy(); }});
   cases.push_back({"in-place", Precision::fp64, [&] { bandwidth.scale_in_place(); }});
-  const std::vector<std::vector<double>> seconds = time_in_rounds(cases, rounds, communicator);
+  const std::vector<std::vector<double>> seconds = time_in_rounds(cases, report.rounds, communicator);
   std::ranges::copy(rows_of(group, scenes, seconds, bandwidth.bytes()), std::back_inserter(report.rows));
   if (!report.bandwidths.empty() && report.bandwidths.back().ranks == group.ranks) return;
   const double gigabytes = 1e-9 * bandwidth.bytes() * group.ranks;
@@ -142,7 +142,8 @@ BenchReport measure_all(const BenchRequest& request, const Communicator& world) 
   if (world.size() > 1) {
     std::ranges::copy(groups_of(request, world.size(), available), std::back_inserter(groups));
   }
-  BenchReport report{.rounds = request.rounds, .rows = {}, .bandwidths = {}};
+  BenchReport report{
+      .rounds = request.rounds, .bead_boundary = request.bead_boundary, .rows = {}, .bandwidths = {}};
   const double start = MPI_Wtime();
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group& group = groups[g];
@@ -151,9 +152,8 @@ BenchReport measure_all(const BenchRequest& request, const Communicator& world) 
                        groups.size(), group.edge, group.ranks, group.ranks == 1 ? "" : "s",
                        MPI_Wtime() - start));
     }
-    on_first_ranks(group.ranks, world, [&](const Communicator& communicator) {
-      measure(group, request.rounds, communicator, report);
-    });
+    on_first_ranks(group.ranks, world,
+                   [&](const Communicator& communicator) { measure(group, communicator, report); });
   }
   return report;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "bench_report.hpp"
 
 namespace beadswim {
@@ -11,6 +12,7 @@ struct BenchRequest {
   std::vector<int> edges{64, 128, 256};
   std::vector<Precision> precisions{Precision::fp64, Precision::fp32};
   int rounds = 9;
+  BeadScheme bead_boundary = BeadScheme::staircase;  ///< of the swarm
 };
 
 /// Measures everything that was asked for, on one rank and on all. Tells its progress on stderr. The report

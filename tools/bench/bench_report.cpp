@@ -48,6 +48,7 @@ Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
           {"processor", processor_name()},
           {"instruction_set", sweep_instruction_set()},
           {"rounds", report.rounds},
+          {"bead_boundary", name_of(report.bead_boundary)},
           {"rows", rows},
           {"bandwidth",
            {{"in_place_gb_s", report.bandwidths.front().in_place_gb_s},
@@ -57,8 +58,8 @@ Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
 }
 
 std::string bench_table(const BenchReport& report) {
-  std::string table =
-      fmt::format("{}, {}; medians of {} rounds\n", processor_name(), sweep_instruction_set(), report.rounds);
+  std::string table = fmt::format("{}, {}; {} beads; medians of {} rounds\n", processor_name(),
+                                  sweep_instruction_set(), name_of(report.bead_boundary), report.rounds);
   for (const BandwidthRow& row : report.bandwidths) {
     table += fmt::format("{} rank{}: in place {:.1f} GB/s, copy {:.1f} GB/s\n", row.ranks,
                          row.ranks == 1 ? "" : "s", row.in_place_gb_s, row.copy_gb_s);

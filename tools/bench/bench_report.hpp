@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/lattice/precision.hpp"
 
@@ -30,6 +31,7 @@ struct BandwidthRow {
 
 struct BenchReport {
   int rounds = 0;
+  BeadScheme bead_boundary = BeadScheme::staircase;  ///< of the swarm
   std::vector<BenchRow> rows;
   std::vector<BandwidthRow> bandwidths;
 };

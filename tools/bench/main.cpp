@@ -13,6 +13,7 @@ using namespace beadswim;
 
 struct BenchOptions {
   BenchRequest request;
+  std::string bead_boundary = name_of(BeadScheme::staircase);
   std::vector<std::string> precisions{name_of(Precision::fp64), name_of(Precision::fp32)};
   bool json = false;
 };
@@ -37,6 +38,12 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       ->default_str("double,single")
       ->type_name("NAME,...");
   program
+      ->add_option("--bead-boundary", options.bead_boundary,
+                   "Bead boundary of the swarm, as of beadswim-run: staircase, the paper's, cli, mr or psm.")
+      ->check(CLI::IsMember(bead_scheme_names()))
+      ->capture_default_str()
+      ->type_name("NAME");
+  program
       ->add_option("--rounds", options.request.rounds,
                    "Rounds over all cases; medians over the rounds are reported.")
       ->check(CLI::Range(1, 1000).description(""))
@@ -49,6 +56,7 @@ int run(int argc, char** argv, const Communicator& world) {
   BenchOptions options;
   const auto program = bench_program(options);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
+  options.request.bead_boundary = bead_scheme_named(options.bead_boundary);
   options.request.precisions.clear();
   for (const Precision precision : {Precision::fp64, Precision::fp32}) {
     if (std::ranges::count(options.precisions, name_of(precision)) > 0)

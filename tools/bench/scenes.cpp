@@ -42,14 +42,14 @@ double bytes_per_update(Precision precision) {
 
 /// One precision.
 struct BenchScenes::Scene {
-  Scene(int edge, Precision precision, const Communicator& communicator)
+  Scene(int edge, Precision precision, BeadScheme bead_boundary, const Communicator& communicator)
       : precision(precision),
         decomposition(Index3(edge, edge, edge * communicator.size()), communicator.size()),
         yardstick(edge, precision),
         populations(decomposition.block(communicator.rank()).size, precision),
         periodic_halo(communicator, decomposition, periodic),
         walled_halo(communicator, decomposition, walls),
-        swarm(swarm_scene(edge, communicator.size(), precision), communicator) {
+        swarm(swarm_scene(edge, communicator.size(), precision, bead_boundary), communicator) {
     yardstick.choose_layout(9, communicator);
     set_uniform_flow(populations);
   }
@@ -68,10 +68,11 @@ struct BenchScenes::Scene {
   CoupledSystem swarm;
 };
 
-BenchScenes::BenchScenes(int edge, const std::vector<Precision>& precisions,
+BenchScenes::BenchScenes(int edge, const std::vector<Precision>& precisions, BeadScheme bead_boundary,
                          const Communicator& communicator) {
   for (const Precision precision : precisions) {
-    Scene* scene = scenes_.emplace_back(std::make_unique<Scene>(edge, precision, communicator)).get();
+    Scene* scene =
+        scenes_.emplace_back(std::make_unique<Scene>(edge, precision, bead_boundary, communicator)).get();
     cases_.push_back({"stream-yardstick", precision, [scene] { scene->yardstick.sweep(); }});
     cases_.push_back({"bare-sweep", precision, [scene] { scene->step(nullptr); }});
     cases_.push_back({"periodic-step", precision, [scene] { scene->step(&scene->periodic_halo); }});

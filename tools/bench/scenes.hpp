@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/coupling/bead_scheme.hpp"
 #include "bench_case.hpp"
 #include "yardstick.hpp"
 
@@ -13,7 +14,8 @@ namespace beadswim {
 /// communicator; holds the memory that the cases work on.
 class BenchScenes {
  public:
-  BenchScenes(int edge, const std::vector<Precision>& precisions, const Communicator& communicator);
+  BenchScenes(int edge, const std::vector<Precision>& precisions, BeadScheme bead_boundary,
+              const Communicator& communicator);
   ~BenchScenes();
 
   /// In the order in which they are to be timed, round by round.

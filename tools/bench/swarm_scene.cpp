@@ -24,12 +24,13 @@ SwimmerType swimmer(double scale) {
 
 }  // namespace
 
-CoupledScene swarm_scene(int edge, int ranks, Precision precision) {
+CoupledScene swarm_scene(int edge, int ranks, Precision precision, BeadScheme bead_boundary) {
   const double scale = std::min(1.0, edge / length);
   CoupledScene scene{.cells = {edge, edge, edge * ranks},
                      .walls = {Wall::periodic, Wall::periodic, Wall::periodic},
                      .relaxation_time = relaxation_time,
                      .precision = precision,
+                     .bead_boundary = bead_boundary,
                      .types = {swimmer(scale)},
                      .swimmers = {}};
   const Index3 swimmers =

@@ -15,11 +15,6 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
                                                            {"json", ProgressStyle::json},
                                                            {"none", ProgressStyle::none}};
 
-const auto bead_boundaries = [] {
-  std::map<std::string, BeadScheme> by_name;
-  for (const BeadScheme scheme : all_bead_schemes) by_name[name_of(scheme)] = scheme;
-  return by_name;
-}();
 const std::map<std::string, Precision> precisions{{name_of(Precision::fp64), Precision::fp64},
                                                   {name_of(Precision::fp32), Precision::fp32}};
 
@@ -76,8 +71,8 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->check(relaxation_time())
       ->default_str("");
   add_word(
-      program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_boundaries), "staircase|cli|mr|psm",
-      name_of(options.bead_boundary),
+      program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_scheme_names()),
+      "staircase|cli|mr|psm", name_of(options.bead_boundary),
       "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
       "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
       "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
@@ -127,7 +122,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   Words words;
   add_flags(*program, options, words);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
-  options.bead_boundary = bead_boundaries.at(words.bead_boundary);
+  options.bead_boundary = bead_scheme_named(words.bead_boundary);
   options.delay_correction = words.delay_correction == "on";
   options.radius_correction = words.radius_correction == "on";
   options.precision = precisions.at(words.precision);

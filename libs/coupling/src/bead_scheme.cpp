@@ -1,5 +1,7 @@
 #include "beadswim/coupling/bead_scheme.hpp"
 
+#include "beadswim/core/error.hpp"
+
 namespace beadswim {
 
 std::string name_of(BeadScheme scheme) {
@@ -14,6 +16,19 @@ std::string name_of(BeadScheme scheme) {
       return "psm";
   }
   return "";
+}
+
+std::vector<std::string> bead_scheme_names() {
+  std::vector<std::string> names;
+  for (const BeadScheme scheme : all_bead_schemes) names.push_back(name_of(scheme));
+  return names;
+}
+
+BeadScheme bead_scheme_named(const std::string& name) {
+  for (const BeadScheme scheme : all_bead_schemes) {
+    if (name_of(scheme) == name) return scheme;
+  }
+  throw InputError("no bead boundary scheme is called '" + name + "'");
 }
 
 }  // namespace beadswim

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 namespace beadswim {
 
@@ -18,6 +19,8 @@ inline constexpr std::array all_bead_schemes{BeadScheme::staircase, BeadScheme::
                                              BeadScheme::psm};
 
 std::string name_of(BeadScheme scheme);
+std::vector<std::string> bead_scheme_names();
+BeadScheme bead_scheme_named(const std::string& name);  ///< Throws InputError for a name that none has.
 
 constexpr bool has_links(BeadScheme scheme) {
   return scheme != BeadScheme::psm;
