@@ -123,5 +123,17 @@ TEST(Decomposition, RefusesMoreRanksThanCellsCanShare) {
   EXPECT_THROW(Decomposition(Index3(2, 2, 1), 5), InputError);
 }
 
+TEST(Halo, RefusesBlocksTooThinForWhatIsBehind) {
+  const Communicator world(MPI_COMM_WORLD);
+  const auto halo = [&](int cells, HaloContent content) {
+    const Decomposition decomposition(Index3(4, 4, cells * world.size()), world.size());
+    Halo(world, decomposition, all_periodic, content);
+  };
+  EXPECT_NO_THROW(halo(1, HaloContent::entering));
+  EXPECT_NO_THROW(halo(2, HaloContent::behind));
+  if (world.size() % 2 == 0) return;  // cut across y as well
+  EXPECT_THROW(halo(1, HaloContent::behind), InputError);
+}
+
 }  // namespace
 }  // namespace beadswim::test
