@@ -159,6 +159,13 @@ stroke_is_right on
 has_status 0
 stroke_is_right off
 has_status 1
+# Whether beads are too light for the coupling goes by their density on the lattice.
+small --period 100 --amplitude 0.02 --bead-density 0.2 >light.json
+run beadswim-run light.json -o light.h5md --cycles 0.1 --progress none
+has_status 0
+err_empty
+run beadswim-run light.json -o light.h5md --cycles 0.1 --progress none --delay-correction off
+err_has 'warning: beads of 0.2 times .* on the lattice'
 refuses 'delay-correction: maybe' beadswim-run layout.json -o x.h5md --delay-correction maybe
 refuses 'radius-correction: maybe' beadswim-run layout.json -o x.h5md --radius-correction maybe
 refuses 'bead-boundary: sphere' beadswim-run layout.json -o x.h5md --bead-boundary sphere
