@@ -9,10 +9,12 @@ for period in 2000 4800; do
     layout=$folder/swimmer-T$period-A$amplitude.layout.json
     beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic --period "$period" \
       --amplitude "$amplitude" >"$layout"
-    for scheme in staircase cli; do
-      name=swimmer-$scheme-T$period-A$amplitude
-      mpirun -n 2 beadswim-run "$layout" -o "$folder/$name.h5md" --bead-boundary $scheme --cycles 6 \
+    measure() { # SCHEME [FLAGS...]
+      local name=swimmer-$1-T$period-A$amplitude
+      mpirun -n 2 beadswim-run "$layout" -o "$folder/$name.h5md" --bead-boundary "$@" --cycles 6 \
         >"$folder/$name.json" </dev/null
-    done
+    }
+    measure mr
+    measure staircase --radius-correction off --delay-correction off  # the paper's
   done
 done
