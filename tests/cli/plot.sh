@@ -183,6 +183,14 @@ refuses '--reference: has no meaning for stroke' beadswim-plot stroke run.json -
 refuses '--axes: has no meaning for speed-against-error' \
   beadswim-plot speed-against-error run.json --reference run.json --axes linear
 
+# --- the figure and the table of docs/resolution.md are those of the records
+results=$BEADSWIM_SOURCE/docs/results
+jq -c 'select(.resolution.density_on_lattice != 1)' "$results/resolution.jsonl" >corrected.jsonl
+same_bytes "beadswim-plot speed-against-error corrected.jsonl --reference $results/resolution-reference.json" \
+  "cat $BEADSWIM_SOURCE/docs/images/speed-against-error.svg"
+same_bytes "jq -rs --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
+  "grep '^|' $BEADSWIM_SOURCE/docs/resolution.md"
+
 # --- what it refuses
 refuses 'KIND: none given; there are stroke, velocity-against-period, separation, speed-against-error' beadswim-plot
 refuses 'KIND: unknown "strok"; did you mean "stroke"' beadswim-plot strok run.json
