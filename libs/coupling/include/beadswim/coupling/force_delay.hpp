@@ -18,7 +18,7 @@ constexpr double force_delay(double relaxation_time) {
 }
 
 /// The bead in lattice units, denser by what makes up for the delay: 9 nu t_d / (2 R^2) of the fluid's
-/// density. Its moment of inertia grows in proportion, by 3/10 of what its torque's delay takes.
+/// density. Its moment of inertia grows in proportion, by a third or so of what its torque's delay takes.
 Bead made_up_for_delay(Bead bead, double relaxation_time);
 
 }  // namespace beadswim
