@@ -1,6 +1,6 @@
 # The table of docs/resolution.md, from the records of resolution.sh.
 def mean: add / length;
-def spread: mean as $m | map(. - $m | . * .) | mean | sqrt;
+def spread: mean as $m | (map(. - $m | . * .) | add) / (length - 1) | sqrt;  # of one, not of the mean
 def median: sort | (.[(length - 1) / 2 | floor] + .[length / 2 | floor]) / 2;
 def two_digits: . * 100 | round | "\(. / 100 | floor).\("0\(. % 100)" | .[-2:])";
 def percent: (if . < 0 then "-" else "+" end) + (100 * fabs | two_digits);

@@ -60,6 +60,7 @@ second_half() {
 }
 
 first_half >first.part &
+trap 'kill $! 2>/dev/null || true' EXIT
 second_half >second.part
 wait $!
 cat first.part second.part psm-8.part >resolution.jsonl

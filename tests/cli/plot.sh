@@ -172,10 +172,23 @@ accepts beadswim-plot speed-against-error two_settings.jsonl --reference predict
 out_has '>cli, τ = 1.5, single<'
 out_has 'against multipole-ode'
 refuses '--reference: none given' beadswim-plot speed-against-error several.jsonl
-refuses 'several.jsonl: holds several documents' \
+refuses 'several.jsonl: holds several' \
   beadswim-plot speed-against-error several.jsonl --reference several.jsonl
 refuses 'draws runs alone; name a prediction with --reference' \
   beadswim-plot speed-against-error run.json prediction.json --reference prediction.json
+accepts beadswim-plot speed-against-error several.jsonl --reference prediction.json --method rpy-perturbation
+out_has 'against rpy-perturbation'
+refuses 'prediction.json: holds several' \
+  beadswim-plot speed-against-error run.json --reference prediction.json --method all
+refuses 'prediction_shorter_period.json: predicts for a period of 2000, and run.json has 4800' \
+  beadswim-plot speed-against-error run.json --reference prediction_shorter_period.json
+refuses 'run_shorter_period.json: is of another scene .* than run.json' \
+  beadswim-plot speed-against-error run.json run_shorter_period.json --reference prediction.json
+refuses 'run.json: has an error of 0 in its velocity.*is it the reference itself' \
+  beadswim-plot speed-against-error run.json --reference run.json
+{ cat several.jsonl; scaled 1.02 2 5 '| .resolution.density_on_lattice = 2'; } >corrections.jsonl
+refuses 'corrections.jsonl line 5: differs from .* line 1 in --radius-correction or --delay-correction alone' \
+  beadswim-plot speed-against-error corrections.jsonl --reference run.json
 jq 'del(.cost)' run.json >free.json
 refuses 'free.json: does not say its cost' beadswim-plot speed-against-error free.json --reference run.json
 refuses 'si.json: is in other units than run.json' beadswim-plot speed-against-error run.json --reference si.json

@@ -104,6 +104,7 @@ for ranks in 2 3; do
 done
 check "2 and 3 ranks end in different states" \
   test "$(jq .state_sha256 cli2.json)" = "$(jq .state_sha256 cli3.json)"
+check "multireflection is the default" test "$(jq -r .resolution.bead_boundary double.json)" = mr
 check "the scheme is on record" test "$(jq -r .resolution.bead_boundary cli2.json)" = cli
 jq -s 'map(.swimmers[0].cycles[-1])' double.json cli2.json >both.json
 check "the stroke is another one, and near" \

@@ -36,6 +36,20 @@ CoupledScene side_by_side() {
   return scene;
 }
 
+/// So long that ranks cut across x, through beads; where one rank holds it all, links wrap around rows.
+CoupledScene cut_across_x() {
+  CoupledScene scene = small_swimmer(Index3(44, 8, 8), Vec3(21.9, 4.1, 3.7), Vec3::UnitX());
+  scene.swimmers.push_back({.id = 4, .type = 0, .position = Vec3(43.9, 3.6, 4.4), .axis = Vec3::UnitX()});
+  return scene;
+}
+
+/// The same between mirrors, a bead within a cell of one of them.
+CoupledScene between_mirrors_along_x() {
+  CoupledScene scene = small_swimmer(Index3(36, 8, 8), Vec3(10.1, 4.1, 3.7), Vec3::UnitX());
+  scene.walls[0] = Wall::free_slip;
+  return scene;
+}
+
 /// Between walls of both kinds, beads within a cell of each.
 CoupledScene between_walls() {
   CoupledScene scene = small_swimmer(Index3(26, 14, 12), Vec3(13, 3.2, 8.7), Vec3::UnitX());
@@ -54,7 +68,8 @@ std::string final_state(const CoupledScene& scene, const Communicator& communica
 // Catches a missing exchange, a sum whose order depends on ranks, a bead lost or counted twice at a seam.
 TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
-  for (CoupledScene scene : {crossing_scene(), long_arms(), side_by_side(), between_walls()}) {
+  for (CoupledScene scene : {crossing_scene(), long_arms(), side_by_side(), cut_across_x(),
+                             between_mirrors_along_x(), between_walls()}) {
     for (const auto& [precision, scheme] :
          {std::pair{Precision::fp64, BeadScheme::staircase},
           std::pair{Precision::fp32, BeadScheme::staircase}, std::pair{Precision::fp64, BeadScheme::cli},
@@ -70,6 +85,12 @@ TEST(Seams, GiveTheBitsOfOneRank) {
       }
     }
   }
+}
+
+TEST(Seams, AreAcrossXToo) {
+  const Communicator world(MPI_COMM_WORLD);
+  const CoupledSystem system(cut_across_x(), world);
+  EXPECT_EQ(system.decomposition().grid()[0] > 1, world.size() > 1);
 }
 
 // What makes the test above worth its name: swimmers do change owners.

@@ -17,11 +17,13 @@ Figure draw(const PlotRequest& request) {
   const CycleChoice cycle = parse_cycle_choice(request.cycle);
   const auto against = parse_against(request.against);
   const Axes axes = parse_axes(request.axes);
+  if (request.kind == speed_kind) {
+    return speed_figure(read_plot_inputs(request.files, {}), {request.reference, request.methods, cycle});
+  }
   const PlotInputs inputs = read_plot_inputs(request.files, {request.methods, request.relative_to});
   if (request.kind == stroke_kind) {
     return against ? stroke_against(inputs, *against, cycle) : stroke_by_cycle(inputs);
   }
-  if (request.kind == speed_kind) return speed_figure(inputs, {request.reference, cycle});
   const Abscissa abscissa = request.kind == separation_kind ? Abscissa::separation_ratio : Abscissa::period;
   return velocity_figure(inputs, {abscissa, cycle, axes});
 }

@@ -42,7 +42,7 @@ void add_figure_flags(CLI::App& program, PlotRequest& request) {
   program
       .add_option("--reference", request.reference,
                   "From which errors are measured, for speed-against-error: a prediction, by its best usable "
-                  "method, or a run record.")
+                  "method or --method, or a run record of the same scene.")
       ->type_name("FILE")
       ->default_str("none");
   program
@@ -107,7 +107,6 @@ void require_consistent(const PlotRequest& request) {
   };
   if ((is_stroke || is_speed) && !request.relative_to.empty()) refuse("--relative-to");
   if ((is_stroke || is_speed) && request.axes != "auto") refuse("--axes");
-  if (is_speed && !request.methods.empty()) refuse("--method");
   if (!is_speed && !request.reference.empty()) refuse("--reference");
   if (is_speed && request.reference.empty()) {
     throw InputError("--reference", "none given; name a prediction or a run from which errors are measured");

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <map>
 
+#include "abscissa.hpp"
 #include "beadswim/core/error.hpp"
-#include "swimming_files.hpp"
 
 namespace beadswim {
 namespace {
@@ -15,38 +15,70 @@ namespace {
 /// From which errors are measured: a swimmer by a prediction, or each swimmer by a run.
 struct ErrorReference {
   std::string name;
-  std::vector<Swimming> swimmers;
+  std::vector<Swimming> swimmers;  ///< one for all, or one for each of a run's
 
   const Swimming& of(std::size_t swimmer) const {
     return swimmers.size() == 1 ? swimmers.front() : swimmers[swimmer];
   }
 };
 
-ErrorReference reference_of(const RunRecord& run, const CycleChoice& cycle, const std::string& source) {
-  ErrorReference reference{.name = run.model, .swimmers = {}};
-  if (run.resolution) {
-    reference.name = fmt::format("{}, {}, {:g} cells a radius", run.model, run.resolution->bead_boundary,
-                                 run.resolution->cells_per_radius);
+/// Whether two runs are of one scene, as far as their records say: then only resolutions set them apart.
+bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
+  const auto same_driving = [](const std::optional<DrivingRecord>& one,
+                               const std::optional<DrivingRecord>& other) {
+    if (!one || !other) return one.has_value() == other.has_value();
+    return one->amplitude == other->amplitude && one->phase == other->phase;
+  };
+  const auto same_box = [](const std::optional<Domain>& one, const std::optional<Domain>& other) {
+    if (!one || !other) return one.has_value() == other.has_value();
+    return one->lengths == other->lengths && one->boundary == other->boundary;
+  };
+  return a.driving_period == b.driving_period && same_driving(a.driving, b.driving) &&
+         same_box(a.domain, b.domain) &&
+         std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
+}
+
+void require_one_scene(const PlottedRun& run, const PlottedRun& other) {
+  if (are_of_one_scene(run.record, other.record)) return;
+  throw InputError(run.source,
+                   fmt::format("is of another scene (box, driving or swimmers) than {}; errors and "
+                               "speeds of one scene go into a figure",
+                               other.source));
+}
+
+/// Of the scene of `first`.
+ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, const CycleChoice& cycle) {
+  require_one_scene(run, first);
+  const RunRecord& record = run.record;
+  ErrorReference reference{.name = record.model, .swimmers = {}};
+  if (record.resolution) {
+    reference.name = fmt::format("{}, {}, {:g} cells a radius", record.model,
+                                 record.resolution->bead_boundary, record.resolution->cells_per_radius);
   }
-  for (const SwimmerRecord& swimmer : run.swimmers)
-    reference.swimmers.push_back(swimming_of(run, swimmer, cycle, source));
+  for (const SwimmerRecord& swimmer : record.swimmers)
+    reference.swimmers.push_back(swimming_of(record, swimmer, cycle, run.source));
   return reference;
 }
 
-ErrorReference reference_of(const PlottedPrediction& best) {
+ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& first) {
+  const auto period = number_setting(best.prediction, "period");
+  if (period && *period != first.record.driving_period) {
+    throw InputError(best.source, fmt::format("predicts for a period of {:g}, and {} has {:g}", *period,
+                                              first.source, first.record.driving_period));
+  }
   return {.name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}};
 }
 
 ErrorReference read_reference(const PlotInputs& inputs, const SpeedFigureOptions& options) {
-  const PlotInputs read = read_plot_inputs({options.reference}, {});
+  const PlotInputs read = read_plot_inputs({options.reference}, {options.methods});
   if (read.runs.size() + read.predictions.size() != 1) {
-    throw InputError(options.reference, "holds several documents; a reference is one run or prediction");
+    throw InputError(options.reference, "holds several; a reference is one run, or one method's prediction");
   }
-  if (!same_units(read.units, inputs.units)) {
-    throw InputError(options.reference, fmt::format("is in other units than {}", inputs.runs.front().source));
-  }
-  if (read.runs.empty()) return reference_of(read.predictions.front());
-  return reference_of(read.runs.front().record, options.cycle, read.runs.front().source);
+  const PlottedRun& first = inputs.runs.front();
+  if (!same_units(read.units, inputs.units))
+    throw InputError(options.reference, fmt::format("is in other units than {}", first.source));
+  return read.runs.empty() ? reference_of(read.predictions.front(), first)
+                           : reference_of(read.runs.front(), first, options.cycle);
 }
 
 /// Periods of driving that a run did: fractions too, where it has a lattice that says so.
@@ -68,14 +100,28 @@ double speed_of(const PlottedRun& run) {
   return 3600 * periods_done(run.record) / run.record.cost->core_seconds;
 }
 
+/// What sets runs apart beside the resolution: "mr, τ = 1.5, single".
 std::string setting_of(const RunRecord& record) {
   if (!record.resolution) return record.model;
-  return fmt::format("{}, τ = {:.2g}, {}", record.resolution->bead_boundary,
-                     record.resolution->relaxation_time, record.resolution->precision);
+  return fmt::format("{}, τ = {:g}, {}", record.resolution->bead_boundary,
+                     std::round(100 * record.resolution->relaxation_time) / 100,
+                     record.resolution->precision);
+}
+
+/// Whether beads are on the lattice what they are in the layout, or what corrections make of them, in both.
+void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
+  const auto &a = run.record.resolution, &b = other.record.resolution;
+  if (!a || (a->radius_on_lattice == b->radius_on_lattice && a->density_on_lattice == b->density_on_lattice))
+    return;
+  throw InputError(run.source,
+                   fmt::format("differs from {} in --radius-correction or --delay-correction alone; draw "
+                               "them in figures of their own",
+                               other.source));
 }
 
 /// Runs of one setting at one resolution.
 struct Measured {
+  const PlottedRun* first = nullptr;
   std::vector<double> speeds;
   std::map<ComparedQuantity, std::vector<double>> errors;  ///< relative
 };
@@ -83,10 +129,6 @@ struct Measured {
 void add(const PlottedRun& run, const ErrorReference& reference, const CycleChoice& cycle,
          Measured& measured) {
   const std::vector<SwimmerRecord>& swimmers = run.record.swimmers;
-  if (reference.swimmers.size() > 1 && reference.swimmers.size() != swimmers.size()) {
-    throw InputError(run.source, fmt::format("has {} swimmers, the reference {}", swimmers.size(),
-                                             reference.swimmers.size()));
-  }
   measured.speeds.push_back(speed_of(run));
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     const Swimming swimming = swimming_of(run.record, swimmers[s], cycle, run.source);
@@ -119,7 +161,11 @@ BySetting measured_by_setting(const PlotInputs& inputs, const ErrorReference& re
     auto setting = std::ranges::find(all, name, &BySetting::value_type::first);
     if (setting == all.end()) setting = all.insert(all.end(), {name, {}});
     const double cells = run.record.resolution ? run.record.resolution->cells_per_radius : 0;
-    add(run, reference, cycle, setting->second[cells]);
+    Measured& measured = setting->second[cells];
+    if (measured.first == nullptr) measured.first = &run;
+    require_one_scene(run, inputs.runs.front());
+    require_same_corrections(run, *measured.first);
+    add(run, reference, cycle, measured);
   }
   return all;
 }
@@ -138,8 +184,16 @@ Panel panel_of(const BySetting& all, ComparedQuantity quantity, const std::strin
                   .dash = position};
     for (const auto& [cells, measured] : points) {
       if (!measured.errors.contains(quantity)) continue;
-      series.x.push_back(100 * root_mean_square(measured.errors.at(quantity)));
-      series.y.push_back(median(measured.speeds));
+      const double error = root_mean_square(measured.errors.at(quantity)), speed = median(measured.speeds);
+      if (!(error > 0 && std::isfinite(error) && speed > 0 && std::isfinite(speed))) {
+        throw InputError(
+            measured.first->source,
+            fmt::format("has an error of {:g} in its {} and does {:g} periods in an hour, which no "
+                        "logarithmic axis holds; is it the reference itself?",
+                        error, what, speed));
+      }
+      series.x.push_back(100 * error);
+      series.y.push_back(speed);
     }
     panel.series.push_back(series);
   }

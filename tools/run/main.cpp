@@ -81,7 +81,8 @@ void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_erro
   if (on_lattice.density_on_lattice() < light) {
     tell(fmt::format(
         "beadswim-run: warning: beads of {:.3g} times the fluid's density on the lattice; the coupling is "
-        "explicit, and below {} it may become unstable: a larger --relaxation-time helps\n",
+        "explicit, and below {} it may become unstable; --delay-correction on helps, with it a larger "
+        "--relaxation-time\n",
         on_lattice.density_on_lattice(), light));
   }
   if (!precision_error || *precision_error <= tolerated_precision_error) return;

@@ -198,10 +198,10 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
            const std::array<Wall, 3>& walls, HaloContent content)
     : comm_(communicator.get()), rank_(communicator.rank()), content_(content) {
   if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
-    throw InputError(
-        fmt::format("{} ranks cut the box into blocks a single cell thick, too thin for what multireflection "
-                    "reads across them; use fewer ranks",
-                    communicator.size()));
+    throw InputError(fmt::format(
+        "a block is a single cell thick on {} ranks, too thin for what multireflection reads; use "
+        "fewer ranks, or another --bead-boundary",
+        communicator.size()));
   }
   const Index3 position = decomposition.grid_position(rank_);
   for (int axis = 0; axis < 3; ++axis) {

@@ -129,7 +129,8 @@ class Coverage {
   std::ptrdiff_t cell(int x, int y, int z) const { return origin_ + x + pitch_y_ * y + pitch_z_ * z; }
   const Index3& block_size() const { return at_.block.size; }
 
-  /// `cell`, whose local coordinate is x, or the own cell of which it is the periodic image along an uncut x.
+  /// `cell`, whose local coordinate is x; or, beyond the ends of a row that wraps around within the block
+  /// (RowEnds::wrapped), the cell of the row that it is an image of.
   std::ptrdiff_t wrapped_along_x(std::ptrdiff_t cell, int x) const {
     const int cells = at_.block.size[0];
     if (!at_.periodic[0] || cells != at_.cells[0] || (x >= 0 && x < cells)) return cell;
