@@ -17,7 +17,8 @@ std::vector<double> terms_of_many_sizes() {
   std::mt19937 random(7);  // seed 7
   std::uniform_real_distribution<double> mantissa(-1, 1), exponent(-40, 8);
   std::vector<double> terms;
-  for (int n = 0; n < 10000; ++n) terms.push_back(std::ldexp(mantissa(random), static_cast<int>(exponent(random))));
+  for (int n = 0; n < 10000; ++n)
+    terms.push_back(std::ldexp(mantissa(random), static_cast<int>(exponent(random))));
   return terms;
 }
 

@@ -9,8 +9,8 @@ namespace {
 
 TEST(NearestName, FindsTheLikelyMeaning) {
   const std::vector<std::string> names{"radius", "density", "damping", "stiffness"};
-  EXPECT_EQ(nearest_name("raduis", names), "radius");     // neighbours swapped
-  EXPECT_EQ(nearest_name("dampng", names), "damping");    // a letter missing
+  EXPECT_EQ(nearest_name("raduis", names), "radius");   // neighbours swapped
+  EXPECT_EQ(nearest_name("dampng", names), "damping");  // a letter missing
   EXPECT_EQ(nearest_name("stifness", names), "stiffness");
   EXPECT_EQ(nearest_name("x", {}), "");
 }
