@@ -7,6 +7,11 @@ small() {
 }
 # A condition on a JSON document.
 holds() { jq -e "$1" "$2" >/dev/null; }
+# A condition, as it goes on after "ratio", on each arm amplitude of RUN over that of OTHER, in their last cycles.
+stroke_over() { # OTHER RUN CONDITION
+  jq -se "map(.swimmers[0].cycles[-1].arm_amplitudes) | [.[1], .[0]] | transpose | map(.[0] / .[1] $3) | all" \
+    "$1" "$2" >/dev/null
+}
 quiet=(--cycles 2 --progress none --no-provenance)
 small --period 100 --amplitude 0.02 >layout.json
 
@@ -106,9 +111,7 @@ check "2 and 3 ranks end in different states" \
   test "$(jq .state_sha256 cli2.json)" = "$(jq .state_sha256 cli3.json)"
 check "multireflection is the default" test "$(jq -r .resolution.bead_boundary double.json)" = mr
 check "the scheme is on record" test "$(jq -r .resolution.bead_boundary cli2.json)" = cli
-jq -s 'map(.swimmers[0].cycles[-1])' double.json cli2.json >both.json
-check "the stroke is another one, and near" \
-  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 0.001 and . < 0.2) | all' both.json
+check "the stroke is another one, and near" stroke_over double.json cli2.json '- 1 | fabs | . > 0.001 and . < 0.2'
 for ranks in 1 3; do
   run mpirun -n $ranks beadswim-run strong.json -o mr$ranks.h5md --cycles 2 --bead-boundary mr --progress none
   has_status 0
@@ -116,17 +119,13 @@ for ranks in 1 3; do
 done
 check "1 and 3 ranks end in different states" \
   test "$(jq .state_sha256 mr1.json)" = "$(jq .state_sha256 mr3.json)"
-jq -s 'map(.swimmers[0].cycles[-1])' cli2.json mr1.json >both.json
-check "multireflection gives another stroke, and near" \
-  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 1e-5 and . < 0.05) | all' both.json
+check "multireflection gives another stroke, and near" stroke_over cli2.json mr1.json '- 1 | fabs | . > 1e-5 and . < 0.05'
 small --period 150 >even.json
 refuses 'relaxation-time: 0.875 leaves multireflection' beadswim-run even.json -o x.h5md --bead-boundary mr \
   --relaxation-time 0.875
 run beadswim-run strong.json -o psm.h5md --cycles 2 --bead-boundary psm --progress none
 has_status 0
-jq -s 'map(.swimmers[0].cycles[-1])' cli2.json out >both.json
-check "saturated cells give another stroke, and near" \
-  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 1e-5 and . < 0.1) | all' both.json
+check "saturated cells give another stroke, and near" stroke_over cli2.json out '- 1 | fabs | . > 1e-5 and . < 0.1'
 
 # --- corrections: on record; without them a cli bead is smaller, and so swings more, and lighter
 check "the bead is larger for cli, which makes it seem too small" \
@@ -134,18 +133,14 @@ check "the bead is larger for cli, which makes it seem too small" \
 run beadswim-run strong.json -o smaller.h5md --cycles 2 --bead-boundary cli --radius-correction off --progress none
 has_status 0
 check "the radius on the lattice is the layout's" holds '.resolution | .radius_on_lattice == .cells_per_radius' out
-jq -s 'map(.swimmers[0].cycles[-1])' cli2.json out >both.json
-check "the stroke is larger" \
-  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] | . > 1.005 and . < 1.1) | all' both.json
+check "the stroke is larger" stroke_over cli2.json out '| . > 1.005 and . < 1.1'
 check "the bead is denser by 9 nu t_d/(2 R^2)" \
   holds '.resolution | .kinematic_viscosity_lattice as $nu
     | .density_on_lattice - 1 - 4.5 * $nu * (1 + 4.5 * $nu) / (.cells_per_radius * .cells_per_radius) | fabs | . < 1e-9' cli2.json
 run beadswim-run strong.json -o lighter.h5md --cycles 2 --bead-boundary cli --delay-correction off --progress none
 has_status 0
 check "the density on the lattice is the layout's" holds '.resolution.density_on_lattice == 1' out
-jq -s 'map(.swimmers[0].cycles[-1])' cli2.json out >both.json
-check "the stroke is another one" \
-  holds '[.[1].arm_amplitudes, .[0].arm_amplitudes] | transpose | map(.[0] / .[1] - 1 | fabs | . > 1e-5 and . < 0.2) | all' both.json
+check "the stroke is another one" stroke_over cli2.json out '- 1 | fabs | . > 1e-5 and . < 0.2'
 # In coarse steps, a hundred a cycle, the delay is 5 of them: strokes are right with its correction alone.
 beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --period 2000 --amplitude 0.2 >coarse.json
 beadswim-theory coarse.json --method inertia-corrected >coarse-theory.json

@@ -62,17 +62,18 @@ scene large-walled --radius 4 --arm 20 --box 128,128,128 --boundary free-slip,no
 declare -A cycles=([small-periodic]=0.2 [dense-periodic]=0.2 [large-periodic]=0.02 [large-walled]=0.02)
 
 # The same beads in every revision, whatever its defaults.
-plain_beads() { # PROGRAMS
-  local help flag
-  help=$("$1/beadswim-run" --help)
+declare -A beads
+for programs in "$this" "$other"; do
+  help=$("$programs/beadswim-run" --help)
   for flag in '--bead-boundary staircase' '--radius-correction off' '--delay-correction off'; do
-    if [[ $help == *"${flag% *}"* ]]; then echo "${flag% *} ${flag#* }"; fi
+    if [[ $help == *"${flag% *}"* ]]; then beads[$programs]+=" $flag"; fi
   done
-}
+done
+
 mlups() { # PROGRAMS SCENE
-  # shellcheck disable=SC2046
+  # shellcheck disable=SC2086
   mpirun -n "$ranks" "$1/beadswim-run" "$2.json" -o "$2.h5md" --cycles "${cycles[$2]}" --frames-per-cycle 4 \
-    --progress none $(plain_beads "$1") | jq -e '.cost.mlups | select(. > 0)'
+    --progress none ${beads[$1]-} | jq -e '.cost.mlups | select(. > 0)'
 }
 for ((round = 1; round <= rounds; ++round)); do
   for name in small-periodic dense-periodic large-periodic large-walled; do

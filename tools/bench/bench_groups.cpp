@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/median.hpp"
 #include "scenes.hpp"
 #include "timing.hpp"
 

@@ -70,10 +70,4 @@ std::vector<std::vector<double>> time_in_rounds(const std::vector<BenchCase>& ca
   return seconds;
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
-}
-
 }  // namespace beadswim

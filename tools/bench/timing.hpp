@@ -13,7 +13,4 @@ namespace beadswim {
 std::vector<std::vector<double>> time_in_rounds(const std::vector<BenchCase>& cases, int rounds,
                                                 const Communicator& communicator);
 
-/// Of an even number of values the mean of the middle two.
-double median(std::vector<double> values);
-
 }  // namespace beadswim

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "abscissa.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/median.hpp"
 
 namespace beadswim {
 namespace {
@@ -24,17 +26,7 @@ struct ErrorReference {
 
 /// Whether two runs are of one scene, as far as their records say: then only resolutions set them apart.
 bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
-  const auto same_driving = [](const std::optional<DrivingRecord>& one,
-                               const std::optional<DrivingRecord>& other) {
-    if (!one || !other) return one.has_value() == other.has_value();
-    return one->amplitude == other->amplitude && one->phase == other->phase;
-  };
-  const auto same_box = [](const std::optional<Domain>& one, const std::optional<Domain>& other) {
-    if (!one || !other) return one.has_value() == other.has_value();
-    return one->lengths == other->lengths && one->boundary == other->boundary;
-  };
-  return a.driving_period == b.driving_period && same_driving(a.driving, b.driving) &&
-         same_box(a.domain, b.domain) &&
+  return a.driving_period == b.driving_period && a.driving == b.driving && a.domain == b.domain &&
          std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
 }
 
@@ -139,11 +131,6 @@ void add(const PlottedRun& run, const ErrorReference& reference, const CycleChoi
   }
 }
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
-}
-
 double root_mean_square(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value * value;
@@ -201,12 +188,12 @@ Panel panel_of(const BySetting& all, ComparedQuantity quantity, const std::strin
 }
 
 std::string resolutions_note(const BySetting& all) {
-  std::map<double, bool> known;
-  for (const auto& setting : all) {
-    for (const auto& point : setting.second) known[point.first] = true;
+  std::set<double> known;
+  for (const auto& [name, points] : all) {
+    for (const auto& [cells, measured] : points) known.insert(cells);
   }
   std::string text;
-  for (const auto& [cells, is_known] : known) {
+  for (const double cells : known) {
     if (cells > 0) text += fmt::format("{}{:g}", text.empty() ? "" : ", ", cells);
   }
   return text.empty() ? text : "From above along a line: " + text + " cells a radius, as far as it was run";

@@ -41,6 +41,10 @@ void add_word(CLI::App& program, const std::string& flag, std::string& word, con
   program.add_option(flag, word, help)->check(one_of)->type_name(names)->default_val(initial);
 }
 
+std::string on_or_off(bool choice) {
+  return choice ? "on" : "off";
+}
+
 void add_flags(CLI::App& program, RunOptions& options, Words& words) {
   program.add_option("LAYOUT", options.layout, "Layout, as beadswim-layout writes it; - for standard input.");
   program
@@ -78,11 +82,11 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
       "exact part of it that the bead fills.");
   add_word(program, "--delay-correction", words.delay_correction, CLI::IsMember({"on", "off"}), "on|off",
-           "on",
+           on_or_off(options.delay_correction),
            "on: beads are heavier on the lattice by what makes up for the time by which the fluid's force "
            "comes late there, 3/2 (tau - 1/2) + 1 steps; the record says the density.");
   add_word(program, "--radius-correction", words.radius_correction, CLI::IsMember({"on", "off"}), "on|off",
-           "on",
+           on_or_off(options.radius_correction),
            "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
            "cell, is "
            "that of the layout's radius; the record says which.");

@@ -37,6 +37,8 @@ enum class Boundary { periodic, free_slip, no_slip };
 struct Domain {
   Vec3 lengths = Vec3::Zero();
   std::array<Boundary, 3> boundary{};
+
+  bool operator==(const Domain&) const = default;
 };
 
 /// One swimmer: its type, where it is, and its own driving (its type's unless overridden).

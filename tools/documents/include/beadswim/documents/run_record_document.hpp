@@ -26,6 +26,8 @@ struct SwimmerRecord {
 struct DrivingRecord {
   std::array<double, 2> amplitude{};  ///< A, B [mass length/time^2]
   double phase = 0;                   ///< alpha [radian]
+
+  bool operator==(const DrivingRecord&) const = default;
 };
 
 /// Of fluid and beads [mass length/time].
