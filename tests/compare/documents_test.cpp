@@ -69,6 +69,8 @@ TEST(RunRecord, SurvivesTheWayThroughText) {
   EXPECT_EQ(cycle.mean_flow, Vec3(4e-9, 5e-9, 6e-9));
   EXPECT_EQ(cycle.arm_phases[1], 3.1);
   EXPECT_EQ(through_text(record).resolution->kinematic_viscosity_lattice, 1.0 / 3);
+  EXPECT_EQ(through_text(record).resolution->density_on_lattice, 1.2344);
+  EXPECT_EQ(through_text(record).resolution->radius_on_lattice, 4.0209);
 }
 
 TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
