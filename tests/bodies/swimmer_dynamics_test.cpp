@@ -99,5 +99,21 @@ TEST(SubSteps, KeepAStiffSwimmerStable) {
   EXPECT_EQ(substeps_for(symmetric_swimmer(), 0.01), 1);
 }
 
+// A spring whose vibration the step resolves stays as it is; a stiffer one gets k step/2, or half of
+// critical, and keeps what it has if that is more.
+TEST(StiffSprings, GetADashpotWhereStepsAreTooLong) {
+  SwimmerType type = symmetric_swimmer();
+  const double reduced_mass = 0.5 * mass(type.beads[0]);
+  const auto damping = [&](double omega_step, double own) {
+    type.springs.fill(
+        {.stiffness = reduced_mass * omega_step * omega_step, .rest_length = 5, .damping = own});
+    return with_damped_vibrations(type, 1).springs[1].damping;
+  };
+  EXPECT_EQ(damping(0.49, 0), 0);
+  EXPECT_NEAR(damping(1, 0), 0.5 * reduced_mass, 1e-12);
+  EXPECT_NEAR(damping(30, 0), 30 * reduced_mass, 1e-12);
+  EXPECT_EQ(damping(1, 7), 7);
+}
+
 }  // namespace
 }  // namespace beadswim

@@ -49,6 +49,12 @@ RunRecord full_record() {
                         .cell_updates = 768000000000,
                         .mlups = 80,
                         .peak_memory_bytes = 5000000000};
+  record.reason = "the time is over";
+  record.near_contact = NearContactRecord{.smallest_gap = 0.25,
+                                          .lubrication = true,
+                                          .normal_cut_off = 0.6,
+                                          .tangential_cut_off = 0.5,
+                                          .friction = 0.4};
   record.state_sha256 = std::string(64, 'a');
   record.provenance = Json::array({{{"program", "beadswim-run"}}});
   return record;
@@ -70,6 +76,9 @@ TEST(RunRecord, SurvivesTheWayThroughText) {
   EXPECT_EQ(cycle.arm_phases[1], 3.1);
   EXPECT_EQ(through_text(record).resolution->kinematic_viscosity_lattice, 1.0 / 3);
   EXPECT_EQ(through_text(record).resolution->density_on_lattice, 1.2344);
+  EXPECT_EQ(through_text(record).reason, "the time is over");
+  EXPECT_EQ(through_text(record).near_contact->smallest_gap, 0.25);
+  EXPECT_EQ(through_text(record).near_contact->tangential_cut_off, 0.5);
   EXPECT_EQ(through_text(record).resolution->radius_on_lattice, 4.0209);
 }
 
@@ -115,6 +124,7 @@ TEST(RunRecord, RefusesValuesThatCannotBe) {
   refused("/swimmers/0/cycles/0/arm_amplitudes/0", -1);
   refused("/swimmers/0/cycles/0/arm_phases/0", 3.2);
   refused("/resolution/relaxation_time", 0.5);
+  refused("/near_contact/friction", -1);
   refused("/state_sha256", "abc");
   refused("/unheard_of", 1);
 }

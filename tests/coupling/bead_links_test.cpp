@@ -260,24 +260,5 @@ TEST_P(BeadLinksIn, OfACellAreFoundFromTheCell) {
   });
 }
 
-// Catches an error that looks for the other bead among rows that are not there yet.
-TEST(Coverage, NamesBothBeadsThatOverlap) {
-  const Shape& shape = shapes.back();
-  const BlockInLattice at{.block = shape.block, .cells = lattice, .periodic = shape.periodic};
-  std::vector<BeadOnLattice> beads(2);
-  for (int b = 0; b < 2; ++b) {
-    beads[b].name = {4, 2 * b};
-    beads[b].radius = 2.5;
-    beads[b].motion.position = Vec3(9 + 2 * b, 11, 9.5);
-  }
-  Coverage coverage(at, Populations(at.block.size));
-  try {
-    coverage.update(beads);
-    FAIL() << "beads that overlap were accepted";
-  } catch (const SolverError& error) {
-    EXPECT_THAT(error.what(), testing::StartsWith("bead 1 of swimmer 4 and bead 3 of swimmer 4 overlap"));
-  }
-}
-
 }  // namespace
 }  // namespace beadswim::test

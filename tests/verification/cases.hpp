@@ -54,4 +54,7 @@ std::string report_galilean_invariance(const std::vector<Json>& records);
 void measure_conservation(BeadScheme scheme, Extent extent, const Emit& emit);
 std::string report_conservation(const std::vector<Json>& records);
 
+void measure_near_contact(BeadScheme scheme, Extent extent, const Emit& emit);
+std::string report_near_contact(const std::vector<Json>& records);
+
 }  // namespace beadswim::verification

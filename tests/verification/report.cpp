@@ -44,6 +44,7 @@ const std::vector<Case>& all_cases() {
       {"oscillation", measure_oscillation, report_oscillation},
       {"galilean-invariance", measure_galilean_invariance, report_galilean_invariance},
       {"conservation", measure_conservation, report_conservation},
+      {"near-contact", measure_near_contact, report_near_contact},
   };
   return cases;
 }

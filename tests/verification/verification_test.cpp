@@ -59,7 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                                      Bound{"hydrodynamic-radius", 0.08, 0.05}, Bound{"torque", 0.06, 0.03},
                                      Bound{"collinear-spheres", 0.06, 0.01},
                                      Bound{"sedimentation", 0.03, 0.02}, Bound{"oscillation", 0.04, 0.01},
-                                     Bound{"galilean-invariance", 0.002, 0}, Bound{"conservation", 1e-12, 0}),
+                                     Bound{"galilean-invariance", 0.002, 0}, Bound{"conservation", 1e-12, 0},
+                                     Bound{"near-contact", 0.08, 0.1}),
                      testing::ValuesIn(all_bead_schemes)),
     [](const auto& info) {
       std::string name = std::get<0>(info.param).name + "_" + name_of(std::get<1>(info.param));

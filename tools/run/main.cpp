@@ -21,6 +21,12 @@ namespace {
 
 using namespace beadswim;
 
+/// The solver failed, results intact: known to every rank.
+class RunFailed : public SolverError {
+ public:
+  using SolverError::SolverError;
+};
+
 /// Standard input belongs to rank 0: it reads the text, all ranks get it.
 std::string read_text_once(const std::string& path, const Communicator& communicator) {
   std::string text, failure;
@@ -93,6 +99,17 @@ void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_erro
                                                   : "more than itself, as to second order it is zero"));
 }
 
+/// A lattice fluid is nearly incompressible only while it is slow.
+void warn_if_fast(double mach, const Communicator& communicator) {
+  constexpr double fast = 0.3;
+  if (mach <= fast || !communicator.is_root()) return;
+  tell(fmt::format(
+      "beadswim-run: warning: beads reached Mach {:.2g}, where the fluid's compressibility, some {:.0f} % "
+      "there, changes what they do; take a smaller step by a smaller --relaxation-time or more "
+      "--cells-per-radius\n",
+      mach, 100 * mach * mach));
+}
+
 constexpr const char* program_name = "beadswim-run";
 
 /// For a failure that may be known to this rank alone: it speaks, and takes the others with it.
@@ -148,17 +165,22 @@ int run(int argc, char** argv, const Communicator& communicator) {
   } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
     stop_all_ranks(communicator);
   }
+  warn_if_fast(system.largest_bead_speed() * std::sqrt(3.0), communicator);
+  if (outcome.status == RunStatus::failed) throw RunFailed(outcome.reason);
   if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// Wrong input and early stops are known to every rank: rank 0 speaks, all leave.
+/// Wrong input, faults of a run and early stops are known to every rank: rank 0 speaks, all leave.
 int report_failure(const Communicator& communicator) {
   try {
     throw;
   } catch (const InputError&) {
     return communicator.is_root() ? report_current_exception(program_name)
                                   : static_cast<int>(ExitStatus::bad_input);
+  } catch (const RunFailed&) {
+    return communicator.is_root() ? report_current_exception(program_name)
+                                  : static_cast<int>(ExitStatus::failed);
   } catch (const StoppedEarly&) {
     return communicator.is_root() ? report_current_exception(program_name)
                                   : static_cast<int>(ExitStatus::stopped_early);

@@ -32,7 +32,7 @@ CLI::Validator relaxation_time() {
 
 /// Flags whose values are words.
 struct Words {
-  std::string model, bead_boundary, delay_correction, radius_correction, precision, progress;
+  std::string model, bead_boundary, delay_correction, radius_correction, lubrication, precision, progress;
 };
 
 /// A flag that takes one of some words; `names`: as --help lists them.
@@ -90,6 +90,14 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
            "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
            "cell, is "
            "that of the layout's radius; the record says which.");
+  add_word(program, "--lubrication", words.lubrication, CLI::IsMember({"on", "off"}), "on|off",
+           on_or_off(options.lubrication),
+           "on: beads closer than the lattice resolves feel the rest of the film's resistance; the record "
+           "says below which gaps. Beads that touch repel each other either way.");
+  program
+      .add_option("--friction", options.friction,
+                  "Coulomb's coefficient of friction between beads that touch, no unit.")
+      ->check(finite_non_negative());
   add_word(program, "--precision", words.precision, CLI::IsMember(precisions), "double|single",
            name_of(Precision::fp64),
            "Of the populations. single takes half the memory and somewhat over half the time; the run "
@@ -129,6 +137,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   options.bead_boundary = bead_scheme_named(words.bead_boundary);
   options.delay_correction = words.delay_correction == "on";
   options.radius_correction = words.radius_correction == "on";
+  options.lubrication = words.lubrication == "on";
   options.precision = precisions.at(words.precision);
   options.progress = progress_styles.at(words.progress);
   options.provenance = provenance_record(*program);

@@ -23,6 +23,8 @@ struct RunOptions {
   BeadScheme bead_boundary = BeadScheme::mr;
   bool delay_correction = true;
   bool radius_correction = true;
+  bool lubrication = true;
+  double friction = 0.5;
   Precision precision = Precision::fp64;
   std::optional<double> time_limit;  ///< [s]
   std::optional<double> flow_every;  ///< [cycle]

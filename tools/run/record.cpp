@@ -58,24 +58,34 @@ std::optional<DrivingRecord> shared_driving(const Layout& layout) {
   return DrivingRecord{first.amplitude, first.phase};
 }
 
+NearContactRecord near_contact_of(const CoupledSystem& system, const SceneOnLattice& on_lattice) {
+  const NearContactLaw law = near_contact_law(on_lattice.scene);
+  const double cell = on_lattice.lattice.scales.cell, gap = system.smallest_gap();
+  return {.smallest_gap = std::isfinite(gap) ? std::optional(gap * cell) : std::nullopt,
+          .lubrication = on_lattice.scene.lubrication,
+          .normal_cut_off = law.range.normal * cell,
+          .tangential_cut_off = law.range.tangential * cell,
+          .friction = law.friction};
+}
+
 }  // namespace
 
 RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, const LayoutDocument& document,
                       const RunOutcome& outcome, const RunOptions& options) {
-  const SceneTotals totals = parts.system.totals();
-  const SceneTotals& first = parts.recorder.first_totals();
+  const SceneTotals &first = outcome.first_totals, &last = outcome.last_totals;
   const LatticeScales& scales = on_lattice.lattice.scales;
   RunRecord record;
   record.model = "lbm";
   record.status = outcome.status;
+  record.reason = outcome.reason;
   record.units = document.layout.units;
   record.domain = document.layout.domain;
   record.driving_period = on_lattice.period;
   record.driving = shared_driving(document.layout);
   record.swimmers = parts.recorder.swimmers();
-  record.momentum = MomentumRecord{.total = totals.momentum * scales.momentum(),
+  record.momentum = MomentumRecord{.total = last.momentum * scales.momentum(),
                                    .initial = first.momentum * scales.momentum()};
-  record.mass_relative_change = (1 + totals.mass_excess) / (1 + first.mass_excess) - 1;
+  record.mass_relative_change = (1 + last.mass_excess) / (1 + first.mass_excess) - 1;
   record.dimensionless = numbers_of(parts.system.largest_bead_speed(), on_lattice);
   record.resolution =
       LatticeResolution{.cells_per_radius = on_lattice.cells_per_radius,
@@ -89,7 +99,10 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
                         .radius_on_lattice = on_lattice.radius_on_lattice(),
                         .precision = name_of(on_lattice.scene.precision)};
   record.cost = cost_of(parts, on_lattice, outcome);
-  record.state_sha256 = state_sha256(parts.system, parts.communicator);
+  record.near_contact = near_contact_of(parts.system, on_lattice);
+  // Of a failed run the last state is no result, and depends on where ranks noticed.
+  if (outcome.status != RunStatus::failed)
+    record.state_sha256 = state_sha256(parts.system, parts.communicator);
   record.provenance = document.provenance;
   record.provenance->push_back(options.provenance);
   return record;

@@ -22,10 +22,7 @@ long Recorder::step_of_frame(long frame) const {
   return std::lround(static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_));
 }
 
-void Recorder::record(const CoupledSystem& system) {
-  if (system.steps_done() != step_of_frame(next_frame_)) return;
-  const SceneTotals totals = system.totals();
-  if (next_frame_ == 0) first_totals_ = totals;
+void Recorder::record(const CoupledSystem& system, const SceneTotals& totals) {
   const std::vector<SwimmerState> swimmers = system.gather_swimmers();
 
   TrajectoryFrame frame{.step = system.steps_done(),

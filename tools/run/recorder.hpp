@@ -20,10 +20,12 @@ class Recorder {
   /// Step of frame k: as near to k/frames_per_cycle cycles as steps allow.
   long step_of_frame(long frame) const;
 
-  /// Takes the next frame if its step has come. All ranks call it after every step, and before the first.
-  void record(const CoupledSystem& system);
+  /// Whether the next frame's step has come.
+  bool is_due(long step) const { return step == step_of_frame(next_frame_); }
 
-  const SceneTotals& first_totals() const { return first_totals_; }
+  /// Takes the next frame. `totals`: of the system as it is now. Collective.
+  void record(const CoupledSystem& system, const SceneTotals& totals);
+
   const std::vector<SwimmerRecord>& swimmers() const { return swimmers_; }  ///< on rank 0
 
  private:
@@ -36,7 +38,6 @@ class Recorder {
   int frames_per_cycle_;
   TrajectoryWriter& trajectory_;
   long next_frame_ = 0;
-  SceneTotals first_totals_;
   std::vector<SwimmerRecord> swimmers_;
   std::vector<std::vector<SwimmerSample>> samples_;  ///< of the cycle so far, one list a swimmer
 };

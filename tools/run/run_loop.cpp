@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/coupling/conservation.hpp"
+#include "fault_message.hpp"
 #include "stop_signal.hpp"
 
 namespace beadswim {
@@ -16,50 +18,41 @@ namespace {
 /// Steps between looks at what may stop the run: ranks agree there, and only there.
 constexpr long steps_between_guards = 20;
 
-std::string describe(const SpeedFault& fault, const LatticeScales& scales) {
-  const Vec3 p = fault.position * scales.cell;
-  return fmt::format(
-      "step {}: bead {} of swimmer {} at ({:.6g}, {:.6g}, {:.6g}) moves {:.3g} cells a step (Mach "
-      "{:.2g}), over the limit of 0.5; drive it less, or take a smaller step by --relaxation-time",
-      fault.step, fault.bead.bead + 1, fault.bead.swimmer, p[0], p[1], p[2], fault.speed,
-      fault.speed * std::sqrt(3.0));
-}
+/// Steps after which the fluid's totals are looked at even if no frame is due.
+constexpr long steps_between_totals = 500;
+
+struct Stop {
+  RunStatus status;
+  std::string reason;
+};
 
 /// Why the run should stop here although nothing is wrong: a signal to any rank, or the time limit by rank
 /// 0's clock. The same answer on all ranks.
-std::optional<RunOutcome> asked_to_stop(double start, const RunOptions& options,
-                                        const Communicator& communicator) {
+std::optional<Stop> asked_to_stop(double start, const RunOptions& options, const Communicator& communicator) {
   const double seconds = MPI_Wtime() - start;
   std::array<int, 2> asked{stop_signal(),
                            communicator.is_root() && seconds > options.time_limit.value_or(seconds)};
   MPI_Allreduce(MPI_IN_PLACE, asked.data(), asked.size(), MPI_INT, MPI_MAX, communicator.get());
-  if (asked[0] != 0)
-    return RunOutcome{RunStatus::stopped_signal, fmt::format("stopped by signal {}", asked[0]), 0};
+  if (asked[0] != 0) return Stop{RunStatus::stopped_signal, fmt::format("stopped by signal {}", asked[0])};
   if (asked[1] == 0) return std::nullopt;
-  return RunOutcome{
+  return Stop{
       RunStatus::stopped_time,
-      fmt::format("the time limit of {} s is over; a longer --time-limit, or more ranks, take the run to "
-                  "its end",
-                  *options.time_limit),
-      0};
+      fmt::format("the time limit of {} s is over; a longer --time-limit, or more ranks, take the run "
+                  "to its end",
+                  *options.time_limit)};
 }
 
 long steps_between_flows(const SceneOnLattice& on_lattice, double cycles) {
   return std::max(1L, std::lround(cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
 }
 
-void take_step(CoupledSystem& system, Recorder& recorder) {
-  try {
-    system.step();
-    recorder.record(system);
-  } catch (const NotFiniteError& error) {
-    throw SolverError(
-        fmt::format("step {}: the fluid has become unstable ({}); take a smaller step by "
-                    "--relaxation-time, more cells a radius, or weaker driving",
-                    system.steps_done(), error.what()));
-  } catch (const SolverError& error) {
-    throw SolverError(fmt::format("step {}: {}", system.steps_done(), error.what()));
-  }
+/// Whatever has gone wrong up to now, on any rank: what the system noted, and what its totals say.
+std::optional<Fault> fault_in(const CoupledSystem& system, const SceneOnLattice& on_lattice,
+                              const SceneTotals& first, const SceneTotals& now) {
+  if (const auto fault = system.fault()) return fault;
+  auto fault = conservation_fault(on_lattice.scene, first, now, system.largest_bead_speed());
+  if (fault) fault->step = system.steps_done();
+  return fault;
 }
 
 }  // namespace
@@ -80,17 +73,28 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
   const long flow_interval = options.flow_every ? steps_between_flows(on_lattice, *options.flow_every) : 0;
   const double start = MPI_Wtime();
   RunOutcome outcome;
-  recorder.record(system);
+  outcome.first_totals = outcome.last_totals = system.totals();
+  recorder.record(system, outcome.first_totals);
   while (system.steps_done() < steps && outcome.status == RunStatus::finished) {
-    take_step(system, recorder);
+    system.step();
     const long done = system.steps_done();
-    if (flow != nullptr && done % flow_interval == 0) flow->write(system);
-    if (done % steps_between_guards != 0 && done != steps) continue;
+    const bool is_last = done == steps, is_frame = recorder.is_due(done);
+    const bool is_flow = flow != nullptr && done % flow_interval == 0;
+    if (!is_last && !is_frame && !is_flow && done % steps_between_guards != 0) continue;
+
+    SceneTotals totals = outcome.last_totals;
+    if (is_last || is_frame || done % steps_between_totals == 0) totals = system.totals();
+    if (const auto fault = fault_in(system, on_lattice, outcome.first_totals, totals)) {
+      outcome.status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed;
+      outcome.reason = describe(*fault, on_lattice, system.largest_bead_speed() * std::sqrt(3.0));
+      break;
+    }
+    outcome.last_totals = totals;
+    if (is_frame) recorder.record(system, totals);
+    if (is_flow) flow->write(system);
     if (communicator.is_root()) progress.update(done);
-    if (const auto fault = system.speed_fault()) {
-      outcome = {RunStatus::stopped_speed, describe(*fault, on_lattice.lattice.scales), 0};
-    } else if (const auto stop = asked_to_stop(start, options, communicator)) {
-      outcome = *stop;
+    if (const auto stop = asked_to_stop(start, options, communicator)) {
+      outcome.status = stop->status;
       outcome.reason = fmt::format("step {} of {}: {}", done, steps, stop->reason);
     }
   }

@@ -13,6 +13,7 @@ struct RunOutcome {
   RunStatus status = RunStatus::finished;
   std::string reason;  ///< why it stopped before its end; empty if it did not
   double wall_seconds = 0;
+  SceneTotals first_totals, last_totals;  ///< at the start, and when all was well the last time
 };
 
 /// What a run's time loop drives.
@@ -24,7 +25,8 @@ struct RunParts {
   Progress& progress;
 };
 
-/// Advances until the last step, a speed fault, the time limit or a signal. Collective.
+/// Advances until the last step, a fault, the time limit or a signal. Takes no frame once a fault is there.
+/// Collective.
 RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options);
 
 /// Steps of the whole run.

@@ -139,7 +139,7 @@ SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattic
   if (corrects_delay) {
     for (Bead& bead : result.beads) bead = made_up_for_delay(bead, lattice.relaxation_time);
   }
-  return result;
+  return with_damped_vibrations(result, 1);
 }
 
 /// The layout's swimmers in order of their ids, and the types that they share.
@@ -187,6 +187,8 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   scene.precision = options.precision;
   scene.bead_boundary = options.bead_boundary;
   scene.corrects_radii = options.radius_correction;
+  scene.lubrication = options.lubrication;
+  scene.friction = options.friction;
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
   for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(layout.domain->boundary[a]);
   add_swimmers(scene, layout, result.lattice, options.delay_correction);

@@ -71,6 +71,18 @@ int substeps_for(const SwimmerType& type, double step) {
   return std::max(1, static_cast<int>(substeps));
 }
 
+SwimmerType with_damped_vibrations(SwimmerType type, double step) {
+  for (int arm = 0; arm < 2; ++arm) {
+    Spring& spring = type.springs[arm];
+    const double reduced_mass = 1 / (1 / mass(type.beads[arm]) + 1 / mass(type.beads[arm + 1]));
+    const double omega = std::sqrt(spring.stiffness / reduced_mass);
+    if (omega * step <= 0.5) continue;
+    const double needed = std::min(0.5 * step * spring.stiffness, reduced_mass * omega);
+    spring.damping = std::max(spring.damping, needed);
+  }
+  return type;
+}
+
 void advance_swimmer(SwimmerMotion& motion, const SwimmerType& type, const Vec3& initial_axis,
                      const SwimmerLoads& loads, double time, double step, int substeps) {
   Phase phase;

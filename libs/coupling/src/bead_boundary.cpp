@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
 #include "beadswim/coupling/multireflection.hpp"
 #include "beadswim/coupling/refill.hpp"
@@ -32,9 +32,13 @@ void fill_lanes(LinkBatch& batch) {
 }
 
 /// Terms too large for lanes, one by one: there is more room there, and a message if it does not suffice.
-void add_one_by_one(const LinkBatch& batch, LinkSums& sums) {
-  for (int t = 0; t < link_terms; ++t) {
-    for (int k = 0; k < batch.links; ++k) sums.sums[t].add(batch.terms[t][k]);
+void add_one_by_one(const LinkBatch& batch, LinkSums& sums, const BeadOnLattice& bead) {
+  try {
+    for (int t = 0; t < link_terms; ++t) {
+      for (int k = 0; k < batch.links; ++k) sums.sums[t].add(batch.terms[t][k]);
+    }
+  } catch (const SolverError&) {
+    throw not_finite_at(bead);
   }
 }
 
@@ -83,7 +87,7 @@ class Bounce {
     sums.make_room(LinkBatch::most / LinkSums::lanes);
     const LinkBead bead = link_bead(boundary_.beads[covered_->bead], slip_);
     if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch_, bead, sums))
-      add_one_by_one(batch_, sums);
+      add_one_by_one(batch_, sums, boundary_.beads[covered_->bead]);
     for (int k = 0; k < batch_.links; ++k) *incoming_[k] = static_cast<Real>(batch_.returned[k]);
     batch_.links = 0;
   }
@@ -223,7 +227,7 @@ void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
     const BeadOnLattice& before = beads_before[uncovered.bead];
     const auto bead = std::ranges::lower_bound(beads, before.name, {}, &BeadOnLattice::name);
     if (bead == beads.end() || bead->name != before.name) {
-      throw SolverError("a bead moved farther than a cell in one step");
+      throw not_finite_at(before);  // it moved farther than a cell in one step
     }
     refill(populations, uncovered, links_before, before, rates);
     const CellMoments fluid = cell_moments(populations, uncovered.cell);  // as stored

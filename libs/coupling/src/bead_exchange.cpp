@@ -1,10 +1,7 @@
 #include "beadswim/coupling/bead_exchange.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 
-#include "beadswim/core/error.hpp"
 #include "swimmer_message.hpp"
 
 namespace beadswim {
@@ -13,9 +10,6 @@ namespace {
 /// A bead is announced to ranks this many cells off, so that a rank still hears of one that left it in this
 /// step.
 constexpr int margin = 2;
-
-/// An arm longer than this many rest lengths is torn.
-constexpr double longest_stretch = 2;
 
 constexpr int publish_tag = 11, collect_tag = 12;  // the halo has 0 and 1
 
@@ -42,35 +36,6 @@ bool within(const BlockInLattice& a, const BlockInLattice& b, double distance) {
     if (gap > half) return false;
   }
   return true;
-}
-
-/// Throws SolverError if an arm is torn: its owner would no longer reach the ranks that its beads touch.
-void require_whole_arms(const SwimmerState& swimmer, const SwimmerType& type) {
-  for (int arm = 0; arm < 2; ++arm) {
-    const double length = (swimmer.motion[arm + 1].position - swimmer.motion[arm].position).norm();
-    const double longest = longest_stretch * type.springs[arm].rest_length;
-    if (length <= longest) continue;
-    throw SolverError(
-        fmt::format("arm {} of swimmer {} is {:.2f} cells long, over {} times its rest length; weaker "
-                    "driving or stiffer springs keep it whole",
-                    arm + 1, swimmer.id, length, longest_stretch));
-  }
-}
-
-/// Throws SolverError if a bead comes so near to a wall that it would cover cells along it.
-void require_off_walls(const SwimmerState& swimmer, const std::array<double, 3>& radii,
-                       const BlockInLattice& at) {
-  for (int b = 0; b < 3; ++b) {
-    const double nearest = radii[b] + nearest_to_wall;
-    for (int axis = 0; axis < 3; ++axis) {
-      const double place = swimmer.motion[b].position[axis];
-      if (at.periodic[axis] || (place >= nearest && place <= at.cells[axis] - nearest)) continue;
-      throw SolverError(
-          fmt::format("bead {} of swimmer {} touches the wall across axis {} (centre at {:.2f} of {} "
-                      "cells); a larger box keeps it off",
-                      b + 1, swimmer.id, "xyz"[axis], place, at.cells[axis]));
-    }
-  }
 }
 
 }  // namespace
@@ -104,12 +69,38 @@ int BeadExchange::owner_of(const Vec3& position) const {
   return decomposition_.rank_of_cell(cell);
 }
 
+std::optional<Fault> BeadExchange::out_of_reach(const SwimmerState& swimmer) const {
+  const SwimmerType& type = types_[swimmer.type];
+  for (int arm = 0; arm < 2; ++arm) {
+    const double stretch = (swimmer.motion[arm + 1].position - swimmer.motion[arm].position).norm() /
+                           type.springs[arm].rest_length;
+    if (stretch <= longest_stretch) continue;
+    return Fault{.kind = FaultKind::torn_arm,
+                 .bead = {swimmer.id, arm},
+                 .other = {swimmer.id, arm + 1},
+                 .position = swimmer.motion[arm].position,
+                 .value = stretch};
+  }
+  for (int b = 0; b < 3; ++b) {
+    const BlockInLattice& at = blocks_[rank_];
+    for (int axis = 0; axis < 3; ++axis) {
+      if (at.periodic[axis]) continue;
+      const double place = swimmer.motion[b].position[axis];
+      const double gap = std::min(place, at.cells[axis] - place) - radii_[swimmer.type][b];
+      if (gap >= nearest_to_wall) continue;
+      return Fault{.kind = FaultKind::wall,
+                   .bead = {swimmer.id, b},
+                   .position = swimmer.motion[b].position,
+                   .value = gap};
+    }
+  }
+  return std::nullopt;
+}
+
 std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owned) {
   Buffers to_peers(peers_.size());
   std::vector<SwimmerState> staying;
   for (const SwimmerState& swimmer : owned) {
-    require_whole_arms(swimmer, types_[swimmer.type]);
-    require_off_walls(swimmer, radii_[swimmer.type], blocks_[rank_]);
     if (owner_of(swimmer.motion[1].position) == rank_) staying.push_back(swimmer);
   }
   for (std::size_t p = 0; p < peers_.size(); ++p) to_peers[p] = announcement(owned, peers_[p]);
@@ -139,6 +130,9 @@ std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& ow
                                .owner = owner,
                                .radius = radii_[swimmer.type][b],
                                .motion = swimmer.motion[b],
+                               .body = types_[swimmer.type].beads[b],
+                               .predicted = swimmer.predicted[b],
+                               .firmness = swimmer.firmness[b],
                                .mass_source = swimmer.mass_source[b],
                                .impulse = {}};
       if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) transfer_bead(beads, bead);

@@ -77,25 +77,13 @@ bool same_box(const BeadImage& a, const BeadImage& b) {
   return (a.low == b.low).all() && (a.high == b.high).all();
 }
 
-/// Whether cells of one box may be within `distance` cells of cells of the other.
-bool may_meet(const BeadImage& a, const BeadImage& b, int distance) {
-  return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
-}
-
 /// Of each image, whether neither another one nor a wall may be within `distance` cells of its own.
 std::vector<bool> images_alone(const Coverage& coverage, int distance) {
   const std::vector<CoveredImage>& images = coverage.images().images;
-  std::vector<int> by_z(images.size());
-  std::iota(by_z.begin(), by_z.end(), 0);
-  const auto low_z = [&](int i) { return images[i].image.low[2]; };
-  std::ranges::sort(by_z, {}, low_z);
-  std::vector<bool> alone(images.size());
-  for (std::size_t i = 0; i < images.size(); ++i)
-    alone[i] = !coverage.is_near_wall(images[i].image, distance);
-  for (auto a = by_z.begin(); a != by_z.end(); ++a) {
-    for (auto b = a + 1; b != by_z.end() && low_z(*b) < images[*a].image.high[2] + distance; ++b) {
-      if (may_meet(images[*a].image, images[*b].image, distance)) alone[*a] = alone[*b] = false;
-    }
+  std::vector<bool> alone;
+  for (const CoveredImage& covered : images) alone.push_back(!coverage.is_near_wall(covered.image, distance));
+  for (const auto& [a, b] : coverage.images().close_pairs) {
+    if (are_close(images[a].image, images[b].image, distance)) alone[a] = alone[b] = false;
   }
   return alone;
 }

@@ -1,7 +1,5 @@
 #include "beadswim/coupling/coupled_system.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -41,9 +39,11 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
                    halo_content(scene.bead_boundary)),
       halo_(communicator, decomposition_, scene.walls, halo_content(scene.bead_boundary)),
       exchange_(communicator, decomposition_, scene_),
+      near_contact_(near_contact_law(scene_)),
       coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_),
       links_(scene.bead_boundary),
-      saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.walls)) {
+      saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.walls)),
+      smallest_gap_(std::numeric_limits<double>::infinity()) {
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   for (const CoupledScene::Swimmer& swimmer : scene_.swimmers) {
     if (exchange_.owner_of(swimmer.position) == communicator.rank())
@@ -58,49 +58,33 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   }
 }
 
-bool CoupledSystem::is_too_fast(const SwimmerState& swimmer) {
+std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
   for (int b = 0; b < 3; ++b) {
-    const double speed = swimmer.motion[b].velocity.norm();
-    if (!std::isfinite(speed)) {
-      throw NotFiniteError(fmt::format("bead {} of swimmer {} has a speed of {}", b + 1, swimmer.id, speed));
-    }
+    const BeadMotion& motion = swimmer.motion[b];
+    const double radius = scene_.types[swimmer.type].beads[b].radius;
+    const double speed = motion.velocity.norm() + radius * motion.angular_velocity.norm();
     if (speed <= speed_limit) {
-      largest_bead_speed_ = std::max(largest_bead_speed_, speed);
+      largest_bead_speed_ = std::max(largest_bead_speed_, motion.velocity.norm());
       continue;
     }
-    if (!speed_fault_) {
-      speed_fault_ = SpeedFault{.step = steps_done_,
-                                .bead = {swimmer.id, b},
-                                .position = swimmer.motion[b].position,
-                                .speed = speed};
-    }
-    return true;
+    return Fault{.kind = std::isfinite(speed) ? FaultKind::speed : FaultKind::not_finite,
+                 .bead = {swimmer.id, b},
+                 .position = motion.position,
+                 .value = speed};
   }
-  return false;
+  return exchange_.out_of_reach(swimmer);
 }
 
-std::optional<SpeedFault> CoupledSystem::speed_fault() const {
-  struct {
-    double step;
-    int rank;
-  } earliest{speed_fault_ ? static_cast<double>(speed_fault_->step) : std::numeric_limits<double>::infinity(),
-             communicator_.rank()};
-  MPI_Allreduce(MPI_IN_PLACE, &earliest, 1, MPI_DOUBLE_INT, MPI_MINLOC, communicator_.get());
-  if (std::isinf(earliest.step)) return std::nullopt;
+void CoupledSystem::note(Fault fault) {
+  if (fault_) return;
+  fault.step = steps_done_ + 1;  // the step under way
+  fault_ = fault;
+}
 
-  SpeedFault fault = speed_fault_.value_or(SpeedFault{});
-  std::array<double, 7> plain{static_cast<double>(fault.step),
-                              static_cast<double>(fault.bead.swimmer),
-                              static_cast<double>(fault.bead.bead),
-                              fault.position[0],
-                              fault.position[1],
-                              fault.position[2],
-                              fault.speed};
-  MPI_Bcast(plain.data(), plain.size(), MPI_DOUBLE, earliest.rank, communicator_.get());
-  return SpeedFault{.step = static_cast<long>(plain[0]),
-                    .bead = {static_cast<int>(plain[1]), static_cast<int>(plain[2])},
-                    .position = Vec3(plain[3], plain[4], plain[5]),
-                    .speed = plain[6]};
+double CoupledSystem::smallest_gap() const {
+  double smallest = smallest_gap_;
+  MPI_Allreduce(MPI_IN_PLACE, &smallest, 1, MPI_DOUBLE, MPI_MIN, communicator_.get());
+  return smallest;
 }
 
 double CoupledSystem::largest_bead_speed() const {
@@ -150,11 +134,11 @@ FluidTotals CoupledSystem::exchange_inner_fluid(FluidTotals& fluid) const {
   return beads_volume;
 }
 
-SceneTotals CoupledSystem::totals() const {
-  FluidTotals everything = block_totals(populations_);  // fluid, beads, and what is under way between them
+void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) const {
+  everything = block_totals(populations_);  // fluid, beads, and what is under way between them
   const FluidTotals beads_volume =
       has_links(scene_.bead_boundary) ? exchange_covered_cells(everything) : exchange_inner_fluid(everything);
-  FluidTotals all_cells = everything;
+  all_cells = everything;
   all_cells.add(beads_volume);
   for (const SwimmerState& swimmer : owned_) {
     for (int b = 0; b < 3; ++b) {
@@ -167,6 +151,11 @@ SceneTotals CoupledSystem::totals() const {
     everything.density_deviation.add(bead.impulse.mass);  // as sums: a rank's part must not be rounded
     for (int a = 0; a < 3; ++a) everything.momentum[a].add(bead.impulse.linear[a]);
   }
+}
+
+SceneTotals CoupledSystem::totals() {
+  FluidTotals everything, all_cells;
+  noting_faults([&] { add_totals(everything, all_cells); });
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);
   const double cells = scene_.cells.cast<double>().prod();

@@ -1,18 +1,15 @@
 #include "beadswim/coupling/coverage.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <numeric>
 #include <utility>
-
-#include "beadswim/core/error.hpp"
 
 namespace beadswim {
 namespace {
 
 /// The cells of row (y, z) whose centres lie inside the bead: a sphere meets a row in one run.
-CoveredRun covered_run(const CoveredImage& covered, double radius, int y, int z) {
-  const double radius_squared = radius * radius;
+CoveredRun covered_run(const CoveredImage& covered, int y, int z) {
+  const double radius_squared = covered.radius * covered.radius;
   const auto is_inside = [&](int x) { return covered.from_centre(x, y, z).squaredNorm() < radius_squared; };
   CoveredRun run{.low = covered.image.low[0], .high = covered.image.high[0]};
   while (run.low < run.high && !is_inside(run.low)) ++run.low;
@@ -20,12 +17,45 @@ CoveredRun covered_run(const CoveredImage& covered, double radius, int y, int z)
   return run;
 }
 
-[[noreturn]] void throw_overlap(const BeadOnLattice& a, const BeadOnLattice& b) {
-  const Vec3& at = b.motion.position;
-  throw SolverError(
-      fmt::format("bead {} of swimmer {} and bead {} of swimmer {} overlap at ({:.2f}, {:.2f}, {:.2f}) "
-                  "cells; weaker driving or stiffer springs keep them apart",
-                  a.name.bead + 1, a.name.swimmer, b.name.bead + 1, b.name.swimmer, at[0], at[1], at[2]));
+std::vector<ImagePair> find_close_pairs(const std::vector<CoveredImage>& images) {
+  constexpr int distance = CoveredImages::close;
+  std::vector<ImagePair> pairs;
+  std::vector<int> by_z(images.size());
+  std::iota(by_z.begin(), by_z.end(), 0);
+  const auto low_z = [&](int i) { return images[i].image.low[2]; };
+  std::ranges::sort(by_z, {}, low_z);
+  for (auto a = by_z.begin(); a != by_z.end(); ++a) {
+    for (auto b = a + 1; b != by_z.end() && low_z(*b) < images[*a].image.high[2] + distance; ++b) {
+      if (are_close(images[*a].image, images[*b].image, distance))
+        pairs.push_back({std::min(*a, *b), std::max(*a, *b)});
+    }
+  }
+  return pairs;
+}
+
+/// r^2 - R^2 of a cell: negative inside.
+double power(const CoveredImage& covered, int x, int y, int z) {
+  return covered.from_centre(x, y, z).squaredNorm() - covered.radius * covered.radius;
+}
+
+/// Parts cells of row (y, z) that are inside both beads; either keeps one run, as each has all cells on its
+/// side of a plane.
+void part_row(const CoveredImage& first, CoveredRun& of_first, const CoveredImage& second,
+              CoveredRun& of_second, int y, int z) {
+  const auto is_lost = [&](int x) {
+    const double inside_second = power(second, x, y, z);
+    return inside_second < 0 && inside_second < power(first, x, y, z);
+  };
+  while (of_first.low < of_first.high && is_lost(of_first.low)) ++of_first.low;
+  while (of_first.low < of_first.high && is_lost(of_first.high - 1)) --of_first.high;
+  if (of_first.empty() || of_second.empty()) return;
+  if (of_second.high <= of_first.low || of_first.high <= of_second.low) return;
+  // By what the first has: were a tie rounded otherwise, no cell may have two beads.
+  if (of_first.low - of_second.low > of_second.high - of_first.high) {
+    of_second.high = of_first.low;
+  } else {
+    of_second.low = of_first.high;
+  }
 }
 
 }  // namespace
@@ -64,13 +94,11 @@ void Coverage::update(std::span<const BeadOnLattice> beads) {
     const auto first = state_.begin() + place_of_state(run.low, y, z);
     std::fill_n(first, run.high - run.low, State::just_left);
   });
-  now_.images.clear();
-  now_.runs.clear();
   newly_covered_.clear();
-  for (int b = 0; b < std::ssize(beads); ++b) {
-    for_each_image(at_, margin, beads[b].motion.position, beads[b].radius,
-                   [&](const BeadImage& image) { cover(beads, b, image); });
-  }
+  find_runs(beads);
+  now_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int y, int z) {
+    cover_run(covered, run, y, z);
+  });
   uncovered_.clear();
   before_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int y, int z) {
     for (int x = run.low; x < run.high; ++x) {
@@ -82,42 +110,44 @@ void Coverage::update(std::span<const BeadOnLattice> beads) {
   });
 }
 
-void Coverage::cover(std::span<const BeadOnLattice> beads, int bead, const BeadImage& image) {
-  const CoveredImage& covered =
-      now_.images.emplace_back(CoveredImage{.image = image,
-                                            .index = static_cast<int>(now_.images.size()),
-                                            .bead = bead,
-                                            .centre = beads[bead].motion.position,
-                                            .first_run = static_cast<int>(now_.runs.size())});
-  for (int z = image.low[2]; z < image.high[2]; ++z) {
-    for (int y = image.low[1]; y < image.high[1]; ++y) {
-      now_.runs.push_back(covered_run(covered, beads[bead].radius, y, z));
-    }
+void Coverage::find_runs(std::span<const BeadOnLattice> beads) {
+  now_.images.clear();
+  now_.runs.clear();
+  for (int b = 0; b < std::ssize(beads); ++b) {
+    const Vec3& centre = beads[b].motion.position;
+    for_each_image(at_, margin, centre, beads[b].radius, [&](const BeadImage& image) {
+      const CoveredImage& covered =
+          now_.images.emplace_back(CoveredImage{.image = image,
+                                                .index = static_cast<int>(now_.images.size()),
+                                                .bead = b,
+                                                .centre = centre,
+                                                .radius = beads[b].radius,
+                                                .first_run = static_cast<int>(now_.runs.size())});
+      for (int z = image.low[2]; z < image.high[2]; ++z) {
+        for (int y = image.low[1]; y < image.high[1]; ++y) now_.runs.push_back(covered_run(covered, y, z));
+      }
+    });
   }
-  for (int z = image.low[2]; z < image.high[2]; ++z) {
-    for (int y = image.low[1]; y < image.high[1]; ++y) {
-      cover_run(beads, covered, now_.run(covered, y, z), y, z);
-    }
+  now_.close_pairs = find_close_pairs(now_.images);
+  for (const ImagePair& pair : now_.close_pairs) part(now_.images[pair.first], now_.images[pair.second]);
+}
+
+/// Parts cells that are inside both beads.
+void Coverage::part(const CoveredImage& first, const CoveredImage& second) {
+  const BeadImage &a = first.image, &b = second.image;
+  if (!are_close(a, b, 0)) return;
+  for (int z = std::max(a.low[2], b.low[2]); z < std::min(a.high[2], b.high[2]); ++z) {
+    for (int y = std::max(a.low[1], b.low[1]); y < std::min(a.high[1], b.high[1]); ++y)
+      part_row(first, now_.run_within(first, y, z), second, now_.run_within(second, y, z), y, z);
   }
 }
 
-void Coverage::cover_run(std::span<const BeadOnLattice> beads, const CoveredImage& covered,
-                         const CoveredRun& run, int y, int z) {
+void Coverage::cover_run(const CoveredImage& covered, const CoveredRun& run, int y, int z) {
   for (int x = run.low; x < run.high; ++x) {
     State& now = state(x, y, z);
-    if (now == State::covered) throw_overlap(beads[first_bead_at(x, y, z)], beads[covered.bead]);
     if (now == State::fluid && is_own(x, y, z)) newly_covered_.push_back(changed_cell(covered, x, y, z));
     now = State::covered;
   }
-}
-
-int Coverage::first_bead_at(int x, int y, int z) const {
-  int bead = -1;
-  now_.for_each_run([&](const CoveredImage& covered, const CoveredRun& run, int run_y, int run_z) {
-    const bool contains = run_y == y && run_z == z && run.low <= x && x < run.high;
-    if (bead < 0 && contains) bead = covered.bead;
-  });
-  return bead;
 }
 
 }  // namespace beadswim

@@ -72,12 +72,13 @@ std::string state_sha256(const CoupledSystem& system, const Communicator& commun
   }
   for (const SwimmerState& swimmer : system.gather_swimmers()) {
     for (int b = 0; b < 3; ++b) {
-      const std::array held{swimmer.held_mass[b], swimmer.mass_source[b]};
+      const std::array held{swimmer.held_mass[b], swimmer.mass_source[b], swimmer.firmness[b]};
       hash.update(std::as_bytes(std::span(held)));
       const BeadMotion& motion = swimmer.motion[b];
       const Load &impulse = swimmer.last_impulse[b], &inner = swimmer.inner_momentum[b];
+      const BeadVelocity& predicted = swimmer.predicted[b];
       for (const Vec3& v : {motion.position, motion.velocity, motion.angular_velocity, impulse.force,
-                            impulse.torque, inner.force, inner.torque}) {
+                            impulse.torque, inner.force, inner.torque, predicted.linear, predicted.angular}) {
         hash.update(std::as_bytes(std::span(v.data(), 3)));
       }
     }

@@ -28,8 +28,9 @@ class OutgoingMessage {
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void put(const T& value) {
-    const auto* bytes = reinterpret_cast<const char*>(&value);
-    bytes_.insert(bytes_.end(), bytes, bytes + sizeof(T));
+    const std::size_t end = bytes_.size();
+    bytes_.resize(end + sizeof(T));
+    std::memcpy(bytes_.data() + end, &value, sizeof(T));
   }
   void put(const Vec3& v) {
     for (int a = 0; a < 3; ++a) put(v[a]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
 #include "beadswim/lattice/moments.hpp"
 #include "saturated_kernel.hpp"
@@ -115,8 +116,12 @@ class Push {
     SaturatedSums& sums = boundary_.sums[b];
     sums.make_room(SaturatedBatch<Real>::most / SaturatedSums::lanes);
     if (saturated_kernels().push(batch_, bead, sums)) return;
-    for (int t = 0; t < saturated_terms; ++t) {  // too large for lanes: more room there, or a message
-      for (int k = 0; k < batch_.cells; ++k) sums.sums[t].add(batch_.terms[t][k]);
+    try {
+      for (int t = 0; t < saturated_terms; ++t) {  // too large for lanes: more room there, or a fault
+        for (int k = 0; k < batch_.cells; ++k) sums.sums[t].add(batch_.terms[t][k]);
+      }
+    } catch (const SolverError&) {
+      throw not_finite_at(boundary_.beads[b]);
     }
   }
 

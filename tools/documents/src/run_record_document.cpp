@@ -140,6 +140,22 @@ std::optional<LatticeResolution> resolution_from(const Json& json) {
       .precision = json.at("precision").get<std::string>()};
 }
 
+Json json_of(const NearContactRecord& contact) {
+  return {{"smallest_gap", json_or_null(contact.smallest_gap)},
+          {"lubrication", contact.lubrication},
+          {"normal_cut_off", contact.normal_cut_off},
+          {"tangential_cut_off", contact.tangential_cut_off},
+          {"friction", contact.friction}};
+}
+
+NearContactRecord near_contact_from(const Json& json) {
+  return {.smallest_gap = value_unless_null<double>(json.at("smallest_gap")),
+          .lubrication = json.at("lubrication").get<bool>(),
+          .normal_cut_off = json.at("normal_cut_off").get<double>(),
+          .tangential_cut_off = json.at("tangential_cut_off").get<double>(),
+          .friction = json.at("friction").get<double>()};
+}
+
 Json json_of(const RunCost& cost) {
   return {{"wall_seconds", cost.wall_seconds},
           {"core_seconds", cost.core_seconds},
@@ -184,8 +200,10 @@ RunRecord run_record_from_json(const Json& document, const std::string& source) 
   record.mass_relative_change = value_unless_null<double>(document.at("mass_relative_change"));
   record.dimensionless = dimensionless_from(document.at("dimensionless"));
   record.resolution = resolution_from(document.at("resolution"));
+  if (document.contains("reason")) record.reason = document.at("reason").get<std::string>();
+  if (document.contains("near_contact")) record.near_contact = near_contact_from(document.at("near_contact"));
   if (document.contains("cost")) record.cost = cost_from(document.at("cost"));
-  record.state_sha256 = document.at("state_sha256").get<std::string>();
+  record.state_sha256 = value_unless_null<std::string>(document.at("state_sha256"));
   if (document.contains("provenance")) record.provenance = document.at("provenance");
   return record;
 }
@@ -209,8 +227,10 @@ Json run_record_to_json(const RunRecord& record, RecordProvenance provenance) {
                    {"mass_relative_change", json_or_null(record.mass_relative_change)},
                    {"dimensionless", json_of(record.dimensionless)},
                    {"resolution", json_of(record.resolution)}};
+  if (!record.reason.empty()) document["reason"] = record.reason;
+  if (record.near_contact) document["near_contact"] = json_of(*record.near_contact);
   if (provenance == RecordProvenance::written && record.cost) document["cost"] = json_of(*record.cost);
-  document["state_sha256"] = record.state_sha256;
+  document["state_sha256"] = json_or_null(record.state_sha256);
   if (provenance == RecordProvenance::written && record.provenance)
     document["provenance"] = *record.provenance;
   return document;

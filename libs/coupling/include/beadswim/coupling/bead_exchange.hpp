@@ -1,12 +1,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/coupling/bead_images.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
+#include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
 
@@ -14,6 +16,9 @@ namespace beadswim {
 
 /// Gap between a bead and a wall below which the first cells along the wall would be covered [cell].
 constexpr double nearest_to_wall = 0.5;
+
+/// An arm longer than this many rest lengths is torn.
+constexpr double longest_stretch = 2;
 
 /// Messages between the rank that owns a swimmer and those whose cells its beads touch.
 ///
@@ -28,9 +33,13 @@ class BeadExchange {
   /// Rank whose block holds a point given in unwrapped coordinates.
   int owner_of(const Vec3& position) const;
 
+  /// What forbids to publish a swimmer: an arm longer than longest_stretch times its rest length, as its
+  /// owner would no longer reach the ranks that its beads touch, or a bead nearer than nearest_to_wall to
+  /// one. The fault's step is not set.
+  std::optional<Fault> out_of_reach(const SwimmerState& swimmer) const;
+
   /// Hands swimmers whose bead 2 has left the block to their new owners, and returns the beads near this
-  /// block, in order of their names. Throws SolverError if an arm is longer than twice its rest length,
-  /// or a bead nearer than nearest_to_wall to one.
+  /// block, in order of their names.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
   /// Returns this rank's impulses to the owners; the totals of owned swimmers' beads come back.

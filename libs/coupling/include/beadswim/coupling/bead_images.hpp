@@ -18,6 +18,11 @@ struct BeadImage {
   Index3 shift;
 };
 
+/// Whether cells of one box may be within `distance` cells of cells of the other.
+inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
+  return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
+}
+
 /// The lattice as seen by beads: its size, which axes are periodic, and one block of it.
 struct BlockInLattice {
   Block block;

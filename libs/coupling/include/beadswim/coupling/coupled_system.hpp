@@ -6,7 +6,10 @@
 #include "beadswim/coupling/bead_boundary.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/bead_links.hpp"
+#include "beadswim/coupling/close_beads.hpp"
+#include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/coverage.hpp"
+#include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/saturated_cells.hpp"
 #include "beadswim/coupling/saturated_sums.hpp"
 #include "beadswim/coupling/scene.hpp"
@@ -18,35 +21,19 @@
 
 namespace beadswim {
 
-/// A bead faster than the limit: where a run must stop.
-struct SpeedFault {
-  long step = 0;
-  BeadName bead;
-  Vec3 position = Vec3::Zero();  ///< [cell]
-  double speed = 0;              ///< [cell/step]
-};
-
-/// Sums over the whole scene, in lattice units.
-struct SceneTotals {
-  Vec3 momentum = Vec3::Zero();   ///< of fluid and beads, and of impulses under way between them
-  Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity, covered cells moving with their bead
-  /// Mass of the fluid, and of what beads hold of it, beyond density 1, relative to the mass of a box of
-  /// fluid.
-  double mass_excess = 0;
-};
-
 /// Fluid and swimmers on one lattice, advanced together. Lattice units throughout; all ranks of the
 /// communicator construct it and call its functions together.
 class CoupledSystem {
  public:
-  /// Fluid and beads start at rest. Throws SolverError if beads overlap.
+  /// Fluid and beads start at rest.
   CoupledSystem(const CoupledScene& scene, const Communicator& communicator);
 
   CoupledSystem(const CoupledSystem&) = delete;
   CoupledSystem& operator=(const CoupledSystem&) = delete;
 
-  /// Advances everything by one step (coupled_step.cpp). Throws SolverError on this rank alone if something
-  /// became unphysical; the caller must then stop all ranks.
+  /// Advances everything by one step (coupled_step.cpp). If something becomes unphysical it goes on, so that
+  /// no rank waits for another: swimmers at fault stay where they are, and a rank whose numbers are none any
+  /// more leaves beads alone. fault() tells.
   void step();
 
   long steps_done() const { return steps_done_; }
@@ -57,25 +44,52 @@ class CoupledSystem {
   /// Beads that touch this rank's block; covered cells name them by their place in this list.
   const std::vector<BeadOnLattice>& beads_here() const { return beads_; }
 
-  /// The earliest bead of any rank that went faster than 1/2 cell a step, if any (the paper's stop rule: a
-  /// bead must not cross half a cell in a step). Collective.
-  std::optional<SpeedFault> speed_fault() const;
+  /// The first of what has gone wrong on any rank, if anything has; among it a bead whose surface moves by
+  /// more than 1/2 cell a step (the paper's stop rule). Collective.
+  std::optional<Fault> fault() const { return first_fault(fault_, communicator_); }
 
   /// Largest speed that any bead had at the end of any step [cell/step]. Collective.
   double largest_bead_speed() const;
 
+  /// Smallest gap between two beads, or a bead and its own image, at the end of any step [cell]; infinite if
+  /// none came within the range of lubrication. Collective.
+  double smallest_gap() const;
+
   /// All swimmers in order of their id, on rank 0; empty elsewhere. Collective.
   std::vector<SwimmerState> gather_swimmers() const;
 
-  /// Collective. Throws SolverError if the fluid is no longer finite.
-  SceneTotals totals() const;
+  /// Collective. If the fluid is no longer finite what it returns means nothing, and fault() tells.
+  SceneTotals totals();
 
  private:
   void step_fluid_with_links();
   void step_fluid_with_saturated_cells();
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
-  /// Whether a bead is over the speed limit; notes the first that is, and the largest speed.
-  bool is_too_fast(const SwimmerState& swimmer);
+  /// Where beads meet the fluid and each other after they have moved.
+  void meet();
+  /// What forbids a swimmer to move on; notes the largest speed.
+  std::optional<Fault> fault_of(const SwimmerState& swimmer);
+  void note(Fault fault);
+  /// Calls a function that may throw on this rank alone, and notes what it throws.
+  template <class Function>
+  void noting_faults(Function&& function) {
+    try {
+      function();
+    } catch (const FaultError& error) {
+      note(error.fault);
+      is_broken_ = true;
+    } catch (const SolverError&) {
+      note({.kind = FaultKind::not_finite});
+      is_broken_ = true;
+    }
+  }
+  /// The same, but where numbers are none any more it does not call it.
+  template <class Function>
+  void unless_broken(Function&& function) {
+    if (!is_broken_) noting_faults(function);
+  }
+  /// This rank's parts of everything, and of all cells with beads moving in theirs.
+  void add_totals(FluidTotals& everything, FluidTotals& all_cells) const;
   /// Takes what covered cells have, which is no fluid, out of the fluid's totals; returns their momentum when
   /// they move with their beads.
   FluidTotals exchange_covered_cells(FluidTotals& fluid) const;
@@ -90,6 +104,7 @@ class CoupledSystem {
   Populations populations_;
   Halo halo_;
   BeadExchange exchange_;
+  NearContactLaw near_contact_;
   std::vector<int> substeps_;  ///< of each type
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
@@ -98,8 +113,10 @@ class CoupledSystem {
   SaturatedCells saturated_cells_;             ///< empty in a scene of links
   std::vector<LinkSums> link_sums_;            ///< of beads_, empty between steps
   std::vector<SaturatedSums> saturated_sums_;  ///< likewise
-  std::optional<SpeedFault> speed_fault_;
-  double largest_bead_speed_ = 0;  ///< of owned swimmers
+  std::optional<Fault> fault_;                 ///< the first that this rank came upon
+  bool is_broken_ = false;                     ///< this rank's numbers are none any more
+  double largest_bead_speed_ = 0;              ///< of owned swimmers
+  double smallest_gap_;                        ///< of this block's close beads
   long steps_done_ = 0;
 };
 

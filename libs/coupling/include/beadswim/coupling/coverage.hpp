@@ -25,6 +25,7 @@ struct CoveredImage {
   int index;      ///< among the images
   int bead;       ///< index into the beads of the update
   Vec3 centre;    ///< of the bead, unwrapped
+  double radius;  ///< likewise
   int first_run;  ///< of the row (image.low[1], image.low[2]); y fastest
 
   /// Centre of a cell relative to that of the bead. From whole numbers in the bead's own coordinates: the
@@ -35,10 +36,20 @@ struct CoveredImage {
   }
 };
 
-/// All images of all beads, in order of the beads.
+/// Two images, by their indices, the first the smaller.
+struct ImagePair {
+  int first, second;
+};
+
+/// All images of all beads, in order of the beads and of their shifts.
 struct CoveredImages {
   std::vector<CoveredImage> images;
   std::vector<CoveredRun> runs;
+  std::vector<ImagePair> close_pairs;  ///< those whose boxes of cells are within `close` cells
+
+  /// Cells between boxes of images that are close: enough for links that read two cells behind their own,
+  /// and for the range of lubrication.
+  static constexpr int close = 3;
 
   /// The runs of an image, row by row.
   std::span<const CoveredRun> runs_of(const CoveredImage& covered) const {
@@ -57,6 +68,10 @@ struct CoveredImages {
   CoveredRun run(const CoveredImage& covered, int y, int z) const {
     const int index = run_index(covered, y, z);
     return index < 0 ? CoveredRun{} : runs[covered.first_run + index];
+  }
+  /// The same of a row within the image's box.
+  CoveredRun& run_within(const CoveredImage& covered, int y, int z) {
+    return runs[covered.first_run + run_index(covered, y, z)];
   }
 
   /// Calls visit(image, run, y, z).
@@ -81,7 +96,8 @@ struct ChangedCell {
 };
 
 /// The staircase: which cells of a block, and of two cells around it, are covered by which bead. A cell is
-/// covered if its centre lies inside the bead.
+/// covered if its centre lies inside the bead; where beads overlap, by the one with the smaller r^2 - R^2,
+/// which parts them along the plane through the circle in which they meet.
 class Coverage {
  public:
   Coverage(const BlockInLattice& at, const Populations& populations);
@@ -89,7 +105,7 @@ class Coverage {
   /// How many cells around the block it knows.
   static constexpr int margin = 2;
 
-  /// Covers anew for the beads where they are now. Throws SolverError if two beads claim one cell.
+  /// Covers anew for the beads where they are now.
   void update(std::span<const BeadOnLattice> beads);
 
   bool is_covered(int x, int y, int z) const { return state(x, y, z) == State::covered; }
@@ -155,11 +171,9 @@ class Coverage {
             .image = covered.index,
             .from_centre = covered.from_centre(x, y, z)};
   }
-  /// The first bead that covers a cell, by a search through all.
-  int first_bead_at(int x, int y, int z) const;
-  void cover(std::span<const BeadOnLattice> beads, int bead, const BeadImage& image);
-  void cover_run(std::span<const BeadOnLattice> beads, const CoveredImage& covered, const CoveredRun& run,
-                 int y, int z);
+  void find_runs(std::span<const BeadOnLattice> beads);
+  void part(const CoveredImage& first, const CoveredImage& second);
+  void cover_run(const CoveredImage& covered, const CoveredRun& run, int y, int z);
 
   BlockInLattice at_;
   std::ptrdiff_t pitch_y_, pitch_z_, origin_;

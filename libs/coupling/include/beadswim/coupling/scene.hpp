@@ -28,6 +28,8 @@ struct CoupledScene {
   Precision precision = Precision::fp64;  ///< of the populations
   BeadScheme bead_boundary = BeadScheme::staircase;
   bool corrects_radii = false;  ///< gives beads the radii for which their hydrodynamic radii are the types'
+  bool lubrication = true;  ///< adds the resistance of films between beads that the lattice does not resolve
+  double friction = 0;      ///< Coulomb's coefficient, of beads in contact
   std::vector<SwimmerType> types;
   std::vector<Swimmer> swimmers;
 

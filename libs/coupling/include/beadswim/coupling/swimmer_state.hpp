@@ -1,6 +1,7 @@
 #pragma once
 
 #include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/coupling/bead_on_lattice.hpp"
 
 namespace beadswim {
 
@@ -14,6 +15,8 @@ struct SwimmerState {
   std::array<double, 3> mass_source{};  ///< BeadOnLattice::mass_source of the coming step
   SwimmerLoads last_impulse;            ///< handed over by the fluid in the step before
   SwimmerLoads inner_momentum;          ///< of fluid within the beads, where there is (saturated_cells.hpp)
+  std::array<BeadVelocity, 3> predicted{};  ///< BeadOnLattice::predicted of the coming step
+  std::array<double, 3> firmness{};         ///< BeadOnLattice::firmness
 };
 
 }  // namespace beadswim

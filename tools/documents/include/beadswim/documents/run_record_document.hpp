@@ -56,6 +56,16 @@ struct LatticeResolution {
   std::string precision;                     ///< "double" or "single"
 };
 
+/// Beads close to each other, and to periodic images.
+struct NearContactRecord {
+  std::optional<double>
+      smallest_gap;  ///< none: none came within range of the correction, or touched [length]
+  bool lubrication = true;
+  double normal_cut_off = 0;      ///< gap below which squeezing is corrected [length]
+  double tangential_cut_off = 0;  ///< and sliding [length]
+  double friction = 0;            ///< Coulomb's coefficient
+};
+
 struct RunCost {
   double wall_seconds = 0;
   double core_seconds = 0;
@@ -69,6 +79,7 @@ struct RunCost {
 struct RunRecord {
   std::string model;
   RunStatus status = RunStatus::finished;
+  std::string reason;  ///< why it ended before its time; empty if it did not
   Units units;
   std::optional<Domain> domain;          ///< none: unbounded fluid
   double driving_period = 0;             ///< the layout's base period
@@ -78,8 +89,9 @@ struct RunRecord {
   std::optional<double> mass_relative_change;
   DimensionlessNumbers dimensionless;
   std::optional<LatticeResolution> resolution;
+  std::optional<NearContactRecord> near_contact;
   std::optional<RunCost> cost;
-  std::string state_sha256;
+  std::optional<std::string> state_sha256;  ///< none of a failed run
   std::optional<Json> provenance;
 
   /// Which axes of the box are periodic; none in unbounded fluid.

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "beadswim/bodies/near_contact.hpp"
+#include "beadswim/coupling/bead_on_lattice.hpp"
+#include "beadswim/coupling/coverage.hpp"
+#include "beadswim/coupling/fault.hpp"
+#include "beadswim/coupling/scene.hpp"
+
+// The loop over beads that are close to each other or to periodic images; the law is in
+// bodies/near_contact.hpp. It works on one rank's block.
+
+namespace beadswim {
+
+/// Cut-offs below which the lattice lacks resistance of the film between two beads [cell]: where the
+/// resistance that it has, the same at all smaller gaps, is the exact one (docs/verification.md).
+LubricationRange lubrication_range(BeadScheme scheme);
+
+/// The scene's law, in lattice units.
+NearContactLaw near_contact_law(const CoupledScene& scene);
+
+/// Beads deeper in each other than this part of the smaller one's radius are at fault.
+constexpr double deepest_overlap = 0.2;
+
+struct CloseBeads {
+  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of those within the law's range [cell]
+  std::optional<Fault> overlap;  ///< the first that is too deep; its step is not set
+};
+
+/// Adds what close beads hand each other in the coming step to their impulses. Each pair of images belongs to
+/// the block in which the middle of its gap lies.
+CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
+                            std::span<BeadOnLattice> beads);
+
+}  // namespace beadswim

@@ -1,0 +1,42 @@
+#include "beadswim/coupling/conservation.hpp"
+
+#include <algorithm>
+
+#include "beadswim/bodies/swimmer_dynamics.hpp"
+
+namespace beadswim {
+namespace {
+
+struct Limits {
+  double momentum, mass;
+};
+constexpr Limits limits(Precision precision) {
+  return precision == Precision::fp64 ? Limits{.momentum = 1e-6, .mass = 1e-9}
+                                      : Limits{.momentum = 0.05, .mass = 1e-5};
+}
+
+double mass_of_beads(const CoupledScene& scene) {
+  double sum = 0;
+  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
+    for (const Bead& bead : scene.types[swimmer.type].beads) sum += mass(bead);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::optional<Fault> conservation_fault(const CoupledScene& scene, const SceneTotals& first,
+                                        const SceneTotals& now, double bead_speed) {
+  const Limits limit = limits(scene.precision);
+  const double lost_mass = std::abs(now.mass_excess - first.mass_excess);
+  if (!(lost_mass <= limit.mass)) return Fault{.kind = FaultKind::mass, .value = lost_mass};
+
+  const bool periodic = std::ranges::all_of(scene.walls, [](Wall wall) { return wall == Wall::periodic; });
+  constexpr double slowest = 1e-9;  // beads at rest: roundoff of the fluid alone [cell/step]
+  const double scale = mass_of_beads(scene) * std::max(bead_speed, slowest);
+  const double gained = (now.momentum - first.momentum).norm() / scale;
+  if (periodic && !(gained <= limit.momentum)) return Fault{.kind = FaultKind::momentum, .value = gained};
+  return std::nullopt;
+}
+
+}  // namespace beadswim

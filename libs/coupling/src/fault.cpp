@@ -1,0 +1,41 @@
+#include "beadswim/coupling/fault.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <vector>
+
+#include "message.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Fault: const to write.
+template <class Message, class AnyFault>
+void transfer_fault(Message& message, AnyFault& fault) {
+  message(fault.kind, fault.step, fault.bead, fault.other, fault.position, fault.value);
+}
+
+}  // namespace
+
+std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communicator& communicator) {
+  constexpr long never = std::numeric_limits<long>::max();
+  long step = own ? own->step : never;
+  MPI_Allreduce(MPI_IN_PLACE, &step, 1, MPI_LONG, MPI_MIN, communicator.get());
+  if (step == never) return std::nullopt;
+
+  Fault fault = own.value_or(Fault{});
+  if (!own) fault.step = never;
+  OutgoingMessage message;
+  transfer_fault(message, fault);
+  const int bytes = static_cast<int>(message.bytes().size());
+  std::vector<char> all(static_cast<std::size_t>(bytes) * communicator.size());
+  MPI_Allgather(message.bytes().data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, communicator.get());
+  std::vector<Fault> faults;
+  IncomingMessage gathered(std::move(all));
+  while (!gathered.is_at_end()) transfer_fault(gathered, faults.emplace_back());
+  return *std::ranges::min_element(faults, {},
+                                   [](const Fault& f) { return std::tuple(f.step, f.kind, f.bead); });
+}
+
+}  // namespace beadswim

@@ -1,0 +1,97 @@
+#include "fault_message.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "beadswim/coupling/bead_exchange.hpp"
+#include "beadswim/coupling/close_beads.hpp"
+
+namespace beadswim {
+namespace {
+
+std::string name_of(const BeadName& bead) {
+  return fmt::format("bead {} of swimmer {}", bead.bead + 1, bead.swimmer);
+}
+
+/// "bead 2 of swimmer 7 at (x, y, z)", in the layout's units.
+std::string place_of(const Fault& fault, const LatticeScales& scales) {
+  const Vec3 p = fault.position * scales.cell;
+  return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_of(fault.bead), p[0], p[1], p[2]);
+}
+
+/// Why numbers are likely to have grown without bound.
+std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach) {
+  constexpr double light = 0.65, fast = 0.3, least_viscous = 0.52;
+  const double density = on_lattice.density_on_lattice(), tau = on_lattice.lattice.relaxation_time;
+  if (density < light) {
+    return fmt::format(
+        "beads of {:.3g} times the fluid's density on the lattice are too light for the "
+        "explicit coupling: take --delay-correction on, --bead-boundary psm, or a larger "
+        "--relaxation-time",
+        density);
+  }
+  if (mach > fast) {
+    return fmt::format(
+        "beads are fast, Mach {:.2g}: drive them less, or take a smaller step by a smaller "
+        "--relaxation-time or more --cells-per-radius",
+        mach);
+  }
+  if (tau < least_viscous) {
+    return fmt::format(
+        "at tau {:.4g} the fluid's viscosity hardly damps what cells do not resolve: take a "
+        "larger --relaxation-time, or more --cells-per-radius",
+        tau);
+  }
+  return "take a smaller step by a smaller --relaxation-time, more --cells-per-radius, or weaker driving";
+}
+
+std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, double mach) {
+  const LatticeScales& scales = on_lattice.lattice.scales;
+  switch (fault.kind) {
+    case FaultKind::speed:
+      return fmt::format("{} moves {:.3g} cells a step, its turning included, over the limit of 0.5; {}",
+                         place_of(fault, scales), fault.value, cause_of_instability(on_lattice, mach));
+    case FaultKind::torn_arm:
+      return fmt::format(
+          "the arm from {} to bead {} is torn: {:.3g} times its rest length, over {}; weaker "
+          "driving or stiffer springs keep it whole",
+          place_of(fault, scales), fault.other.bead + 1, fault.value, longest_stretch);
+    case FaultKind::wall:
+      return fmt::format(
+          "{} touches a wall: its surface is {:.3g} from it, and must stay {:.3g} off, half "
+          "a cell; a larger box or weaker driving keeps it off",
+          place_of(fault, scales), fault.value * scales.cell, nearest_to_wall * scales.cell);
+    case FaultKind::overlap:
+      return fmt::format(
+          "{} and {} are pressed into each other by {:.3g} of the smaller one's radius, over "
+          "{}; weaker driving or stiffer springs keep them apart",
+          place_of(fault, scales), name_of(fault.other), fault.value, deepest_overlap);
+    case FaultKind::not_finite:
+      return fmt::format("the fluid{} has become unstable, its numbers are none any more; {}",
+                         fault.names_bead() ? " at " + place_of(fault, scales) : "",
+                         cause_of_instability(on_lattice, mach));
+    case FaultKind::mass:
+      return fmt::format("fluid and beads have lost {:.3g} of their mass; the fluid is becoming unstable: {}",
+                         fault.value, cause_of_instability(on_lattice, mach));
+    case FaultKind::momentum:
+      return fmt::format(
+          "fluid and beads have gained momentum, {:.3g} of what the beads have at their "
+          "fastest; {}",
+          fault.value,
+          on_lattice.scene.precision == Precision::fp32 ? "take --precision double"
+                                                        : cause_of_instability(on_lattice, mach));
+  }
+  return "unknown fault";
+}
+
+}  // namespace
+
+std::string describe(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far) {
+  const double steps = static_cast<double>(on_lattice.lattice.steps_per_period);
+  const double mach = fault.kind == FaultKind::speed ? fault.value * std::sqrt(3.0) : mach_so_far;
+  return fmt::format("step {} (cycle {:.3f}, Mach {:.2g}): {}", fault.step,
+                     static_cast<double>(fault.step) / steps, mach, what_is_wrong(fault, on_lattice, mach));
+}
+
+}  // namespace beadswim
