@@ -122,23 +122,33 @@ small_beads() {
 }
 
 contact_at_start() {
-  for arm in 8.0001 8.4; do
+  swimmer --arm 9
+  reference_theory
+  for cells in 2 3 4 6; do row "contact at the start" "gaps of R/4, $cells cells a radius" --cells-per-radius $cells; done
+  for arm in 8.4 8.0001; do
     swimmer --arm $arm
-    reference_run --cells-per-radius 4
-    row "contact at the start" "arms of $arm, diameter 8" --cells-per-radius 2
+    reference_run --cells-per-radius 6
+    for cells in 2 4; do
+      row "contact at the start" "gaps of $(jq -nr "($arm - 8) / 4 * 1e6 | round / 1e6") R, $cells cells a radius" \
+        --cells-per-radius $cells
+    done
   done
 }
 
 places() {
-  local cube=(--box 60,60,60 --frame initial-axis)
-  swimmer "${cube[@]}"
-  reference_run --cells-per-radius 2
-  swimmer "${cube[@]}" --axis 0.5773502691896258,0.5773502691896258,0.5773502691896258
-  row "places" "along a diagonal" --cells-per-radius 2
-  swimmer "${cube[@]}" --position 0.1,59.9,0.2
-  row "places" "across the box's corner" --cells-per-radius 2
-  swimmer "${cube[@]}" --axis 0.5773502691896258,-0.5773502691896258,0.5773502691896258 --position 0.1,59.9,0.2
-  row "places" "along a diagonal across the corner" --cells-per-radius 2
+  local cube=(--box 60,60,60 --frame initial-axis) centre=(--position 30,30,30) corner=(--position 0.1,59.9,0.2)
+  local along_x=(--axis 1,0,0) diagonal=(--axis 1,-1,1)
+  place() { # CASE LAYOUT-FLAGS...
+    local name=$1
+    shift
+    swimmer "${cube[@]}" "$@"
+    reference_run --cells-per-radius 4
+    row "places" "$name" --cells-per-radius 2
+  }
+  place "along x, in the middle" "${along_x[@]}" "${centre[@]}"
+  place "along x, across the box's corner" "${along_x[@]}" "${corner[@]}"
+  place "along a diagonal" "${diagonal[@]}" "${centre[@]}"
+  place "along a diagonal, across the corner" "${diagonal[@]}" "${corner[@]}"
 }
 
 narrow_box() {

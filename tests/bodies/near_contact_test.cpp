@@ -203,5 +203,31 @@ TEST(NearContact, OfManyPairsAtOnceStaysSteady) {
   EXPECT_LT(velocity.norm(), 1e-3);
 }
 
+// Three beads in a row, pressed together by a force on either end: films that each know of the other let the
+// ends approach with F/(their resistance), however thin they are. Catches a middle bead that yields to one
+// neighbour after the other.
+TEST(ChainContact, OfThreeBeadsIsSolvedAsAWhole) {
+  constexpr double force = 0.5, heavy = 40;
+  NearContactLaw law = usual;
+  const std::array<Vec3, 3> positions{Vec3::Zero(), Vec3(4.01, 0, 0), Vec3(8.02, 0, 0)};
+  std::array<CloseBead, 3> beads;
+  beads.fill({.radius = 2, .mass = heavy, .inertia = 60});
+  const double resistance = squeezing(2, 2, eta, law.range, 0.01).resistance;
+  ASSERT_GT(resistance, 10 * heavy);
+  std::array<Vec3, 3> velocity{Vec3(0.003, 0, 0), Vec3::Zero(), Vec3(-0.003, 0, 0)};
+  for (int n = 0; n < 20; ++n) {
+    for (int b = 0; b < 3; ++b) beads[b].velocity = velocity[b];
+    beads[0].velocity[0] += force / heavy;
+    beads[2].velocity[0] -= force / heavy;
+    const ChainContact contact = chain_contact(law, beads, positions, 1);
+    EXPECT_LT((contact.linear[0] + contact.linear[1] + contact.linear[2]).norm(), 1e-14);
+    for (int b = 0; b < 3; ++b) velocity[b] = beads[b].velocity + contact.linear[b] / heavy;
+  }
+  // The film stiffens on the way of a step, of a tenth of the gap or so.
+  EXPECT_NEAR(velocity[0][0] / (force / resistance), 1, 0.1);
+  EXPECT_LT(std::abs(velocity[1][0]), 1e-12);
+  EXPECT_NEAR(velocity[2][0], -velocity[0][0], 1e-12);
+}
+
 }  // namespace
 }  // namespace beadswim

@@ -46,10 +46,9 @@ long steps_between_flows(const SceneOnLattice& on_lattice, double cycles) {
   return std::max(1L, std::lround(cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
 }
 
-/// Whatever has gone wrong up to now, on any rank: what the system noted, and what its totals say.
-std::optional<Fault> fault_in(const CoupledSystem& system, const SceneOnLattice& on_lattice,
-                              const SceneTotals& first, const SceneTotals& now) {
-  if (const auto fault = system.fault()) return fault;
+/// What totals say has gone wrong, if anything.
+std::optional<Fault> loss_in(const CoupledSystem& system, const SceneOnLattice& on_lattice,
+                             const SceneTotals& first, const SceneTotals& now) {
   auto fault = conservation_fault(on_lattice.scene, first, now, system.largest_bead_speed());
   if (fault) fault->step = system.steps_done();
   return fault;
@@ -80,11 +79,14 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     const long done = system.steps_done();
     const bool is_last = done == steps, is_frame = recorder.is_due(done);
     const bool is_flow = flow != nullptr && done % flow_interval == 0;
-    if (!is_last && !is_frame && !is_flow && done % steps_between_guards != 0) continue;
+    const bool is_guard = is_last || done % steps_between_guards == 0;
+    if (!is_guard && !is_frame && !is_flow) continue;
 
     SceneTotals totals = outcome.last_totals;
     if (is_last || is_frame || done % steps_between_totals == 0) totals = system.totals();
-    if (const auto fault = fault_in(system, on_lattice, outcome.first_totals, totals)) {
+    std::optional<Fault> fault = system.fault();
+    if (!fault && is_guard) fault = loss_in(system, on_lattice, outcome.first_totals, totals);
+    if (fault) {
       outcome.status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed;
       outcome.reason = describe(*fault, on_lattice, system.largest_bead_speed() * std::sqrt(3.0));
       break;
@@ -92,6 +94,7 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     outcome.last_totals = totals;
     if (is_frame) recorder.record(system, totals);
     if (is_flow) flow->write(system);
+    if (!is_guard) continue;
     if (communicator.is_root()) progress.update(done);
     if (const auto stop = asked_to_stop(start, options, communicator)) {
       outcome.status = stop->status;

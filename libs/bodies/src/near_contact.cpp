@@ -138,4 +138,52 @@ PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& fir
           .firmness = taken / (1 + taken)};
 }
 
+ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
+                           const std::array<Vec3, 3>& positions, double step) {
+  constexpr std::array<std::array<int, 2>, 3> all_pairs{{{0, 1}, {1, 2}, {0, 2}}};
+  ChainContact result;
+  result.linear.fill(Vec3::Zero());
+  result.angular.fill(Vec3::Zero());
+  std::array<CloseBead, 3> moving = beads;
+  std::array<bool, 3> close{};
+  for (int p = 0; p < 3; ++p) {
+    const auto [i, j] = all_pairs[p];
+    const double gap = (positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius;
+    close[p] = gap < law.reach();
+    if (close[p]) result.smallest_gap = std::min(result.smallest_gap, gap);
+  }
+  for (CloseBead& bead : moving) bead.pairs = 1;
+  const auto add = [&](int b, const Vec3& linear, const Vec3& angular) {
+    result.linear[b] += linear;
+    result.angular[b] += angular;
+    moving[b].velocity = beads[b].velocity + result.linear[b] / beads[b].mass;
+    moving[b].angular_velocity = beads[b].angular_velocity + result.angular[b] / beads[b].inertia;
+  };
+  std::array<PairImpulse, 3> impulses;
+  constexpr int most_sweeps = 200;
+  constexpr double roundoff = 1e-14;
+  const bool alone = std::ranges::count(close, true) == 1;  // nothing to iterate for
+  for (int sweep = 0; sweep < (alone ? 1 : most_sweeps); ++sweep) {
+    double change = 0, size = 0;
+    for (int p = 0; p < 3; ++p) {
+      if (!close[p]) continue;
+      const auto [i, j] = all_pairs[p];
+      const PairImpulse before = impulses[p];
+      add(i, before.linear, -before.first_angular);
+      add(j, -before.linear, -before.second_angular);
+      const PairImpulse& now = impulses[p] =
+          near_contact_impulse(law, moving[i], moving[j], positions[j] - positions[i], step);
+      add(i, -now.linear, now.first_angular);
+      add(j, now.linear, now.second_angular);
+      change = std::max(change, (now.linear - before.linear).norm());
+      size = std::max(size, now.linear.norm());
+    }
+    if (change <= roundoff * size) break;
+  }
+  for (int p = 0; p < 3; ++p) {
+    for (const int b : all_pairs[p]) result.firmness[b] += impulses[p].firmness;
+  }
+  return result;
+}
+
 }  // namespace beadswim

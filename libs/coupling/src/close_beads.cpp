@@ -26,6 +26,18 @@ void hand_over(BeadOnLattice& bead, const Vec3& linear, const Vec3& angular, dou
   bead.impulse.firmness.add(firmness);
 }
 
+/// Keeps the first by name of overlaps that are too deep.
+void note_overlap(CloseBeads& found, const BeadName& bead, const BeadName& other, const Vec3& position,
+                  double gap, double smaller_radius) {
+  if (-gap <= deepest_overlap * smaller_radius) return;
+  if (found.overlap && std::pair(found.overlap->bead, found.overlap->other) <= std::pair(bead, other)) return;
+  found.overlap = Fault{.kind = FaultKind::overlap,
+                        .bead = bead,
+                        .other = other,
+                        .position = position,
+                        .value = -gap / smaller_radius};
+}
+
 /// Whether a point in the unwrapped coordinates of an image lies in the block's own cells.
 bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point) {
   const Index3 cell = point.array().floor().cast<int>() - image.shift;
@@ -48,7 +60,7 @@ LubricationRange lubrication_range(BeadScheme scheme) {
 }
 
 NearContactLaw near_contact_law(const CoupledScene& scene) {
-  constexpr double collision_steps = 5;  // the least that an implicit step follows
+  constexpr double collision_steps = 2;  // the fewest in which an implicit step follows a spring
   constexpr double roughness = 1e-3;     // [smallest radius]
   double smallest = std::numeric_limits<double>::infinity();
   for (const SwimmerType& type : scene.types) {
@@ -69,35 +81,57 @@ NearContactLaw near_contact_law(const CoupledScene& scene) {
 CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
                             std::span<BeadOnLattice> beads) {
   const std::vector<CoveredImage>& images = coverage.images().images;
-  const double range = std::max({law.range.normal, law.range.tangential, 0.0});
   CloseBeads found;
   for (const ImagePair& pair : coverage.images().close_pairs) {
     const CoveredImage &a = images[pair.first], &b = images[pair.second];
     BeadOnLattice &first = beads[a.bead], &second = beads[b.bead];
     // Whole numbers between images: the same bits whichever block asks.
     const Vec3 between = (a.image.shift - b.image.shift).cast<double>().matrix();
+    if (first.name.swimmer == second.name.swimmer && between == Vec3::Zero()) continue;
     const Vec3 separation = second.motion.position - first.motion.position + between;
     const double distance = separation.norm();
     const double gap = distance - first.body.radius - second.body.radius;
-    if (!(gap < range)) continue;
+    if (!(gap < law.reach())) continue;
     const double to_middle = (first.body.radius + 0.5 * gap) / distance;
     if (!is_own(coverage, a.image, first.motion.position + to_middle * separation)) continue;
 
     found.smallest_gap = std::min(found.smallest_gap, gap);
-    const double smaller = std::min(first.body.radius, second.body.radius);
-    const bool is_first = !found.overlap || std::pair(first.name, second.name) <
-                                                std::pair(found.overlap->bead, found.overlap->other);
-    if (-gap > deepest_overlap * smaller && is_first) {
-      found.overlap = Fault{.kind = FaultKind::overlap,
-                            .bead = first.name,
-                            .other = second.name,
-                            .position = first.motion.position,
-                            .value = -gap / smaller};
-    }
+    note_overlap(found, first.name, second.name, first.motion.position, gap,
+                 std::min(first.body.radius, second.body.radius));
     const PairImpulse impulse =
         near_contact_impulse(law, close_bead(first), close_bead(second), separation, 1);
     hand_over(first, -impulse.linear, impulse.first_angular, impulse.firmness);
     hand_over(second, impulse.linear, impulse.second_angular, impulse.firmness);
+  }
+  return found;
+}
+
+CloseBeads push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
+                      SwimmerLoads& impulses) {
+  CloseBeads found;
+  std::array<CloseBead, 3> beads;
+  std::array<Vec3, 3> positions;
+  for (int b = 0; b < 3; ++b) {
+    const Bead& body = type.beads[b];
+    positions[b] = swimmer.motion[b].position;
+    beads[b] = {
+        .radius = body.radius,
+        .mass = mass(body),
+        .inertia = moment_of_inertia(body),
+        .velocity = swimmer.predicted[b].linear + impulses[b].force / mass(body),
+        .angular_velocity = swimmer.predicted[b].angular + impulses[b].torque / moment_of_inertia(body)};
+  }
+  const ChainContact chain = chain_contact(law, beads, positions, 1);
+  found.smallest_gap = chain.smallest_gap;
+  for (int b = 0; b < 3; ++b) {
+    impulses[b].force += chain.linear[b];
+    impulses[b].torque += chain.angular[b];
+    swimmer.firmness[b] += chain.firmness[b];
+    for (int other = b + 1; other < 3; ++other) {
+      const double a = beads[b].radius, c = beads[other].radius;
+      note_overlap(found, {swimmer.id, b}, {swimmer.id, other}, positions[b],
+                   (positions[other] - positions[b]).norm() - a - c, std::min(a, c));
+    }
   }
   return found;
 }

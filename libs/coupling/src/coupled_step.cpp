@@ -22,7 +22,7 @@ void add_change(Load& impulse, Load& inner, const Load& inner_now) {
 
 /// Velocities at the end of the coming step, if no bead were close: as they are, and once more what this step
 /// has changed without the impulses of close beads.
-void predict(SwimmerState& swimmer, const SwimmerMotion& before, const std::array<Load, 3>& close,
+void predict(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLoads& close,
              const SwimmerType& type) {
   for (int b = 0; b < 3; ++b) {
     const BeadMotion& now = swimmer.motion[b];
@@ -76,14 +76,14 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
   for (SwimmerState& swimmer : owned_) {
     // The mean of two steps' impulses: a staircase answers alternate steps differently (Ladd 1994).
     SwimmerLoads loads;
-    std::array<Load, 3> close;
+    SwimmerLoads close;
     for (int b = 0; b < 3; ++b) {
       const Impulse& handed = impulses.at({swimmer.id, b});
       Load impulse = handed.value();
       add_change(impulse, swimmer.inner_momentum[b], handed.inner_value());
       close[b] = handed.close_value();
-      loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force) + close[b].force;
-      loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque) + close[b].torque;
+      loads[b].force = 0.5 * (swimmer.last_impulse[b].force + impulse.force);
+      loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
       swimmer.firmness[b] = handed.firmness.value();
       // Its links return a part of the fluid mass that it has come to hold, alike in all directions.
@@ -91,6 +91,11 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       swimmer.mass_source[b] = returned_mass(swimmer.held_mass[b], handed.link_weight.value());
     }
     const SwimmerType& type = scene_.types[swimmer.type];
+    note_close(push_chain(near_contact_, type, swimmer, close));
+    for (int b = 0; b < 3; ++b) {
+      loads[b].force += close[b].force;
+      loads[b].torque += close[b].torque;
+    }
     const SwimmerMotion before = swimmer.motion;
     advance_swimmer(swimmer.motion, type, swimmer.initial_axis, loads, static_cast<double>(steps_done_), 1,
                     substeps_[swimmer.type]);
@@ -111,10 +116,13 @@ void CoupledSystem::meet() {
   } else {
     saturated_cells_.find(beads_);
   }
-  // Beads that are close to each other.
-  const CloseBeads close = push_close_beads(near_contact_, coverage_, beads_);
-  smallest_gap_ = std::min(smallest_gap_, close.smallest_gap);
-  if (close.overlap) note(*close.overlap);
+  // Beads that are close to other swimmers' and to images.
+  note_close(push_close_beads(near_contact_, coverage_, beads_));
+}
+
+void CoupledSystem::note_close(const CloseBeads& found) {
+  smallest_gap_ = std::min(smallest_gap_, found.smallest_gap);
+  if (found.overlap) note(*found.overlap);
 }
 
 }  // namespace beadswim

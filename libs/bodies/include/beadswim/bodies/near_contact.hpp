@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <limits>
+
 #include "beadswim/bodies/lubrication.hpp"
 #include "beadswim/core/vec3.hpp"
 
@@ -14,6 +17,9 @@ struct NearContactLaw {
   double stiffness_rate = 0;  ///< sqrt(k/m), m the reduced mass: pi over the time of a collision [1/time]
   double damping_ratio = 0;   ///< c/(2 sqrt(k m)) of the dashpot beside the spring
   double friction = 0;        ///< Coulomb's coefficient
+
+  /// Gap below which there is anything between two beads.
+  double reach() const { return std::max({range.normal, range.tangential, 0.0}); }
 };
 
 /// A bead at the start of the step. Velocities: those that it would have at the end of the step if the other
@@ -47,5 +53,17 @@ struct PairImpulse {
 /// spring.
 PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& first, const CloseBead& second,
                                  const Vec3& separation, double step);
+
+/// Of the beads of one swimmer among themselves.
+struct ChainContact {
+  std::array<Vec3, 3> linear, angular;  ///< impulse and angular impulse to each bead
+  std::array<double, 3> firmness{};     ///< sums of PairImpulse::firmness over each bead's pairs
+  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of pairs in the law's range
+};
+
+/// Three beads and their places: all pairs that are close find their impulses together, each knowing what the
+/// others do, by Gauss and Seidel's iteration to roundoff. CloseBead::pairs has no effect.
+ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
+                           const std::array<Vec3, 3>& positions, double step);
 
 }  // namespace beadswim

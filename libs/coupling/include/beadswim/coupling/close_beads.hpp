@@ -9,6 +9,7 @@
 #include "beadswim/coupling/coverage.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/scene.hpp"
+#include "beadswim/coupling/swimmer_state.hpp"
 
 // The loop over beads that are close to each other or to periodic images; the law is in
 // bodies/near_contact.hpp. It works on one rank's block.
@@ -30,9 +31,14 @@ struct CloseBeads {
   std::optional<Fault> overlap;  ///< the first that is too deep; its step is not set
 };
 
-/// Adds what close beads hand each other in the coming step to their impulses. Each pair of images belongs to
-/// the block in which the middle of its gap lies.
+/// Adds what close beads hand each other in the coming step to their impulses, but for beads of the same
+/// swimmer as they are joined: these are its owner's (push_chain). Each pair of images belongs to the block
+/// in which the middle of its gap lies.
 CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
                             std::span<BeadOnLattice> beads);
+
+/// The same among a swimmer's own beads: adds to `impulses` what others hand them, and to swimmer.firmness.
+CloseBeads push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
+                      SwimmerLoads& impulses);
 
 }  // namespace beadswim

@@ -70,6 +70,7 @@ class CoupledSystem {
   /// What forbids a swimmer to move on; notes the largest speed.
   std::optional<Fault> fault_of(const SwimmerState& swimmer);
   void note(Fault fault);
+  void note_close(const CloseBeads& found);
   /// Calls a function that may throw on this rank alone, and notes what it throws.
   template <class Function>
   void noting_faults(Function&& function) {
