@@ -172,7 +172,7 @@ turning_over() { # pressed together along its line for half a period, it turns o
   no_reference
   for cells in 2 3; do
     swimmer --box 64,64,40 --amplitude 0.6 --stiffness 0.2 --phase 3.14159265358979 --period 40000 \
-      --axis -0.9998000199980002,0.01999600119960014,0
+      --axis 0.9998000199980002,0.01999600119960014,0
     row "turning over" "$cells cells a radius" --cells-per-radius $cells --cycles 1
   done
 }

@@ -176,6 +176,19 @@ TEST(NearContact, RubsAsCoulombHasIt) {
   }
 }
 
+// In the step in which they come to touch, too: what stops them is contact, and rubs.
+TEST(NearContact, RubsFromTheFirstTouch) {
+  NearContactLaw dry = usual;
+  dry.range = {};
+  CloseBead first{.radius = 4, .mass = 268, .inertia = 0.4 * 268 * 16}, second = first;
+  second.velocity = Vec3(-0.05, 0.5, 0);
+  for (const double gap : {0.06, 0.04, 0.02, 0.001}) {
+    const PairImpulse p = near_contact_impulse(dry, first, second, Vec3(8 + gap, 0, 0), 1);
+    EXPECT_EQ(p.linear[0] > 0, gap < 0.05) << gap;
+    EXPECT_NEAR(-p.linear[1], dry.friction * p.linear[0], 1e-12) << gap;
+  }
+}
+
 // A heavy bead pressed on from twelve sides at once. Catches impulses that overshoot together.
 TEST(NearContact, OfManyPairsAtOnceStaysSteady) {
   const CloseBead neighbour{.radius = 4, .mass = 268, .inertia = 1715, .pairs = 12};

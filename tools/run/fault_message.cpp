@@ -20,22 +20,15 @@ std::string place_of(const Fault& fault, const LatticeScales& scales) {
   return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_of(fault.bead), p[0], p[1], p[2]);
 }
 
-/// Why numbers are likely to have grown without bound.
-std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach) {
-  constexpr double light = 0.65, fast = 0.3, least_viscous = 0.52;
+/// Why numbers are likely to have grown without bound, or beads to be too fast.
+std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_so_far) {
+  constexpr double least_viscous = 0.52;
   const double density = on_lattice.density_on_lattice(), tau = on_lattice.lattice.relaxation_time;
-  if (density < light) {
+  if (density < light_bead) {
     return fmt::format(
         "beads of {:.3g} times the fluid's density on the lattice are too light for the "
-        "explicit coupling: take --delay-correction on, --bead-boundary psm, or a larger "
-        "--relaxation-time",
-        density);
-  }
-  if (mach > fast) {
-    return fmt::format(
-        "beads are fast, Mach {:.2g}: drive them less, or take a smaller step by a smaller "
-        "--relaxation-time or more --cells-per-radius",
-        mach);
+        "explicit coupling: take {}--bead-boundary psm, or a larger --relaxation-time",
+        density, on_lattice.corrects_delay ? "" : "--delay-correction on, ");
   }
   if (tau < least_viscous) {
     return fmt::format(
@@ -43,15 +36,19 @@ std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach) 
         "larger --relaxation-time, or more --cells-per-radius",
         tau);
   }
-  return "take a smaller step by a smaller --relaxation-time, more --cells-per-radius, or weaker driving";
+  const std::string smaller_step =
+      "take a smaller step by a smaller --relaxation-time or more --cells-per-radius";
+  if (mach_so_far > fast_bead)
+    return fmt::format("beads have been at Mach {:.2g}: drive them less, or {}", mach_so_far, smaller_step);
+  return fmt::format("drive beads less, or {}", smaller_step);
 }
 
-std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, double mach) {
+std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far) {
   const LatticeScales& scales = on_lattice.lattice.scales;
   switch (fault.kind) {
     case FaultKind::speed:
       return fmt::format("{} moves {:.3g} cells a step, its turning included, over the limit of 0.5; {}",
-                         place_of(fault, scales), fault.value, cause_of_instability(on_lattice, mach));
+                         place_of(fault, scales), fault.value, cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::torn_arm:
       return fmt::format(
           "the arm from {} to bead {} is torn: {:.3g} times its rest length, over {}; weaker "
@@ -70,17 +67,17 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
     case FaultKind::not_finite:
       return fmt::format("the fluid{} has become unstable, its numbers are none any more; {}",
                          fault.names_bead() ? " at " + place_of(fault, scales) : "",
-                         cause_of_instability(on_lattice, mach));
+                         cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::mass:
       return fmt::format("fluid and beads have lost {:.3g} of their mass; the fluid is becoming unstable: {}",
-                         fault.value, cause_of_instability(on_lattice, mach));
+                         fault.value, cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::momentum:
       return fmt::format(
           "fluid and beads have gained momentum, {:.3g} of what the beads have at their "
           "fastest; {}",
           fault.value,
           on_lattice.scene.precision == Precision::fp32 ? "take --precision double"
-                                                        : cause_of_instability(on_lattice, mach));
+                                                        : cause_of_instability(on_lattice, mach_so_far));
   }
   return "unknown fault";
 }
@@ -91,7 +88,8 @@ std::string describe(const Fault& fault, const SceneOnLattice& on_lattice, doubl
   const double steps = static_cast<double>(on_lattice.lattice.steps_per_period);
   const double mach = fault.kind == FaultKind::speed ? fault.value * std::sqrt(3.0) : mach_so_far;
   return fmt::format("step {} (cycle {:.3f}, Mach {:.2g}): {}", fault.step,
-                     static_cast<double>(fault.step) / steps, mach, what_is_wrong(fault, on_lattice, mach));
+                     static_cast<double>(fault.step) / steps, mach,
+                     what_is_wrong(fault, on_lattice, mach_so_far));
 }
 
 }  // namespace beadswim

@@ -83,13 +83,18 @@ void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_erro
     tell(fmt::format("beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
                      on_lattice.cells_per_radius));
   }
-  constexpr double light = 0.65;
-  if (on_lattice.density_on_lattice() < light) {
+  if (on_lattice.density_on_lattice() < light_bead) {
     tell(fmt::format(
         "beadswim-run: warning: beads of {:.3g} times the fluid's density on the lattice; the coupling is "
         "explicit, and below {} it may become unstable; --delay-correction on helps, with it a larger "
         "--relaxation-time\n",
-        on_lattice.density_on_lattice(), light));
+        on_lattice.density_on_lattice(), light_bead));
+  }
+  if (on_lattice.damps_springs) {
+    tell(
+        "beadswim-run: warning: springs vibrate faster than a step resolves, and get dashpots that damp "
+        "that; "
+        "slower motion lags in them by half a step at most\n");
   }
   if (!precision_error || *precision_error <= tolerated_precision_error) return;
   tell(
@@ -101,8 +106,7 @@ void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_erro
 
 /// A lattice fluid is nearly incompressible only while it is slow.
 void warn_if_fast(double mach, const Communicator& communicator) {
-  constexpr double fast = 0.3;
-  if (mach <= fast || !communicator.is_root()) return;
+  if (mach <= fast_bead || !communicator.is_root()) return;
   tell(fmt::format(
       "beadswim-run: warning: beads reached Mach {:.2g}, where the fluid's compressibility, some {:.0f} % "
       "there, changes what they do; take a smaller step by a smaller --relaxation-time or more "

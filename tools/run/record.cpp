@@ -100,8 +100,8 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
                         .precision = name_of(on_lattice.scene.precision)};
   record.cost = cost_of(parts, on_lattice, outcome);
   record.near_contact = near_contact_of(parts.system, on_lattice);
-  // Of a failed run the last state is no result, and depends on where ranks noticed.
-  if (outcome.status != RunStatus::failed)
+  // After a fault swimmers waited where they were: the last state is no result.
+  if (outcome.status != RunStatus::failed && outcome.status != RunStatus::stopped_speed)
     record.state_sha256 = state_sha256(parts.system, parts.communicator);
   record.provenance = document.provenance;
   record.provenance->push_back(options.provenance);

@@ -83,9 +83,10 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     if (!is_guard && !is_frame && !is_flow) continue;
 
     SceneTotals totals = outcome.last_totals;
-    if (is_last || is_frame || done % steps_between_totals == 0) totals = system.totals();
+    const bool is_watched = is_last || is_frame || done % steps_between_totals == 0;
+    if (is_watched) totals = system.totals();
     std::optional<Fault> fault = system.fault();
-    if (!fault && is_guard) fault = loss_in(system, on_lattice, outcome.first_totals, totals);
+    if (!fault && is_watched) fault = loss_in(system, on_lattice, outcome.first_totals, totals);
     if (fault) {
       outcome.status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed;
       outcome.reason = describe(*fault, on_lattice, system.largest_bead_speed() * std::sqrt(3.0));

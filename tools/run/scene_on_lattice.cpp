@@ -139,7 +139,7 @@ SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattic
   if (corrects_delay) {
     for (Bead& bead : result.beads) bead = made_up_for_delay(bead, lattice.relaxation_time);
   }
-  return with_damped_vibrations(result, 1);
+  return result;
 }
 
 /// The layout's swimmers in order of their ids, and the types that they share.
@@ -192,6 +192,13 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
   for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(layout.domain->boundary[a]);
   add_swimmers(scene, layout, result.lattice, options.delay_correction);
+  for (SwimmerType& type : scene.types) {
+    const SwimmerType damped = with_damped_vibrations(type, 1);
+    for (int arm = 0; arm < 2; ++arm)
+      result.damps_springs |= damped.springs[arm].damping != type.springs[arm].damping;
+    type = damped;
+  }
+  result.corrects_delay = options.delay_correction;
   return result;
 }
 

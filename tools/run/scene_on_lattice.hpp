@@ -7,11 +7,19 @@
 
 namespace beadswim {
 
+/// Beads of less density on the lattice may be too light for the explicit coupling [density of the fluid].
+constexpr double light_bead = 0.65;
+
+/// From this Mach number on the fluid's compressibility shows.
+constexpr double fast_bead = 0.3;
+
 /// A layout's scene on the lattice that the options, the layout's hint or the defaults ask for.
 struct SceneOnLattice {
   LatticeChoice lattice;
   double cells_per_radius = 0;
   double period = 0;  ///< of all swimmers' driving [time]
+  bool corrects_delay = false;
+  bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_damped_vibrations)
   CoupledScene scene;
 
   /// Least density with which a bead moves [density of the fluid].

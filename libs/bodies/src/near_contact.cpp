@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace beadswim {
 namespace {
@@ -41,9 +42,11 @@ NormalImpulse normal_impulse(const NearContactLaw& law, const CloseBead& first, 
     return pair.reduced_mass * (v - velocity) + momentum(pair.gap + step * v) - momentum_now -
            step * contact_force(v);
   };
+  if (excess(velocity) == 0) return {.total = 0, .contact = 0};
   const double end = root_of(excess, std::min(velocity, 0.0), std::max({velocity, -pair.gap / step, 0.0}));
   const double total = pair.reduced_mass * (end - velocity);
-  return {.total = total, .contact = std::min(step * contact_force(end), std::max(0.0, total))};
+  const double by_film = momentum_now - momentum(pair.gap + step * end);
+  return {.total = total, .contact = std::max(0.0, total - by_film)};
 }
 
 /// Rates w of a pair and what sets them in motion: beads' turning relative to the line of centres.
@@ -142,44 +145,48 @@ ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead
                            const std::array<Vec3, 3>& positions, double step) {
   constexpr std::array<std::array<int, 2>, 3> all_pairs{{{0, 1}, {1, 2}, {0, 2}}};
   ChainContact result;
-  result.linear.fill(Vec3::Zero());
-  result.angular.fill(Vec3::Zero());
-  std::array<CloseBead, 3> moving = beads;
   std::array<bool, 3> close{};
   for (int p = 0; p < 3; ++p) {
     const auto [i, j] = all_pairs[p];
-    const double gap = (positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius;
-    close[p] = gap < law.reach();
-    if (close[p]) result.smallest_gap = std::min(result.smallest_gap, gap);
+    close[p] = (positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius < law.reach();
   }
-  for (CloseBead& bead : moving) bead.pairs = 1;
-  const auto add = [&](int b, const Vec3& linear, const Vec3& angular) {
-    result.linear[b] += linear;
-    result.angular[b] += angular;
-    moving[b].velocity = beads[b].velocity + result.linear[b] / beads[b].mass;
-    moving[b].angular_velocity = beads[b].angular_velocity + result.angular[b] / beads[b].inertia;
-  };
   std::array<PairImpulse, 3> impulses;
-  constexpr int most_sweeps = 200;
+  const auto sum_up = [&] {
+    result.linear.fill(Vec3::Zero());
+    result.angular.fill(Vec3::Zero());
+    for (int p = 0; p < 3; ++p) {
+      const auto [i, j] = all_pairs[p];
+      result.linear[i] -= impulses[p].linear;
+      result.linear[j] += impulses[p].linear;
+      result.angular[i] += impulses[p].first_angular;
+      result.angular[j] += impulses[p].second_angular;
+    }
+  };
+  const auto moved = [&](int b) {
+    CloseBead bead = beads[b];
+    bead.pairs = 1;
+    bead.velocity += result.linear[b] / bead.mass;
+    bead.angular_velocity += result.angular[b] / bead.inertia;
+    return bead;
+  };
+  double scale = 0;
+  for (const CloseBead& bead : beads) scale = std::max(scale, bead.mass * bead.velocity.norm());
+  constexpr int most_sweeps = 50;
   constexpr double roundoff = 1e-14;
-  const bool alone = std::ranges::count(close, true) == 1;  // nothing to iterate for
-  for (int sweep = 0; sweep < (alone ? 1 : most_sweeps); ++sweep) {
-    double change = 0, size = 0;
+  const bool is_alone = std::ranges::count(close, true) == 1;  // nothing to iterate for
+  for (int sweep = 0; sweep < (is_alone ? 1 : most_sweeps); ++sweep) {
+    double change = 0;
     for (int p = 0; p < 3; ++p) {
       if (!close[p]) continue;
       const auto [i, j] = all_pairs[p];
-      const PairImpulse before = impulses[p];
-      add(i, before.linear, -before.first_angular);
-      add(j, -before.linear, -before.second_angular);
-      const PairImpulse& now = impulses[p] =
-          near_contact_impulse(law, moving[i], moving[j], positions[j] - positions[i], step);
-      add(i, -now.linear, now.first_angular);
-      add(j, now.linear, now.second_angular);
-      change = std::max(change, (now.linear - before.linear).norm());
-      size = std::max(size, now.linear.norm());
+      const PairImpulse before = std::exchange(impulses[p], {});
+      sum_up();
+      impulses[p] = near_contact_impulse(law, moved(i), moved(j), positions[j] - positions[i], step);
+      change = std::max(change, (impulses[p].linear - before.linear).norm());
     }
-    if (change <= roundoff * size) break;
+    if (change <= roundoff * scale) break;
   }
+  sum_up();
   for (int p = 0; p < 3; ++p) {
     for (const int b : all_pairs[p]) result.firmness[b] += impulses[p].firmness;
   }

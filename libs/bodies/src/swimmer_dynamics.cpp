@@ -76,7 +76,7 @@ SwimmerType with_damped_vibrations(SwimmerType type, double step) {
     Spring& spring = type.springs[arm];
     const double reduced_mass = 1 / (1 / mass(type.beads[arm]) + 1 / mass(type.beads[arm + 1]));
     const double omega = std::sqrt(spring.stiffness / reduced_mass);
-    if (omega * step <= 0.5) continue;
+    if (std::sqrt(1.5) * omega * step <= 0.5) continue;
     const double needed = std::min(0.5 * step * spring.stiffness, reduced_mass * omega);
     spring.damping = std::max(spring.damping, needed);
   }

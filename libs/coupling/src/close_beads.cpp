@@ -26,18 +26,6 @@ void hand_over(BeadOnLattice& bead, const Vec3& linear, const Vec3& angular, dou
   bead.impulse.firmness.add(firmness);
 }
 
-/// Keeps the first by name of overlaps that are too deep.
-void note_overlap(CloseBeads& found, const BeadName& bead, const BeadName& other, const Vec3& position,
-                  double gap, double smaller_radius) {
-  if (-gap <= deepest_overlap * smaller_radius) return;
-  if (found.overlap && std::pair(found.overlap->bead, found.overlap->other) <= std::pair(bead, other)) return;
-  found.overlap = Fault{.kind = FaultKind::overlap,
-                        .bead = bead,
-                        .other = other,
-                        .position = position,
-                        .value = -gap / smaller_radius};
-}
-
 /// Whether a point in the unwrapped coordinates of an image lies in the block's own cells.
 bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point) {
   const Index3 cell = point.array().floor().cast<int>() - image.shift;
@@ -45,6 +33,16 @@ bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point)
 }
 
 }  // namespace
+
+std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
+                                double smaller_radius) {
+  if (-gap <= deepest_overlap * smaller_radius) return std::nullopt;
+  return Fault{.kind = FaultKind::overlap,
+               .bead = bead,
+               .other = other,
+               .position = position,
+               .value = -gap / smaller_radius};
+}
 
 LubricationRange lubrication_range(BeadScheme scheme) {
   switch (scheme) {
@@ -70,7 +68,8 @@ NearContactLaw near_contact_law(const CoupledScene& scene) {
                      .range = {},
                      .stiffness_rate = std::numbers::pi / collision_steps,
                      .damping_ratio = 0.5,
-                     .friction = scene.friction};
+                     .friction = scene.friction,
+                     .contact_reach = 2 * speed_limit};
   if (scene.lubrication) {
     law.range = lubrication_range(scene.bead_boundary);
     law.range.smallest = roughness * smallest;
@@ -92,12 +91,14 @@ CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
     const double distance = separation.norm();
     const double gap = distance - first.body.radius - second.body.radius;
     if (!(gap < law.reach())) continue;
-    const double to_middle = (first.body.radius + 0.5 * gap) / distance;
+    const double to_middle = distance > 0 ? (first.body.radius + 0.5 * gap) / distance : 0;
     if (!is_own(coverage, a.image, first.motion.position + to_middle * separation)) continue;
 
     found.smallest_gap = std::min(found.smallest_gap, gap);
-    note_overlap(found, first.name, second.name, first.motion.position, gap,
-                 std::min(first.body.radius, second.body.radius));
+    const auto overlap = overlap_of(first.name, second.name, first.motion.position, gap,
+                                    std::min(first.body.radius, second.body.radius));
+    if (overlap && (!found.overlap || comes_before(*overlap, *found.overlap))) found.overlap = overlap;
+    if (overlap) continue;  // the run will stop
     const PairImpulse impulse =
         near_contact_impulse(law, close_bead(first), close_bead(second), separation, 1);
     hand_over(first, -impulse.linear, impulse.first_angular, impulse.firmness);
@@ -106,9 +107,8 @@ CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
   return found;
 }
 
-CloseBeads push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
-                      SwimmerLoads& impulses) {
-  CloseBeads found;
+void push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
+                SwimmerLoads& impulses) {
   std::array<CloseBead, 3> beads;
   std::array<Vec3, 3> positions;
   for (int b = 0; b < 3; ++b) {
@@ -122,18 +122,11 @@ CloseBeads push_chain(const NearContactLaw& law, const SwimmerType& type, Swimme
         .angular_velocity = swimmer.predicted[b].angular + impulses[b].torque / moment_of_inertia(body)};
   }
   const ChainContact chain = chain_contact(law, beads, positions, 1);
-  found.smallest_gap = chain.smallest_gap;
   for (int b = 0; b < 3; ++b) {
     impulses[b].force += chain.linear[b];
     impulses[b].torque += chain.angular[b];
     swimmer.firmness[b] += chain.firmness[b];
-    for (int other = b + 1; other < 3; ++other) {
-      const double a = beads[b].radius, c = beads[other].radius;
-      note_overlap(found, {swimmer.id, b}, {swimmer.id, other}, positions[b],
-                   (positions[other] - positions[b]).norm() - a - c, std::min(a, c));
-    }
   }
-  return found;
 }
 
 }  // namespace beadswim

@@ -36,6 +36,7 @@ void predict(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLo
 }  // namespace
 
 void CoupledSystem::step() {
+  ++steps_done_;  // by the end of it
   // Fluid: what streams in from neighbours, walls and beads, then streaming and collision, row by row.
   if (has_links(scene_.bead_boundary)) {
     step_fluid_with_links();
@@ -50,8 +51,13 @@ void CoupledSystem::step() {
   std::swap(beads_before_, beads_);
   beads_ = exchange_.publish(owned_);
 
-  unless_broken([&] { meet(); });
-  ++steps_done_;
+  // Cells that changed hands, and where beads meet the fluid and each other in the next step.
+  unless_broken([&] {
+    coverage_.update(beads_);
+    if (has_links(scene_.bead_boundary))
+      hand_over_changed_cells(populations_, coverage_, links_, beads_before_, beads_, rates_);
+    meet();
+  });
 }
 
 void CoupledSystem::step_fluid_with_links() {
@@ -91,14 +97,14 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       swimmer.mass_source[b] = returned_mass(swimmer.held_mass[b], handed.link_weight.value());
     }
     const SwimmerType& type = scene_.types[swimmer.type];
-    note_close(push_chain(near_contact_, type, swimmer, close));
+    push_chain(near_contact_, type, swimmer, close);
     for (int b = 0; b < 3; ++b) {
       loads[b].force += close[b].force;
       loads[b].torque += close[b].torque;
     }
     const SwimmerMotion before = swimmer.motion;
-    advance_swimmer(swimmer.motion, type, swimmer.initial_axis, loads, static_cast<double>(steps_done_), 1,
-                    substeps_[swimmer.type]);
+    advance_swimmer(swimmer.motion, type, swimmer.initial_axis, loads, static_cast<double>(steps_done_ - 1),
+                    1, substeps_[swimmer.type]);
     if (std::optional<Fault> fault = fault_of(swimmer)) {
       note(*fault);
       swimmer.motion = before;  // ranks agree to stop within some steps, results intact
@@ -108,21 +114,14 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
 }
 
 void CoupledSystem::meet() {
-  // Cells that changed hands, and where beads meet the fluid now.
-  coverage_.update(beads_);
   if (has_links(scene_.bead_boundary)) {
-    hand_over_changed_cells(populations_, coverage_, links_, beads_before_, beads_, rates_);
     links_.find(coverage_);
   } else {
     saturated_cells_.find(beads_);
   }
-  // Beads that are close to other swimmers' and to images.
-  note_close(push_close_beads(near_contact_, coverage_, beads_));
-}
-
-void CoupledSystem::note_close(const CloseBeads& found) {
-  smallest_gap_ = std::min(smallest_gap_, found.smallest_gap);
-  if (found.overlap) note(*found.overlap);
+  const CloseBeads close = push_close_beads(near_contact_, coverage_, beads_);
+  if (!fault_) smallest_gap_ = std::min(smallest_gap_, close.smallest_gap);
+  if (close.overlap) note(*close.overlap);
 }
 
 }  // namespace beadswim

@@ -11,9 +11,6 @@
 namespace beadswim {
 namespace {
 
-/// The paper's limit [cell/step].
-constexpr double speed_limit = 0.5;
-
 SwimmerState at_rest(const CoupledScene& scene, const CoupledScene::Swimmer& swimmer) {
   const SwimmerType& type = scene.types[swimmer.type];
   SwimmerState state{.id = swimmer.id,
@@ -51,20 +48,16 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
-  if (has_links(scene_.bead_boundary)) {
-    links_.find(coverage_);
-  } else {
-    saturated_cells_.find(beads_);
-  }
+  meet();
 }
 
 std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
+  const std::array<Bead, 3>& bodies = scene_.types[swimmer.type].beads;
   for (int b = 0; b < 3; ++b) {
     const BeadMotion& motion = swimmer.motion[b];
-    const double radius = scene_.types[swimmer.type].beads[b].radius;
-    const double speed = motion.velocity.norm() + radius * motion.angular_velocity.norm();
+    const double speed = motion.velocity.norm() + bodies[b].radius * motion.angular_velocity.norm();
     if (speed <= speed_limit) {
-      largest_bead_speed_ = std::max(largest_bead_speed_, motion.velocity.norm());
+      if (!fault_) largest_bead_speed_ = std::max(largest_bead_speed_, motion.velocity.norm());
       continue;
     }
     return Fault{.kind = std::isfinite(speed) ? FaultKind::speed : FaultKind::not_finite,
@@ -72,13 +65,21 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
                  .position = motion.position,
                  .value = speed};
   }
-  return exchange_.out_of_reach(swimmer);
+  if (const auto fault = exchange_.out_of_reach(swimmer)) return fault;
+  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+    const Vec3& place = swimmer.motion[i].position;
+    const double gap = (swimmer.motion[j].position - place).norm() - bodies[i].radius - bodies[j].radius;
+    if (!fault_ && gap < near_contact_.reach()) smallest_gap_ = std::min(smallest_gap_, gap);
+    if (const auto fault = overlap_of({swimmer.id, i}, {swimmer.id, j}, place, gap,
+                                      std::min(bodies[i].radius, bodies[j].radius)))
+      return fault;
+  }
+  return std::nullopt;
 }
 
 void CoupledSystem::note(Fault fault) {
-  if (fault_) return;
-  fault.step = steps_done_ + 1;  // the step under way
-  fault_ = fault;
+  fault.step = steps_done_;
+  if (!fault_ || comes_before(fault, *fault_)) fault_ = fault;
 }
 
 double CoupledSystem::smallest_gap() const {
@@ -155,7 +156,7 @@ void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) 
 
 SceneTotals CoupledSystem::totals() {
   FluidTotals everything, all_cells;
-  noting_faults([&] { add_totals(everything, all_cells); });
+  unless_broken([&] { add_totals(everything, all_cells); });
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);
   const double cells = scene_.cells.cast<double>().prod();

@@ -52,9 +52,9 @@ void part_row(const CoveredImage& first, CoveredRun& of_first, const CoveredImag
   if (of_second.high <= of_first.low || of_first.high <= of_second.low) return;
   // By what the first has: were a tie rounded otherwise, no cell may have two beads.
   if (of_first.low - of_second.low > of_second.high - of_first.high) {
-    of_second.high = of_first.low;
+    of_second.high = std::max(of_first.low, of_second.low);
   } else {
-    of_second.low = of_first.high;
+    of_second.low = std::min(of_first.high, of_second.high);
   }
 }
 

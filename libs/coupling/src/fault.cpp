@@ -18,6 +18,11 @@ void transfer_fault(Message& message, AnyFault& fault) {
 
 }  // namespace
 
+bool comes_before(const Fault& a, const Fault& b) {
+  const auto rank = [](const Fault& f) { return std::tuple(f.step, f.kind, f.bead, f.other, -f.value); };
+  return rank(a) < rank(b);
+}
+
 std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communicator& communicator) {
   constexpr long never = std::numeric_limits<long>::max();
   long step = own ? own->step : never;
@@ -34,8 +39,7 @@ std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communic
   std::vector<Fault> faults;
   IncomingMessage gathered(std::move(all));
   while (!gathered.is_at_end()) transfer_fault(gathered, faults.emplace_back());
-  return *std::ranges::min_element(faults, {},
-                                   [](const Fault& f) { return std::tuple(f.step, f.kind, f.bead); });
+  return *std::ranges::min_element(faults, comes_before);
 }
 
 }  // namespace beadswim

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <limits>
 
 #include "beadswim/bodies/lubrication.hpp"
 #include "beadswim/core/vec3.hpp"
@@ -18,8 +17,10 @@ struct NearContactLaw {
   double damping_ratio = 0;   ///< c/(2 sqrt(k m)) of the dashpot beside the spring
   double friction = 0;        ///< Coulomb's coefficient
 
+  double contact_reach = 0;  ///< gap that beads may close in a step [length]
+
   /// Gap below which there is anything between two beads.
-  double reach() const { return std::max({range.normal, range.tangential, 0.0}); }
+  double reach() const { return std::max({range.normal, range.tangential, contact_reach}); }
 };
 
 /// A bead at the start of the step. Velocities: those that it would have at the end of the step if the other
@@ -58,11 +59,11 @@ PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& fir
 struct ChainContact {
   std::array<Vec3, 3> linear, angular;  ///< impulse and angular impulse to each bead
   std::array<double, 3> firmness{};     ///< sums of PairImpulse::firmness over each bead's pairs
-  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of pairs in the law's range
 };
 
 /// Three beads and their places: all pairs that are close find their impulses together, each knowing what the
-/// others do, by Gauss and Seidel's iteration to roundoff. CloseBead::pairs has no effect.
+/// others do, by Gauss and Seidel's iteration: to roundoff for beads of like mass, to 1e-3 where the middle
+/// one is a hundredth of the others'. CloseBead::pairs has no effect.
 ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
                            const std::array<Vec3, 3>& positions, double step);
 

@@ -34,9 +34,10 @@ double moment_of_inertia(const Bead& bead);  ///< 2/5 m R^2
 /// Throws InputError if that takes more than 10000.
 int substeps_for(const SwimmerType& type, double step);
 
-/// The type for steps in which loads are constant: springs whose vibration such a step does not resolve, omega step
-/// > 1/2 with omega^2 = k (1/m + 1/m'), get a dashpot of at least k step/2, half of critical at most. Loads that
-/// answer to it a step late would drive it. Slower motion at w lags by w step/2 at most in the spring.
+/// The type for steps in which loads are constant: springs whose vibration such a step does not resolve,
+/// omega step > 1/2 with omega^2 = 3/2 k (1/m + 1/m') (of both arms together), get a dashpot of at least k
+/// step/2, half of critical at most. Loads that answer to it a step late would drive it. Slower motion at w
+/// lags by w step/2 at most in the spring.
 SwimmerType with_damped_vibrations(SwimmerType type, double step);
 
 /// Advances the beads from `time` to `time + step` under their inner and driving forces, and `loads` held

@@ -26,9 +26,13 @@ NearContactLaw near_contact_law(const CoupledScene& scene);
 /// Beads deeper in each other than this part of the smaller one's radius are at fault.
 constexpr double deepest_overlap = 0.2;
 
+/// The fault, its step not set, if beads are deeper in each other than that.
+std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
+                                double smaller_radius);
+
 struct CloseBeads {
-  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of those within the law's range [cell]
-  std::optional<Fault> overlap;  ///< the first that is too deep; its step is not set
+  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of those within the law's reach [cell]
+  std::optional<Fault> overlap;                                   ///< the first, if any
 };
 
 /// Adds what close beads hand each other in the coming step to their impulses, but for beads of the same
@@ -37,8 +41,9 @@ struct CloseBeads {
 CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
                             std::span<BeadOnLattice> beads);
 
-/// The same among a swimmer's own beads: adds to `impulses` what others hand them, and to swimmer.firmness.
-CloseBeads push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
-                      SwimmerLoads& impulses);
+/// The same among a swimmer's own beads, where they are at the start of a step: adds to `impulses` what
+/// others hand them, and to swimmer.firmness.
+void push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
+                SwimmerLoads& impulses);
 
 }  // namespace beadswim

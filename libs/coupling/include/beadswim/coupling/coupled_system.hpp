@@ -52,7 +52,7 @@ class CoupledSystem {
   double largest_bead_speed() const;
 
   /// Smallest gap between two beads, or a bead and its own image, at the end of any step [cell]; infinite if
-  /// none came within the range of lubrication. Collective.
+  /// none came within a cell. Collective.
   double smallest_gap() const;
 
   /// All swimmers in order of their id, on rank 0; empty elsewhere. Collective.
@@ -65,12 +65,11 @@ class CoupledSystem {
   void step_fluid_with_links();
   void step_fluid_with_saturated_cells();
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
-  /// Where beads meet the fluid and each other after they have moved.
+  /// Where beads meet the fluid, and other swimmers' beads, for the coming step.
   void meet();
   /// What forbids a swimmer to move on; notes the largest speed.
   std::optional<Fault> fault_of(const SwimmerState& swimmer);
   void note(Fault fault);
-  void note_close(const CloseBeads& found);
   /// Calls a function that may throw on this rank alone, and notes what it throws.
   template <class Function>
   void noting_faults(Function&& function) {

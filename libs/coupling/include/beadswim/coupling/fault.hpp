@@ -8,13 +8,13 @@
 
 namespace beadswim {
 
-/// What may go wrong in a run.
+/// What may go wrong in a run; of two things in one step the first here is told.
 enum class FaultKind {
+  not_finite,  ///< no number any more, or far too large a one
   speed,       ///< a bead's surface over the paper's limit [cell/step]
   torn_arm,    ///< an arm over twice its rest length [rest length]
   wall,        ///< a bead at a wall, or beyond it [cell from its surface]
   overlap,     ///< beads too deep in each other [smaller radius]
-  not_finite,  ///< no number any more, or far too large a one
   mass,        ///< of fluid and beads, lost [of all]
   momentum,    ///< likewise, in a periodic box [of the beads' at their largest speed]
 };
@@ -32,8 +32,11 @@ struct Fault {
   bool names_other() const { return other.swimmer >= 0; }
 };
 
-/// The first of the ranks' faults, by step, kind and bead: the same on all ranks, and on any number of them
-/// as far as beads go. Collective.
+/// Whether `a` is the one to tell: by step, kind, bead, other bead, and size.
+bool comes_before(const Fault& a, const Fault& b);
+
+/// The first of the ranks' faults, the same on all ranks. On any number of them, too, but for the bead that
+/// meets what is no number, and for what such a bead drags along in the same step. Collective.
 std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communicator& communicator);
 
 /// A number of a bead that is none any more; for the one rank that comes upon it.

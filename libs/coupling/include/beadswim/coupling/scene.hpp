@@ -12,6 +12,9 @@
 
 namespace beadswim {
 
+/// No bead's surface may move faster: it must not cross half a cell in a step (the paper's rule) [cell/step].
+constexpr double speed_limit = 0.5;
+
 /// A scene in lattice units: cell = step = mean fluid density = 1. Cell (i,j,k) is the cube from (i,j,k) to
 /// (i+1,j+1,k+1).
 struct CoupledScene {

@@ -58,8 +58,7 @@ struct LatticeResolution {
 
 /// Beads close to each other, and to periodic images.
 struct NearContactRecord {
-  std::optional<double>
-      smallest_gap;  ///< none: none came within range of the correction, or touched [length]
+  std::optional<double> smallest_gap;  ///< none: none came within a cell [length]
   bool lubrication = true;
   double normal_cut_off = 0;      ///< gap below which squeezing is corrected [length]
   double tangential_cut_off = 0;  ///< and sliding [length]
@@ -91,7 +90,7 @@ struct RunRecord {
   std::optional<LatticeResolution> resolution;
   std::optional<NearContactRecord> near_contact;
   std::optional<RunCost> cost;
-  std::optional<std::string> state_sha256;  ///< none of a failed run
+  std::optional<std::string> state_sha256;  ///< none after a fault
   std::optional<Json> provenance;
 
   /// Which axes of the box are periodic; none in unbounded fluid.
