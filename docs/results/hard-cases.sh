@@ -56,6 +56,9 @@ relaxation_time() {
   for tau in 0.505 0.51 0.52 0.55 0.6 0.8 1 1.5 2 3 6 10; do
     row "relaxation time" "τ = $tau" --cells-per-radius 2 --relaxation-time $tau
   done
+  for tau in 0.505 0.51; do
+    row "relaxation time" "τ = $tau, psm" --cells-per-radius 2 --relaxation-time $tau --bead-boundary psm
+  done
 }
 
 density() {

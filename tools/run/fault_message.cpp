@@ -22,7 +22,6 @@ std::string place_of(const Fault& fault, const LatticeScales& scales) {
 
 /// Why numbers are likely to have grown without bound, or beads to be too fast.
 std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_so_far) {
-  constexpr double least_viscous = 0.52;
   const double density = on_lattice.density_on_lattice(), tau = on_lattice.lattice.relaxation_time;
   if (density < light_bead) {
     return fmt::format(

@@ -90,6 +90,29 @@ void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_erro
         "--relaxation-time\n",
         on_lattice.density_on_lattice(), light_bead));
   }
+  if (on_lattice.lattice.relaxation_time < least_viscous) {
+    tell(fmt::format(
+        "beadswim-run: warning: tau {:.4g} is so near 1/2 that the fluid hardly damps what cells do not "
+        "resolve, and may become unstable, or turbulent where it should not; take {} or more, or "
+        "--bead-boundary psm\n",
+        on_lattice.lattice.relaxation_time, least_viscous));
+  }
+  constexpr double late = 0.2;
+  if (on_lattice.phase_of_delay() > late) {
+    tell(fmt::format(
+        "beadswim-run: warning: steps are long beside the period, {} of them: the fluid's force comes late "
+        "by {:.2g} radians of it, and strokes are wrong by as much or more; take a smaller "
+        "--relaxation-time or more --cells-per-radius\n",
+        on_lattice.lattice.steps_per_period, on_lattice.phase_of_delay()));
+  }
+  constexpr double close = 2.5;
+  if (on_lattice.smallest_gap < close) {
+    tell(fmt::format(
+        "beadswim-run: warning: beads, images or walls are {:.2g} cells apart at the start, too few to "
+        "resolve the flow between: strokes may be wrong by some tens of per cent; take more "
+        "--cells-per-radius, {:.2g} for 2.5 cells\n",
+        on_lattice.smallest_gap, std::ceil(on_lattice.cells_per_radius * close / on_lattice.smallest_gap)));
+  }
   if (on_lattice.damps_springs) {
     tell(
         "beadswim-run: warning: springs vibrate faster than a step resolves, and get dashpots that damp "

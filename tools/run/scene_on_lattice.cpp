@@ -11,6 +11,7 @@
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/lattice/trt.hpp"
+#include "beadswim/layout/bead_gaps.hpp"
 
 namespace beadswim {
 namespace {
@@ -199,6 +200,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
     type = damped;
   }
   result.corrects_delay = options.delay_correction;
+  result.smallest_gap = smallest_gap(placed_beads(layout), layout.domain) / scales.cell;
   return result;
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <numbers>
+
+#include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/layout/layout.hpp"
@@ -10,6 +13,9 @@ namespace beadswim {
 /// Beads of less density on the lattice may be too light for the explicit coupling [density of the fluid].
 constexpr double light_bead = 0.65;
 
+/// Below this relaxation time the fluid's viscosity hardly damps what cells do not resolve.
+constexpr double least_viscous = 0.52;
+
 /// From this Mach number on the fluid's compressibility shows.
 constexpr double fast_bead = 0.3;
 
@@ -17,13 +23,20 @@ constexpr double fast_bead = 0.3;
 struct SceneOnLattice {
   LatticeChoice lattice;
   double cells_per_radius = 0;
-  double period = 0;  ///< of all swimmers' driving [time]
+  double period = 0;        ///< of all swimmers' driving [time]
+  double smallest_gap = 0;  ///< at the start, between beads, images and walls [cell]
   bool corrects_delay = false;
   bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_damped_vibrations)
   CoupledScene scene;
 
   /// Least density with which a bead moves [density of the fluid].
   double density_on_lattice() const;
+
+  /// By which the fluid's force comes late, in radians of the period.
+  double phase_of_delay() const {
+    return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) /
+           static_cast<double>(lattice.steps_per_period);
+  }
 
   /// With which the fluid meets the smallest bead [cell].
   double radius_on_lattice() const {
