@@ -1,6 +1,6 @@
 #!/bin/bash
 # Hard cases of beadswim-run: what comes of each, as JSON lines. docs/hard-cases.md has the table (hard-cases.jq).
-#   docs/results/hard-cases.sh [GROUP...] > hard-cases.jsonl     (a quarter of an hour on one core; the programs on PATH)
+#   docs/results/hard-cases.sh [GROUP...] > hard-cases.jsonl     (half an hour on one core; the programs on PATH)
 # A line: group, case, flags, exit status, status and reason of the run, its last cycle, and the same of a reference:
 # the scene at other settings, or theory.
 set -euo pipefail
