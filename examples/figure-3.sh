@@ -1,11 +1,13 @@
 #!/bin/bash
-# Figure 3 of the paper: velocity and stroke of its single swimmer by theory.
-#   examples/figure-3.sh [FOLDER [RUN.json...]]     writes four figures to FOLDER (default out/figure-3):
+# Figure 3 of the paper: velocity and stroke of its single swimmer by theory, and by runs.
+#   examples/figure-3.sh [FOLDER [RUN.jsonl...]]     writes four figures to FOLDER (default out/figure-3):
 #     figure-3a.svg  velocity against the driving period
 #     figure-3b.svg  the same, as difference from one theory in percent
 #     figure-3c.svg  stroke against the ratio A/B of the driving amplitudes
 #     figure-3d.svg  stroke against the phase α of the driving
-# Run records of the same swimmer, given after the folder, are drawn as points in (a) and (b).
+# Run records of the swimmer, given after the folder (examples/figure-3-runs.sh makes them), are drawn as points where
+# they belong, as means over their last two cycles. Theories that know of boxes predict for the box of the first, others
+# for unbounded fluid.
 set -euo pipefail
 
 velocity_methods=oseen-force-closed,rpy-force-repaired,rpy-equal-weight,rpy-perturbation,multipole-perturbation,inertia-corrected
@@ -20,27 +22,40 @@ shift "$(($# > 0))"
 mkdir -p "$out"
 command -v beadswim-plot >/dev/null || PATH=$(cd "$(dirname "$0")/.." && pwd)/build/release/bin:$PATH
 
-swimmer() { beadswim-layout swimmer --preset paper-single --unbounded --jsonl "$@"; }
+cat "$@" </dev/null | jq -c . >"$out/runs.jsonl"
+box=$(jq -rs '.[0].domain | if . then "--box \(.lengths | join(",")) --boundary \(.boundary | join(","))"
+                            else "--unbounded" end' "$out/runs.jsonl")
+
+swimmer() { beadswim-layout swimmer --preset paper-single $box --jsonl "$@"; }
 evenly() { awk -v a="$1" -v b="$2" -v n="$steps" 'BEGIN { for (i = 0; i <= n; i++) print a + (b - a) * i / n }'; }
+# Sets `runs` to the file of the runs whose driving is so, if there are any.
+choose_runs() { # NAME CONDITION
+  jq -c "select(.driving | (.phase - 1.5707963 | fabs < 1e-6) as \$usual_phase
+    | (.amplitude[0] == .amplitude[1]) as \$equal | (.period == $period) as \$usual_period | $2)" "$out/runs.jsonl" >"$out/$1"
+  runs=()
+  [ ! -s "$out/$1" ] || runs=("$out/$1" --cycle mean:2)
+}
 
 # With the periods of the runs, so that (b) has a prediction to hold each against.
-{ evenly 1000 10000; [ $# -eq 0 ] || jq .driving.period "$@"; } | sort -gu |
+choose_runs runs-by-period.jsonl '$equal and $usual_phase'
+{ evenly 1000 10000; jq .driving.period "$out/runs-by-period.jsonl"; } | sort -gu |
   while read -r T; do swimmer --period "$T" --amplitude "$amplitude"; done |
   beadswim-theory --jsonl --method "$velocity_methods" - >"$out/by-period.jsonl"
-beadswim-plot velocity-against-period "$out/by-period.jsonl" "$@" --method "$velocity_methods" -o "$out/figure-3a.svg"
-beadswim-plot velocity-against-period "$out/by-period.jsonl" "$@" --method "$velocity_methods" \
-  --relative-to "$relative_to" -o "$out/figure-3b.svg"
+velocity() { beadswim-plot velocity-against-period "$out/by-period.jsonl" "${runs[@]}" --method "$velocity_methods" "$@"; }
+velocity -o "$out/figure-3a.svg"
+velocity --relative-to "$relative_to" -o "$out/figure-3b.svg"
 
+choose_runs runs-by-amplitude-ratio.jsonl '$usual_period and $usual_phase'
 evenly 0.1 2 | awk -v B="$amplitude" '{ print $1 * B }' |
   while read -r A; do swimmer --period "$period" --amplitude "$A,$amplitude"; done |
-  beadswim-theory --jsonl --method "$stroke_methods" - |
-  tee "$out/by-amplitude-ratio.jsonl" |
-  beadswim-plot stroke --against amplitude-ratio - --method "$stroke_methods" -o "$out/figure-3c.svg"
+  beadswim-theory --jsonl --method "$stroke_methods" - >"$out/by-amplitude-ratio.jsonl"
+stroke() { beadswim-plot stroke "${runs[@]}" --method "$stroke_methods" "$@"; }
+stroke --against amplitude-ratio "$out/by-amplitude-ratio.jsonl" -o "$out/figure-3c.svg"
 
+choose_runs runs-by-phase.jsonl '$usual_period and $equal'
 evenly -3.14159265 3.14159265 |
   while read -r alpha; do swimmer --period "$period" --amplitude "$amplitude" --phase="$alpha"; done |
-  beadswim-theory --jsonl --method "$stroke_methods" - |
-  tee "$out/by-phase.jsonl" |
-  beadswim-plot stroke --against phase - --method "$stroke_methods" -o "$out/figure-3d.svg"
+  beadswim-theory --jsonl --method "$stroke_methods" - >"$out/by-phase.jsonl"
+stroke --against phase "$out/by-phase.jsonl" -o "$out/figure-3d.svg"
 
 for part in a b c d; do echo "$out/figure-3$part.svg" >&2; done

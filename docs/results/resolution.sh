@@ -41,6 +41,7 @@ without_corrections=(--delay-correction off --radius-correction off)
 
 first_half() {
   measure mr 8 1 >resolution-reference.json
+  measure mr 6 2
   for scheme in staircase mr; do at_each_resolution $scheme; done
   for scheme in staircase mr; do at_each_resolution $scheme "${without_corrections[@]}"; done
   at_each_resolution mr --relaxation-time 1

@@ -43,6 +43,26 @@ drawn 6 circle     # two runs, two predictions by the first method, and the lege
 drawn 4 polyline   # two methods and their legends
 out_has '>velocity \(10⁻⁵ lattice units\)<'
 out_has '>period T \(lattice units\)<'
+# Runs of one setting are one series, and the label says what sets them apart.
+jq -c '.driving.period = 3000' run.json >run3.json
+jq -c '.resolution.bead_boundary = "staircase"' run.json >staircase.json
+accepts beadswim-plot velocity-against-period run.json staircase.json run3.json
+drawn 3 circle     # two runs of one setting, and its key; the other has another shape
+out_has '>lbm cli<'
+out_has '>lbm staircase<'
+jq -c '.model = "rpy" | .resolution = null' run3.json >model.json
+accepts beadswim-plot velocity-against-period run.json model.json
+out_has '>lbm cli, 4 cells per radius, τ = 1.5, double<'
+out_has '>rpy<'
+accepts beadswim-plot velocity-against-period run.json staircase.json run3.json
+out_has 'lbm cli: T = 3000 to 4800, .* 4 cells per radius, τ = 1.5, cli, double; box'
+jq -c '.driving += {amplitude: [0.2, 0.2], phase: 1.57}' run.json >usual.json
+jq -c '.driving.phase = 1' usual.json >other.json
+jq -c '.resolution.cells_per_radius = 3' other.json >three.json
+accepts beadswim-plot stroke --against phase usual.json three.json other.json
+out_has '>d₁, lbm 4 cells per radius<'
+out_has '>d₂, lbm 3 cells per radius<'
+check 'files are not told apart' test "$(grep -c 'json<' out)" -eq 0
 accepts beadswim-plot velocity-against-period si.json --cycle 2
 out_has '>velocity \(10⁻⁵ um/s\)<'
 

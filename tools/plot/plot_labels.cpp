@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <limits>
+#include <utility>
 
 namespace beadswim {
 namespace {
@@ -33,6 +36,56 @@ std::string parameter_text(const std::vector<PlottedPrediction>& predictions, co
   return first == last ? first : first + fmt::format(" to {:.4g}", *high);
 }
 
+/// "4800", or "1000 to 10000".
+std::string range_text(const std::vector<const PlottedRun*>& runs, int digits,
+                       const std::function<double(const RunRecord&)>& number) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const PlottedRun* run : runs) {
+    low = std::min(low, number(run->record));
+    high = std::max(high, number(run->record));
+  }
+  const std::string first = fmt::format("{:.{}g}", low, digits), last = fmt::format("{:.{}g}", high, digits);
+  return first == last ? first : first + " to " + last;
+}
+
+/// What sets a lattice run apart, in words; its relaxation time as asked for, before it was fitted to the
+/// period, as far as two digits tell.
+using Setting = std::array<std::string, 6>;
+
+Setting setting_of(const RunRecord& record) {
+  Setting setting{record.model};
+  if (const auto& resolution = record.resolution) {
+    setting[1] = resolution->bead_boundary;
+    setting[2] = fmt::format("{:g} cells per radius", resolution->cells_per_radius);
+    setting[3] = fmt::format("τ = {:.2g}", resolution->relaxation_time);
+    setting[4] = resolution->precision;
+  }
+  if (record.domain) {
+    const Vec3& box = record.domain->lengths;
+    setting[5] = fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
+  }
+  return setting;
+}
+
+/// On runs of one setting.
+std::string note_on(const std::string& label, const std::vector<const PlottedRun*>& runs) {
+  std::string note = fmt::format(
+      "{}: T = {}, δ/λ = {}, Re = {}", label,
+      range_text(runs, 6, [](const RunRecord& record) { return record.driving_period; }),
+      range_text(runs, 3,
+                 [](const RunRecord& record) { return record.dimensionless.penetration_depth_over_radius; }),
+      range_text(runs, 2, [](const RunRecord& record) { return record.dimensionless.reynolds_bead; }));
+  const RunRecord& record = runs.front()->record;
+  const Setting setting = setting_of(record);
+  if (const auto& resolution = record.resolution) {
+    note += fmt::format("; {}, τ = {}, {}, {}", setting[2],
+                        range_text(runs, 4, [](const RunRecord& r) { return r.resolution->relaxation_time; }),
+                        resolution->bead_boundary, resolution->precision);
+  }
+  if (!setting[5].empty()) note += "; " + setting[5];
+  return note;
+}
+
 }  // namespace
 
 std::string length_unit(const Units& units) {
@@ -50,21 +103,34 @@ std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
 
 std::vector<std::string> run_notes(const PlotInputs& inputs) {
   std::vector<std::string> notes;
+  for (const PlottedRun& run : inputs.runs) notes.push_back(note_on(run_label(inputs, run), {&run}));
+  return notes;
+}
+
+std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs) {
+  std::vector<std::pair<Setting, std::vector<const PlottedRun*>>> groups;
   for (const PlottedRun& run : inputs.runs) {
-    const RunRecord& record = run.record;
-    std::string note =
-        fmt::format("{}: T = {:g}, δ/λ = {:.3g}, Re = {:.2g}", run_label(inputs, run), record.driving_period,
-                    record.dimensionless.penetration_depth_over_radius, record.dimensionless.reynolds_bead);
-    if (const auto& resolution = record.resolution) {
-      note += fmt::format("; {:g} cells per radius, τ = {:.4g}, {}, {}", resolution->cells_per_radius,
-                          resolution->relaxation_time, resolution->bead_boundary, resolution->precision);
-    }
-    if (record.domain) {
-      const Vec3& box = record.domain->lengths;
-      note += fmt::format("; box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
-    }
-    notes.push_back(note);
+    const Setting setting = setting_of(run.record);
+    auto group = std::ranges::find(groups, setting, [](const auto& each) { return each.first; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {setting, {}});
+    group->second.push_back(&run);
   }
+  std::vector<RunGroup> result;
+  for (const auto& [setting, runs] : groups) {
+    std::vector<std::string> parts;
+    for (std::size_t p = 1; p < setting.size(); ++p) {  // the model is in every label
+      const auto same = [&, part = setting[p]](const auto& each) { return each.first[p] == part; };
+      if (!setting[p].empty() && !std::ranges::all_of(groups, same)) parts.push_back(setting[p]);
+    }
+    const std::string& model = runs.front()->record.model;
+    result.push_back({parts.empty() ? model : fmt::format("{} {}", model, fmt::join(parts, ", ")), runs});
+  }
+  return result;
+}
+
+std::vector<std::string> group_notes(const std::vector<RunGroup>& groups) {
+  std::vector<std::string> notes;
+  for (const RunGroup& group : groups) notes.push_back(note_on(group.label, group.runs));
   return notes;
 }
 

@@ -56,16 +56,17 @@ CycleRange cycles_of(const PlotInputs& inputs) {
   return range;
 }
 
-Series empty_run_series(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number) {
-  return {.label = fmt::format("{}, {}", number.symbol, run_label(inputs, inputs.runs[run_index])),
+/// shape: different for runs, or groups of them, that are told apart.
+Series empty_run_series(const std::string& label, std::size_t shape, const StrokeNumber& number) {
+  return {.label = fmt::format("{}, {}", number.symbol, label),
           .mark = Mark::points,
           .colour = number.colour,
-          .shape = static_cast<int>(run_index)};
+          .shape = static_cast<int>(shape)};
 }
 
 Series run_by_cycle(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number) {
   const RunRecord& record = inputs.runs[run_index].record;
-  Series series = empty_run_series(inputs, run_index, number);
+  Series series = empty_run_series(run_label(inputs, inputs.runs[run_index]), run_index, number);
   for (const SwimmerRecord& swimmer : record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
       series.x.push_back(cycle.index);
@@ -109,13 +110,14 @@ struct Sweep {
   CycleChoice cycle;
 };
 
-Series run_in_sweep(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number,
-                    const Sweep& sweep) {
-  const PlottedRun& run = inputs.runs[run_index];
-  Series series = empty_run_series(inputs, run_index, number);
-  for (const SwimmerRecord& swimmer : run.record.swimmers) {
-    series.x.push_back(abscissa_of(run, swimmer, sweep.abscissa, sweep.cycle));
-    series.y.push_back(number.in(swimming_of(run.record, swimmer, sweep.cycle, run.source)));
+Series runs_in_sweep(const RunGroup& group, std::size_t shape, const StrokeNumber& number,
+                     const Sweep& sweep) {
+  Series series = empty_run_series(group.label, shape, number);
+  for (const PlottedRun* run : group.runs) {
+    for (const SwimmerRecord& swimmer : run->record.swimmers) {
+      series.x.push_back(abscissa_of(*run, swimmer, sweep.abscissa, sweep.cycle));
+      series.y.push_back(number.in(swimming_of(run->record, swimmer, sweep.cycle, run->source)));
+    }
   }
   return series;
 }
@@ -133,14 +135,13 @@ std::vector<Series> method_in_sweep(const MethodPredictions& method, std::size_t
                                .dash = static_cast<int>(position)});
 }
 
-Panel panel_in_sweep(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label,
-                     const Sweep& sweep) {
+Panel panel_in_sweep(const PlotInputs& inputs, const std::vector<RunGroup>& groups,
+                     const StrokeNumbers& numbers, const AxisLabel& y_label, const Sweep& sweep) {
   Panel panel{.x_label = axis_label(sweep.abscissa, inputs.units), .y_label = y_label};
   const auto methods = predictions_by_method(inputs, sweep.abscissa);
   for (const StrokeNumber& number : numbers) {
-    for (std::size_t i = 0; i < inputs.runs.size(); ++i) {
-      panel.series.push_back(run_in_sweep(inputs, i, number, sweep));
-    }
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      panel.series.push_back(runs_in_sweep(groups[g], g, number, sweep));
     for (std::size_t i = 0; i < methods.size(); ++i) {
       const auto curve = method_in_sweep(methods[i], i, number);
       panel.series.insert(panel.series.end(), curve.begin(), curve.end());
@@ -160,12 +161,13 @@ Figure stroke_by_cycle(const PlotInputs& inputs) {
 
 Figure stroke_against(const PlotInputs& inputs, Abscissa abscissa, const CycleChoice& cycle) {
   const Sweep sweep{abscissa, cycle};
+  const std::vector<RunGroup> groups = runs_by_setting(inputs);
   std::vector<std::string> notes = prediction_notes(inputs, abscissa);
-  const auto more = run_notes(inputs);
+  const auto more = group_notes(groups);
   notes.insert(notes.end(), more.begin(), more.end());
   return {.title = "Stroke against " + axis_label(abscissa, inputs.units).quantity,
-          .panels = {panel_in_sweep(inputs, amplitudes, amplitude_label(inputs), sweep),
-                     panel_in_sweep(inputs, phase_shift, phase_shift_label, sweep)},
+          .panels = {panel_in_sweep(inputs, groups, amplitudes, amplitude_label(inputs), sweep),
+                     panel_in_sweep(inputs, groups, phase_shift, phase_shift_label, sweep)},
           .notes = notes};
 }
 

@@ -19,16 +19,6 @@ bool is_relative(const PlotInputs& inputs) {
   return !inputs.references.empty();
 }
 
-/// The series of that label, begun at the end of the list if there is none yet.
-Series& series_labelled(const std::string& label, std::vector<Series>& all) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const Series& series) { return series.label == label; });
-  if (found != all.end()) return *found;
-  const auto position = static_cast<int>(all.size());
-  all.push_back({.label = label, .colour = position, .shape = position});
-  return all.back();
-}
-
 void append_point(const PlotInputs& inputs, const VelocityFigureOptions& options, const PlottedRun& run,
                   const SwimmerRecord& swimmer, Series& series) {
   const double x = abscissa_of(run, swimmer, options.abscissa, options.cycle);
@@ -41,17 +31,21 @@ void append_point(const PlotInputs& inputs, const VelocityFigureOptions& options
           : velocity);
 }
 
-std::vector<Series> run_series(const PlotInputs& inputs, const VelocityFigureOptions& options) {
+std::vector<Series> run_series(const PlotInputs& inputs, const std::vector<RunGroup>& groups,
+                               const VelocityFigureOptions& options) {
   if (is_relative(inputs) && options.abscissa != Abscissa::period && !inputs.runs.empty()) {
     throw InputError(inputs.runs.front().source,
                      "is a run, and runs are compared at equal period; leave it out, or --relative-to");
   }
   std::vector<Series> all;
-  for (const PlottedRun& run : inputs.runs) {
-    Series& series = series_labelled(run.record.model, all);
-    for (const SwimmerRecord& swimmer : run.record.swimmers) {
-      append_point(inputs, options, run, swimmer, series);
+  for (const RunGroup& group : groups) {
+    const auto position = static_cast<int>(all.size());
+    Series series{.label = group.label, .colour = position, .shape = position};
+    for (const PlottedRun* run : group.runs) {
+      for (const SwimmerRecord& swimmer : run->record.swimmers)
+        append_point(inputs, options, *run, swimmer, series);
     }
+    all.push_back(std::move(series));
   }
   return all;
 }
@@ -130,7 +124,8 @@ AxisLabel velocity_label(const PlotInputs& inputs) {
 }  // namespace
 
 Figure velocity_figure(const PlotInputs& inputs, const VelocityFigureOptions& options) {
-  std::vector<Series> series = run_series(inputs, options);
+  const std::vector<RunGroup> groups = runs_by_setting(inputs);
+  std::vector<Series> series = run_series(inputs, groups, options);
   const auto curves = prediction_series(inputs, options.abscissa, static_cast<int>(series.size()));
   series.insert(series.end(), curves.begin(), curves.end());
   const Axes axes = chosen_axes(options, series);
@@ -141,7 +136,7 @@ Figure velocity_figure(const PlotInputs& inputs, const VelocityFigureOptions& op
               .y_scale = axes == Axes::linear ? ScaleKind::linear : ScaleKind::logarithmic};
   std::vector<std::string> notes = prediction_notes(inputs, options.abscissa);
   note_what_is_missing(panel, notes);
-  const auto more = run_notes(inputs);
+  const auto more = group_notes(groups);
   notes.insert(notes.end(), more.begin(), more.end());
   return {.title = title_of(inputs, options.abscissa), .panels = {std::move(panel)}, .notes = notes};
 }

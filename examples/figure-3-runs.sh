@@ -1,0 +1,57 @@
+#!/bin/bash
+# The runs of figure 3: the paper's single swimmer in a small periodic box, resolved in the fluid.
+#   examples/figure-3-runs.sh FOLDER [NAME...] [FLAGS of beadswim-run...]   writes run records to FOLDER, all or those named:
+#     by-period.jsonl            T from 1000 to 10000, A = B = 0.2, α = π/2
+#     by-amplitude-ratio.jsonl   A/B from 0.25 to 2, T = 4800
+#     by-phase.jsonl             α from -3π/4 to π, T = 4800
+# At the paper's resolution some half an hour on 2 idle cores; half a minute with --cells-per-radius 2 --precision single.
+# Files that are there are kept. examples/figure-3.sh draws them beside theory.
+set -euo pipefail
+
+box=120,80,80     # lattice units, as all here; periodic
+amplitude=0.2     # A = B; in by-amplitude-ratio B
+period=4800       # but in by-period
+ranks=2
+
+out=${1:?a folder for the records}
+shift
+mkdir -p "$out"
+command -v beadswim-run >/dev/null || PATH=$(cd "$(dirname "$0")/.." && pwd)/build/release/bin:$PATH
+if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
+if [ "$(nproc)" -lt "$ranks" ]; then export OMPI_MCA_rmaps_base_oversubscribe=1; fi
+
+names=()
+while [[ ${1:-} == by-* ]]; do
+  names+=("$1")
+  shift
+done
+flags=("$@")
+# A run record, as one line. Transients last some 4000 steps, of the springs longer than of the fluid in this box.
+simulate() { # PERIOD LAYOUT-FLAGS...
+  local period=$1 cycles=$((3 + 4000 / $1))
+  shift
+  echo "T = $period $* (${flags[*]})" >&2
+  beadswim-layout swimmer --preset paper-single --box "$box" --boundary periodic --period "$period" "$@" |
+    mpirun -n "$ranks" beadswim-run - -o "$out/run.h5md" --cycles "$cycles" --progress none "${flags[@]}" | jq -c .
+  rm "$out/run.h5md"
+}
+
+# Records of one abscissa, whole or not at all.
+keep() { # NAME
+  [ ! -e "$out/$1.jsonl" ] || return 0
+  "$1" >"$out/$1.part"
+  mv "$out/$1.part" "$out/$1.jsonl"
+}
+by-period() { for T in 1000 2000 3000 4800 7000 10000; do simulate $T --amplitude $amplitude; done; }
+by-amplitude-ratio() {
+  for ratio in 0.25 0.5 1 1.5 2; do
+    simulate $period --amplitude "$(jq -nr "$ratio * $amplitude"),$amplitude"
+  done
+}
+by-phase() {
+  for quarter in -3 -2 -1 0 1 2 3 4; do
+    simulate $period --amplitude $amplitude --phase="$(jq -nr "$quarter * 0.7853981633974483")"
+  done
+}
+[ ${#names[@]} -gt 0 ] || names=(by-period by-amplitude-ratio by-phase)
+for name in "${names[@]}"; do keep "$name"; done
