@@ -76,5 +76,15 @@ TEST(Driving, FollowsItsFrame) {
   EXPECT_LT((g[0] - Vec3(0, f[0][0], 0)).norm(), roundoff);
 }
 
+// An offset is the same driving earlier: by phi/(2 pi) of a period.
+TEST(Driving, IsAheadByItsOffset) {
+  const Driving driving{{0.2, 0.5}, 1.1, 8, DrivingFrame::lab};
+  Driving ahead = driving;
+  ahead.phase_offset = 2 * std::numbers::pi * 0.3;
+  const BeadVectors now = driving_forces(ahead, 1.7, bent, Vec3::UnitX());
+  const BeadVectors later = driving_forces(driving, 1.7 + 0.3 * 8, bent, Vec3::UnitX());
+  for (int b = 0; b < 3; ++b) EXPECT_LT((now[b] - later[b]).norm(), 1e-15);
+}
+
 }  // namespace
 }  // namespace beadswim

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/theory/closed_forms.hpp"
@@ -123,6 +124,31 @@ TEST(Methods, OseenStrokeClosedUsesAMeasuredStroke) {
   constexpr double roundoff = 1e-14;
   EXPECT_NEAR(prediction.velocity / (G * 3.5 * 5.5 * omega * std::sin(1.2)), 1, roundoff);
   EXPECT_EQ(prediction.stroke.amplitude, asked.measured_stroke->amplitude);
+}
+
+// A driving that is ahead turns the arms' phases by as much, within (-pi, pi], and changes nothing else; a
+// stroke that was measured has it in its phases.
+TEST(Methods, TurnPhasesByTheDrivingsOffset) {
+  Question asked = ask(paper_swimmer(4800));
+  asked.swimmer.amplitude = {0.2, 0.2};
+  Question ahead = asked;
+  ahead.swimmer.phase_offset = 3;
+  for (const char* name : {"oseen-force-closed", "rpy-perturbation", "multipole-ode", "inertia-corrected"}) {
+    const Prediction usual = predict(find_method(name), asked), turned = predict(find_method(name), ahead);
+    EXPECT_EQ(turned.velocity, usual.velocity);
+    for (int arm = 0; arm < 2; ++arm) {
+      const double turn = turned.stroke.phase[arm] - usual.stroke.phase[arm];
+      EXPECT_NEAR(std::remainder(turn - 3, 2 * std::numbers::pi), 0, 1e-12) << name;
+      EXPECT_LE(std::abs(turned.stroke.phase[arm]), std::numbers::pi);
+    }
+  }
+  ahead.measured_stroke = Stroke{.amplitude = {3.5, 5.5}, .phase = {1.0, -0.2}};
+  EXPECT_EQ(predict(find_method("oseen-stroke-closed"), ahead).stroke.phase, ahead.measured_stroke->phase);
+  Question usual_and_measured = asked;  // by a method that has no use for it
+  usual_and_measured.measured_stroke = ahead.measured_stroke;
+  const double turn = predict(find_method("rpy-perturbation"), ahead).stroke.phase[0] -
+                      predict(find_method("rpy-perturbation"), usual_and_measured).stroke.phase[0];
+  EXPECT_NEAR(std::remainder(turn - 3, 2 * std::numbers::pi), 0, 1e-12);
 }
 
 // Of the driven stroke given as measured, exact flow has its own velocity.

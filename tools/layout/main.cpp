@@ -1,6 +1,9 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/program.hpp"
 #include "check_command.hpp"
+#include "defect_command.hpp"
+#include "reduce_command.hpp"
+#include "swarm_command.hpp"
 #include "swimmer_command.hpp"
 
 namespace {
@@ -12,10 +15,16 @@ int run(int argc, char** argv) {
                                     "(layout.json). Layouts and tables go to standard output.");
   program->require_subcommand(1);
   SwimmerCommand swimmer(*program);
+  SwarmCommand swarm(*program);
+  DefectCommand defect(*program);
+  ReduceCommand reduce(*program);
   CheckCommand check(*program);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
 
   if (swimmer.is_chosen()) swimmer.run(*program);
+  if (swarm.is_chosen()) swarm.run(*program);
+  if (defect.is_chosen()) defect.run(*program);
+  if (reduce.is_chosen()) reduce.run(*program);
   if (check.is_chosen()) check.run();
   return static_cast<int>(ExitStatus::fine);
 }

@@ -56,14 +56,6 @@ TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
   return numbers;
 }
 
-double smallest_radius(const Layout& layout) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const auto& [name, type] : layout.types) {
-    for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);
-  }
-  return smallest;
-}
-
 ResolutionNumbers resolution_numbers(const Layout& layout) {
   ResolutionNumbers numbers;
   numbers.cell = smallest_radius(layout) / layout.resolution->cells_per_radius;

@@ -17,6 +17,7 @@ class SwimmerCommand {
  private:
   CLI::App* command_;
   SwimmerFlags flags_;
+  PlaceFlags place_;
   bool json_lines_ = false;
 };
 

@@ -1,22 +1,20 @@
 #include "swimmer_flags.hpp"
 
+#include <utility>
+
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
 
-SwimmerFlags::SwimmerFlags(CLI::App& command) {
+SwimmerFlags::SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help)
+    : presets_(std::move(presets)) {
   command
-      .add_option(
-          "--preset", preset_,
-          "Start from a scene of the paper, and change what other flags give: paper-single is radius 4, "
-          "arm 20, stiffness 0.0347, no dashpots, amplitude 0.2, phase pi/2, period 4800, viscosity 1/3, "
-          "densities 1, in a free-slip box 1200,800,800, with the paper's own resolution as a hint "
-          "(cells and time steps are the units of length and time). Default: none; then --radius, --arm, "
-          "--stiffness, --amplitude, --period, --viscosity and one of --box and --unbounded are needed.")
+      .add_option("--preset", preset_,
+                  "Start from a scene of the paper, and change what other flags give: " + preset_help)
       ->type_name("NAME");
   add_swimmer(command);
   add_driving(command);
-  add_scene(command);
+  add_fluid(command);
 }
 
 void SwimmerFlags::add_swimmer(CLI::App& command) {
@@ -82,7 +80,7 @@ void SwimmerFlags::add_driving(CLI::App& command) {
       ->type_name("lab|initial-axis|body");
 }
 
-void SwimmerFlags::add_scene(CLI::App& command) {
+void SwimmerFlags::add_fluid(CLI::App& command) {
   command
       .add_option("--viscosity", viscosity_,
                   "Kinematic viscosity nu of the fluid [length^2/time]. Default: the preset's.")
@@ -97,6 +95,9 @@ void SwimmerFlags::add_scene(CLI::App& command) {
           "What the numbers are in: lattice, or units of length (m, cm, mm, um, nm), time (s, ms, us, ns) "
           "and mass (kg, g, mg, ug, ng, pg, fg), such as um,s,pg. Default: lattice.")
       ->type_name("lattice|LENGTH,TIME,MASS");
+}
+
+PlaceFlags::PlaceFlags(CLI::App& command) {
   auto* const box =
       command.add_option("--box", box_, "Edges of the box, from the origin [length]. Default: the preset's.")
           ->type_name("X,Y,Z")

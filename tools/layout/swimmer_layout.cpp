@@ -35,11 +35,6 @@ std::vector<double> spread(const std::string& text, std::size_t count) {
   return numbers.size() == 1 ? std::vector<double>(count, numbers[0]) : numbers;
 }
 
-Vec3 vector_of(const std::string& text) {
-  const std::vector<double> numbers = parse_numbers(text);
-  return Vec3(numbers[0], numbers[1], numbers[2]);
-}
-
 std::vector<std::string> split_names(const std::string& text) {
   std::vector<std::string> names;
   for (std::size_t start = 0; start <= text.size();) {
@@ -48,11 +43,6 @@ std::vector<std::string> split_names(const std::string& text) {
     start = end + 1;
   }
   return names;
-}
-
-Layout preset_layout(const std::string& name) {
-  if (name != "paper-single") refuse_name("--preset", name, {"paper-single"});
-  return paper_single();
 }
 
 Units::Unit unit_named(Quantity quantity, const std::string& name) {
@@ -64,8 +54,12 @@ Units::Unit unit_named(Quantity quantity, const std::string& name) {
 
 }  // namespace
 
-void SwimmerFlags::require_complete() const {
-  if (!preset_.empty()) return;
+Vec3 vector_of(const std::string& text) {
+  const std::vector<double> numbers = spread(text, 3);
+  return Vec3(numbers[0], numbers[1], numbers[2]);
+}
+
+void SwimmerFlags::require_complete(const std::vector<std::string>& further) const {
   const std::vector<std::pair<const char*, const std::string*>> needed{
       {"--radius", &radius_},       {"--arm", &arm_},       {"--stiffness", &stiffness_},
       {"--amplitude", &amplitude_}, {"--period", &period_}, {"--viscosity", &viscosity_}};
@@ -73,10 +67,19 @@ void SwimmerFlags::require_complete() const {
   for (const auto& [flag, text] : needed) {
     if (text->empty()) missing.push_back(flag);
   }
-  if (box_.empty() && !unbounded_) missing.push_back("--box or --unbounded");
+  missing.insert(missing.end(), further.begin(), further.end());
   if (missing.empty()) return;
-  throw InputError("command line",
-                   fmt::format("needs {}, or --preset paper-single to start from", fmt::join(missing, ", ")));
+  throw InputError("command line", fmt::format("needs {}, or --preset {} to start from",
+                                               fmt::join(missing, ", "), presets_.front().name));
+}
+
+Layout SwimmerFlags::preset_layout() const {
+  std::vector<std::string> names;
+  for (const Preset& preset : presets_) {
+    if (preset.name == preset_) return preset.layout();
+    names.push_back(preset.name);
+  }
+  refuse_name("--preset", preset_, names);
 }
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {
@@ -119,7 +122,33 @@ void SwimmerFlags::apply_fluid(Fluid& fluid) const {
   if (!density_.empty()) fluid.density = parse_numbers(density_)[0];
 }
 
-void SwimmerFlags::apply_domain(std::optional<Domain>& domain) const {
+Units SwimmerFlags::units() const {
+  if (units_.empty() || units_ == "lattice") return {};
+  const std::vector<std::string> names = split_names(units_);
+  if (names.size() != 3) {
+    throw InputError("--units",
+                     fmt::format("\"{}\": must be lattice, or three names such as um,s,pg", units_));
+  }
+  return {.lattice = false,
+          .length = unit_named(Quantity::length, names[0]),
+          .time = unit_named(Quantity::time, names[1]),
+          .mass = unit_named(Quantity::mass, names[2])};
+}
+
+Layout SwimmerFlags::layout(const std::vector<std::string>& further) const {
+  if (preset_.empty()) require_complete(further);
+  Layout layout = preset_.empty() ? Layout{} : preset_layout();
+  layout.units = units();
+  apply_fluid(layout.fluid);
+  SwimmerType& type = layout.types["a"];
+  apply_beads(type, layout.fluid.density);
+  apply_springs(type);
+  apply_driving(type.driving);
+  if (layout.resolution) layout.resolution = unit_resolution(type, layout.fluid);
+  return layout;
+}
+
+void PlaceFlags::apply_domain(std::optional<Domain>& domain) const {
   if (unbounded_) {
     domain.reset();
     return;
@@ -137,37 +166,13 @@ void SwimmerFlags::apply_domain(std::optional<Domain>& domain) const {
   }
 }
 
-Units SwimmerFlags::units() const {
-  if (units_.empty() || units_ == "lattice") return {};
-  const std::vector<std::string> names = split_names(units_);
-  if (names.size() != 3) {
-    throw InputError("--units",
-                     fmt::format("\"{}\": must be lattice, or three names such as um,s,pg", units_));
-  }
-  return {.lattice = false,
-          .length = unit_named(Quantity::length, names[0]),
-          .time = unit_named(Quantity::time, names[1]),
-          .mass = unit_named(Quantity::mass, names[2])};
-}
-
-Layout SwimmerFlags::layout() const {
-  require_complete();
-  Layout layout = preset_.empty() ? Layout{} : preset_layout(preset_);
-  layout.units = units();
-  apply_fluid(layout.fluid);
+void PlaceFlags::apply(Layout& layout) const {
   apply_domain(layout.domain);
-  SwimmerType& type = layout.types["a"];
-  apply_beads(type, layout.fluid.density);
-  apply_springs(type);
-  apply_driving(type.driving);
-
   Swimmer swimmer{.id = 0, .type = "a"};
   if (!axis_.empty()) swimmer.axis = vector_of(axis_).stableNormalized();
-  swimmer.position =
-      position_.empty() ? centred_position(type, swimmer.axis, layout.domain) : vector_of(position_);
+  swimmer.position = position_.empty() ? centred_position(layout.types.at("a"), swimmer.axis, layout.domain)
+                                       : vector_of(position_);
   layout.swimmers = {swimmer};
-  if (layout.resolution) layout.resolution = unit_resolution(type, layout.fluid);
-  return layout;
 }
 
 }  // namespace beadswim

@@ -44,7 +44,7 @@ BeadVectors angular_spring_forces(double angular_stiffness, const BeadVectors& p
 
 BeadVectors driving_forces(const Driving& driving, double time, const BeadVectors& position,
                            const Vec3& initial_axis) {
-  const double omega_t = 2 * std::numbers::pi * (time / driving.period);
+  const double omega_t = 2 * std::numbers::pi * (time / driving.period) + driving.phase_offset;
   const double force_1 = driving.amplitude[0] * std::sin(omega_t);
   const double force_3 = driving.amplitude[1] * std::sin(omega_t + driving.phase);
 

@@ -9,12 +9,6 @@
 namespace beadswim {
 namespace {
 
-double largest_radius(const std::vector<PlacedBead>& beads) {
-  double radius = 0;
-  for (const PlacedBead& bead : beads) radius = std::max(radius, bead.radius);
-  return radius;
-}
-
 double surface_gap(const std::vector<PlacedBead>& beads, const BeadPair& pair) {
   return pair.distance - beads[pair.first].radius - beads[pair.second].radius;
 }

@@ -78,6 +78,22 @@ class CellList {
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 
+inline double largest_radius(const std::vector<PlacedBead>& beads) {
+  double radius = 0;
+  for (const PlacedBead& bead : beads) radius = std::max(radius, bead.radius);
+  return radius;
+}
+
+/// Into the box, along its periodic axes.
+inline Vec3 folded(Vec3 position, const std::optional<Domain>& domain) {
+  if (!domain) return position;
+  for (int a = 0; a < 3; ++a) {
+    const double length = domain->lengths[a];
+    if (domain->boundary[a] == Boundary::periodic) position[a] -= length * std::floor(position[a] / length);
+  }
+  return position;
+}
+
 /// From one bead to the nearest image of another.
 inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::optional<Domain>& domain) {
   Vec3 separation = to - from;

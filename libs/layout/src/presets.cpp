@@ -5,21 +5,45 @@
 
 namespace beadswim {
 
-Layout paper_single() {
-  const Bead bead{.radius = 4, .density = 1};
-  const Spring spring{.stiffness = 0.0347, .rest_length = 20, .damping = 0};
-  const Driving driving{.amplitude = {0.2, 0.2}, .phase = std::numbers::pi / 2, .period = 4800};
+namespace {
+
+/// What all the paper's scenes have in common: equal beads and arms, A = B, alpha = pi/2, densities 1, nu =
+/// 1/3.
+Layout paper_scene(double radius, double arm, double stiffness, double amplitude, double period) {
+  const Bead bead{.radius = radius, .density = 1};
+  const Spring spring{.stiffness = stiffness, .rest_length = arm, .damping = 0};
+  const Driving driving{.amplitude = {amplitude, amplitude}, .phase = std::numbers::pi / 2, .period = period};
   SwimmerType type{.beads = {bead, bead, bead}, .springs = {spring, spring}, .driving = driving};
   type.angular_stiffness = straightening_stiffness(type);
 
   Layout layout;
   layout.fluid = {.density = 1, .kinematic_viscosity = 1.0 / 3};
-  layout.domain = Domain{.lengths = Vec3(1200, 800, 800),
-                         .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
   layout.types["a"] = type;
-  layout.swimmers = {{.type = "a", .position = centred_position(type, Vec3::UnitX(), layout.domain)}};
   layout.resolution = unit_resolution(type, layout.fluid);
   return layout;
+}
+
+}  // namespace
+
+Layout paper_single() {
+  Layout layout = paper_scene(4, 20, 0.0347, 0.2, 4800);
+  layout.domain = Domain{.lengths = Vec3(1200, 800, 800),
+                         .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
+  layout.swimmers = {
+      {.type = "a", .position = centred_position(layout.types.at("a"), Vec3::UnitX(), layout.domain)}};
+  return layout;
+}
+
+Layout paper_swarm() {
+  return paper_scene(6, 32, 0.2, 2, 2000);
+}
+
+SwarmPlan paper_uniform_plan() {
+  return {.core_gap = Vec3::Constant(32), .block_gap = Vec3::Constant(32)};
+}
+
+SwarmPlan paper_defect_plan() {
+  return {.core_gap = Vec3::Constant(37), .block_gap = Vec3(56, 46, 46)};
 }
 
 double straightening_stiffness(const SwimmerType& type) {

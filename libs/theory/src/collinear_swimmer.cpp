@@ -58,6 +58,7 @@ CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, do
     swimmer.amplitude[arm] = direction * type.driving.amplitude[arm];
   }
   swimmer.phase = type.driving.phase;
+  swimmer.phase_offset = type.driving.phase_offset;
   swimmer.period = type.driving.period;
   swimmer.viscosity = viscosity;
   return swimmer;

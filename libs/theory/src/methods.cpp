@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
@@ -64,6 +65,11 @@ Prediction predict(const Method& method, const Question& question) {
     throw InputError(method.name, "cannot treat this swimmer: " + *obstacle);
   }
   Prediction prediction = method.predict(question);
+  const double offset = question.swimmer.phase_offset;
+  if (!(question.measured_stroke && method.uses_stroke()) && offset != 0) {
+    for (double& phase : prediction.stroke.phase)
+      phase = std::remainder(phase + offset, 2 * std::numbers::pi);
+  }
   if (!is_finite(prediction)) {
     throw InputError(
         "--method " + method.name,

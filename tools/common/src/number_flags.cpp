@@ -56,6 +56,11 @@ CLI::Validator finite_positive() {
   return number_that([](double x) { return x > 0; }, "a finite number greater than 0");
 }
 
+CLI::Validator whole_positive() {
+  return number_that([](double x) { return x >= 1 && x <= 1e6 && x == std::floor(x); },
+                     "a whole number from 1 to 1000000");
+}
+
 CLI::Validator finite_non_negative() {
   return number_that([](double x) { return x >= 0; }, "a finite number, 0 or greater");
 }

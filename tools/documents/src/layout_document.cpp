@@ -45,6 +45,7 @@ Driving overridden(Driving driving, const Json& json) {
     driving.amplitude = {json["amplitude"][0].get<double>(), json["amplitude"][1].get<double>()};
   }
   if (json.contains("phase")) driving.phase = json["phase"].get<double>();
+  if (json.contains("phase_offset")) driving.phase_offset = json["phase_offset"].get<double>();
   if (json.contains("period")) driving.period = json["period"].get<double>();
   if (json.contains("frame"))
     driving.frame = from_name(frame_names, json["frame"].get<std::string>()).value();
@@ -52,10 +53,12 @@ Driving overridden(Driving driving, const Json& json) {
 }
 
 Json json_of(const Driving& driving) {
-  return {{"amplitude", Json::array({driving.amplitude[0], driving.amplitude[1]})},
-          {"phase", driving.phase},
-          {"period", driving.period},
-          {"frame", to_name(frame_names, driving.frame)}};
+  Json json{{"amplitude", Json::array({driving.amplitude[0], driving.amplitude[1]})},
+            {"phase", driving.phase},
+            {"period", driving.period},
+            {"frame", to_name(frame_names, driving.frame)}};
+  if (driving.phase_offset != 0) json["phase_offset"] = driving.phase_offset;
+  return json;
 }
 
 /// The members of `driving` that differ from the type's.
@@ -63,8 +66,9 @@ Json difference(const Driving& driving, const Driving& of_type) {
   Json json = json_of(driving);
   const Json ordinary = json_of(of_type);
   for (const auto& [key, value] : ordinary.items()) {
-    if (json[key] == value) json.erase(key);
+    if (json.contains(key) && json[key] == value) json.erase(key);
   }
+  if (driving.phase_offset == 0 && of_type.phase_offset != 0) json["phase_offset"] = 0.0;
   return json;
 }
 
@@ -119,7 +123,10 @@ Json json_of(const Swimmer& swimmer, const SwimmerType& type) {
             {"type", swimmer.type},
             {"position", vec3_to_json(swimmer.position)},
             {"axis", vec3_to_json(swimmer.axis)}};
-  if (swimmer.driving) json["driving"] = difference(*swimmer.driving, type.driving);
+  if (swimmer.driving) {
+    Json own = difference(*swimmer.driving, type.driving);
+    if (!own.empty()) json["driving"] = std::move(own);
+  }
   return json;
 }
 

@@ -25,12 +25,14 @@ struct Spring {
   double damping = 0;      ///< c of the dashpot beside the spring [mass/time]; 0: none
 };
 
-/// Driving forces (2.1): F1 = A sin(w t), F3 = B sin(w t + alpha), F2 = -(F1 + F3).
+/// Driving forces (2.1): F1 = A sin(w t + phi), F3 = B sin(w t + alpha + phi), F2 = -(F1 + F3); phi is 0 in
+/// the paper, and sets swimmers of a swarm apart.
 struct Driving {
   std::array<double, 2> amplitude{};  ///< A on bead 1, B on bead 3 [mass length/time^2]
   double phase = 0;                   ///< alpha [radian]
   double period = 0;                  ///< T = 2 pi / w [time]
   DrivingFrame frame = DrivingFrame::lab;
+  double phase_offset = 0;  ///< phi [radian]
 };
 
 /// Beads 1, 2, 3 in a line; springs[0] joins beads 1 and 2, springs[1] beads 2 and 3.

@@ -68,6 +68,9 @@ struct Layout {
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 };
 
+/// Of all beads that the layout's swimmers have [length].
+double smallest_radius(const Layout& layout);
+
 /// Centres of beads 1, 2, 3 at rest: position - l1 axis, position, position + l2 axis.
 std::array<Vec3, 3> rest_positions(const Swimmer& swimmer, const SwimmerType& type);
 

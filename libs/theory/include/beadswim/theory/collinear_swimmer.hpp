@@ -19,6 +19,7 @@ struct CollinearSwimmer {
   std::array<double, 2> damping{};    ///< dashpots c_i [mass/time]
   std::array<double, 2> amplitude{};  ///< A, B of (2.1), along the swimmer [mass length/time^2]
   double phase = 0;                   ///< alpha of (2.1) [radian]
+  double phase_offset = 0;            ///< phi, which turns the phases of arms and nothing else [radian]
   double period = 0;                  ///< T [time]
   double viscosity = 0;               ///< eta, dynamic [mass/(length time)]
 

@@ -1,0 +1,84 @@
+#!/bin/bash
+# beadswim-layout swarm, defect and reduce: filters that compose, and a run of a reduced cell in place of the swarm's.
+source "$(dirname "$0")/harness.sh"
+
+# --- layouts
+accepts beadswim-layout swarm --preset paper-defect --blocks 2,1,3
+cp out defect.json
+check 'blocks of nine' holds '.swimmers | length == 54' defect.json
+check 'the box is of whole blocks' holds '.domain == {lengths: [240, 120, 360], boundary: ["periodic", "periodic", "periodic"]}' defect.json
+check 'the preset is not the paper swimmer' holds '.types.a | .beads[0].radius == 6 and .springs[1].rest_length == 32
+  and .driving.period == 2000 and .driving.amplitude == [2, 2]' defect.json
+check 'no resolution hint' holds '.resolution == {cells_per_radius: 6, relaxation_time: 1.5}' defect.json
+positions='jq -c ".swimmers | map(.position)"'
+same_bytes "beadswim-layout swarm --preset paper-defect | $positions" \
+  "beadswim-layout swarm --preset paper-uniform --core-gap 37 --block-gap 56,46,46 | $positions"
+accepts beadswim-layout swarm --radius 1 --arm 5 --stiffness 1 --amplitude 1 --period 100 --viscosity 1 --core-gap 4 \
+  --block-gap 5,6,7 --block-swimmers 2,2,1
+check 'four swimmers' holds '(.swimmers | length) == 4 and .domain.lengths == [29, 10, 7]' out
+refuses 'needs .*--core-gap' beadswim-layout swarm --radius 1 --arm 5 --stiffness 1 --amplitude 1 --period 100 --viscosity 1
+refuses 'did you mean "paper-uniform"' beadswim-layout swarm --preset paper-unform
+refuses 'overlaps' beadswim-layout swarm --preset paper-uniform --core-gap 11
+refuses 'whole number' beadswim-layout swarm --preset paper-uniform --blocks 1,2.5,1
+refuses 'whole number' beadswim-layout swarm --preset paper-uniform --blocks a,1,1
+refuses 'at most' beadswim-layout swarm --preset paper-uniform --blocks 1000,1000,1000
+
+# --- defects, seeded, in pipes
+beadswim-layout swarm --preset paper-uniform --blocks 2,2,2 >swarm.json
+for defect in 'vacancy --count 3' 'interstitial --fraction 0.05' 'jitter --sigma 0.5' 'rotation --sigma 0.05' \
+  'rotation --random --repair' 'domains --count 3 --repair' 'phase --random' 'phase --sigma 0.3 --fraction 0.5' \
+  'amplitude --sigma 0.1' 'frequency --sigma 0.01' 'spacing --axis y --sigma 3 --whole 1' 'mixture --with one.json --count 5'; do
+  beadswim-layout swimmer --preset paper-single >one.json
+  accepts beadswim-layout defect $defect swarm.json
+  cp out once.json
+  check "$defect: no change" test "$(jq -cS 'del(.provenance)' once.json)" != "$(jq -cS 'del(.provenance)' swarm.json)"
+  check "$defect: not on record" holds '.provenance | length == 2 and .[1].arguments[1] == "'"${defect%% *}"'"' once.json
+  same_bytes "beadswim-layout defect $defect <swarm.json" "beadswim-layout defect $defect <swarm.json"
+  accepts beadswim-layout check once.json
+  run beadswim-layout defect $defect --seed 2 swarm.json
+  has_status 0
+  check "$defect: another seed, the same" test "$(jq -cS 'del(.provenance)' once.json)" != "$(jq -cS 'del(.provenance)' out)"
+done
+run bash -c 'beadswim-layout defect vacancy --fraction 0.25 <swarm.json | beadswim-layout defect jitter --sigma 0.5 --seed 2 |
+  beadswim-layout defect phase --random --seed 3'
+has_status 0
+check 'the pipe has not three defects' holds '(.swimmers | length) == 54 and (.provenance | length) == 4
+  and (.swimmers | map(has("driving")) | all)' out
+refuses 'needs --fraction or --count' beadswim-layout defect vacancy swarm.json
+refuses 'leaves no swimmer' beadswim-layout defect vacancy --fraction 1 swarm.json
+refuses '73: more than there are swimmers, 72' beadswim-layout defect vacancy --count 73 swarm.json
+refuses 'needs --fraction or --count' beadswim-layout defect mixture --with one.json swarm.json
+refuses 'with: is standard input' beadswim-layout defect mixture --with - --count 1 swarm.json
+refuses 'needs --sigma or --random' beadswim-layout defect rotation swarm.json
+refuses 'overlap.*--repair moves swimmers apart' beadswim-layout defect jitter --sigma 20 swarm.json
+refuses 'command is needed: .*vacancy' beadswim-layout defect
+beadswim-layout swimmer --preset paper-single --unbounded >unbounded.json
+refuses 'unbounded' beadswim-layout defect interstitial --count 1 unbounded.json
+
+# --- reduce: the uniform swarm is one swimmer, the defect swarm nine
+run beadswim-layout reduce swarm.json
+has_status 0
+cp out cell.json
+check 'not one swimmer in 96 x 32 x 32' holds '(.swimmers | length) == 1 and .domain.lengths == [96, 32, 32]' cell.json
+err_has '2 x 6 x 6 cells, swimmers: 72 -> 1, in a box of 96 x 32 x 32; largest shift'
+run beadswim-layout reduce defect.json
+check 'not nine in 120 x 120 x 120' holds '(.swimmers | length) == 9 and .domain.lengths == [120, 120, 120]' out
+run bash -c 'beadswim-layout defect vacancy --count 1 swarm.json | beadswim-layout reduce'
+check 'a vacancy is reduced away' holds '(.swimmers | length) == 71' out
+refuses 'unbounded' beadswim-layout reduce unbounded.json
+
+# The cell's run is that of each of 2 x 2 x 2 cells, swimmer by swimmer, to roundoff.
+beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 --block-swimmers 1,2,2 >eight.json
+beadswim-layout reduce eight.json >one.json 2>err
+run beadswim-run one.json -o one.h5md --cycles 1 --cells-per-radius 3 --progress none
+has_status 0
+cp out one.record
+run mpirun -n 2 beadswim-run eight.json -o eight.h5md --cycles 1 --cells-per-radius 3 --progress none
+has_status 0
+cp out eight.record
+jq -s '.[0].swimmers[0].cycles[0] as $one | .[1].swimmers | map(.cycles[0] |
+  [(.velocity[0] - $one.velocity[0]), (.arm_amplitudes[0] - $one.arm_amplitudes[0]), (.arm_amplitudes[1] - $one.arm_amplitudes[1])]
+  | map(fabs) | max) | {number: length, worst: max, velocity: $one.velocity[0]}' one.record eight.record >apart.json
+check 'the swarm moves otherwise than its cell' holds '.number == 8 and .worst < 1e-10 and (.velocity | fabs) > 1e-5' apart.json
+
+finish

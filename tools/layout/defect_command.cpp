@@ -1,0 +1,215 @@
+#include "defect_command.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
+#include "beadswim/tools/program.hpp"
+#include "sound_layout.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr const char* needed = "none, one of the two is needed";
+
+/// The first name "b", "c", ... "z", "a1" ... that the layout has no type of.
+std::string free_type_name(const Layout& layout) {
+  for (char letter = 'b'; letter <= 'z'; ++letter) {
+    if (!layout.types.contains(std::string(1, letter))) return std::string(1, letter);
+  }
+  int n = 1;
+  while (layout.types.contains(fmt::format("a{}", n))) ++n;
+  return fmt::format("a{}", n);
+}
+
+void require_same_units(const Layout& layout, const Layout& other, const std::string& source) {
+  const auto same = [](const Units::Unit& a, const Units::Unit& b) { return a.si_factor == b.si_factor; };
+  const Units &a = layout.units, &b = other.units;
+  const bool equal =
+      a.lattice == b.lattice &&
+      (a.lattice || (same(a.length, b.length) && same(a.time, b.time) && same(a.mass, b.mass)));
+  if (!equal) throw InputError(source, "is in other units than the layout that it is mixed into");
+}
+
+/// The chosen become swimmers of the other layout's first type.
+void mix_in(Layout& layout, const std::vector<std::size_t>& chosen, const std::string& path) {
+  if (path == "-") throw InputError("--with", "is standard input, where the layout is; name a file");
+  const Layout other = read_layout(path).layout;
+  require_same_units(layout, other, path);
+  const std::string name = free_type_name(layout);
+  layout.types[name] = other.types.at(other.swimmers.front().type);
+  for (const std::size_t s : chosen) {
+    layout.swimmers[s].type = name;
+    layout.swimmers[s].driving.reset();
+  }
+  std::erase_if(layout.types, [&](const auto& type) {
+    return std::ranges::none_of(layout.swimmers, [&](const Swimmer& s) { return s.type == type.first; });
+  });
+}
+
+}  // namespace
+
+DefectCommand::DefectCommand(CLI::App& program)
+    : command_(program.add_subcommand(
+          "defect",
+          "Filters that disturb a layout: each takes one from a file or standard input and writes it to "
+          "standard output, so that they compose in pipes. The same seed gives the same defects of the same "
+          "layout; give each filter of a pipe a seed of its own.")) {
+  command_->require_subcommand(1);
+  const auto all = [this](const Layout& layout) { return chosen(layout); };
+
+  auto& vacancy = add_kind("vacancy", "Take swimmers away; the others keep their ids.",
+                           [this](Layout& layout) { add_vacancies(layout, how_many(), seed_); });
+  add_how_many(vacancy, "swimmers to take away", needed);
+
+  auto& interstitial =
+      add_kind("interstitial", "Add swimmers like the first at random free places, with ids of their own.",
+               [this](Layout& layout) { add_interstitials(layout, how_many(), seed_); });
+  add_how_many(interstitial, "swimmers to add; the fraction is of those there are", needed);
+
+  auto& displaced = add_kind("jitter", "Move swimmers at random.",
+                             [this, all](Layout& layout) { jitter(layout, all(layout), *sigma_, seed_); });
+  add_sigma(displaced, "Standard deviation of each coordinate's change [length].");
+  add_how_many(displaced, "swimmers to move", "all");
+
+  auto& turned = add_kind("rotation", "Turn swimmers about their middle bead.",
+                          [this, all](Layout& layout) { rotate(layout, all(layout), sigma_, seed_); });
+  add_sigma(turned, "Standard deviation of the angle, about a random line across the axis [radian].");
+  add_random(turned, "Random directions instead, all alike.");
+  add_how_many(turned, "swimmers to turn", "all");
+
+  auto& regions = add_kind(
+      "domains",
+      "Part the box by random points, and give the swimmers nearest to each a direction of their own.",
+      [this](Layout& layout) { add_domains(layout, *count_, seed_); });
+  regions.add_option("--count", count_, "Number of domains.")
+      ->required()
+      ->check(CLI::Range(1, 10000))
+      ->type_name("N");
+
+  auto& phases =
+      add_kind("phase", "Let swimmers' driving run ahead or behind, by phase_offset.",
+               [this, all](Layout& layout) { disorder_phases(layout, all(layout), sigma_, seed_); });
+  add_sigma(phases, "Standard deviation of the offset [radian].");
+  add_random(phases, "Offsets from -pi to pi instead, all alike.");
+  add_how_many(phases, "swimmers to change", "all");
+
+  auto& amplitudes =
+      add_kind("amplitude", "Drive swimmers more or less strongly: A and B times 1 + sigma x.",
+               [this, all](Layout& layout) { disorder_amplitudes(layout, all(layout), *sigma_, seed_); });
+  add_sigma(amplitudes, "Standard deviation of the amplitudes' relative change, no unit.");
+  add_how_many(amplitudes, "swimmers to change", "all");
+
+  auto& frequencies =
+      add_kind("frequency", "Drive swimmers faster or slower: 1/T times 1 + sigma x.",
+               [this, all](Layout& layout) { disorder_frequencies(layout, all(layout), *sigma_, seed_); });
+  add_sigma(frequencies, "Standard deviation of the frequency's relative change, no unit.");
+  add_how_many(frequencies, "swimmers to change", "all");
+
+  add_spacing();
+  add_mixture();
+}
+
+CLI::App& DefectCommand::add_kind(const std::string& name, const std::string& help, Change change) {
+  CLI::App* const kind = command_->add_subcommand(name, help);
+  kind->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
+  kind->add_option("--seed", seed_, "Of the random numbers, from 0.")
+      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  kind->add_flag(
+      "--repair", repair_,
+      "Move swimmers that overlap then apart, until all beads are a twentieth of a radius off each other. "
+      "Default: overlaps are refused.");
+  kinds_.emplace_back(kind, std::move(change));
+  return *kind;
+}
+
+void DefectCommand::add_how_many(CLI::App& kind, const std::string& things, const std::string& otherwise) {
+  auto* const fraction =
+      kind.add_option("--fraction", fraction_,
+                      fmt::format("Share of {}, from 0 to 1, rounded to whole ones.", things))
+          ->type_name("F")
+          ->check(CLI::Range(0.0, 1.0).description("") & finite());
+  kind.add_option("--count", count_, fmt::format("Number of {}. Default: {}.", things, otherwise))
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{10000000}).description(""))
+      ->excludes(fraction);
+}
+
+void DefectCommand::add_sigma(CLI::App& kind, const std::string& help) {
+  kind.add_option("--sigma", sigma_, help)
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6).description("") & finite());
+}
+
+void DefectCommand::add_random(CLI::App& kind, const std::string& help) {
+  kind.add_flag("--random", random_, help)->excludes(kind.get_option("--sigma"));
+}
+
+void DefectCommand::add_spacing() {
+  auto& layers =
+      add_kind("spacing", "Change the gaps between layers of swimmers, and the box by as much.",
+               [this](Layout& layout) {
+                 const LayerSpacing spacing{.axis = axis_[0] - 'x', .sigma = *sigma_, .whole = whole_};
+                 space_layers(layout, spacing, how_many_or_all(), seed_);
+               });
+  layers.add_option("--axis", axis_, "Across which the layers lie.")
+      ->required()
+      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->type_name("x|y|z");
+  add_sigma(layers, "Standard deviation of each gap's change [length].");
+  layers
+      .add_option(
+          "--whole", whole_,
+          "Round changes to whole multiples of this, such as a cell of the run to come [length]. Default: "
+          "none.")
+      ->type_name("L")
+      ->check(finite_positive());
+  add_how_many(layers, "gaps to change", "all");
+}
+
+void DefectCommand::add_mixture() {
+  auto& mixture =
+      add_kind("mixture", "Make swimmers ones of another type, which keep their place and axis.",
+               [this](Layout& layout) { mix_in(layout, drawn_swimmers(layout, how_many(), seed_), other_); });
+  mixture.add_option("--with", other_, "A layout whose first swimmer is of that type.")
+      ->required()
+      ->type_name("FILE");
+  add_how_many(mixture, "swimmers to change", needed);
+}
+
+HowMany DefectCommand::how_many() const {
+  if (count_) return *count_;
+  if (!fraction_) throw InputError("command line", "needs --fraction or --count");
+  return *fraction_;
+}
+
+HowMany DefectCommand::how_many_or_all() const {
+  return fraction_ || count_ ? how_many() : HowMany{1.0};
+}
+
+std::vector<std::size_t> DefectCommand::chosen(const Layout& layout) const {
+  return drawn_swimmers(layout, how_many_or_all(), seed_);
+}
+
+void DefectCommand::run(const CLI::App& program) const {
+  LayoutDocument document = read_layout(file_);
+  for (const auto& [kind, change] : kinds_) {
+    if (!kind->parsed()) continue;
+    if (kind->get_option_no_throw("--sigma") && !random_ && !sigma_) {
+      throw InputError("command line",
+                       kind->get_option_no_throw("--random") ? "needs --sigma or --random" : "needs --sigma");
+    }
+    change(document.layout);
+  }
+  if (repair_) repair_overlaps(document.layout);
+  require_sound(document.layout, "the defects", repair_ ? "" : "; --repair moves swimmers apart");
+  document.provenance.push_back(provenance_record(program));
+  write_text("-", dump_json(layout_to_json(document)));
+}
+
+}  // namespace beadswim

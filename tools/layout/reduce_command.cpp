@@ -1,0 +1,42 @@
+#include "reduce_command.hpp"
+
+#include <fmt/core.h>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
+#include "beadswim/layout/reduce.hpp"
+#include "beadswim/tools/program.hpp"
+
+namespace beadswim {
+ReduceCommand::ReduceCommand(CLI::App& program)
+    : command_(program.add_subcommand(
+          "reduce",
+          "The smallest periodic cell that repeats to the same scene, from a file or standard input to "
+          "standard output: a swarm of equal blocks becomes one block, or one swimmer. What was found is "
+          "said "
+          "on standard error.")) {
+  command_->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
+  command_
+      ->add_option("--tolerance", tolerance_,
+                   "How far a swimmer may be off its place in the repeated cell [smallest bead radius].")
+      ->type_name("E")
+      ->check(CLI::Range(0.0, 0.5).description("") & finite())
+      ->capture_default_str();
+}
+
+void ReduceCommand::run(const CLI::App& program) const {
+  LayoutDocument document = read_layout(file_);
+  ReducedCell reduced = reduce(document.layout, tolerance_ * smallest_radius(document.layout));
+  const std::size_t before = document.layout.swimmers.size(), after = reduced.layout.swimmers.size();
+  const Vec3& box = reduced.layout.domain->lengths;
+  tell(
+      fmt::format("beadswim-layout: {} x {} x {} cells, swimmers: {} -> {}, in a box of {:g} x {:g} x {:g}; "
+                  "largest shift {:.2g}\n",
+                  reduced.cells[0], reduced.cells[1], reduced.cells[2], before, after, box[0], box[1], box[2],
+                  reduced.largest_shift));
+  document.layout = std::move(reduced.layout);
+  document.provenance.push_back(provenance_record(program));
+  write_text("-", dump_json(layout_to_json(document)));
+}
+
+}  // namespace beadswim

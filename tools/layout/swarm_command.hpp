@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "beadswim/layout/swarm.hpp"
+#include "swimmer_flags.hpp"
+
+namespace beadswim {
+
+/// beadswim-layout swarm: a layout of equal blocks of swimmers in a periodic box, to standard output.
+class SwarmCommand {
+ public:
+  explicit SwarmCommand(CLI::App& program);
+
+  bool is_chosen() const { return command_->parsed(); }
+  void run(const CLI::App& program) const;
+
+ private:
+  SwarmPlan plan() const;
+
+  CLI::App* command_;
+  SwimmerFlags flags_;
+  std::string block_swimmers_, blocks_, core_gap_, block_gap_;
+};
+
+}  // namespace beadswim
