@@ -53,7 +53,7 @@ reference_theory() { # arms and velocity that inertia-corrected predicts
 relaxation_time() {
   swimmer
   reference_run --cells-per-radius 4 --relaxation-time 1
-  for tau in 0.505 0.51 0.52 0.55 0.6 0.8 1 1.5 2 3 6 10; do
+  for tau in 0.505 0.51 0.52 0.55 0.6 0.8 1 1.5 2 3 4 6 10; do
     row "relaxation time" "τ = $tau" --cells-per-radius 2 --relaxation-time $tau
   done
   for tau in 0.505 0.51; do
@@ -85,6 +85,13 @@ springs() {
   no_reference
   swimmer --stiffness 1e-6 --amplitude 0.5
   row "springs" "none to speak of" --cells-per-radius 2
+  oblique() { swimmer --box 60,60,60 --axis 1,1,0.3 --angular-stiffness "$(jq -nr "138.8 * $1")"; } # bending matters
+  oblique 1
+  reference_run --cells-per-radius 4
+  for factor in 1 10 30 1e2 1e3 1e4 1e6; do
+    oblique $factor
+    row "springs" "angular spring times $factor, oblique" --cells-per-radius 2
+  done
 }
 
 collisions() {

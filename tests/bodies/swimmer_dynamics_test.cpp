@@ -107,12 +107,33 @@ TEST(StiffSprings, GetADashpotWhereStepsAreTooLong) {
   const auto damping = [&](double omega_step, double own) {
     type.springs.fill(
         {.stiffness = reduced_mass * omega_step * omega_step, .rest_length = 5, .damping = own});
-    return with_damped_vibrations(type, 1).springs[1].damping;
+    return with_steady_vibrations(type, 1).springs[1].damping;
   };
   EXPECT_EQ(damping(0.4, 0), 0);
   EXPECT_NEAR(damping(1, 0), 0.5 * reduced_mass, 1e-12);
   EXPECT_NEAR(damping(30, 0), 30 * reduced_mass, 1e-12);
   EXPECT_EQ(damping(1, 7), 7);
+}
+
+// Bent a little and let go, the swimmer vibrates at omega; softened, at 3/4 rad a step, and not if slower.
+TEST(StiffAngularSpring, IsSoftenedToWhatStepsFollow) {
+  SwimmerType type = symmetric_swimmer();
+  const double l = type.springs[0].rest_length;
+  const double per_stiffness = 6 / (mass(type.beads[0]) * l * l);  // omega^2 = K (1 + 4 + 1)/(m l^2)
+  const double step = 0.02;
+  type.angular_stiffness = std::pow(0.7 / step, 2) / per_stiffness;
+  EXPECT_EQ(with_steady_vibrations(type, step).angular_stiffness, type.angular_stiffness);
+
+  type.angular_stiffness *= 1e4;
+  const SwimmerType softened = with_steady_vibrations(type, step);
+  constexpr double bend = 1e-6;
+  SwimmerMotion motion;
+  motion[0].position = Vec3(-l, bend, 0);
+  motion[1].position = Vec3(0, -2 * bend, 0);
+  motion[2].position = Vec3(l, bend, 0);
+  constexpr int substeps = 40;
+  advance_swimmer(motion, softened, Vec3::UnitX(), {}, 0, step, substeps);
+  EXPECT_NEAR(motion[0].position[1], bend * std::cos(0.75), 1e-4 * bend);
 }
 
 }  // namespace

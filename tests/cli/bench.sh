@@ -2,8 +2,6 @@
 # beadswim-bench: its document on 1 and 2 ranks, its table, and what it refuses. No speed is tested.
 source "$(dirname "$0")/harness.sh"
 
-holds() { jq -e "$1" "$2" >/dev/null; }
-
 accepts beadswim-bench --help
 for flag in edge precision bead-boundary rounds json; do out_has "--$flag"; done
 accepts beadswim-bench --version

@@ -90,6 +90,9 @@ same_bytes() {
   check "the outputs differ" cmp -s out out.other
 }
 
+# A condition on a JSON document, to check.
+holds() { jq -e "$1" "$2" >/dev/null; }
+
 skip() {
   echo "skipped: $1"
   exit 77

@@ -5,8 +5,6 @@ source "$(dirname "$0")/harness.sh"
 small() {
   beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic "$@"
 }
-# A condition on a JSON document.
-holds() { jq -e "$1" "$2" >/dev/null; }
 # A condition, as it goes on after "ratio", on each arm amplitude of RUN over that of OTHER, in their last cycles.
 stroke_over() { # OTHER RUN CONDITION
   jq -se "map(.swimmers[0].cycles[-1].arm_amplitudes) | [.[1], .[0]] | transpose | map(.[0] / .[1] $3) | all" \
@@ -89,7 +87,7 @@ check "the stroke is that of double precision" \
 check "the precision is on record" test "$(jq -r .resolution.precision single.json)" = single
 run mpirun -n 3 beadswim-run strong.json -o three.h5md --cycles 2 --precision single --progress none
 check "3 ranks end in another state" test "$(jq .state_sha256 out)" = "$(jq .state_sha256 single.json)"
-small --period 200 --amplitude 1e-6 >slow.json
+small --period 200 --amplitude 1e-4 >slow.json
 run beadswim-run slow.json -o slow.h5md --cycles 0.1 --precision single --progress none
 has_status 0
 err_has 'warning: in single precision the velocity may be wrong by .* of itself: .* --precision double'
@@ -98,6 +96,9 @@ run beadswim-run scallop.json -o scallop.h5md --cycles 0.1 --precision single --
 err_has 'more than itself, as to second order it is zero'
 run beadswim-run slow.json -o slow.h5md --cycles 0.1 --progress none
 err_empty
+small --period 200 --amplitude 1e-6 >slower.json
+run beadswim-run slower.json -o slow.h5md --cycles 0.1 --progress none
+err_has 'so little in a cycle that roundoff may change its velocity by .* of itself'
 refuses 'precision: half' beadswim-run layout.json -o x.h5md --precision half
 
 # --- interpolated links: another law at the bead, nearly the same swimmer, on record, the same bits on any ranks
@@ -241,6 +242,11 @@ refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius
 refuses 'may cover no cell' beadswim-run layout.json -o x.h5md --cells-per-radius 0.5
 refuses 'not a whole number; the nearest' beadswim-run layout.json -o x.h5md --cells-per-radius 2.3
 refuses 'a period has 1 of them' beadswim-run layout.json -o x.h5md --relaxation-time 300
+refuses "fluid's force comes late by" beadswim-run layout.json -o x.h5md --relaxation-time 12
+for scheme in mr cli staircase; do
+  refuses 'take 0.52 or more, or --bead-boundary psm' \
+    beadswim-run layout.json -o x.h5md --relaxation-time 0.515 --bead-boundary $scheme
+done
 refuses 'not the name of a file' beadswim-run layout.json -o ./
 mkfifo pipe
 refuses 'exists and is no regular file' beadswim-run layout.json -o pipe

@@ -42,6 +42,7 @@ RunRecord full_record() {
                                         .bead_boundary = "cli",
                                         .density_on_lattice = 1.2344,
                                         .radius_on_lattice = 4.0209,
+                                        .angular_softening = 0.25,
                                         .precision = "single"};
   record.cost = RunCost{.wall_seconds = 10.5,
                         .core_seconds = 21,
@@ -80,6 +81,7 @@ TEST(RunRecord, SurvivesTheWayThroughText) {
   EXPECT_EQ(through_text(record).near_contact->smallest_gap, 0.25);
   EXPECT_EQ(through_text(record).near_contact->tangential_cut_off, 0.5);
   EXPECT_EQ(through_text(record).resolution->radius_on_lattice, 4.0209);
+  EXPECT_EQ(through_text(record).resolution->angular_softening, 0.25);
 }
 
 TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {

@@ -1,14 +1,11 @@
 #include "beadswim/coupling/bead_links.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 #include <set>
 #include <tuple>
-
-#include "beadswim/core/error.hpp"
 
 namespace beadswim::test {
 namespace {

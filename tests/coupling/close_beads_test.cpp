@@ -139,6 +139,29 @@ CoupledScene swimmer_scene(Wall across_x, Precision precision) {
           .swimmers = {{.id = 0, .type = 0}}};
 }
 
+// Beads of a scene that meet head on at the speed limit, no film between them, turn round and part again
+// before they are in each other by half a cell, a quarter of what stops a run at this radius.
+TEST(NearContactLaw, TurnsBeadsAtTheSpeedLimit) {
+  CoupledScene scene = swimmer_scene(Wall::periodic, Precision::fp64);
+  scene.types[0].beads.fill({.radius = 10, .density = 1});
+  scene.lubrication = false;
+  const NearContactLaw law = near_contact_law(scene);
+  CloseBead bead{.radius = 10, .mass = mass(scene.types[0].beads[0]), .inertia = 1};
+  CloseBead other = bead;
+  bead.velocity[0] = speed_limit;
+  other.velocity[0] = -speed_limit;
+  double gap = 0.3, deepest = gap;
+  for (int step = 0; step < 10; ++step) {
+    const double push = near_contact_impulse(law, bead, other, Vec3(20 + gap, 0, 0), 1).linear[0] / bead.mass;
+    bead.velocity[0] -= push;
+    other.velocity[0] += push;
+    gap += other.velocity[0] - bead.velocity[0];
+    deepest = std::min(deepest, gap);
+  }
+  EXPECT_GT(deepest, -0.5);
+  EXPECT_GT(gap, 0);
+}
+
 // What is lost or gained beyond roundoff is a fault; walls may take momentum, but nothing takes mass, and
 // what is no number is always one.
 TEST(Conservation, IsWatched) {

@@ -1,7 +1,5 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "beadswim/core/error.hpp"
 #include "scenes.hpp"
 
 namespace beadswim::test {
@@ -23,17 +21,6 @@ Vec3 displacement(const Vec3& axis, double phase) {
   const Vec3 start = mean();
   advance(system, one_cycle);
   return mean() - start;
-}
-
-/// What a SolverError says, or nothing.
-template <class Action>
-std::string message_of(Action&& action) {
-  try {
-    action();
-  } catch (const SolverError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 constexpr double roundoff = 1e-11;  // sums of a cell's populations in another order, 120 steps

@@ -71,8 +71,7 @@ double on_lattice(const Pair& pair, const Mode& mode, const Vec3& direction, con
 /// What the correction adds.
 double added(const Pair& pair, const Mode& mode, double tau, BeadScheme scheme) {
   const double r = pair.radius, eta = lattice_viscosity(tau);
-  LubricationRange range = lubrication_range(scheme);
-  range.smallest = 1e-3 * r;
+  const LubricationRange range = lubrication_range(scheme, r);
   if (mode.turn) {
     const Sliding film = sliding(r, r, eta, range, pair.gap);
     return (film.aa + film.ab) / unit(pair, mode, eta);

@@ -46,8 +46,9 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
   const LatticeScales& scales = on_lattice.lattice.scales;
   switch (fault.kind) {
     case FaultKind::speed:
-      return fmt::format("{} moves {:.3g} cells a step, its turning included, over the limit of 0.5; {}",
-                         place_of(fault, scales), fault.value, cause_of_instability(on_lattice, mach_so_far));
+      return fmt::format("{} moves {:.3g} cells a step, its turning included, over the limit of {}; {}",
+                         place_of(fault, scales), fault.value, speed_limit,
+                         cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::torn_arm:
       return fmt::format(
           "the arm from {} to bead {} is torn: {:.3g} times its rest length, over {}; weaker "

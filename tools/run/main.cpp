@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <optional>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
@@ -14,8 +13,9 @@
 #include "memory.hpp"
 #include "record.hpp"
 #include "run_loop.hpp"
-#include "single_precision.hpp"
 #include "stop_signal.hpp"
+#include "velocity_roundoff.hpp"
+#include "warnings.hpp"
 
 namespace {
 
@@ -76,67 +76,6 @@ void announce(const SceneOnLattice& on_lattice, const Communicator& communicator
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
 }
 
-/// What may go wrong, known before it starts.
-/// precision_error: single_precision_error(), if populations are in single precision.
-void warn(const SceneOnLattice& on_lattice, std::optional<double> precision_error) {
-  if (on_lattice.cells_per_radius < 2) {
-    tell(fmt::format("beadswim-run: warning: {:.3g} cells a radius do not resolve a bead; 3 or more do\n",
-                     on_lattice.cells_per_radius));
-  }
-  if (on_lattice.density_on_lattice() < light_bead) {
-    tell(fmt::format(
-        "beadswim-run: warning: beads of {:.3g} times the fluid's density on the lattice; the coupling is "
-        "explicit, and below {} it may become unstable; --delay-correction on helps, with it a larger "
-        "--relaxation-time\n",
-        on_lattice.density_on_lattice(), light_bead));
-  }
-  if (on_lattice.lattice.relaxation_time < least_viscous) {
-    tell(fmt::format(
-        "beadswim-run: warning: tau {:.4g} is so near 1/2 that the fluid hardly damps what cells do not "
-        "resolve, and may become unstable, or turbulent where it should not; take {} or more, or "
-        "--bead-boundary psm\n",
-        on_lattice.lattice.relaxation_time, least_viscous));
-  }
-  constexpr double late = 0.2;
-  if (on_lattice.phase_of_delay() > late) {
-    tell(fmt::format(
-        "beadswim-run: warning: steps are long beside the period, {} of them: the fluid's force comes late "
-        "by {:.2g} radians of it, and strokes are wrong by as much or more; take a smaller "
-        "--relaxation-time or more --cells-per-radius\n",
-        on_lattice.lattice.steps_per_period, on_lattice.phase_of_delay()));
-  }
-  constexpr double close = 2.5;
-  if (on_lattice.smallest_gap < close) {
-    tell(fmt::format(
-        "beadswim-run: warning: beads, images or walls are {:.2g} cells apart at the start, too few to "
-        "resolve the flow between: strokes may be wrong by some tens of per cent; take more "
-        "--cells-per-radius, {:.2g} for 2.5 cells\n",
-        on_lattice.smallest_gap, std::ceil(on_lattice.cells_per_radius * close / on_lattice.smallest_gap)));
-  }
-  if (on_lattice.damps_springs) {
-    tell(
-        "beadswim-run: warning: springs vibrate faster than a step resolves, and get dashpots that damp "
-        "that; "
-        "slower motion lags in them by half a step at most\n");
-  }
-  if (!precision_error || *precision_error <= tolerated_precision_error) return;
-  tell(
-      fmt::format("beadswim-run: warning: in single precision the velocity may be wrong by {}: a swimmer is "
-                  "slow beside its beads, or the run long; take --precision double\n",
-                  std::isfinite(*precision_error) ? fmt::format("{:.2g} of itself", *precision_error)
-                                                  : "more than itself, as to second order it is zero"));
-}
-
-/// A lattice fluid is nearly incompressible only while it is slow.
-void warn_if_fast(double mach, const Communicator& communicator) {
-  if (mach <= fast_bead || !communicator.is_root()) return;
-  tell(fmt::format(
-      "beadswim-run: warning: beads reached Mach {:.2g}, where the fluid's compressibility, some {:.0f} % "
-      "there, changes what they do; take a smaller step by a smaller --relaxation-time or more "
-      "--cells-per-radius\n",
-      mach, 100 * mach * mach));
-}
-
 constexpr const char* program_name = "beadswim-run";
 
 /// For a failure that may be known to this rank alone: it speaks, and takes the others with it.
@@ -165,13 +104,12 @@ int run(int argc, char** argv, const Communicator& communicator) {
   Progress progress(options.progress, total_steps(on_lattice, options),
                     static_cast<double>(on_lattice.lattice.steps_per_period),
                     on_lattice.scene.cells.cast<double>().prod());
-  std::optional<double> precision_error;  // on all ranks, which fail alike if it does
-  if (on_lattice.scene.precision == Precision::fp32) {
-    precision_error = single_precision_error(on_lattice.scene, total_steps(on_lattice, options));
-  }
+  const double roundoff =
+      velocity_roundoff(on_lattice.scene, on_lattice.lattice.steps_per_period,
+                        total_steps(on_lattice, options));  // may fail: on all ranks alike
   if (communicator.is_root()) {
     if (options.progress != ProgressStyle::none) announce(on_lattice, communicator);
-    warn(on_lattice, precision_error);
+    warn(on_lattice, roundoff);
   }
 
   CoupledSystem system(on_lattice.scene, communicator);
@@ -192,7 +130,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
   } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
     stop_all_ranks(communicator);
   }
-  warn_if_fast(system.largest_bead_speed() * std::sqrt(3.0), communicator);
+  const double mach = system.largest_bead_speed() * std::sqrt(3.0);
+  if (communicator.is_root()) warn_if_fast(mach);
   if (outcome.status == RunStatus::failed) throw RunFailed(outcome.reason);
   if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);
   return static_cast<int>(ExitStatus::fine);

@@ -97,6 +97,7 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
                         .bead_boundary = name_of(on_lattice.scene.bead_boundary),
                         .density_on_lattice = on_lattice.density_on_lattice(),
                         .radius_on_lattice = on_lattice.radius_on_lattice(),
+                        .angular_softening = on_lattice.angular_softening,
                         .precision = name_of(on_lattice.scene.precision)};
   record.cost = cost_of(parts, on_lattice, outcome);
   record.near_contact = near_contact_of(parts.system, on_lattice);

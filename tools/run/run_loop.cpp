@@ -100,6 +100,7 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     if (const auto stop = asked_to_stop(start, options, communicator)) {
       outcome.status = stop->status;
       outcome.reason = fmt::format("step {} of {}: {}", done, steps, stop->reason);
+      outcome.last_totals = system.totals();
     }
   }
   outcome.wall_seconds = MPI_Wtime() - start;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
@@ -19,19 +20,8 @@ namespace {
 /// What a run uses if neither the command line nor the layout says otherwise: the paper's.
 constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time = 1.5};
 
-/// Fewer steps than this cannot follow a period.
-constexpr long fewest_steps_per_period = 20;
-
 /// A smaller bead can slip between the centres of cells and cover none [cell].
 constexpr double smallest_bead = 1;
-
-double smallest_radius(const Layout& layout) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Swimmer& swimmer : layout.swimmers) {
-    for (const Bead& bead : layout.types.at(swimmer.type).beads) smallest = std::min(smallest, bead.radius);
-  }
-  return smallest;
-}
 
 void require_box(const Layout& layout, const std::string& source) {
   if (layout.domain) return;
@@ -72,6 +62,15 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
   }
 }
 
+/// Throws InputError where links into beads break down, or go on with strokes that are wrong by half.
+void require_viscosity(BeadScheme scheme, double relaxation_time) {
+  if (!has_links(scheme) || relaxation_time >= least_viscous) return;
+  throw InputError("--relaxation-time",
+                   fmt::format("{:.6g} is so near 1/2 that the surface of beads is unstable with "
+                               "--bead-boundary {}; take {} or more, or --bead-boundary psm",
+                               relaxation_time, name_of(scheme), least_viscous));
+}
+
 /// Throws InputError at the one relaxation time at which multireflection has nothing to go by.
 void require_slip(BeadScheme scheme, double relaxation_time) {
   constexpr double nearest = 1e-4;
@@ -104,8 +103,16 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
   return cells;
 }
 
+/// By which the fluid's force comes late, in radians of the period.
+double phase_of_delay(const LatticeChoice& lattice) {
+  return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) /
+         static_cast<double>(lattice.steps_per_period);
+}
+
+/// Throws InputError if beads are too small, or steps too long.
 LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double relaxation_time,
                           double period) {
+  constexpr double latest = 0.3;  // [rad]
   const LatticeChoice lattice =
       choose_lattice(smallest_radius(layout), cells_per_radius, relaxation_time, layout.fluid.density,
                      layout.fluid.kinematic_viscosity, period);
@@ -115,12 +122,15 @@ LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double 
                                  "3 or more to resolve them",
                                  cells_per_radius, smallest_bead));
   }
-  if (lattice.steps_per_period >= fewest_steps_per_period) return lattice;
+  const double late = phase_of_delay(lattice);
+  if (late <= latest) return lattice;
   throw InputError(
       "--relaxation-time",
-      fmt::format("{} makes a step so long that a period has {} of them; at least {} are needed: "
-                  "take a smaller --relaxation-time or a larger --cells-per-radius",
-                  relaxation_time, lattice.steps_per_period, fewest_steps_per_period));
+      fmt::format(
+          "{} makes a step so long that a period has {} of them, and the fluid's force comes late by "
+          "{:.2g} radians of it; strokes would be wrong by as much or more. At most {} radians: take a "
+          "smaller --relaxation-time or more --cells-per-radius",
+          relaxation_time, lattice.steps_per_period, late, latest));
 }
 
 Wall wall_of(Boundary boundary) {
@@ -181,6 +191,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
                                options.relaxation_time.value_or(hint.relaxation_time), result.period);
   const LatticeScales& scales = result.lattice.scales;
   require_off_walls(layout, scales.cell, source);
+  require_viscosity(options.bead_boundary, result.lattice.relaxation_time);
   require_slip(options.bead_boundary, result.lattice.relaxation_time);
 
   CoupledScene& scene = result.scene;
@@ -194,10 +205,13 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(layout.domain->boundary[a]);
   add_swimmers(scene, layout, result.lattice, options.delay_correction);
   for (SwimmerType& type : scene.types) {
-    const SwimmerType damped = with_damped_vibrations(type, 1);
+    const SwimmerType steady = with_steady_vibrations(type, 1);
     for (int arm = 0; arm < 2; ++arm)
-      result.damps_springs |= damped.springs[arm].damping != type.springs[arm].damping;
-    type = damped;
+      result.damps_springs |= steady.springs[arm].damping != type.springs[arm].damping;
+    if (steady.angular_stiffness < type.angular_stiffness)
+      result.angular_softening =
+          std::min(result.angular_softening, steady.angular_stiffness / type.angular_stiffness);
+    type = steady;
   }
   result.corrects_delay = options.delay_correction;
   result.smallest_gap = smallest_gap(placed_beads(layout), layout.domain) / scales.cell;

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <numbers>
-
-#include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/layout/layout.hpp"
@@ -13,7 +10,8 @@ namespace beadswim {
 /// Beads of less density on the lattice may be too light for the explicit coupling [density of the fluid].
 constexpr double light_bead = 0.65;
 
-/// Below this relaxation time the fluid's viscosity hardly damps what cells do not resolve.
+/// Below this relaxation time links into beads become unstable, and viscosity hardly damps what cells do not
+/// resolve.
 constexpr double least_viscous = 0.52;
 
 /// From this Mach number on the fluid's compressibility shows.
@@ -26,17 +24,13 @@ struct SceneOnLattice {
   double period = 0;        ///< of all swimmers' driving [time]
   double smallest_gap = 0;  ///< at the start, between beads, images and walls [cell]
   bool corrects_delay = false;
-  bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_damped_vibrations)
+  bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_steady_vibrations)
+  double angular_softening =
+      1;  ///< stiffness of the angular spring most softened over the layout's (likewise)
   CoupledScene scene;
 
   /// Least density with which a bead moves [density of the fluid].
   double density_on_lattice() const;
-
-  /// By which the fluid's force comes late, in radians of the period.
-  double phase_of_delay() const {
-    return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) /
-           static_cast<double>(lattice.steps_per_period);
-  }
 
   /// With which the fluid meets the smallest bead [cell].
   double radius_on_lattice() const {
@@ -45,8 +39,8 @@ struct SceneOnLattice {
 };
 
 /// Throws InputError, `source` naming the layout, if the layout cannot be run on a lattice: no box, edges
-/// that are not whole numbers of cells, beads at walls, swimmers of different periods, too few steps in a
-/// period.
+/// that are not whole numbers of cells, beads at walls, swimmers of different periods, steps too
+/// long beside the period, too little viscosity for links.
 SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, const std::string& source);
 
 }  // namespace beadswim

@@ -38,6 +38,12 @@ Phase moved(const Phase& phase, const Phase& rate, double interval) {
   return result;
 }
 
+/// omega^2/K_A of bending, which moves the beads like (1/l1, -1/l1 - 1/l2, 1/l2).
+double bending_mobility(const SwimmerType& type) {
+  const double g1 = 1 / type.springs[0].rest_length, g3 = 1 / type.springs[1].rest_length, g2 = g1 + g3;
+  return g1 * g1 / mass(type.beads[0]) + g2 * g2 / mass(type.beads[1]) + g3 * g3 / mass(type.beads[2]);
+}
+
 }  // namespace
 
 double mass(const Bead& bead) {
@@ -55,9 +61,7 @@ int substeps_for(const SwimmerType& type, double step) {
   const auto stretching = [&m](double a, double b) {
     return std::max({2 * a / m[0], 2 * (a + b) / m[1], 2 * b / m[2]});
   };
-  // The bending mode moves the beads like (1/l1, -1/l1 - 1/l2, 1/l2).
-  const double g1 = 1 / first.rest_length, g3 = 1 / second.rest_length, g2 = g1 + g3;
-  const double bending = type.angular_stiffness * (g1 * g1 / m[0] + g2 * g2 / m[1] + g3 * g3 / m[2]);
+  const double bending = type.angular_stiffness * bending_mobility(type);
   const double frequency = std::sqrt(std::max(stretching(first.stiffness, second.stiffness), bending));
   const double damping_rate = stretching(first.damping, second.damping);
   const double substeps = std::ceil(4 * step * std::max(frequency, damping_rate));
@@ -71,7 +75,7 @@ int substeps_for(const SwimmerType& type, double step) {
   return std::max(1, static_cast<int>(substeps));
 }
 
-SwimmerType with_damped_vibrations(SwimmerType type, double step) {
+SwimmerType with_steady_vibrations(SwimmerType type, double step) {
   for (int arm = 0; arm < 2; ++arm) {
     Spring& spring = type.springs[arm];
     const double reduced_mass = 1 / (1 / mass(type.beads[arm]) + 1 / mass(type.beads[arm + 1]));
@@ -80,6 +84,9 @@ SwimmerType with_damped_vibrations(SwimmerType type, double step) {
     const double needed = std::min(0.5 * step * spring.stiffness, reduced_mass * omega);
     spring.damping = std::max(spring.damping, needed);
   }
+  constexpr double fastest_bending = 0.75;  // [rad/step]
+  const double stiffest = std::pow(fastest_bending / step, 2) / bending_mobility(type);
+  type.angular_stiffness = std::min(type.angular_stiffness, stiffest);
   return type;
 }
 

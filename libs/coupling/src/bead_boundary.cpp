@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "add_one_by_one.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/moving_bounce_back.hpp"
 #include "beadswim/coupling/multireflection.hpp"
@@ -28,17 +29,6 @@ void fill_lanes(LinkBatch& batch) {
           batch.behind, batch.arrived, batch.two_behind, batch.arrived_behind, batch.speed})
       values[k] = 0;
     batch.cx[k] = 1;
-  }
-}
-
-/// Terms too large for lanes, one by one: there is more room there, and a message if it does not suffice.
-void add_one_by_one(const LinkBatch& batch, LinkSums& sums, const BeadOnLattice& bead) {
-  try {
-    for (int t = 0; t < link_terms; ++t) {
-      for (int k = 0; k < batch.links; ++k) sums.sums[t].add(batch.terms[t][k]);
-    }
-  } catch (const SolverError&) {
-    throw not_finite_at(bead);
   }
 }
 
@@ -87,7 +77,7 @@ class Bounce {
     sums.make_room(LinkBatch::most / LinkSums::lanes);
     const LinkBead bead = link_bead(boundary_.beads[covered_->bead], slip_);
     if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch_, bead, sums))
-      add_one_by_one(batch_, sums, boundary_.beads[covered_->bead]);
+      add_one_by_one(batch_, batch_.links, sums, boundary_.beads[covered_->bead]);
     for (int k = 0; k < batch_.links; ++k) *incoming_[k] = static_cast<Real>(batch_.returned[k]);
     batch_.links = 0;
   }

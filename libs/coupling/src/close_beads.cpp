@@ -9,13 +9,16 @@
 namespace beadswim {
 namespace {
 
+CloseBead close_bead(const Bead& body, const BeadVelocity& velocity, double firmness) {
+  return {.radius = body.radius,
+          .mass = mass(body),
+          .inertia = moment_of_inertia(body),
+          .velocity = velocity.linear,
+          .angular_velocity = velocity.angular,
+          .pairs = std::max(1.0, firmness)};
+}
 CloseBead close_bead(const BeadOnLattice& bead) {
-  return {.radius = bead.body.radius,
-          .mass = mass(bead.body),
-          .inertia = moment_of_inertia(bead.body),
-          .velocity = bead.predicted.linear,
-          .angular_velocity = bead.predicted.angular,
-          .pairs = std::max(1.0, bead.firmness)};
+  return close_bead(bead.body, bead.predicted, bead.firmness);
 }
 
 void hand_over(BeadOnLattice& bead, const Vec3& linear, const Vec3& angular, double firmness) {
@@ -44,22 +47,25 @@ std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, con
                .value = -gap / smaller_radius};
 }
 
-LubricationRange lubrication_range(BeadScheme scheme) {
+LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
+  constexpr double roughness = 1e-3;  // [smallest radius]
+  const auto range = [&](double normal, double tangential) {
+    return LubricationRange{normal, tangential, roughness * smallest_radius};
+  };
   switch (scheme) {
     case BeadScheme::staircase:
     case BeadScheme::cli:
-      return {.normal = 0.65, .tangential = 0.6};
+      return range(0.65, 0.6);
     case BeadScheme::mr:
-      return {.normal = 0.6, .tangential = 0.5};
+      return range(0.6, 0.5);
     case BeadScheme::psm:
-      return {.normal = 0.6, .tangential = 0.2};
+      return range(0.6, 0.2);
   }
   throw SolverError("unknown bead boundary");
 }
 
 NearContactLaw near_contact_law(const CoupledScene& scene) {
   constexpr double collision_steps = 2;  // the fewest in which an implicit step follows a spring
-  constexpr double roughness = 1e-3;     // [smallest radius]
   double smallest = std::numeric_limits<double>::infinity();
   for (const SwimmerType& type : scene.types) {
     for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);
@@ -70,10 +76,7 @@ NearContactLaw near_contact_law(const CoupledScene& scene) {
                      .damping_ratio = 0.5,
                      .friction = scene.friction,
                      .contact_reach = 2 * speed_limit};
-  if (scene.lubrication) {
-    law.range = lubrication_range(scene.bead_boundary);
-    law.range.smallest = roughness * smallest;
-  }
+  if (scene.lubrication) law.range = lubrication_range(scene.bead_boundary, smallest);
   return law;
 }
 
@@ -113,13 +116,11 @@ void push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState
   std::array<Vec3, 3> positions;
   for (int b = 0; b < 3; ++b) {
     const Bead& body = type.beads[b];
+    BeadVelocity velocity = swimmer.predicted[b];
+    velocity.linear += impulses[b].force / mass(body);
+    velocity.angular += impulses[b].torque / moment_of_inertia(body);
+    beads[b] = close_bead(body, velocity, swimmer.firmness[b]);
     positions[b] = swimmer.motion[b].position;
-    beads[b] = {
-        .radius = body.radius,
-        .mass = mass(body),
-        .inertia = moment_of_inertia(body),
-        .velocity = swimmer.predicted[b].linear + impulses[b].force / mass(body),
-        .angular_velocity = swimmer.predicted[b].angular + impulses[b].torque / moment_of_inertia(body)};
   }
   const ChainContact chain = chain_contact(law, beads, positions, 1);
   for (int b = 0; b < 3; ++b) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "beadswim/coupling/fault.hpp"
+#include "add_one_by_one.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
 #include "beadswim/lattice/moments.hpp"
 #include "saturated_kernel.hpp"
@@ -115,14 +115,8 @@ class Push {
                              .viscosity = boundary_.viscosity};
     SaturatedSums& sums = boundary_.sums[b];
     sums.make_room(SaturatedBatch<Real>::most / SaturatedSums::lanes);
-    if (saturated_kernels().push(batch_, bead, sums)) return;
-    try {
-      for (int t = 0; t < saturated_terms; ++t) {  // too large for lanes: more room there, or a fault
-        for (int k = 0; k < batch_.cells; ++k) sums.sums[t].add(batch_.terms[t][k]);
-      }
-    } catch (const SolverError&) {
-      throw not_finite_at(boundary_.beads[b]);
-    }
+    if (!saturated_kernels().push(batch_, bead, sums))
+      add_one_by_one(batch_, batch_.cells, sums, boundary_.beads[b]);
   }
 
   void push_shared(int x) {

@@ -118,6 +118,7 @@ Json json_of(const std::optional<LatticeResolution>& resolution) {
             {"precision", resolution->precision}};
   if (resolution->density_on_lattice) json["density_on_lattice"] = *resolution->density_on_lattice;
   if (resolution->radius_on_lattice) json["radius_on_lattice"] = *resolution->radius_on_lattice;
+  if (resolution->angular_softening) json["angular_softening"] = *resolution->angular_softening;
   return json;
 }
 
@@ -137,6 +138,7 @@ std::optional<LatticeResolution> resolution_from(const Json& json) {
       .bead_boundary = json.at("bead_boundary").get<std::string>(),
       .density_on_lattice = number_if_any(json, "density_on_lattice"),
       .radius_on_lattice = number_if_any(json, "radius_on_lattice"),
+      .angular_softening = number_if_any(json, "angular_softening"),
       .precision = json.at("precision").get<std::string>()};
 }
 

@@ -34,11 +34,14 @@ double moment_of_inertia(const Bead& bead);  ///< 2/5 m R^2
 /// Throws InputError if that takes more than 10000.
 int substeps_for(const SwimmerType& type, double step);
 
-/// The type for steps in which loads are constant: springs whose vibration such a step does not resolve,
-/// omega step > 1/2 with omega^2 = 3/2 k (1/m + 1/m') (of both arms together), get a dashpot of at least k
-/// step/2, half of critical at most. Loads that answer to it a step late would drive it. Slower motion at w
-/// lags by w step/2 at most in the spring.
-SwimmerType with_damped_vibrations(SwimmerType type, double step);
+/// The type for steps in which loads are constant: vibrations that such a step does not resolve would be
+/// driven by loads that answer to them a step late.
+/// - Springs with omega step > 1/2, omega^2 = 3/2 k (1/m + 1/m') (of both arms together), get a dashpot of at
+///   least k step/2, half of critical at most. Slower motion at w lags by w step/2 at most in the spring.
+/// - An angular spring with omega step > 3/4, omega that of bending, is softened to that: under a load that
+///   would accelerate the beads by a the swimmer bends by some 2 a step^2, more than the stiffer one lets it.
+///   (A dashpot of inner forces alone cannot damp bending that goes round the axis.)
+SwimmerType with_steady_vibrations(SwimmerType type, double step);
 
 /// Advances the beads from `time` to `time + step` under their inner and driving forces, and `loads` held
 /// constant meanwhile. Classical Runge-Kutta: error O(sub-step^4).

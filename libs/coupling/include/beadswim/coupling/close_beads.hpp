@@ -17,8 +17,9 @@
 namespace beadswim {
 
 /// Cut-offs below which the lattice lacks resistance of the film between two beads [cell]: where the
-/// resistance that it has, the same at all smaller gaps, is the exact one (docs/verification.md).
-LubricationRange lubrication_range(BeadScheme scheme);
+/// resistance that it has, the same at all smaller gaps, is the exact one (docs/verification.md). Beads are
+/// rough by a thousandth of the smallest one's radius.
+LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius);
 
 /// The scene's law, in lattice units.
 NearContactLaw near_contact_law(const CoupledScene& scene);

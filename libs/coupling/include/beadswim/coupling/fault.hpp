@@ -29,7 +29,6 @@ struct Fault {
   double value = 0;              ///< as the kind says
 
   bool names_bead() const { return bead.swimmer >= 0; }
-  bool names_other() const { return other.swimmer >= 0; }
 };
 
 /// Whether `a` is the one to tell: by step, kind, bead, other bead, and size.

@@ -53,6 +53,7 @@ struct LatticeResolution {
   std::string bead_boundary;                 ///< "staircase", "cli", "mr" or "psm"
   std::optional<double> density_on_lattice;  ///< least of any bead as it moves [fluid density]
   std::optional<double> radius_on_lattice;   ///< of the smallest bead, as the fluid meets it [cell]
+  std::optional<double> angular_softening;   ///< least stiffness of an angular spring, in its layout's
   std::string precision;                     ///< "double" or "single"
 };
 
