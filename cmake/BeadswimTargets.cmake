@@ -38,12 +38,18 @@ function(beadswim_program name)
   target_link_libraries(beadswim-${name} PRIVATE ${arg_DEPENDS})
 endfunction()
 
+# Seconds that one test may take; the sanitizers slow it by some five times.
+set(BEADSWIM_TEST_TIMEOUT 300)
+if(BEADSWIM_SANITIZE)
+  set(BEADSWIM_TEST_TIMEOUT 900)
+endif()
+
 # beadswim_test(NAME SOURCES file... DEPENDS target... LABELS label...): GoogleTest cases of one process.
 function(beadswim_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gtest_main GTest::gmock)
-  gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300)
+  gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${BEADSWIM_TEST_TIMEOUT})
 endfunction()
 
 # What mpirun needs as root in a container and with more ranks than cores.
@@ -59,7 +65,7 @@ function(beadswim_mpi_test name)
   foreach(ranks ${arg_RANKS})
     add_test(NAME ${name}.np${ranks}
              COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)
-    set_tests_properties(${name}.np${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT 300
+    set_tests_properties(${name}.np${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${BEADSWIM_TEST_TIMEOUT}
                          LABELS "mpi;${arg_LABELS}" ENVIRONMENT "${BEADSWIM_MPI_ENVIRONMENT}")
   endforeach()
 endfunction()
