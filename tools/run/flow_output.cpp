@@ -26,7 +26,7 @@ std::vector<float> interleaved(const std::vector<double>& plane, int components)
 
 }  // namespace
 
-FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales,
+FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
                        const Communicator& communicator)
     : stem_(trajectory + ".flow"), scales_(scales), communicator_(communicator) {
   std::error_code failure;
@@ -38,6 +38,16 @@ FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scale
                      fmt::format("the folder {} cannot be created: {}; move what is in its way", stem_,
                                  std::strerror(reason)));
   }
+  for (long step = interval; step <= done; step += interval) {
+    const PvdEntry entry = entry_of(step);
+    if (std::filesystem::exists(std::filesystem::path(stem_).parent_path() / entry.file))
+      entries_.push_back(entry);
+  }
+}
+
+PvdEntry FlowOutput::entry_of(long step) const {
+  return {static_cast<double>(step) * scales_.step,
+          fmt::format("{}/{:09}.vti", std::filesystem::path(stem_).filename().string(), step)};
 }
 
 void FlowOutput::write(const CoupledSystem& system) {
@@ -83,10 +93,9 @@ void FlowOutput::write(const CoupledSystem& system) {
     }
     return;
   }
-  const std::string file = fmt::format("{:09}.vti", system.steps_done());
-  write_vti(stem_ + "/" + file, cells, scales_.cell, fields);
-  const std::string folder = std::filesystem::path(stem_).filename();
-  entries_.push_back({static_cast<double>(system.steps_done()) * scales_.step, folder + "/" + file});
+  const PvdEntry entry = entry_of(system.steps_done());
+  write_vti(std::filesystem::path(stem_).parent_path() / entry.file, cells, scales_.cell, fields);
+  entries_.push_back(entry);
   write_pvd(stem_ + ".pvd", entries_);
 }
 

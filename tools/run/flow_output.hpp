@@ -13,13 +13,17 @@ namespace beadswim {
 /// units.
 class FlowOutput {
  public:
-  /// Throws InputError if the folder cannot be created.
-  FlowOutput(const std::string& trajectory, const LatticeScales& scales, const Communicator& communicator);
+  /// Throws InputError if the folder cannot be created. Fields of each `interval` steps up to step `done` are
+  /// there from an earlier run that this one goes on with.
+  FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
+             const Communicator& communicator);
 
   /// Velocity, pressure (over that of the resting fluid) and bead of every cell as they are now. Collective.
   void write(const CoupledSystem& system);
 
  private:
+  PvdEntry entry_of(long step) const;
+
   std::string stem_;
   LatticeScales scales_;
   const Communicator& communicator_;

@@ -10,6 +10,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/tools/program.hpp"
+#include "checkpoints.hpp"
 #include "memory.hpp"
 #include "record.hpp"
 #include "run_loop.hpp"
@@ -85,23 +86,85 @@ constexpr const char* program_name = "beadswim-run";
   std::abort();
 }
 
+void tell_how_to_go_on(const Checkpoints& checkpoints) {
+  if (checkpoints.last().empty()) return;
+  tell(fmt::format("{}: the state is kept: --restart {}\n", program_name, checkpoints.last()));
+}
+
+void require_steps_left(const SceneOnLattice& on_lattice, const RunOptions& options, long done) {
+  if (done == 0 || done < total_steps(on_lattice, options)) return;
+  throw InputError(
+      "--cycles",
+      fmt::format("{} are behind this checkpoint, of cycle {:.6g}; ask for more", options.cycles,
+                  static_cast<double>(done) / static_cast<double>(on_lattice.lattice.steps_per_period)));
+}
+
 void print_record(const RunRecord& record, const RunOptions& options) {
   const auto provenance = options.with_provenance ? RecordProvenance::written : RecordProvenance::left_out;
   write_text("-", dump_json(run_record_to_json(record, provenance)));
 }
 
+/// The command line, and what it goes on from.
+struct Request {
+  RunOptions options;
+  std::unique_ptr<CheckpointReader> checkpoint;  ///< none: it begins anew
+};
+
+/// An exit status if --help or --version was all that was asked for. Throws InputError.
+std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator) {
+  Request request;
+  auto parsed = parse_run_options(argc, argv);
+  if (const int* status = std::get_if<int>(&parsed)) return *status;
+  request.options = std::get<RunOptions>(parsed);
+  if (request.options.restart.empty()) return request;
+  request.checkpoint = open_checkpoint(request.options.restart, communicator);
+  const FlagValues flags = flags_of(*request.checkpoint);
+  request.options = std::get<RunOptions>(parse_run_options(argc, argv, flags));
+  require_same_course(request.options, flags);
+  if (request.options.output.empty()) request.options.output = trajectory_of(request.checkpoint->path());
+  return request;
+}
+
+/// A layout as a run sees it, whatever made it.
+std::string scene_text(LayoutDocument document) {
+  document.provenance = Json::array();
+  return dump_json(layout_to_json(document));
+}
+
+/// The layout, or the checkpoint's, which a layout that is given must be.
+LayoutDocument read_layout(const Request& request, const std::string& source,
+                           const Communicator& communicator) {
+  const RunOptions& options = request.options;
+  const auto parse = [](const std::string& text, const std::string& name) {
+    return layout_from_json(parse_json(text, name), name);
+  };
+  if (!request.checkpoint) return parse(read_text_once(options.layout, communicator), source);
+  const LayoutDocument kept = parse(layout_of(*request.checkpoint), request.checkpoint->path());
+  if (options.given.contains("LAYOUT") &&
+      scene_text(parse(read_text_once(options.layout, communicator), source)) != scene_text(kept)) {
+    throw InputError(
+        source, "is not the layout of the checkpoint's run; leave it out, or begin anew without --restart");
+  }
+  return kept;
+}
+
 /// Throws InputError alike on all ranks while nothing has begun.
 int run(int argc, char** argv, const Communicator& communicator) {
-  const auto parsed = parse_run_options(argc, argv);
-  if (const int* status = std::get_if<int>(&parsed)) return *status;
-  const RunOptions& options = std::get<RunOptions>(parsed);
-  require_other_file(options.layout, options.output);
+  const auto read = read_request(argc, argv, communicator);
+  if (const int* status = std::get_if<int>(&read)) return *status;
+  const Request& request = std::get<Request>(read);
+  RunOptions options = request.options;
+  if (!request.checkpoint || options.given.contains("LAYOUT"))
+    require_other_file(options.layout, options.output);
   const std::string source = options.layout == "-" ? "standard input" : options.layout;
-  const LayoutDocument document =
-      layout_from_json(parse_json(read_text_once(options.layout, communicator), source), source);
+  const LayoutDocument document = read_layout(request, source, communicator);
   const SceneOnLattice on_lattice = put_on_lattice(document.layout, options, source);
+  options.cells_per_radius = on_lattice.cells_per_radius;
+  options.relaxation_time = on_lattice.asked_relaxation_time;
   require_memory(on_lattice.scene, communicator);
-  Progress progress(options.progress, total_steps(on_lattice, options),
+  const long done = request.checkpoint ? steps_in(*request.checkpoint) : 0;
+  require_steps_left(on_lattice, options, done);
+  Progress progress(options.progress, done, total_steps(on_lattice, options),
                     static_cast<double>(on_lattice.lattice.steps_per_period),
                     on_lattice.scene.cells.cast<double>().prod());
   const double roundoff =
@@ -115,23 +178,33 @@ int run(int argc, char** argv, const Communicator& communicator) {
   CoupledSystem system(on_lattice.scene, communicator);
   std::unique_ptr<FlowOutput> flow;
   if (options.flow_every) {
-    flow = std::make_unique<FlowOutput>(options.output, on_lattice.lattice.scales, communicator);
+    flow = std::make_unique<FlowOutput>(options.output, on_lattice.lattice.scales,
+                                        steps_between(on_lattice, *options.flow_every), done, communicator);
   }
-  TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator);
-  Recorder recorder(on_lattice, options.frames_per_cycle, trajectory);
-  const RunParts parts{communicator, system, recorder, flow.get(), progress};
+  TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator,
+                              request.checkpoint.get());
+  Recorder recorder(on_lattice, document.layout, options.frames_per_cycle, trajectory, communicator);
+  Checkpoints checkpoints(options, dump_json(layout_to_json(document)),
+                          request.checkpoint ? request.checkpoint->path() : "", communicator);
+  const RunParts parts{communicator, system, trajectory, recorder, checkpoints, flow.get(), progress};
   catch_stop_signals();
   RunOutcome outcome;
   try {
-    outcome = run_to_end(parts, on_lattice, options);
+    std::optional<RunPast> past;
+    if (request.checkpoint) past = restore(system, recorder, *request.checkpoint, communicator);
+    outcome = run_to_end(parts, on_lattice, options, past);
     const RunRecord record = make_record(parts, on_lattice, document, outcome, options);
     trajectory.finish();
     if (communicator.is_root()) print_record(record, options);
   } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
+    tell_how_to_go_on(checkpoints);
     stop_all_ranks(communicator);
   }
   const double mach = system.largest_bead_speed() * std::sqrt(3.0);
-  if (communicator.is_root()) warn_if_fast(mach);
+  if (communicator.is_root()) {
+    warn_if_fast(mach);
+    if (outcome.status != RunStatus::finished) tell_how_to_go_on(checkpoints);
+  }
   if (outcome.status == RunStatus::failed) throw RunFailed(outcome.reason);
   if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);
   return static_cast<int>(ExitStatus::fine);

@@ -48,10 +48,12 @@ std::string on_or_off(bool choice) {
 void add_flags(CLI::App& program, RunOptions& options, Words& words) {
   program.add_option("LAYOUT", options.layout, "Layout, as beadswim-layout writes it; - for standard input.");
   program
-      .add_option("-o,--output", options.output,
-                  "Trajectory to write (H5MD); an older file of that name is replaced when the run ends.")
+      .add_option(
+          "-o,--output", options.output,
+          "Trajectory to write (H5MD); an older file of that name is replaced when the run ends. Needed, but "
+          "with --restart the checkpoint's.")
       ->type_name("FILE.h5md")
-      ->required();
+      ->default_str("");
   add_word(program, "--model", words.model, CLI::IsMember({"lbm", "auto"}), "lbm|auto", "auto",
            "lbm: beads resolved in a lattice-Boltzmann fluid. auto: the best model there is, lbm.");
   program
@@ -103,8 +105,25 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
            "Of the populations. single takes half the memory and somewhat over half the time; the run "
            "says when it would change the result.");
   program
-      .add_option("--time-limit", options.time_limit,
-                  "Stop after this many seconds, results intact, with exit status 4 [default: none]")
+      .add_option(
+          "--checkpoint-every", options.checkpoint_every,
+          "Keep the run's state in FILE.h5md.ckpt.0 and .1 in turn, each so many cycles and at the end; "
+          "fractions allowed [default: only when the run is stopped by time or signal]")
+      ->check(finite_positive())
+      ->default_str("");
+  program
+      .add_option(
+          "--restart", options.restart,
+          "Go on from this checkpoint, or from the last whole one of this trajectory, on any number of "
+          "ranks, to the same bits as an unbroken run. Layout and flags are the checkpoint's; --cycles "
+          "(of the whole run) and outputs may be given anew. The trajectory goes on from the checkpoint.")
+      ->type_name("FILE.h5md|FILE.h5md.ckpt.N")
+      ->default_str("");
+  program
+      .add_option(
+          "--time-limit", options.time_limit,
+          "Stop after this many seconds with results and a checkpoint, and exit status 4, as SIGINT, SIGTERM "
+          "and SIGUSR1 do [default: none]")
       ->check(finite_positive())
       ->default_str("");
   program
@@ -124,7 +143,8 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
 
 }  // namespace
 
-std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv) {
+std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv,
+                                                const FlagValues& defaults) {
   const auto program = make_program(
       "beadswim-run",
       "Runs a layout: bead-spring swimmers resolved in a fluid. Writes bead trajectories (H5MD) and prints "
@@ -133,7 +153,10 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   RunOptions options;
   Words words;
   add_flags(*program, options, words);
+  for (const auto& [flag, value] : defaults) program->get_option(flag)->default_val(value);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
+  if (options.output.empty() && options.restart.empty())
+    throw InputError("-o", "is missing; name the trajectory to write, -o FILE.h5md");
   options.bead_boundary = bead_scheme_named(words.bead_boundary);
   options.delay_correction = words.delay_correction == "on";
   options.radius_correction = words.radius_correction == "on";
@@ -141,7 +164,30 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   options.precision = precisions.at(words.precision);
   options.progress = progress_styles.at(words.progress);
   options.provenance = provenance_record(*program);
+  for (const CLI::Option* option : program->get_options()) {
+    if (option->count() > 0) options.given.insert(option->get_name());
+  }
   return options;
+}
+
+FlagValues course_of(const RunOptions& o) {
+  FlagValues values{{"--frames-per-cycle", fmt::format("{}", o.frames_per_cycle)},
+                    {"--bead-boundary", name_of(o.bead_boundary)},
+                    {"--delay-correction", on_or_off(o.delay_correction)},
+                    {"--radius-correction", on_or_off(o.radius_correction)},
+                    {"--lubrication", on_or_off(o.lubrication)},
+                    {"--friction", fmt::format("{}", o.friction)},
+                    {"--precision", name_of(o.precision)}};
+  if (o.cells_per_radius) values["--cells-per-radius"] = fmt::format("{}", *o.cells_per_radius);
+  if (o.relaxation_time) values["--relaxation-time"] = fmt::format("{}", *o.relaxation_time);
+  return values;
+}
+
+FlagValues length_and_outputs_of(const RunOptions& o) {
+  FlagValues values{{"--cycles", fmt::format("{}", o.cycles)}};
+  if (o.checkpoint_every) values["--checkpoint-every"] = fmt::format("{}", *o.checkpoint_every);
+  if (o.flow_every) values["--flow-every"] = fmt::format("{}", *o.flow_every);
+  return values;
 }
 
 }  // namespace beadswim

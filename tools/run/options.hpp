@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 
@@ -26,14 +28,28 @@ struct RunOptions {
   bool lubrication = true;
   double friction = 0.5;
   Precision precision = Precision::fp64;
-  std::optional<double> time_limit;  ///< [s]
-  std::optional<double> flow_every;  ///< [cycle]
+  std::optional<double> checkpoint_every;  ///< [cycle]
+  std::string restart;                     ///< empty: a run that begins anew
+  std::optional<double> time_limit;        ///< [s]
+  std::optional<double> flow_every;        ///< [cycle]
   ProgressStyle progress = ProgressStyle::automatic;
   bool with_provenance = true;
-  Json provenance;  ///< this program's own record
+  Json provenance;              ///< this program's own record
+  std::set<std::string> given;  ///< flags on the command line, by their long names, and "LAYOUT"
 };
 
+/// Flags and their values, as text.
+using FlagValues = std::map<std::string, std::string>;
+
 /// The options, or an exit status if --help or --version was all that was asked for. Throws InputError.
-std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv);
+/// `defaults`: of flags that the command line may leave out, instead of the usual ones.
+std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv,
+                                                const FlagValues& defaults = {});
+
+/// The flags that set the course of a run, with the values of these options: a run goes on with the same.
+FlagValues course_of(const RunOptions& options);
+
+/// Flags that a run goes on with unless it is given others.
+FlagValues length_and_outputs_of(const RunOptions& options);
 
 }  // namespace beadswim

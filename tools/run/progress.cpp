@@ -29,8 +29,9 @@ std::string readable(double seconds) {
 
 }  // namespace
 
-Progress::Progress(ProgressStyle style, long steps, double steps_per_cycle, double cells)
+Progress::Progress(ProgressStyle style, long first, long steps, double steps_per_cycle, double cells)
     : style_(resolved(style)),
+      first_(static_cast<double>(first)),
       steps_(static_cast<double>(steps)),
       steps_per_cycle_(steps_per_cycle),
       cells_(cells),
@@ -53,8 +54,9 @@ void Progress::finish(long steps_done) {
 void Progress::print(long steps_done) {
   const double done = static_cast<double>(steps_done);
   const double elapsed = seconds(Clock::now() - start_);
-  const double left = done > 0 ? elapsed * (steps_ - done) / done : 0;
-  const double mlups = elapsed > 0 ? 1e-6 * cells_ * done / elapsed : 0;
+  const double now_done = done - first_;
+  const double left = now_done > 0 ? elapsed * (steps_ - done) / now_done : 0;
+  const double mlups = elapsed > 0 ? 1e-6 * cells_ * now_done / elapsed : 0;
   if (style_ == ProgressStyle::json) {
     tell(fmt::format(
         "{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},\"mlups\":{:.3f},\"seconds_left\":{:.1f}}}\n",

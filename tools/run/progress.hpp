@@ -9,7 +9,8 @@ namespace beadswim {
 /// Tells on stderr how far a run is and how long it will take.
 class Progress {
  public:
-  Progress(ProgressStyle style, long steps, double steps_per_cycle, double cells);
+  /// Of `steps` in all, `first` have been done by an earlier run.
+  Progress(ProgressStyle style, long first, long steps, double steps_per_cycle, double cells);
 
   void update(long steps_done);
   void finish(long steps_done);  ///< the last word, and the end of the bar's line
@@ -20,7 +21,7 @@ class Progress {
   void print(long steps_done);
 
   ProgressStyle style_;
-  double steps_, steps_per_cycle_, cells_;
+  double first_, steps_, steps_per_cycle_, cells_;
   Clock::time_point start_, last_;
 };
 

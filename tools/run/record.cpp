@@ -26,7 +26,7 @@ RunCost cost_of(const RunParts& parts, const SceneOnLattice& on_lattice, const R
                                static_cast<std::int64_t>(parts.system.steps_done());
   const int ranks = parts.communicator.size();
   return {.wall_seconds = outcome.wall_seconds,
-          .core_seconds = outcome.wall_seconds * ranks,
+          .core_seconds = outcome.core_seconds,
           .ranks = ranks,
           .cell_updates = updates,
           .mlups = 1e-6 * static_cast<double>(updates) / outcome.wall_seconds,

@@ -2,19 +2,75 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "beadswim/core/error.hpp"
 
 namespace beadswim {
+namespace {
 
-Recorder::Recorder(const SceneOnLattice& on_lattice, int frames_per_cycle, TrajectoryWriter& trajectory)
+/// What travels, or is kept: const to write.
+template <class Message, class Sample>
+void transfer_sample(Message& message, Sample& sample) {
+  message(sample.time, sample.bead_positions[0], sample.bead_positions[1], sample.bead_positions[2],
+          sample.mean_flow);
+}
+template <class Message, class Cycle>
+void transfer_cycle(Message& message, Cycle& cycle) {
+  message(cycle.index, cycle.velocity, cycle.axis, cycle.speed_along_axis, cycle.mean_flow,
+          cycle.arm_amplitudes, cycle.arm_phases, cycle.arm_means);
+}
+template <class Message, class Note>
+void transfer_note(Message& message, Note& note) {
+  message(note.id, note.number, note.positions[0], note.positions[1], note.positions[2]);
+}
+
+/// A list, its length first: grows to it when it is read.
+template <class Message, class List, class Transfer>
+void transfer_list(Message& message, List& list, Transfer&& transfer) {
+  std::uint64_t size = list.size();
+  message(size);
+  if constexpr (std::is_same_v<Message, IncomingMessage>) list.resize(size);
+  for (auto& element : list) transfer(message, element);
+}
+
+/// Whole numbers of steps are exact: a swimmer of the base period is sampled at frames.
+double in_steps(double period) {
+  const double whole = std::round(period);
+  return std::abs(period - whole) < 1e-9 * period ? whole : period;
+}
+
+/// All but equal where both ends are: the mean flow at a time between two frames.
+Vec3 between(double part, const Vec3& first, const Vec3& last) {
+  Vec3 result;
+  for (int a = 0; a < 3; ++a) result[a] = std::lerp(first[a], last[a], part);
+  return result;
+}
+
+}  // namespace
+
+Recorder::Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int frames_per_cycle,
+                   TrajectoryWriter& trajectory, const Communicator& communicator)
     : scales_(on_lattice.lattice.scales),
-      period_(on_lattice.period),
+      communicator_(communicator),
       steps_per_cycle_(on_lattice.lattice.steps_per_period),
       frames_per_cycle_(static_cast<int>(std::min<long>(frames_per_cycle, steps_per_cycle_))),
       trajectory_(trajectory) {
-  for (const CoupledScene::Swimmer& swimmer : on_lattice.scene.swimmers) {
-    swimmers_.push_back({.id = swimmer.id, .cycles = {}});
+  for (const SwimmerType& type : on_lattice.scene.types) {
+    const double period = in_steps(type.driving.period);
+    const int per_cycle = static_cast<int>(std::min<double>(frames_per_cycle_, std::floor(period)));
+    schedules_.push_back({.interval = period / per_cycle, .per_cycle = per_cycle});
   }
-  std::ranges::sort(swimmers_, {}, &SwimmerRecord::id);
+  if (!communicator.is_root()) return;
+  std::vector<const Swimmer*> in_order;
+  for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
+  std::ranges::sort(in_order, {}, &Swimmer::id);
+  for (std::size_t s = 0; s < in_order.size(); ++s) {
+    swimmers_.push_back({.id = in_order[s]->id, .cycles = {}});
+    periods_.push_back(layout.resolved_type(*in_order[s]).driving.period);
+    samples_per_cycle_.push_back(schedules_[on_lattice.scene.swimmers[s].type].per_cycle);
+  }
   samples_.resize(swimmers_.size());
 }
 
@@ -22,14 +78,58 @@ long Recorder::step_of_frame(long frame) const {
   return std::lround(static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_));
 }
 
+void Recorder::sample(const CoupledSystem& system) {
+  const long step = system.steps_done();
+  for (const SwimmerState& swimmer : system.owned_swimmers()) {
+    const double interval = schedules_[swimmer.type].interval;
+    const long number = std::lround(static_cast<double>(step) / interval);
+    const double exact = static_cast<double>(number) * interval;
+    if (std::lround(exact) != step) continue;
+    Note note{.id = swimmer.id, .number = number, .positions = {}};
+    for (int b = 0; b < 3; ++b) {  // to the exact time, by less than half a step
+      const BeadMotion& bead = swimmer.motion[b];
+      note.positions[b] = bead.position + (exact - static_cast<double>(step)) * bead.velocity;
+    }
+    transfer_note(notes_, note);
+  }
+}
+
+void Recorder::gather_notes() {
+  IncomingMessage arrived(gather_bytes(notes_.bytes(), communicator_));
+  notes_ = {};
+  while (!arrived.is_at_end()) transfer_note(arrived, gathered_.emplace_back());
+}
+
+void Recorder::take_notes(const Moment& now) {
+  std::ranges::sort(gathered_, {}, [](const Note& note) { return std::tuple(note.id, note.number); });
+  for (const Note& note : gathered_) {
+    const std::size_t s =
+        std::ranges::lower_bound(swimmers_, note.id, {}, &SwimmerRecord::id) - swimmers_.begin();
+    const double time = static_cast<double>(note.number) / samples_per_cycle_[s] * periods_[s];
+    const double part =
+        now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
+    SwimmerSample sample{
+        .time = time, .bead_positions = {}, .mean_flow = between(part, last_frame_.mean_flow, now.mean_flow)};
+    for (int b = 0; b < 3; ++b) sample.bead_positions[b] = note.positions[b] * scales_.cell;
+    std::vector<SwimmerSample>& samples = samples_[s];
+    samples.push_back(sample);
+    if (note.number == 0 || note.number % samples_per_cycle_[s] != 0) continue;
+    const int index = static_cast<int>(note.number / samples_per_cycle_[s]);
+    swimmers_[s].cycles.push_back(cycle_statistics(index, samples, periods_[s]));
+    samples.erase(samples.begin(), samples.end() - 1);  // the end of one cycle is the start of the next
+  }
+  gathered_.clear();
+}
+
 void Recorder::record(const CoupledSystem& system, const SceneTotals& totals) {
   const std::vector<SwimmerState> swimmers = system.gather_swimmers();
-
+  const Moment now{.time = static_cast<double>(system.steps_done()) * scales_.step,
+                   .mean_flow = totals.mean_flow * scales_.velocity()};
   TrajectoryFrame frame{.step = system.steps_done(),
-                        .time = static_cast<double>(system.steps_done()) * scales_.step,
+                        .time = now.time,
                         .positions = {},
                         .velocities = {},
-                        .mean_flow = totals.mean_flow * scales_.velocity(),
+                        .mean_flow = now.mean_flow,
                         .momentum = totals.momentum * scales_.momentum()};
   for (const SwimmerState& swimmer : swimmers) {
     for (const BeadMotion& bead : swimmer.motion) {
@@ -38,26 +138,59 @@ void Recorder::record(const CoupledSystem& system, const SceneTotals& totals) {
     }
   }
   trajectory_.append(frame);
-  append_samples(swimmers, frame.time, frame.mean_flow);
-  if (next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0) close_cycle();
+  gather_notes();
+  take_notes(now);
+  last_frame_ = now;
+  if (next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0) append_cycles(frame.step, frame.time);
   ++next_frame_;
 }
 
-void Recorder::append_samples(const std::vector<SwimmerState>& swimmers, double time, const Vec3& mean_flow) {
-  for (std::size_t s = 0; s < swimmers.size(); ++s) {
-    SwimmerSample sample{.time = time, .bead_positions = {}, .mean_flow = mean_flow};
-    for (int b = 0; b < 3; ++b) sample.bead_positions[b] = swimmers[s].motion[b].position * scales_.cell;
-    samples_[s].push_back(sample);
+void Recorder::append_cycles(long step, double time) {
+  TrajectoryCycle rows;
+  rows.step = step;
+  rows.time = time;
+  CycleStatistics none;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  none.velocity = none.axis = none.mean_flow = Vec3::Constant(nan);
+  none.arm_amplitudes = none.arm_phases = none.arm_means = {nan, nan};
+  for (const SwimmerRecord& swimmer : swimmers_) {
+    const CycleStatistics& cycle = swimmer.cycles.empty() ? none : swimmer.cycles.back();
+    for (const auto& [to, from] : {std::pair{&rows.velocity, &cycle.velocity},
+                                   {&rows.axis, &cycle.axis},
+                                   {&rows.mean_flow, &cycle.mean_flow}})
+      to->insert(to->end(), from->begin(), from->end());
+    for (const auto& [to, from] : {std::pair{&rows.arm_amplitudes, &cycle.arm_amplitudes},
+                                   {&rows.arm_phases, &cycle.arm_phases},
+                                   {&rows.arm_means, &cycle.arm_means}})
+      to->insert(to->end(), from->begin(), from->end());
+  }
+  trajectory_.append(rows);
+}
+
+template <class Message>
+void Recorder::transfer(Message& message) {
+  message(next_frame_, last_frame_.time, last_frame_.mean_flow);
+  transfer_list(message, gathered_, [](auto& m, auto& note) { transfer_note(m, note); });
+  for (std::size_t s = 0; s < swimmers_.size(); ++s) {
+    transfer_list(message, samples_[s], [](auto& m, auto& sample) { transfer_sample(m, sample); });
+    transfer_list(message, swimmers_[s].cycles, [](auto& m, auto& cycle) { transfer_cycle(m, cycle); });
   }
 }
 
-void Recorder::close_cycle() {
-  for (std::size_t s = 0; s < samples_.size() && !samples_[s].empty(); ++s) {
-    const int index = static_cast<int>(swimmers_[s].cycles.size()) + 1;
-    swimmers_[s].cycles.push_back(cycle_statistics(index, samples_[s], period_));
-    samples_[s].erase(samples_[s].begin(),
-                      samples_[s].end() - 1);  // the end of one cycle is the start of the next
+std::vector<char> Recorder::state() {
+  gather_notes();
+  OutgoingMessage message;
+  if (communicator_.is_root()) transfer(message);
+  return message.bytes();
+}
+
+void Recorder::restore(std::vector<char> state) {
+  if (communicator_.is_root()) {
+    IncomingMessage message(std::move(state));
+    transfer(message);
+    if (!message.is_at_end()) throw SolverError("the checkpoint's record is of another run");
   }
+  MPI_Bcast(&next_frame_, 1, MPI_LONG, 0, communicator_.get());
 }
 
 }  // namespace beadswim

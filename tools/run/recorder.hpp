@@ -1,9 +1,9 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/core/message.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
@@ -11,11 +11,12 @@
 
 namespace beadswim {
 
-/// Takes frames: writes them to the trajectory, and on rank 0 makes the statistics of each whole cycle of
-/// them.
+/// Takes frames and samples. Frames, each base period alike, go to the trajectory; samples, each swimmer's
+/// own period alike, become the statistics of its cycles, on rank 0.
 class Recorder {
  public:
-  Recorder(const SceneOnLattice& on_lattice, int frames_per_cycle, TrajectoryWriter& trajectory);
+  Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int frames_per_cycle,
+           TrajectoryWriter& trajectory, const Communicator& communicator);
 
   /// Step of frame k: as near to k/frames_per_cycle cycles as steps allow.
   long step_of_frame(long frame) const;
@@ -23,21 +24,58 @@ class Recorder {
   /// Whether the next frame's step has come.
   bool is_due(long step) const { return step == step_of_frame(next_frame_); }
 
+  /// Samples those of this rank's swimmers whose time has come. To be called after every step, and before the
+  /// first.
+  void sample(const CoupledSystem& system);
+
   /// Takes the next frame. `totals`: of the system as it is now. Collective.
   void record(const CoupledSystem& system, const SceneTotals& totals);
 
   const std::vector<SwimmerRecord>& swimmers() const { return swimmers_; }  ///< on rank 0
 
+  /// What a checkpoint keeps; on rank 0, empty elsewhere. Collective.
+  std::vector<char> state();
+  /// `state`: on rank 0. Throws SolverError if it is of another run.
+  void restore(std::vector<char> state);
+
  private:
-  void append_samples(const std::vector<SwimmerState>& swimmers, double time, const Vec3& mean_flow);
-  void close_cycle();
+  /// How one swimmer is sampled: sample k at the step nearest to k `interval`.
+  struct Schedule {
+    double interval = 1;  ///< [step]
+    int per_cycle = 1;
+  };
+  /// A sample on its way to rank 0.
+  struct Note {
+    int id = 0;
+    long number = 0;  ///< k
+    std::array<Vec3, 3> positions;
+  };
+  /// The whole of one frame's time that concerns all.
+  struct Moment {
+    double time = 0;
+    Vec3 mean_flow = Vec3::Zero();
+  };
+
+  void gather_notes();
+  void take_notes(const Moment& now);
+  void append_cycles(long step, double time);
+  template <class Message>
+  void transfer(Message& message);
 
   LatticeScales scales_;
-  double period_;
+  const Communicator& communicator_;
   long steps_per_cycle_;
   int frames_per_cycle_;
   TrajectoryWriter& trajectory_;
+  std::vector<Schedule> schedules_;  ///< of each type of the scene
   long next_frame_ = 0;
+  OutgoingMessage notes_;  ///< of this rank's swimmers, since they were gathered
+
+  // On rank 0, swimmers in order of their ids.
+  std::vector<Note> gathered_;  ///< since the last frame
+  Moment last_frame_;
+  std::vector<double> periods_;
+  std::vector<int> samples_per_cycle_;
   std::vector<SwimmerRecord> swimmers_;
   std::vector<std::vector<SwimmerSample>> samples_;  ///< of the cycle so far, one list a swimmer
 };

@@ -9,6 +9,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/conservation.hpp"
+#include "checkpoints.hpp"
 #include "fault_message.hpp"
 #include "stop_signal.hpp"
 
@@ -42,10 +43,6 @@ std::optional<Stop> asked_to_stop(double start, const RunOptions& options, const
                   *options.time_limit)};
 }
 
-long steps_between_flows(const SceneOnLattice& on_lattice, double cycles) {
-  return std::max(1L, std::lround(cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
-}
-
 /// What totals say has gone wrong, if anything.
 std::optional<Fault> loss_in(const CoupledSystem& system, const SceneOnLattice& on_lattice,
                              const SceneTotals& first, const SceneTotals& now) {
@@ -66,24 +63,47 @@ long total_steps(const SceneOnLattice& on_lattice, const RunOptions& options) {
   return std::max(1L, std::lround(steps));
 }
 
-RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options) {
-  auto& [communicator, system, recorder, flow, progress] = parts;
+long steps_between(const SceneOnLattice& on_lattice, double cycles) {
+  return std::max(1L, std::lround(cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
+}
+
+RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options,
+                      const std::optional<RunPast>& past) {
+  auto& [communicator, system, trajectory, recorder, checkpoints, flow, progress] = parts;
   const long steps = total_steps(on_lattice, options);
-  const long flow_interval = options.flow_every ? steps_between_flows(on_lattice, *options.flow_every) : 0;
+  const long flow_interval = options.flow_every ? steps_between(on_lattice, *options.flow_every) : 0;
+  const long checkpoint_interval =
+      options.checkpoint_every ? steps_between(on_lattice, *options.checkpoint_every) : 0;
   const double start = MPI_Wtime();
+  const auto cost = [&] { return MPI_Wtime() - start; };
+  RunPast now = past.value_or(RunPast{});
+  const auto keep = [&] {
+    RunPast kept = now;
+    kept.moment = system.moment();
+    kept.wall_seconds += cost();
+    kept.core_seconds += cost() * communicator.size();
+    checkpoints.write(parts, kept);
+  };
   RunOutcome outcome;
-  outcome.first_totals = outcome.last_totals = system.totals();
-  recorder.record(system, outcome.first_totals);
+  outcome.last_totals = system.totals();
+  if (!past) {
+    now.first_totals = outcome.last_totals;
+    recorder.sample(system);
+    recorder.record(system, outcome.last_totals);
+  }
+  outcome.first_totals = now.first_totals;
   while (system.steps_done() < steps && outcome.status == RunStatus::finished) {
     system.step();
+    recorder.sample(system);
     const long done = system.steps_done();
     const bool is_last = done == steps, is_frame = recorder.is_due(done);
     const bool is_flow = flow != nullptr && done % flow_interval == 0;
-    const bool is_guard = is_last || done % steps_between_guards == 0;
+    bool is_checkpoint = checkpoint_interval > 0 && (is_last || done % checkpoint_interval == 0);
+    const bool is_guard = is_last || is_checkpoint || done % steps_between_guards == 0;
     if (!is_guard && !is_frame && !is_flow) continue;
 
     SceneTotals totals = outcome.last_totals;
-    const bool is_watched = is_last || is_frame || done % steps_between_totals == 0;
+    const bool is_watched = is_last || is_frame || is_checkpoint || done % steps_between_totals == 0;
     if (is_watched) totals = system.totals();
     std::optional<Fault> fault = system.fault();
     if (!fault && is_watched) fault = loss_in(system, on_lattice, outcome.first_totals, totals);
@@ -97,13 +117,16 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     if (is_flow) flow->write(system);
     if (!is_guard) continue;
     if (communicator.is_root()) progress.update(done);
-    if (const auto stop = asked_to_stop(start, options, communicator)) {
+    if (const auto stop = is_last ? std::nullopt : asked_to_stop(start, options, communicator)) {
       outcome.status = stop->status;
       outcome.reason = fmt::format("step {} of {}: {}", done, steps, stop->reason);
       outcome.last_totals = system.totals();
+      is_checkpoint = true;
     }
+    if (is_checkpoint) keep();
   }
-  outcome.wall_seconds = MPI_Wtime() - start;
+  outcome.wall_seconds = now.wall_seconds + cost();
+  outcome.core_seconds = now.core_seconds + cost() * communicator.size();
   if (communicator.is_root()) progress.finish(system.steps_done());
   return outcome;
 }

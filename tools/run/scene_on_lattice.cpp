@@ -30,17 +30,11 @@ void require_box(const Layout& layout, const std::string& source) {
                    "X,Y,Z and --boundary, or ask beadswim-theory");
 }
 
-double common_period(const Layout& layout, const std::string& source) {
-  const double period = layout.resolved_type(layout.swimmers.front()).driving.period;
-  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
-    const double own = layout.resolved_type(layout.swimmers[s]).driving.period;
-    if (own == period) continue;
-    throw InputError(
-        fmt::format("{}:/swimmers/{}", source, s),
-        fmt::format("its period {} differs from {}, that of the first swimmer; a run needs one period", own,
-                    period));
-  }
-  return period;
+double shortest_period(const Layout& layout) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Swimmer& swimmer : layout.swimmers)
+    shortest = std::min(shortest, layout.resolved_type(swimmer).driving.period);
+  return shortest;
 }
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
@@ -103,10 +97,9 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
   return cells;
 }
 
-/// By which the fluid's force comes late, in radians of the period.
-double phase_of_delay(const LatticeChoice& lattice) {
-  return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) /
-         static_cast<double>(lattice.steps_per_period);
+/// By which the fluid's force comes late, in radians of a period [step].
+double phase_of_delay(const LatticeChoice& lattice, double period) {
+  return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) / period;
 }
 
 /// Throws InputError if beads are too small, or steps too long.
@@ -122,15 +115,15 @@ LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double 
                                  "3 or more to resolve them",
                                  cells_per_radius, smallest_bead));
   }
-  const double late = phase_of_delay(lattice);
+  const double steps = shortest_period(layout) / lattice.scales.step, late = phase_of_delay(lattice, steps);
   if (late <= latest) return lattice;
   throw InputError(
       "--relaxation-time",
       fmt::format(
-          "{} makes a step so long that a period has {} of them, and the fluid's force comes late by "
+          "{} makes a step so long that a period has {:.6g} of them, and the fluid's force comes late by "
           "{:.2g} radians of it; strokes would be wrong by as much or more. At most {} radians: take a "
           "smaller --relaxation-time or more --cells-per-radius",
-          relaxation_time, lattice.steps_per_period, late, latest));
+          relaxation_time, steps, late, latest));
 }
 
 Wall wall_of(Boundary boundary) {
@@ -185,10 +178,10 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   require_box(layout, source);
   const Resolution hint = layout.resolution.value_or(default_resolution);
   SceneOnLattice result;
-  result.period = common_period(layout, source);
+  result.period = layout.types.at(layout.swimmers.front().type).driving.period;
   result.cells_per_radius = options.cells_per_radius.value_or(hint.cells_per_radius);
-  result.lattice = lattice_for(layout, result.cells_per_radius,
-                               options.relaxation_time.value_or(hint.relaxation_time), result.period);
+  result.asked_relaxation_time = options.relaxation_time.value_or(hint.relaxation_time);
+  result.lattice = lattice_for(layout, result.cells_per_radius, result.asked_relaxation_time, result.period);
   const LatticeScales& scales = result.lattice.scales;
   require_off_walls(layout, scales.cell, source);
   require_viscosity(options.bead_boundary, result.lattice.relaxation_time);

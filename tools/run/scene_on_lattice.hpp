@@ -21,8 +21,9 @@ constexpr double fast_bead = 0.3;
 struct SceneOnLattice {
   LatticeChoice lattice;
   double cells_per_radius = 0;
-  double period = 0;        ///< of all swimmers' driving [time]
-  double smallest_gap = 0;  ///< at the start, between beads, images and walls [cell]
+  double asked_relaxation_time = 0;  ///< before the period was fitted to whole steps
+  double period = 0;                 ///< base period: of the first swimmer's type [time]
+  double smallest_gap = 0;           ///< at the start, between beads, images and walls [cell]
   bool corrects_delay = false;
   bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_steady_vibrations)
   double angular_softening =
@@ -39,8 +40,8 @@ struct SceneOnLattice {
 };
 
 /// Throws InputError, `source` naming the layout, if the layout cannot be run on a lattice: no box, edges
-/// that are not whole numbers of cells, beads at walls, swimmers of different periods, steps too
-/// long beside the period, too little viscosity for links.
+/// that are not whole numbers of cells, beads at walls, steps too long beside the shortest period, too little
+/// viscosity for links.
 SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, const std::string& source);
 
 }  // namespace beadswim

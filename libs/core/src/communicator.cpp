@@ -1,5 +1,10 @@
 #include "beadswim/core/communicator.hpp"
 
+#include <limits>
+#include <numeric>
+
+#include "beadswim/core/error.hpp"
+
 namespace beadswim {
 
 MpiSession::MpiSession(int* argc, char*** argv) {
@@ -18,6 +23,19 @@ Communicator::Communicator(MPI_Comm parent) {
 
 Communicator::~Communicator() {
   MPI_Comm_free(&comm_);
+}
+
+std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator& communicator) {
+  const int bytes = static_cast<int>(own.size());
+  std::vector<int> sizes(communicator.size()), starts(communicator.size());
+  MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator.get());
+  if (std::accumulate(sizes.begin(), sizes.end(), 0L) > std::numeric_limits<int>::max())
+    throw SolverError("over 2 GiB for one rank to gather: too many swimmers");
+  std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
+  std::vector<char> all(communicator.is_root() ? starts.back() + sizes.back() : 0);
+  MPI_Gatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
+              communicator.get());
+  return all;
 }
 
 int ranks_on_this_node(const Communicator& communicator) {

@@ -46,7 +46,11 @@ void CoupledSystem::step() {
 
   // Beads: impulses go to the swimmers' owners, who move them and tell where they are.
   std::map<BeadName, Impulse> impulses;
-  noting_faults([&] { impulses = exchange_.collect(beads_); });
+  noting_faults([&] {
+    impulses = exchange_.collect(beads_);
+    add_under_way(impulses);
+  });
+  under_way_.clear();
   unless_broken([&] { advance_swimmers(impulses); });
   std::swap(beads_before_, beads_);
   beads_ = exchange_.publish(owned_);
@@ -113,12 +117,16 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
   }
 }
 
-void CoupledSystem::meet() {
+void CoupledSystem::find_surfaces() {
   if (has_links(scene_.bead_boundary)) {
     links_.find(coverage_);
   } else {
     saturated_cells_.find(beads_);
   }
+}
+
+void CoupledSystem::meet() {
+  find_surfaces();
   const CloseBeads close = push_close_beads(near_contact_, coverage_, beads_);
   if (!fault_) smallest_gap_ = std::min(smallest_gap_, close.smallest_gap);
   if (close.overlap) note(*close.overlap);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "beadswim/core/error.hpp"
 #include "swimmer_message.hpp"
@@ -97,19 +96,49 @@ double CoupledSystem::largest_bead_speed() const {
 std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
   OutgoingMessage message;
   for (const SwimmerState& swimmer : owned_) transfer_swimmer(message, swimmer);
-  const int bytes = static_cast<int>(message.bytes().size());
-  std::vector<int> sizes(communicator_.size()), starts(communicator_.size());
-  MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator_.get());
-  std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
-  std::vector<char> all(communicator_.is_root() ? starts.back() + sizes.back() : 0);
-  MPI_Gatherv(message.bytes().data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,
-              communicator_.get());
-
   std::vector<SwimmerState> swimmers;
-  IncomingMessage gathered(std::move(all));
+  IncomingMessage gathered(gather_bytes(message.bytes(), communicator_));
   while (!gathered.is_at_end()) transfer_swimmer(gathered, swimmers.emplace_back());
   std::ranges::sort(swimmers, {}, &SwimmerState::id);
   return swimmers;
+}
+
+std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
+  std::map<BeadName, Impulse> impulses = exchange_.collect(beads_);
+  add_under_way(impulses);
+  OutgoingMessage message;
+  for (const SwimmerState& swimmer : owned_) {
+    SwimmerSnapshot snapshot{.state = swimmer, .under_way = {}};
+    for (int b = 0; b < 3; ++b) snapshot.under_way[b] = impulses[{swimmer.id, b}];
+    transfer_snapshot(message, snapshot);
+  }
+  auto snapshots = snapshots_from_bytes(gather_bytes(message.bytes(), communicator_));
+  std::ranges::sort(snapshots, {}, [](const SwimmerSnapshot& s) { return s.state.id; });
+  return snapshots;
+}
+
+void CoupledSystem::restore(const SystemMoment& moment, std::span<const SwimmerSnapshot> swimmers,
+                            const std::function<void(Populations&)>& fill) {
+  owned_.clear();
+  under_way_.clear();
+  for (const SwimmerSnapshot& swimmer : swimmers) {
+    if (!owns(swimmer.state)) continue;
+    owned_.push_back(swimmer.state);
+    for (int b = 0; b < 3; ++b) under_way_[{swimmer.state.id, b}] = swimmer.under_way[b];
+  }
+  beads_ = exchange_.publish(owned_);
+  coverage_.update(beads_);
+  fill(populations_);
+  find_surfaces();
+  fault_.reset();
+  is_broken_ = false;
+  steps_done_ = moment.steps_done;
+  largest_bead_speed_ = moment.largest_bead_speed;
+  smallest_gap_ = moment.smallest_gap;
+}
+
+void CoupledSystem::add_under_way(std::map<BeadName, Impulse>& impulses) {
+  for (const auto& [name, impulse] : under_way_) impulses[name].add(impulse);
 }
 
 FluidTotals CoupledSystem::exchange_covered_cells(FluidTotals& fluid) const {
@@ -151,6 +180,10 @@ void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) 
   for (const BeadOnLattice& bead : beads_) {
     everything.density_deviation.add(bead.impulse.mass);  // as sums: a rank's part must not be rounded
     for (int a = 0; a < 3; ++a) everything.momentum[a].add(bead.impulse.linear[a]);
+  }
+  for (const auto& [name, impulse] : under_way_) {
+    everything.density_deviation.add(impulse.mass);
+    for (int a = 0; a < 3; ++a) everything.momentum[a].add(impulse.linear[a]);
   }
 }
 

@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "message.hpp"
+#include "beadswim/core/message.hpp"
 
 namespace beadswim {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "message.hpp"
+#include "beadswim/core/message.hpp"
 
 // What travels of swimmers and beads, in its order: the same list writes and reads.
 
@@ -23,6 +23,13 @@ void transfer_swimmer(Message& message, Swimmer& swimmer) {
     message(swimmer.inner_momentum[b].force, swimmer.inner_momentum[b].torque);
     message(swimmer.predicted[b].linear, swimmer.predicted[b].angular);
   }
+}
+
+/// Snapshot: SwimmerSnapshot, const to write.
+template <class Message, class Snapshot>
+void transfer_snapshot(Message& message, Snapshot& snapshot) {
+  transfer_swimmer(message, snapshot.state);
+  message(snapshot.under_way);
 }
 
 /// Bead: BeadOnLattice, const to write; its impulse stays behind.

@@ -17,6 +17,9 @@
 namespace beadswim {
 namespace {
 
+constexpr const char* swimmers_group = "observables/swimmers/";
+constexpr const char* trajectory_section = "trajectory";  ///< of a checkpoint
+
 std::string part_name(const std::string& path) {
   return path + ".part";
 }
@@ -58,11 +61,17 @@ int lock_output(const std::string& path, const Communicator& communicator) {
   return part;
 }
 
-H5Handle create_file(const std::string& path, const Communicator& communicator) {
+/// `locked`: rank 0's PATH.part. An empty file, or the checkpoint's.
+H5Handle open_file(const std::string& path, int locked, const CheckpointReader* checkpoint,
+                   const Communicator& communicator) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are exceptions of ours, not HDF5's stack on stderr
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
-  const hid_t file = H5Fcreate(part_name(path).c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
+  if (checkpoint != nullptr) checkpoint->copy_to(trajectory_section, locked);
+  MPI_Barrier(communicator.get());
+  const std::string part = part_name(path);
+  const hid_t file = checkpoint != nullptr ? H5Fopen(part.c_str(), H5F_ACC_RDWR, access)
+                                           : H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (file < 0) {
     throw InputError(
         "-o", path +
@@ -105,28 +114,44 @@ std::vector<float> flattened(const std::vector<Vec3>& vectors) {
 }  // namespace
 
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHeader& header,
-                                   const Communicator& communicator)
+                                   const Communicator& communicator, const CheckpointReader* checkpoint)
     : path_(path),
       root_(communicator.is_root()),
       comm_(communicator.get()),
       box_lengths_(header.box_lengths),
       periodic_(header.periodic),
       beads_(header.bead.size()),
+      goes_on_(checkpoint != nullptr),
       lock_(lock_output(path, communicator)),
-      file_(create_file(path, communicator)) {
+      file_(open_file(path, lock_.descriptor, checkpoint, communicator)) {
+  if (!goes_on_) create_groups(header);
+  const hsize_t swimmers = beads_ / 3;
+  add_element(frames_, "particles/beads/box/edges", H5T_NATIVE_DOUBLE, {3, 3});
+  add_element(frames_, "particles/beads/position", H5T_NATIVE_FLOAT, {beads_, 3});
+  add_element(frames_, "particles/beads/image", H5T_NATIVE_INT, {beads_, 3});
+  add_element(frames_, "particles/beads/velocity", H5T_NATIVE_FLOAT, {beads_, 3});
+  add_element(frames_, "observables/mean_flow", H5T_NATIVE_DOUBLE, {3});
+  add_element(frames_, "observables/momentum", H5T_NATIVE_DOUBLE, {3});
+  for (const char* name : {"velocity", "axis", "mean_flow"})
+    add_element(cycles_, std::string(swimmers_group) + name, H5T_NATIVE_DOUBLE, {swimmers, 3});
+  for (const char* name : {"arm_amplitudes", "arm_phases", "arm_means"})
+    add_element(cycles_, std::string(swimmers_group) + name, H5T_NATIVE_DOUBLE, {swimmers, 2});
+}
+
+void TrajectoryWriter::create_groups(const TrajectoryHeader& header) {
   write_metadata(header);
   const H5Handle particles = create_group(file_, "particles");
   const H5Handle beads = create_group(particles, "beads");
-  create_box(beads);
-  create_element("particles/beads/position", H5T_NATIVE_FLOAT, {beads_, 3});
-  create_element("particles/beads/image", H5T_NATIVE_INT, {beads_, 3});
-  create_element("particles/beads/velocity", H5T_NATIVE_FLOAT, {beads_, 3});
+  const H5Handle box = create_group(beads, "box");
+  write_attribute(box, "dimension", 3);
+  std::array<std::string, 3> boundary;
+  for (int a = 0; a < 3; ++a) boundary[a] = periodic_[a] ? "periodic" : "none";
+  write_attribute(box, "boundary", boundary);
   write_dataset(beads, "species", header.bead);
   write_dataset(beads, "swimmer", header.swimmer);
   write_dataset(beads, "radius", header.radius);
   const H5Handle observables = create_group(file_, "observables");
-  create_element("observables/mean_flow", H5T_NATIVE_DOUBLE, {3});
-  create_element("observables/momentum", H5T_NATIVE_DOUBLE, {3});
+  create_group(observables, "swimmers");
 }
 
 void TrajectoryWriter::write_metadata(const TrajectoryHeader& header) {
@@ -141,16 +166,8 @@ void TrajectoryWriter::write_metadata(const TrajectoryHeader& header) {
   for (const auto& [name, text] : header.parameters) write_dataset(parameters, name, text);
 }
 
-void TrajectoryWriter::create_box(hid_t beads) {
-  const H5Handle box = create_group(beads, "box");
-  write_attribute(box, "dimension", 3);
-  std::array<std::string, 3> boundary;
-  for (int a = 0; a < 3; ++a) boundary[a] = periodic_[a] ? "periodic" : "none";
-  write_attribute(box, "boundary", boundary);
-  create_element("particles/beads/box/edges", H5T_NATIVE_DOUBLE, {3, 3});
-}
-
-void TrajectoryWriter::create_series(const std::string& name, hid_t type, std::vector<hsize_t> row) {
+H5Handle TrajectoryWriter::create_series(const std::string& name, hid_t type,
+                                         const std::vector<hsize_t>& row) {
   std::vector<hsize_t> now{0}, most{H5S_UNLIMITED};
   hsize_t bytes = H5Tget_size(type);
   for (const hsize_t n : row) bytes *= n;
@@ -166,28 +183,41 @@ void TrajectoryWriter::create_series(const std::string& name, hid_t type, std::v
     check_hdf5(H5Pset_deflate(creation, 4), name);
   }
   check_hdf5(H5Pset_obj_track_times(creation, false), name);
-  H5Handle dataset(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose,
-                   name);
-  series_.emplace(name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type});
+  return {H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT), H5Dclose, name};
 }
 
-void TrajectoryWriter::create_element(const std::string& name, hid_t type, std::vector<hsize_t> row) {
-  const H5Handle group = create_group(file_, name);
-  if (series_.empty()) {
-    step_name_ = name + "/step";
-    time_name_ = name + "/time";
-    create_series(step_name_, H5T_NATIVE_INT64, {});
-    create_series(time_name_, H5T_NATIVE_DOUBLE, {});
-  } else {  // all elements are sampled together: one step and one time, under every name
-    check_hdf5(H5Lcreate_hard(file_, step_name_.c_str(), group, "step", H5P_DEFAULT, H5P_DEFAULT), name);
-    check_hdf5(H5Lcreate_hard(file_, time_name_.c_str(), group, "time", H5P_DEFAULT, H5P_DEFAULT), name);
+void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vector<hsize_t> row) {
+  const std::string what = path_ + ":/" + name;
+  H5Handle dataset = goes_on_ ? H5Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, what)
+                              : create_series(name, type, row);
+  const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
+  std::vector<hsize_t> extent(row.size() + 1);
+  if (H5Sget_simple_extent_ndims(space) != std::ssize(extent))
+    throw SolverError(what + ": the checkpoint's trajectory is of another kind");
+  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  series_.emplace(
+      name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type, .rows = extent[0]});
+}
+
+void TrajectoryWriter::add_element(Sampling& sampling, const std::string& name, hid_t type,
+                                   std::vector<hsize_t> row) {
+  if (!goes_on_) create_group(file_, name);
+  if (sampling.step_name.empty()) {
+    sampling = {.step_name = name + "/step", .time_name = name + "/time"};
+    add_series(sampling.step_name, H5T_NATIVE_INT64, {});
+    add_series(sampling.time_name, H5T_NATIVE_DOUBLE, {});
+  } else if (!goes_on_) {
+    for (const auto& [target, link] : {std::pair{sampling.step_name, "/step"}, {sampling.time_name, "/time"}})
+      check_hdf5(
+          H5Lcreate_hard(file_, target.c_str(), file_, (name + link).c_str(), H5P_DEFAULT, H5P_DEFAULT),
+          name);
   }
-  create_series(name + "/value", type, std::move(row));
+  add_series(name + "/value", type, std::move(row));
 }
 
 void TrajectoryWriter::append_row(const std::string& name, const void* data) {
   Series& series = series_.at(name);
-  std::vector<hsize_t> extent{frames_ + 1}, start{frames_}, count{1};
+  std::vector<hsize_t> extent{series.rows + 1}, start{series.rows}, count{1};
   extent.insert(extent.end(), series.row.begin(), series.row.end());
   start.insert(start.end(), series.row.size(), 0);
   count.insert(count.end(), series.row.begin(), series.row.end());
@@ -207,22 +237,46 @@ void TrajectoryWriter::append_row(const std::string& name, const void* data) {
   const H5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, what);
   check_hdf5(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
   check_hdf5(H5Dwrite(series.dataset, series.type, in_memory, in_file, transfer, data), what);
+  ++series.rows;
+}
+
+void TrajectoryWriter::flush() const {
+  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0)
+    throw SolverError(part_name(path_) + ": HDF5 cannot write the trajectory; is the disk full?");
 }
 
 void TrajectoryWriter::append(const TrajectoryFrame& frame) {
   const WrappedPositions wrapped = wrap(frame.positions, box_lengths_, periodic_);
   const std::vector<float> velocities = flattened(frame.velocities);
   const Eigen::Matrix3d edges = box_lengths_.asDiagonal();
-  append_row(step_name_, &frame.step);
-  append_row(time_name_, &frame.time);
+  append_row(frames_.step_name, &frame.step);
+  append_row(frames_.time_name, &frame.time);
   append_row("particles/beads/box/edges/value", edges.data());
   append_row("particles/beads/position/value", wrapped.position.data());
   append_row("particles/beads/image/value", wrapped.image.data());
   append_row("particles/beads/velocity/value", velocities.data());
   append_row("observables/mean_flow/value", frame.mean_flow.data());
   append_row("observables/momentum/value", frame.momentum.data());
-  ++frames_;
-  check_hdf5(H5Fflush(file_, H5F_SCOPE_GLOBAL), path_);
+  flush();
+}
+
+void TrajectoryWriter::append(const TrajectoryCycle& cycle) {
+  append_row(cycles_.step_name, &cycle.step);
+  append_row(cycles_.time_name, &cycle.time);
+  for (const auto& [name, numbers] : {std::pair{"velocity", &cycle.velocity},
+                                      {"axis", &cycle.axis},
+                                      {"mean_flow", &cycle.mean_flow},
+                                      {"arm_amplitudes", &cycle.arm_amplitudes},
+                                      {"arm_phases", &cycle.arm_phases},
+                                      {"arm_means", &cycle.arm_means}})
+    append_row(std::string(swimmers_group) + name + "/value", numbers->data());
+  flush();
+}
+
+void TrajectoryWriter::add_to(CheckpointWriter& checkpoint) const {
+  flush();
+  MPI_Barrier(comm_);
+  checkpoint.add_file(trajectory_section, part_name(path_));
 }
 
 TrajectoryWriter::Lock::~Lock() {

@@ -10,11 +10,6 @@
 namespace beadswim {
 namespace {
 
-bool same_driving(const Driving& a, const Driving& b) {
-  return a.amplitude == b.amplitude && a.phase == b.phase && a.phase_offset == b.phase_offset &&
-         a.period == b.period && a.frame == b.frame;
-}
-
 /// Middle beads in a periodic box, to be found by place.
 class Places {
  public:
@@ -46,7 +41,7 @@ class Places {
     const Swimmer &one = layout_.swimmers[a], &other = layout_.swimmers[b];
     if (one.type != other.type || (one.axis - other.axis).norm() > same_axis) return false;
     if (!one.driving && !other.driving) return true;
-    return same_driving(layout_.resolved_type(one).driving, layout_.resolved_type(other).driving);
+    return layout_.resolved_type(one).driving == layout_.resolved_type(other).driving;
   }
 
   const Layout& layout_;

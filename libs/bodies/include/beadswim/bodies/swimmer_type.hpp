@@ -33,6 +33,8 @@ struct Driving {
   double period = 0;                  ///< T = 2 pi / w [time]
   DrivingFrame frame = DrivingFrame::lab;
   double phase_offset = 0;  ///< phi [radian]
+
+  bool operator==(const Driving&) const = default;
 };
 
 /// Beads 1, 2, 3 in a line; springs[0] joins beads 1 and 2, springs[1] beads 2 and 3.

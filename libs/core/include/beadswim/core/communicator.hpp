@@ -2,6 +2,8 @@
 
 #include <mpi.h>
 
+#include <vector>
+
 namespace beadswim {
 
 /// Starts MPI for as long as it lives. One in a program, in main.
@@ -31,6 +33,9 @@ class Communicator {
   int rank_ = 0;
   int size_ = 1;
 };
+
+/// All ranks' bytes, rank after rank, on rank 0; empty elsewhere. At most 2 GiB in all. Collective.
+std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator& communicator);
 
 /// Ranks of the communicator that share this rank's memory. Collective.
 int ranks_on_this_node(const Communicator& communicator);

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <functional>
+#include <map>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "beadswim/coupling/bead_boundary.hpp"
@@ -13,6 +16,7 @@
 #include "beadswim/coupling/saturated_cells.hpp"
 #include "beadswim/coupling/saturated_sums.hpp"
 #include "beadswim/coupling/scene.hpp"
+#include "beadswim/coupling/swimmer_snapshot.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
 #include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/populations.hpp"
@@ -20,6 +24,13 @@
 #include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
+
+/// What a checkpoint keeps of a system beside its populations and swimmers.
+struct SystemMoment {
+  long steps_done = 0;
+  double largest_bead_speed = 0;  ///< so far
+  double smallest_gap = 0;        ///< so far
+};
 
 /// Fluid and swimmers on one lattice, advanced together. Lattice units throughout; all ranks of the
 /// communicator construct it and call its functions together.
@@ -58,6 +69,23 @@ class CoupledSystem {
   /// All swimmers in order of their id, on rank 0; empty elsewhere. Collective.
   std::vector<SwimmerState> gather_swimmers() const;
 
+  /// All swimmers in order of their id with what is under way to them, on rank 0; empty elsewhere. With the
+  /// populations' outgoing numbers and the moment it is all that the future depends on. Collective.
+  std::vector<SwimmerSnapshot> gather_snapshots();
+
+  /// Collective.
+  SystemMoment moment() const { return {steps_done_, largest_bead_speed(), smallest_gap()}; }
+
+  /// Whether this rank moves a swimmer that is where the state says.
+  bool owns(const SwimmerState& swimmer) const {
+    return exchange_.owner_of(swimmer.motion[1].position) == communicator_.rank();
+  }
+
+  /// Goes on from a state of the same scene that was reached on any number of ranks. `swimmers`: at least
+  /// those that this rank owns. `fill` sets outgoing numbers of all own cells of the block. Collective.
+  void restore(const SystemMoment& moment, std::span<const SwimmerSnapshot> swimmers,
+               const std::function<void(Populations&)>& fill);
+
   /// Collective. If the fluid is no longer finite what it returns means nothing, and fault() tells.
   SceneTotals totals();
 
@@ -67,6 +95,8 @@ class CoupledSystem {
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
   /// Where beads meet the fluid, and other swimmers' beads, for the coming step.
   void meet();
+  void find_surfaces();
+  void add_under_way(std::map<BeadName, Impulse>& impulses);
   /// What forbids a swimmer to move on; notes the largest speed.
   std::optional<Fault> fault_of(const SwimmerState& swimmer);
   void note(Fault fault);
@@ -113,6 +143,7 @@ class CoupledSystem {
   SaturatedCells saturated_cells_;             ///< empty in a scene of links
   std::vector<LinkSums> link_sums_;            ///< of beads_, empty between steps
   std::vector<SaturatedSums> saturated_sums_;  ///< likewise
+  std::map<BeadName, Impulse> under_way_;      ///< to owned swimmers, from before the state was restored
   std::optional<Fault> fault_;                 ///< the first that this rank came upon
   bool is_broken_ = false;                     ///< this rank's numbers are none any more
   double largest_bead_speed_ = 0;              ///< of owned swimmers

@@ -9,6 +9,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/io/checkpoint_file.hpp"
 #include "beadswim/io/hdf5.hpp"
 
 // Bead trajectories in H5MD 1.1 (de Buyl, Colberg & Hofling, Comput. Phys. Commun. 185 (2014) 1546), in the
@@ -37,25 +38,45 @@ struct TrajectoryFrame {
   Vec3 momentum = Vec3::Zero();   ///< of fluid and beads
 };
 
+/// What each swimmer did in its last whole cycle; NaN for one that has ended none yet. Swimmers in the order
+/// of the beads; rank 0 alone need fill the lists, of 3, 3, 3, 2, 2 and 2 numbers a swimmer.
+struct TrajectoryCycle {
+  std::int64_t step = 0;
+  double time = 0;
+  std::vector<double> velocity, axis, mean_flow, arm_amplitudes, arm_phases, arm_means;
+};
+
 /// Writes a trajectory frame by frame. All ranks construct it and call its functions together. While it is
 /// being written the file is called PATH.part; each frame is flushed, so that a killed run leaves whole
 /// frames there. The same frames give the same bytes, on any number of ranks.
 class TrajectoryWriter {
  public:
-  /// Throws InputError if the file cannot be created, or another process is writing it.
-  TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator);
+  /// Throws InputError if the file cannot be created, or another process is writing it. With a checkpoint it
+  /// begins with the frames that this holds.
+  TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator,
+                   const CheckpointReader* checkpoint = nullptr);
 
   void append(const TrajectoryFrame& frame);
+  void append(const TrajectoryCycle& cycle);
+
+  /// Puts all frames so far into the checkpoint.
+  void add_to(CheckpointWriter& checkpoint) const;
 
   /// Gives the file its name, in place of an older one.
   void finish();
 
  private:
-  /// A dataset that grows by one row a frame.
+  /// A dataset that grows row by row.
   struct Series {
     H5Handle dataset;
-    std::vector<hsize_t> row;  ///< shape of one frame's row
+    std::vector<hsize_t> row;  ///< shape of one row
     hid_t type;                ///< in memory
+    hsize_t rows = 0;
+  };
+
+  /// Time-dependent quantities that are sampled together: one step and one time, under every name.
+  struct Sampling {
+    std::string step_name, time_name;  ///< in the file
   };
 
   /// A file descriptor with a lock on the file, on rank 0.
@@ -68,11 +89,14 @@ class TrajectoryWriter {
   };
 
   void write_metadata(const TrajectoryHeader& header);
-  void create_box(hid_t beads);
-  void create_series(const std::string& name, hid_t type, std::vector<hsize_t> row);
-  /// Group of a time-dependent quantity: datasets value, and step and time that it shares with all others.
-  void create_element(const std::string& name, hid_t type, std::vector<hsize_t> row);
+  void create_groups(const TrajectoryHeader& header);
+  /// The series of a name: created, or as it is in a file that a checkpoint holds.
+  void add_series(const std::string& name, hid_t type, std::vector<hsize_t> row);
+  H5Handle create_series(const std::string& name, hid_t type, const std::vector<hsize_t>& row);
+  /// Group of a time-dependent quantity: datasets value, step and time.
+  void add_element(Sampling& sampling, const std::string& name, hid_t type, std::vector<hsize_t> row);
   void append_row(const std::string& name, const void* data);
+  void flush() const;
 
   std::string path_;
   bool root_;
@@ -80,11 +104,11 @@ class TrajectoryWriter {
   Vec3 box_lengths_;
   std::array<bool, 3> periodic_;
   std::size_t beads_;
+  bool goes_on_;  ///< with a file that a checkpoint held
   Lock lock_;
   H5Handle file_;
   std::map<std::string, Series> series_;  ///< by path in the file
-  std::string step_name_, time_name_;
-  hsize_t frames_ = 0;
+  Sampling frames_, cycles_;
 };
 
 }  // namespace beadswim

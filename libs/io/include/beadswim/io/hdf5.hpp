@@ -27,6 +27,9 @@ class H5Handle {
   /// Closes before the end of the scope. Throws SolverError if what was left to write could not be.
   void close_checked(const std::string& what);
 
+  /// Forgets it without closing: to close a file of several ranks takes all of them.
+  void leave_open() { id_ = H5I_INVALID_HID; }
+
  private:
   void close();
 

@@ -4,10 +4,11 @@
 #include <type_traits>
 #include <vector>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Messages of plain values. Both kinds are called with a list of values, so that one function
-// (swimmer_message.hpp) serves both directions.
+// Messages of plain values, between ranks of one machine and in its files. Both kinds are called with a list
+// of values, so that one function (such as coupling's transfer_swimmer) serves both directions.
 
 namespace beadswim {
 
@@ -35,6 +36,11 @@ class OutgoingMessage {
   void put(const Vec3& v) {
     for (int a = 0; a < 3; ++a) put(v[a]);
   }
+  template <class T>
+  void put(const std::vector<T>& list) {
+    put(list.size());
+    for (const T& value : list) put(value);
+  }
 
   std::vector<char> bytes_;
 };
@@ -54,11 +60,20 @@ class IncomingMessage {
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void get(T& value) {
+    if (bytes_.size() - read_ < sizeof(T)) throw SolverError("a message ends too early");
     std::memcpy(&value, bytes_.data() + read_, sizeof(T));
     read_ += sizeof(T);
   }
   void get(Vec3& v) {
     for (int a = 0; a < 3; ++a) get(v[a]);
+  }
+  template <class T>
+  void get(std::vector<T>& list) {
+    std::size_t size = 0;
+    get(size);
+    if (size > bytes_.size() - read_) throw SolverError("a message ends too early");
+    list.resize(size);
+    for (T& value : list) get(value);
   }
 
   std::vector<char> bytes_;

@@ -1,0 +1,24 @@
+#include "beadswim/coupling/swimmer_snapshot.hpp"
+
+#include "swimmer_message.hpp"
+
+namespace beadswim {
+
+std::vector<char> bytes_of(const std::vector<SwimmerSnapshot>& snapshots) {
+  OutgoingMessage message;
+  for (const SwimmerSnapshot& snapshot : snapshots) transfer_snapshot(message, snapshot);
+  return message.bytes();
+}
+
+std::vector<SwimmerSnapshot> snapshots_from_bytes(std::vector<char> bytes) {
+  std::vector<SwimmerSnapshot> snapshots;
+  IncomingMessage message(std::move(bytes));
+  while (!message.is_at_end()) transfer_snapshot(message, snapshots.emplace_back());
+  return snapshots;
+}
+
+std::size_t snapshot_size() {
+  return bytes_of({SwimmerSnapshot{}}).size();
+}
+
+}  // namespace beadswim
