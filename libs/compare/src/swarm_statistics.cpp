@@ -1,0 +1,143 @@
+#include "beadswim/compare/swarm_statistics.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <vector>
+
+#include "beadswim/compare/nearest_neighbours.hpp"
+
+namespace beadswim {
+namespace {
+
+using Members = std::span<const SwarmMember>;
+using Cycles = std::vector<const CycleStatistics*>;
+
+/// <x> as x_1 + <x - x_1>: exact where all are equal, and close where they nearly are. Of at least one value.
+double mean_of(std::span<const double> values) {
+  double sum = 0;
+  for (const double x : values) sum += x - values.front();
+  return values.front() + sum / static_cast<double>(values.size());
+}
+
+/// Of at least one value. The deviation takes a second pass: <x^2> - <x>^2 would lose the digits of small
+/// deviations.
+Spread spread_of(std::span<const double> values) {
+  const double mean = mean_of(values);
+  double squares = 0;
+  for (const double x : values) squares += (x - mean) * (x - mean);
+  const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
+  return {mean, std::sqrt(squares / static_cast<double>(values.size())), *smallest, *largest};
+}
+
+/// Spread of value(member) over a range.
+template <typename Range, typename Value>
+Spread spread_over(const Range& range, Value value) {
+  std::vector<double> values;
+  values.reserve(range.size());
+  for (const auto& member : range) values.push_back(value(member));
+  return spread_of(values);
+}
+
+/// Spreads of the three components of value(member).
+template <typename Range, typename Value>
+std::array<Spread, 3> spreads_over(const Range& range, Value value) {
+  std::array<Spread, 3> components;
+  for (int axis = 0; axis < 3; ++axis) {
+    components[axis] = spread_over(range, [=](const auto& member) { return value(member)[axis]; });
+  }
+  return components;
+}
+
+Vec3 means(const std::array<Spread, 3>& components) {
+  return Vec3(components[0].mean, components[1].mean, components[2].mean);
+}
+
+Vec3 deviations(const std::array<Spread, 3>& components) {
+  return Vec3(components[0].deviation, components[1].deviation, components[2].deviation);
+}
+
+/// Order parameter of Kuramoto (1984), |<exp(i delta)>|.
+double phase_order(const Cycles& cycles, std::size_t arm) {
+  std::complex<double> sum = 0;
+  for (const CycleStatistics* cycle : cycles) sum += std::polar(1.0, cycle->arm_phases[arm]);
+  return std::abs(sum) / static_cast<double>(cycles.size());
+}
+
+SwarmSwimming swimming_of(const Cycles& cycles) {
+  SwarmSwimming swimming;
+  swimming.swimmers = static_cast<int>(cycles.size());
+  const auto velocity = spreads_over(cycles, [](auto* cycle) { return cycle->velocity; });
+  swimming.velocity = means(velocity);
+  swimming.velocity_deviation = deviations(velocity);
+  swimming.speed_along_axis = spread_over(cycles, [](auto* cycle) { return cycle->speed_along_axis; });
+  swimming.mean_flow = means(spreads_over(cycles, [](auto* cycle) { return cycle->mean_flow; }));
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    swimming.arm_amplitudes[arm] = spread_over(cycles, [=](auto* c) { return c->arm_amplitudes[arm]; });
+    swimming.arm_means[arm] = spread_over(cycles, [=](auto* c) { return c->arm_means[arm]; });
+    swimming.arm_phase_order[arm] = phase_order(cycles, arm);
+  }
+  return swimming;
+}
+
+Cycles last_cycles(Members members) {
+  Cycles cycles;
+  for (const SwarmMember& member : members) {
+    if (member.last_cycle) cycles.push_back(&*member.last_cycle);
+  }
+  return cycles;
+}
+
+/// Q = <(3 a a - 1)/2> of the members' axes a.
+Eigen::Matrix3d nematic_tensor(Members members) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const SwarmMember& member : members) sum += member.axis * member.axis.transpose();
+  return 1.5 * sum / static_cast<double>(members.size()) - 0.5 * Eigen::Matrix3d::Identity();
+}
+
+Vec3 with_largest_component_positive(const Vec3& v) {
+  int axis = 0;
+  v.cwiseAbs().maxCoeff(&axis);
+  return v[axis] < 0 ? Vec3(-v) : v;
+}
+
+/// In [0, pi]. The arc cosine of the scalar product would lose angles below 1e-8.
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::optional<Spread> nearest_neighbours_of(Members members, const Vec3& box_lengths,
+                                            const std::array<bool, 3>& periodic) {
+  std::vector<Vec3> centres;
+  centres.reserve(members.size());
+  for (const SwarmMember& member : members) centres.push_back(member.centre);
+  const std::vector<double> distances = nearest_neighbour_distances(centres, box_lengths, periodic);
+  if (std::isinf(distances.front())) return std::nullopt;
+  return spread_of(distances);
+}
+
+}  // namespace
+
+SwarmStatistics swarm_statistics(int index, Members members, const Vec3& box_lengths,
+                                 const std::array<bool, 3>& periodic) {
+  SwarmStatistics swarm;
+  swarm.index = index;
+  if (members.empty()) return swarm;
+  swarm.swimmers = static_cast<int>(members.size());
+  if (const Cycles cycles = last_cycles(members); !cycles.empty()) swarm.swimming = swimming_of(cycles);
+
+  swarm.mean_axis = means(spreads_over(members, [](const SwarmMember& m) { return m.axis; }));
+  swarm.polar_order = swarm.mean_axis.norm();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> nematic(nematic_tensor(members));  // ascending
+  swarm.nematic_order = nematic.eigenvalues()[2];
+  swarm.director = with_largest_component_positive(nematic.eigenvectors().col(2));
+
+  swarm.rotation =
+      spread_over(members, [](const SwarmMember& m) { return angle_between(m.axis, m.initial_axis); });
+  swarm.nearest_neighbour = nearest_neighbours_of(members, box_lengths, periodic);
+  for (const SwarmMember& member : members) swarm.kinetic_energy += member.kinetic_energy;
+  return swarm;
+}
+
+}  // namespace beadswim
