@@ -56,8 +56,8 @@ std::string curve_label(const TrajectoryFile& file, bool several_files, int swim
   return label;
 }
 
-/// Colours tell swimmers apart and dashes beads; one swimmer's beads have colours of their own, and beads of
-/// one kind dashes, so that no curve hides another.
+/// Colours tell swimmers apart and dashes their beads; beads of one swimmer alone have colours, and swimmers
+/// of one bead each have dashes too, so that no curve hides another.
 std::vector<Curve> curves_of(const std::vector<TrajectoryFile>& files, std::size_t index,
                              const TrajectoryFigureOptions& options) {
   const TrajectoryFile& file = files[index];
@@ -72,7 +72,7 @@ std::vector<Curve> curves_of(const std::vector<TrajectoryFile>& files, std::size
                         {.label = curve_label(file, files.size() > 1, swimmers[s], bead, !one_bead),
                          .mark = Mark::line,
                          .colour = alone ? order : place,
-                         .dash = one_bead ? place : order}});
+                         .dash = alone ? 0 : (one_bead ? place : order)}});
     }
   }
   return curves;
