@@ -35,6 +35,8 @@ uniform() {
     uniform_swarm | beadswim-layout defect jitter --sigma 0.5 |
       simulate 'nine, each moved by 0.5' --cycles 124 --cells-per-radius $cells --precision single
   done
+  uniform_cell --stiffness 0.0347 | simulate 'one cell, k = 0.0347' --cycles 124 --cells-per-radius 3 --precision single
+  uniform_swarm --stiffness 0.0347 | simulate 'nine swimmers, k = 0.0347' --cycles 124 --cells-per-radius 3 --precision single
   uniform_swarm --stiffness 0.0347 | beadswim-layout defect jitter --sigma 0.5 |
     simulate 'nine, each moved by 0.5, k = 0.0347' --cycles 124 --cells-per-radius 3 --precision single
 }
