@@ -7,7 +7,7 @@
 #include "velocity_figure.hpp"
 #include "write_figure.hpp"
 
-// beadswim-plot: figures of run records and predictions.
+// beadswim-plot: figures of run records, predictions and trajectories.
 
 namespace {
 
@@ -17,6 +17,7 @@ Figure draw(const PlotRequest& request) {
   const CycleChoice cycle = parse_cycle_choice(request.cycle);
   const auto against = parse_against(request.against);
   const Axes axes = parse_axes(request.axes);
+  if (request.kind == trajectories_kind) return trajectory_figure(request.files, trajectory_options(request));
   if (request.kind == speed_kind) {
     return speed_figure(read_plot_inputs(request.files, {}), {request.reference, request.methods, cycle});
   }
@@ -28,9 +29,15 @@ Figure draw(const PlotRequest& request) {
   return velocity_figure(inputs, {abscissa, cycle, axes});
 }
 
+std::string svg_of(const PlotRequest& request) {
+  if (request.kind == swarm_kind)
+    return swarm_picture_to_svg(swarm_figure(request.files, swarm_options(request)));
+  return figure_to_svg(draw(request));
+}
+
 int run(int argc, const char* const* argv) {
-  const auto program =
-      make_program("beadswim-plot", "Draws run records and predictions as a figure, SVG or PNG.");
+  const auto program = make_program(
+      "beadswim-plot", "Draws run records, predictions and trajectories as a figure, SVG or PNG.");
   PlotRequest request;
   add_flags(*program, request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
@@ -38,7 +45,7 @@ int run(int argc, const char* const* argv) {
   require_figure_path(request.output);
   for (const std::string& file : request.files) require_other_file(file, request.output);
   if (!request.reference.empty()) require_other_file(request.reference, request.output);
-  write_figure(request.output, figure_to_svg(draw(request)));
+  write_figure(request.output, svg_of(request));
   return static_cast<int>(ExitStatus::fine);
 }
 

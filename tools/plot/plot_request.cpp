@@ -32,6 +32,34 @@ Value value_named(const std::string& flag, const std::string& name,
       ->second;
 }
 
+/// A whole number from 0 on, as CLI11 checks it: empty, or what is wrong.
+std::string fault_of_whole_number(const std::string& text) {
+  const bool digits =
+      !text.empty() && text.size() <= 9 && text.find_first_not_of("0123456789") == std::string::npos;
+  return digits ? "" : fmt::format("\"{}\": must be a whole number from 0 on", text);
+}
+
+CLI::Validator whole_numbers() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        for (const std::string& part : CLI::detail::split(text, ',')) {
+          if (const std::string fault = fault_of_whole_number(part); !fault.empty()) return fault;
+        }
+        return std::string{};
+      },
+      "");
+}
+
+CLI::Validator last_or_whole_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return text == "last" || fault_of_whole_number(text).empty()
+                   ? std::string{}
+                   : fmt::format("\"{}\": must be last or a whole number from 0 on", text);
+      },
+      "");
+}
+
 void add_figure_flags(CLI::App& program, PlotRequest& request) {
   program
       .add_option("--relative-to", request.relative_to,
@@ -63,6 +91,79 @@ void add_figure_flags(CLI::App& program, PlotRequest& request) {
       ->type_name("last|N|mean:N");
 }
 
+void add_trajectory_flags(CLI::App& program, PlotRequest& request) {
+  program
+      .add_option("--swimmers", request.swimmers,
+                  "Swimmers whose trajectories are drawn, by id, separated by commas; all unless given.")
+      ->type_name("ID,...")
+      ->check(whole_numbers())
+      ->default_str("all");
+  program
+      .add_option("--beads", request.beads,
+                  "Beads of a swimmer whose trajectories are drawn: 1, 2 and 3 from "
+                  "its end to its head.")
+      ->type_name("1|2|3,...");
+  program.add_option("--along", request.along, "Coordinate of trajectories, not wrapped into the box.")
+      ->type_name("x|y|z");
+}
+
+void add_swarm_flags(CLI::App& program, PlotRequest& request) {
+  program
+      .add_option("--frame", request.frame,
+                  "Frame of the swarm's picture: last, or its number in the trajectory from 0, the start.")
+      ->type_name("last|N")
+      ->check(last_or_whole_number());
+  program
+      .add_option(
+          "--colours", request.colours,
+          "What the colours of a swarm go by: blocks of --block-swimmers, in a checkerboard; swimmers; "
+          "or the layout's types.")
+      ->type_name("blocks|swimmers|types");
+  program
+      .add_option("--block-swimmers", request.block_swimmers,
+                  "Swimmers of a block along each axis, by the layers in which they stand in the layout; or "
+                  "one number, the swimmers of a block in order of their ids.")
+      ->type_name("NX,NY,NZ|N")
+      ->check(number_list({1, 3}, whole_positive()));
+  program
+      .add_option("--repeat", request.repeat,
+                  "Periodic copies of the box to draw along each axis, as of a reduced cell.")
+      ->type_name("NX,NY,NZ")
+      ->check(number_list({3}, whole_positive()));
+}
+
+std::vector<int> whole_numbers_in(const std::string& text) {
+  std::vector<int> numbers;
+  for (const double number : parse_numbers(text)) numbers.push_back(static_cast<int>(number));
+  return numbers;
+}
+
+/// A flag that was given, and the kinds that have a use for it.
+struct GivenFlag {
+  const char* name;
+  bool given;
+  Names kinds;
+};
+
+/// By comparison with what stands there unless given.
+std::vector<GivenFlag> given_flags(const PlotRequest& request) {
+  const PlotRequest unset;
+  const Names records{stroke_kind, period_kind, separation_kind, speed_kind};
+  return {{"--relative-to", request.relative_to != unset.relative_to, {period_kind, separation_kind}},
+          {"--axes", request.axes != unset.axes, {period_kind, separation_kind}},
+          {"--reference", request.reference != unset.reference, {speed_kind}},
+          {"--against", request.against != unset.against, {stroke_kind}},
+          {"--method", request.methods != unset.methods, records},
+          {"--cycle", request.cycle != unset.cycle, records},
+          {"--swimmers", request.swimmers != unset.swimmers, {trajectories_kind}},
+          {"--beads", request.beads != unset.beads, {trajectories_kind}},
+          {"--along", request.along != unset.along, {trajectories_kind}},
+          {"--frame", request.frame != unset.frame, {swarm_kind}},
+          {"--colours", request.colours != unset.colours, {swarm_kind}},
+          {"--block-swimmers", request.block_swimmers != unset.block_swimmers, {swarm_kind}},
+          {"--repeat", request.repeat != unset.repeat, {swarm_kind}}};
+}
+
 }  // namespace
 
 void add_flags(CLI::App& program, PlotRequest& request) {
@@ -72,14 +173,15 @@ void add_flags(CLI::App& program, PlotRequest& request) {
           "stroke: arm amplitudes and phase shift. velocity-against-period: velocity along the swimmer's "
           "axis, against the mean flow along periodic axes. separation: the same velocity against l/λ, "
           "the beads' smallest separation over their radius. speed-against-error: periods that a core does "
-          "in "
-          "an hour, against the error of velocity and stroke, by setting and resolution.")
-      ->type_name("stroke|velocity-against-period|separation|speed-against-error");
+          "in an hour, against the error of velocity and stroke, by setting and resolution. trajectories: a "
+          "coordinate of beads against time. swarm: a picture of all beads at one frame.")
+      ->type_name("stroke|velocity-against-period|separation|speed-against-error|trajectories|swarm");
   program
       .add_option(
           "FILES", request.files,
           "Run records (drawn as points) and predictions (as lines): one document a file, or one a line. "
-          "One may be - for standard input.")
+          "One may be - for standard input. For trajectories and swarm: what beadswim-run wrote, .h5md or, "
+          "of a run that goes on or was killed, .h5md.part.")
       ->type_name("FILE...")
       ->default_str("");
   program.add_option("-o,--output", request.output, "Figure to write: .svg, .png, or - for SVG on stdout.")
@@ -93,25 +195,23 @@ void add_flags(CLI::App& program, PlotRequest& request) {
       ->delimiter(',')
       ->default_str("the best");
   add_figure_flags(program, request);
+  add_trajectory_flags(program, request);
+  add_swarm_flags(program, request);
 }
 
 void require_consistent(const PlotRequest& request) {
-  const Names kinds{stroke_kind, period_kind, separation_kind, speed_kind};
+  const Names kinds{stroke_kind, period_kind, separation_kind, speed_kind, trajectories_kind, swarm_kind};
   if (request.kind.empty()) {
     throw InputError("KIND", fmt::format("none given; there are {}", fmt::join(kinds, ", ")));
   }
   require_name("KIND", request.kind, kinds);
-  const bool is_stroke = request.kind == stroke_kind, is_speed = request.kind == speed_kind;
-  const auto refuse = [&](const std::string& flag) {
-    throw InputError(flag, fmt::format("has no meaning for {}; leave it out", request.kind));
-  };
-  if ((is_stroke || is_speed) && !request.relative_to.empty()) refuse("--relative-to");
-  if ((is_stroke || is_speed) && request.axes != "auto") refuse("--axes");
-  if (!is_speed && !request.reference.empty()) refuse("--reference");
-  if (is_speed && request.reference.empty()) {
+  for (const GivenFlag& flag : given_flags(request)) {
+    if (!flag.given || std::ranges::find(flag.kinds, request.kind) != flag.kinds.end()) continue;
+    throw InputError(flag.name, fmt::format("has no meaning for {}; leave it out", request.kind));
+  }
+  if (request.kind == speed_kind && request.reference.empty()) {
     throw InputError("--reference", "none given; name a prediction or a run from which errors are measured");
   }
-  if (!is_stroke && request.against != "cycle") refuse("--against");
 }
 
 std::optional<Abscissa> parse_against(const std::string& name) {
@@ -127,6 +227,33 @@ Axes parse_axes(const std::string& name) {
   return value_named("--axes", name,
                      std::array{Choice{"auto", Axes::automatic}, Choice{"linear", Axes::linear},
                                 Choice{"log-y", Axes::log_y}, Choice{"log-log", Axes::log_log}});
+}
+
+TrajectoryFigureOptions trajectory_options(const PlotRequest& request) {
+  using Axis = std::pair<const char*, int>;
+  TrajectoryFigureOptions options;
+  options.axis = value_named("--along", request.along, std::array{Axis{"x", 0}, Axis{"y", 1}, Axis{"z", 2}});
+  if (!request.swimmers.empty()) options.swimmers = whole_numbers_in(request.swimmers);
+  options.beads.clear();
+  for (const std::string& bead : CLI::detail::split(request.beads, ',')) {
+    options.beads.push_back(
+        value_named("--beads", bead, std::array{Axis{"1", 1}, Axis{"2", 2}, Axis{"3", 3}}));
+  }
+  return options;
+}
+
+SwarmFigureOptions swarm_options(const PlotRequest& request) {
+  using Choice = std::pair<const char*, SwarmColours>;
+  SwarmFigureOptions options;
+  if (request.frame != "last") options.frame = static_cast<std::size_t>(whole_numbers_in(request.frame)[0]);
+  options.colours = value_named(
+      "--colours", request.colours,
+      std::array{Choice{"blocks", SwarmColours::blocks}, Choice{"swimmers", SwarmColours::swimmers},
+                 Choice{"types", SwarmColours::types}});
+  options.block_swimmers = whole_numbers_in(request.block_swimmers);
+  const std::vector<int> repeat = whole_numbers_in(request.repeat);
+  options.repeat = {repeat[0], repeat[1], repeat[2]};
+  return options;
 }
 
 }  // namespace beadswim

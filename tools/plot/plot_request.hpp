@@ -6,6 +6,8 @@
 
 #include "abscissa.hpp"
 #include "beadswim/tools/program.hpp"
+#include "swarm_figure.hpp"
+#include "trajectory_figure.hpp"
 #include "velocity_figure.hpp"
 
 namespace beadswim {
@@ -14,6 +16,8 @@ inline constexpr const char* stroke_kind = "stroke";
 inline constexpr const char* period_kind = "velocity-against-period";
 inline constexpr const char* separation_kind = "separation";
 inline constexpr const char* speed_kind = "speed-against-error";
+inline constexpr const char* trajectories_kind = "trajectories";
+inline constexpr const char* swarm_kind = "swarm";
 
 /// The command line, as text.
 struct PlotRequest {
@@ -26,6 +30,13 @@ struct PlotRequest {
   std::string against = "cycle";
   std::string axes = "auto";
   std::string cycle = "last";
+  std::string swimmers;
+  std::string beads = "2";
+  std::string along = "x";
+  std::string frame = "last";
+  std::string colours = "blocks";
+  std::string block_swimmers = "1,3,3";
+  std::string repeat = "1,1,1";
 };
 
 void add_flags(CLI::App& program, PlotRequest& request);
@@ -36,5 +47,9 @@ void require_consistent(const PlotRequest& request);
 /// None: against the cycle. Throws InputError for an unknown name, as does the other.
 std::optional<Abscissa> parse_against(const std::string& name);
 Axes parse_axes(const std::string& name);
+
+/// Of trajectories and swarm. Throw InputError naming flag, value and what is allowed.
+TrajectoryFigureOptions trajectory_options(const PlotRequest& request);
+SwarmFigureOptions swarm_options(const PlotRequest& request);
 
 }  // namespace beadswim

@@ -8,14 +8,13 @@
 #include <limits>
 
 #include "beadswim/core/error.hpp"
+#include "palette.hpp"
 #include "svg.hpp"
 #include "visible_stretches.hpp"
 
 namespace beadswim {
 namespace {
 
-// Okabe and Ito's palette for all kinds of colour vision, without yellow, which is faint on white.
-constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 constexpr std::array dashes{"", "6 4", "1.5 3", "8 3 2 3", "13 4", "8 3 2 3 2 3"};
 constexpr double line_width = 1.8, faint_line_width = 1.1;
 constexpr double faint_opacity = 0.65;
@@ -148,8 +147,7 @@ std::string draw_y_axis(const PlotArea& area, const AxisLabel& label) {
 
 svg::Stroke line_stroke(const Series& series) {
   const bool plain = series.emphasis == Emphasis::plain;
-  return {palette[static_cast<std::size_t>(series.colour) % palette.size()],
-          plain ? line_width : faint_line_width,
+  return {palette[palette_place(series.colour)], plain ? line_width : faint_line_width,
           dashes[static_cast<std::size_t>(series.dash) % dashes.size()], plain ? 1.0 : faint_opacity};
 }
 

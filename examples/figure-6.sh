@@ -1,0 +1,37 @@
+#!/bin/bash
+# Figure 6 of the paper: the swarm with layers of unequal distance, nine swimmers in 120 x 120 x 120.
+#   examples/figure-6.sh [FOLDER [FLAGS of beadswim-run...]]     writes to FOLDER (default out/figure-6):
+#     defect.h5md, defect.json   the run; kept if it is there
+#     figure-6a.svg              x of the middle beads of swimmers A and B
+#     figure-6b.svg              z of the beads of A, which stands at a corner of its block
+#     figure-6c.svg              y of the beads of B, in its block at the edge along y and in the middle along z
+#     figure-6-swarm.svg         the swarm at the end
+# A cycle takes some 50 s on one core at the paper's resolution, and 1 to 2 s with
+# --cells-per-radius 3 --precision single; --cycles N does fewer than 124. SWARM_FLAGS in the environment are flags of
+# beadswim-layout swarm, such as SWARM_FLAGS='--stiffness 0.0347'.
+set -euo pipefail
+
+cycles=124
+frames_per_cycle=12
+A=0               # at y = z = 23; blocks of 3 x 3 are numbered along y first
+B=3               # at y = 23, z = 60
+
+out=${1:-out/figure-6}
+shift "$(($# > 0))"
+mkdir -p "$out"
+command -v beadswim-plot >/dev/null || PATH=$(cd "$(dirname "$0")/.." && pwd)/build/release/bin:$PATH
+[[ " $* " == *" --cycles "* ]] || set -- --cycles "$cycles" "$@"
+
+if [ ! -e "$out/defect.h5md" ]; then
+  status=0
+  beadswim-layout swarm --preset paper-defect ${SWARM_FLAGS:-} |
+    beadswim-run - -o "$out/defect.h5md" --frames-per-cycle "$frames_per_cycle" "$@" >"$out/defect.json" || status=$?
+  # 4 and 3: stopped for a bead's speed or by contact, with what there was until then; a result here.
+  [ "$status" -eq 0 ] || [ "$status" -eq 4 ] || [ "$status" -eq 3 ] || exit "$status"
+fi
+
+beadswim-plot trajectories "$out/defect.h5md" --swimmers "$A,$B" --along x -o "$out/figure-6a.svg"
+beadswim-plot trajectories "$out/defect.h5md" --swimmers "$A" --beads 1,2,3 --along z -o "$out/figure-6b.svg"
+beadswim-plot trajectories "$out/defect.h5md" --swimmers "$B" --beads 1,2,3 --along y -o "$out/figure-6c.svg"
+beadswim-plot swarm "$out/defect.h5md" --repeat 2,2,2 -o "$out/figure-6-swarm.svg"
+for part in a b c -swarm; do echo "$out/figure-6$part.svg" >&2; done

@@ -1,0 +1,258 @@
+#include "beadswim/io/trajectory_reader.hpp"
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr const char* remedy = "give a trajectory as beadswim-run wrote it (.h5md or .h5md.part)";
+constexpr hsize_t most_beads = 100'000'000;  // more is a broken number
+
+[[noreturn]] void refuse(const std::string& place, const std::string& what) {
+  throw InputError(place, what + "; " + remedy);
+}
+
+/// A handle to what the file should hold; InputError if it does not.
+H5Handle opened(hid_t id, H5Handle::Close close, const std::string& place, const std::string& fault) {
+  if (id < 0) refuse(place, fault);
+  return {id, close, place};
+}
+
+void require_regular_file(const std::string& path) {
+  struct stat status {};
+  if (path == "-") throw InputError(path, "a trajectory cannot be read from standard input; name the file");
+  if (stat(path.c_str(), &status) != 0 || access(path.c_str(), R_OK) != 0) {
+    refuse(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+  }
+  if (!S_ISREG(status.st_mode)) refuse(path, "is not a regular file");
+}
+
+/// Without HDF5's lock, which the run that writes the file holds.
+H5Handle open_file(const std::string& path) {
+  require_regular_file(path);
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are exceptions of ours, not HDF5's stack on stderr
+  const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
+  check_hdf5(H5Pset_file_locking(access, false, true), path);
+  return opened(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
+                "is no HDF5 file, or a broken one");
+}
+
+std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
+  const H5Handle space(H5Dget_space(dataset), H5Sclose, place);
+  const int rank = H5Sget_simple_extent_ndims(space);
+  if (rank < 0) refuse(place, "has no extents");
+  std::vector<hsize_t> extents(rank);
+  H5Sget_simple_extent_dims(space, extents.data(), nullptr);
+  return extents;
+}
+
+hid_t native_type(double) {
+  return H5T_NATIVE_DOUBLE;
+}
+hid_t native_type(int) {
+  return H5T_NATIVE_INT;
+}
+hid_t native_type(std::int64_t) {
+  return H5T_NATIVE_INT64;
+}
+
+/// Texts of fixed length, padded with zeros.
+std::vector<std::string> cut_apart(const std::string& padded, std::size_t length) {
+  std::vector<std::string> texts;
+  for (std::size_t at = 0; at + length <= padded.size(); at += length) {
+    const std::string text = padded.substr(at, length);
+    texts.push_back(text.substr(0, text.find('\0')));
+  }
+  return texts;
+}
+
+/// The length of a text of this type; 0 if it is not one of fixed length.
+std::size_t text_length(hid_t type) {
+  const bool fixed = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
+  return fixed ? H5Tget_size(type) : 0;
+}
+
+std::vector<std::string> text_attribute(hid_t file, const std::string& path, const std::string& object,
+                                        const std::string& name) {
+  const std::string place = fmt::format("{}:/{}", path, object);
+  const H5Handle attribute =
+      opened(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, place,
+             fmt::format("has no attribute \"{}\"", name));
+  const H5Handle type(H5Aget_type(attribute), H5Tclose, place);
+  const H5Handle space(H5Aget_space(attribute), H5Sclose, place);
+  const std::size_t length = text_length(type);
+  const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
+  std::string padded(length * count, '\0');
+  if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
+    refuse(place, fmt::format("attribute \"{}\" is no text", name));
+  }
+  return cut_apart(padded, length);
+}
+
+}  // namespace
+
+TrajectoryReader::TrajectoryReader(const std::string& path)
+    : path_(path),
+      file_(open_file(path)),
+      frames_(std::numeric_limits<std::size_t>::max()),
+      beads_(open_table("particles/beads/species", {}).extents[0]),
+      step_(open_series("particles/beads/position/step", {})),
+      time_(open_series("particles/beads/position/time", {})),
+      edges_(open_series("particles/beads/box/edges/value", {3, 3})),
+      position_(open_series("particles/beads/position/value", {beads_, 3})),
+      image_(open_series("particles/beads/image/value", {beads_, 3})),
+      velocity_(open_series("particles/beads/velocity/value", {beads_, 3})),
+      mean_flow_(open_series("observables/mean_flow/value", {3})),
+      momentum_(open_series("observables/momentum/value", {3})) {
+  if (frames_ == 0) throw InputError(path, "holds no frame yet; wait for the run's first, or run it again");
+  if (beads_ == 0 || beads_ > most_beads) refuse(path, fmt::format("has {} beads", beads_));
+  read_header();
+}
+
+TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
+                                                     std::vector<hsize_t> row) const {
+  const std::string place = path_ + ":/" + name;
+  H5Handle dataset =
+      opened(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
+  Table table{place, std::move(dataset), {}};
+  table.extents = extents_of(table.dataset, place);
+  if (table.extents.size() != row.size() + 1 ||
+      !std::equal(row.begin(), row.end(), table.extents.begin() + 1)) {
+    refuse(place, "has another shape than docs/formats/h5md.md says");
+  }
+  return table;
+}
+
+TrajectoryReader::Table TrajectoryReader::open_series(const std::string& name, std::vector<hsize_t> row) {
+  Table table = open_table(name, std::move(row));
+  frames_ = std::min<std::size_t>(frames_, table.extents[0]);  // a killed run may have grown some of them
+  return table;
+}
+
+template <typename Number>
+std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t first, hsize_t count) {
+  std::vector<hsize_t> start(table.extents.size(), 0), size = table.extents;
+  start[0] = first;
+  size[0] = count;
+  hsize_t numbers = 1;
+  for (const hsize_t n : size) numbers *= n;
+  const H5Handle in_file(H5Dget_space(table.dataset), H5Sclose, table.place);
+  const H5Handle in_memory(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place);
+  check_hdf5(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
+             table.place);
+  std::vector<Number> values(numbers);
+  if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
+    refuse(table.place, "cannot be read as numbers");
+  }
+  const auto is_number = [](Number value) { return std::isfinite(static_cast<double>(value)); };
+  if (!std::all_of(values.begin(), values.end(), is_number)) {
+    refuse(table.place, "holds a number that is not finite");
+  }
+  return values;
+}
+
+template <typename Number>
+std::vector<Number> TrajectoryReader::read_all(const std::string& name) const {
+  const Table table = open_table(name, {});
+  if (table.extents[0] != beads_) refuse(table.place, fmt::format("is not of {} beads", beads_));
+  return read_rows<Number>(table, 0, beads_);
+}
+
+std::vector<Vec3> TrajectoryReader::vectors(const Table& table, std::size_t frame) const {
+  const std::vector<double> numbers = read_rows<double>(table, frame, 1);
+  std::vector<Vec3> vectors(numbers.size() / 3);
+  for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = Vec3(&numbers[3 * i]);
+  return vectors;
+}
+
+std::string TrajectoryReader::text(const std::string& name) const {
+  const std::string place = path_ + ":/" + name;
+  const H5Handle dataset =
+      opened(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
+  const H5Handle type(H5Dget_type(dataset), H5Tclose, place);
+  const std::size_t length = text_length(type);
+  std::string padded(length, '\0');
+  if (length == 0 || !extents_of(dataset, place).empty() ||
+      H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
+    refuse(place, "is no text");
+  }
+  return cut_apart(padded, length).front();
+}
+
+std::map<std::string, std::string> TrajectoryReader::texts(const std::string& group) const {
+  const std::string place = path_ + ":/" + group;
+  const H5Handle opened_group =
+      opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, "is missing or broken");
+  H5G_info_t info{};
+  check_hdf5(H5Gget_info(opened_group, &info), place);
+  std::map<std::string, std::string> result;
+  for (hsize_t i = 0; i < info.nlinks; ++i) {
+    std::array<char, 256> name{};
+    if (H5Lget_name_by_idx(opened_group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
+                           H5P_DEFAULT) < 0) {
+      refuse(place, "is broken");
+    }
+    result[name.data()] = text(group + "/" + name.data());
+  }
+  return result;
+}
+
+std::array<bool, 3> TrajectoryReader::periodic_axes() const {
+  const std::string box = "particles/beads/box";
+  const std::vector<std::string> boundary = text_attribute(file_, path_, box, "boundary");
+  if (boundary.size() != 3) refuse(path_ + ":/" + box, "has not three boundaries");
+  return {boundary[0] == "periodic", boundary[1] == "periodic", boundary[2] == "periodic"};
+}
+
+Vec3 TrajectoryReader::box_lengths(std::size_t frame) const {
+  const std::vector<double> edges = read_rows<double>(edges_, frame, 1);
+  const Vec3 lengths(edges[0], edges[4], edges[8]);
+  if (!(lengths.array() > 0).all()) refuse(edges_.place, "holds a box without volume");
+  return lengths;
+}
+
+void TrajectoryReader::read_header() {
+  header_.box_lengths = box_lengths(0);
+  header_.periodic = periodic_axes();
+  header_.swimmer = read_all<int>("particles/beads/swimmer");
+  header_.bead = read_all<int>("particles/beads/species");
+  header_.radius = read_all<double>("particles/beads/radius");
+  header_.creator_version = text_attribute(file_, path_, "h5md/creator", "version").front();
+  header_.parameters = texts("parameters");
+  require_whole_swimmers();
+}
+
+void TrajectoryReader::require_whole_swimmers() const {
+  bool whole = beads_ % 3 == 0;
+  for (std::size_t b = 0; whole && b < beads_; ++b) {
+    whole =
+        header_.bead[b] == static_cast<int>(b % 3) + 1 && header_.swimmer[b] == header_.swimmer[b - b % 3];
+  }
+  if (!whole) refuse(path_ + ":/particles/beads/species", "is not 1, 2, 3 of one swimmer after another");
+}
+
+TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
+  TrajectoryFrame frame;
+  frame.step = read_rows<std::int64_t>(step_, index, 1)[0];
+  frame.time = read_rows<double>(time_, index, 1)[0];
+  frame.positions = vectors(position_, index);
+  frame.velocities = vectors(velocity_, index);
+  const std::vector<Vec3> images = vectors(image_, index);
+  const Vec3 lengths = box_lengths(index);
+  for (std::size_t b = 0; b < beads_; ++b) frame.positions[b] += images[b].cwiseProduct(lengths);
+  frame.mean_flow = vectors(mean_flow_, index)[0];
+  frame.momentum = vectors(momentum_, index)[0];
+  return frame;
+}
+
+}  // namespace beadswim

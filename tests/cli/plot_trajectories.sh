@@ -1,0 +1,143 @@
+#!/bin/bash
+# beadswim-plot trajectories and swarm: figures of what beadswim-run wrote.
+source "$(dirname "$0")/harness.sh"
+
+well_formed() { # FILE
+  check "$1 is not well-formed XML" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$1"
+}
+drawn() { # NUMBER REGEX   on how many lines of out it is
+  check "there are not $1 lines like $2" test "$(grep -cE -- "$2" out)" -eq "$1"
+}
+simulate() { # NAME FLAGS...   layout on standard input
+  local name=$1
+  shift
+  beadswim-run - -o "$name.h5md" --cells-per-radius 3 --progress none "$@" >"$name.record" 2>err
+}
+
+beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce 2>err | simulate cell --cycles 1
+beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,2 --blocks 2,1,1 >eight.json
+simulate eight --cycles 0.1 --frames-per-cycle 40 <eight.json
+
+# --- trajectories: coordinates of beads, as the run record has them
+accepts beadswim-plot trajectories cell.h5md
+well_formed out
+drawn 2 '<polyline'   # one swimmer's middle bead, and its legend
+out_has '>swimmer 0<'
+out_has '>Middle beads along x<'
+out_has '>time \(cycles of the driving\)<'
+out_has 'cell: 1 swimmer, T = 2000, box 96 × 32 × 32; 1 cycles'
+check 'not every frame is a point' test "$(grep -m 1 -oE '<polyline points="[^"]*"' out | tr ' ' '\n' | grep -c ,)" -eq 41
+same_bytes 'beadswim-plot trajectories cell.h5md' 'beadswim-plot trajectories cell.h5md'
+accepts beadswim-plot trajectories cell.h5md --along z
+check 'a straight swimmer leaves its line' \
+  test "$(grep -m 1 -oE '<polyline points="[^"]*"' out | cut -d'"' -f2 | tr ' ' '\n' | cut -d, -f2 | sort -u | wc -l)" -eq 1
+accepts beadswim-plot trajectories cell.h5md --beads 1,2,3
+drawn 6 '<polyline'
+out_has '>swimmer 0, bead 3<'
+out_has '>Beads along x<'
+accepts beadswim-plot trajectories eight.h5md --swimmers 0,7 --beads 1,3
+drawn 8 '<polyline'
+out_has '>swimmer 7, bead 1<'
+accepts beadswim-plot trajectories cell.h5md eight.h5md --swimmers 0
+drawn 4 '<polyline'
+out_has '>eight, swimmer 0<'
+
+# The bead moves along the page as it does in the run: from one end of the cycle to the other by v T.
+moved=$(jq '.swimmers[0].cycles[0].velocity[0] * 2000' cell.record)
+accepts beadswim-plot trajectories cell.h5md --beads 1,2,3
+python3 - "$moved" >out.check 2>err <<'PYTHON'
+import re, sys
+text = open("out").read()
+ticks = [(float(v), float(y) - 4) for y, v in re.findall(r'<text x="[\d.]+" y="([\d.]+)"[^>]*text-anchor="end">([-\d.]+)<', text)]
+(v0, y0), (v1, y1) = ticks[0], ticks[-1]
+lines = [l for l in re.findall(r'<polyline points="([^"]*)"', text) if l.count(" ") == 40]
+ends = [[float(p.split(",")[1]) for p in (l.split(" ")[0], l.split(" ")[-1])] for l in lines]
+mean = sum((b - a) * (v1 - v0) / (y1 - y0) for a, b in ends) / 3
+print(len(lines), mean)
+sys.exit(len(lines) != 3 or abs(mean - float(sys.argv[1])) > 0.01 * (v1 - v0))
+PYTHON
+check "the figure's displacement is not the record's" test $? -eq 0
+
+# --- swarm
+accepts beadswim-plot swarm cell.h5md
+well_formed out
+drawn 3 '<circle class="b0"'
+drawn 2 '<path'
+out_has '>Swarm after 1 cycles<'
+out_has '>1 swimmer in a box of 96 × 32 × 32<'
+accepts beadswim-plot swarm cell.h5md --frame 0 --repeat 2,6,3
+well_formed out
+out_has '>Swarm after 0 cycles<'
+out_has 'its periodic copies drawn 2 × 6 × 3'
+drawn 54 '<circle class="b0"'   # 2 x 2 x 1 blocks of 9 in a checkerboard
+drawn 54 '<circle class="b1"'
+same_bytes 'beadswim-plot swarm cell.h5md' 'beadswim-plot swarm cell.h5md --frame 40'
+# A swarm and its cell's copies look the same, but for the note.
+picture() { beadswim-plot swarm "$@" --frame 0 --block-swimmers 1,1,1 | grep -v 'in a box'; }
+export -f picture
+same_bytes 'picture eight.h5md' 'picture cell.h5md --repeat 2,2,2'
+accepts beadswim-plot swarm eight.h5md --colours swimmers
+for colour in 1 2 3 4 5 6; do drawn 3 "<circle class=\"b$colour\""; done
+drawn 6 '<circle class="b0"'    # seven colours, eight swimmers
+accepts beadswim-plot swarm eight.h5md --block-swimmers 4
+drawn 12 '<circle class="b0"'
+drawn 12 '<circle class="b1"'
+beadswim-layout swarm --preset paper-uniform --block-swimmers 1,1,1 --arm 31 >other.json
+beadswim-layout defect mixture --with other.json --count 3 eight.json | simulate mixture --cycles 0.05
+accepts beadswim-plot swarm mixture.h5md --colours types
+check 'there are not two keys' test "$(grep -cE '<circle' out)" -eq 26
+
+# A swarm of the paper's size is a file that opens.
+accepts beadswim-plot swarm cell.h5md --repeat 20,24,24 -o large.svg
+check 'not 34560 beads' test "$(grep -c '<circle' large.svg)" -eq 34560
+check 'over 3 MB' test "$(stat -c %s large.svg)" -lt 3000000
+if command -v rsvg-convert >/dev/null; then
+  accepts beadswim-plot swarm eight.h5md -o swarm.png
+  check 'swarm.png is no PNG' test "$(head -c 8 swarm.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a
+fi
+
+# --- a run that was killed leaves FILE.h5md.part
+beadswim-run eight.json -o killed.h5md --cells-per-radius 3 --cycles 1000 --frames-per-cycle 100 --progress none >/dev/null 2>&1 &
+for _ in $(seq 100); do
+  run beadswim-plot trajectories killed.h5md.part --swimmers 0
+  [ "$status" -eq 0 ] && break
+  sleep 0.1
+done
+check 'a file in the making cannot be read' test "$status" -eq 0
+kill -KILL $! 2>/dev/null
+wait 2>/dev/null
+accepts beadswim-plot swarm killed.h5md.part
+
+# --- what it refuses
+refuses 'FILES: no file given; name trajectories' beadswim-plot trajectories
+refuses 'FILES: 2 given; a swarm is drawn from one' beadswim-plot swarm cell.h5md eight.h5md
+refuses '^beadswim-plot: no.h5md: cannot be read: No such file or directory; give a trajectory' beadswim-plot swarm no.h5md
+refuses 'cell.record: is no HDF5 file, or a broken one; give a trajectory' beadswim-plot trajectories cell.record
+refuses 'a trajectory cannot be read from standard input; name the file' beadswim-plot swarm -
+head -c 3000 cell.h5md >cut.h5md
+refuses 'cut.h5md: ' beadswim-plot swarm cut.h5md
+refuses '--swimmers: no swimmer 9 in eight.h5md; the nearest is 7, ids are 0 to 7' \
+  beadswim-plot trajectories eight.h5md --swimmers 0,9
+refuses '--swimmers: "-1": must be a whole number' beadswim-plot trajectories eight.h5md --swimmers=-1
+refuses '--swimmers: 24 curves, but at most 12 can be told apart' beadswim-plot trajectories eight.h5md --beads 1,2,3
+refuses '--beads: unknown "4"; did you mean' beadswim-plot trajectories cell.h5md --beads 4
+refuses '--along: unknown "w"; did you mean "x"\? There are x, y, z' beadswim-plot trajectories cell.h5md --along w
+refuses '--frame: no frame 41 in cell.h5md; the last is 40' beadswim-plot swarm cell.h5md --frame 41
+refuses '--frame: "lst": must be last or a whole number' beadswim-plot swarm cell.h5md --frame lst
+refuses '--colours: unknown "block"; did you mean "blocks"' beadswim-plot swarm cell.h5md --colours block
+refuses '--repeat: "2,2": 2 values, but 3 are needed' beadswim-plot swarm cell.h5md --repeat 2,2
+refuses '--repeat: "0": must be a whole number from 1' beadswim-plot swarm cell.h5md --repeat 0,1,1
+refuses '--repeat: makes 1e\+06 swimmers, and at most 200000' beadswim-plot swarm cell.h5md --repeat 100,100,100
+refuses '--block-swimmers: "1,3": 2 values, but 1 or 3' beadswim-plot swarm cell.h5md --block-swimmers 1,3
+refuses '--repeat: has no meaning for trajectories' beadswim-plot trajectories cell.h5md --repeat 2,2,2
+refuses '--along: has no meaning for swarm' beadswim-plot swarm cell.h5md --along y
+refuses '--method: has no meaning for swarm' beadswim-plot swarm cell.h5md --method all
+refuses '--cycle: has no meaning for trajectories' beadswim-plot trajectories cell.h5md --cycle 1
+refuses 'KIND: unknown "trajectory"; did you mean "trajectories"' beadswim-plot trajectory cell.h5md
+beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary free-slip | simulate closed --cycles 0.05
+refuses '--repeat: 2 along y, where the box of closed.h5md is not periodic; give 1' beadswim-plot swarm closed.h5md --repeat 1,2,1
+accepts beadswim-plot swarm closed.h5md
+accepts beadswim-plot --help
+for flag in --swimmers --beads --along --frame --colours --block-swimmers --repeat; do out_has "^  $flag"; done
+
+finish

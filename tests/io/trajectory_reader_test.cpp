@@ -1,0 +1,224 @@
+#include "beadswim/io/trajectory_reader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <limits>
+
+#include "beadswim/core/error.hpp"
+
+// What TrajectoryWriter writes, TrajectoryReader reads; all else is refused with place and remedy.
+
+namespace beadswim {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+/// A folder of its own, gone with the test.
+struct Folder {
+  std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("trajectory_reader_test." + std::to_string(getpid()));
+  Folder() { std::filesystem::create_directories(path); }
+  ~Folder() { std::filesystem::remove_all(path); }
+  std::string file(const std::string& name) const { return path / name; }
+};
+
+TrajectoryHeader two_swimmers() {
+  return {.box_lengths = Vec3(10, 20, 40),
+          .periodic = {true, true, false},
+          .swimmer = {4, 4, 4, 7, 7, 7},
+          .bead = {1, 2, 3, 1, 2, 3},
+          .radius = {1, 1.5, 1, 0.5, 0.5, 0.25},
+          .creator_version = "1.2.3",
+          .parameters = {{"layout", "{ \"a\": 1 }\n"}, {"note", "λ"}}};
+}
+
+/// Positions that leave the box on both sides; all numbers are exact in single precision.
+TrajectoryFrame frame_number(int n) {
+  TrajectoryFrame frame{
+      .step = 50L * n, .time = 12.5 * n, .positions = {}, .velocities = {}, .mean_flow = Vec3(n, 0.1, 0)};
+  frame.momentum = Vec3(0, -n, 1e-9);
+  for (int b = 0; b < 6; ++b) {
+    frame.positions.push_back(Vec3(-11 + b + 8 * n, 19.5 + b, 3.25 - n));
+    frame.velocities.push_back(Vec3(0.5, b, -n));
+  }
+  return frame;
+}
+
+void write(const std::string& path, int frames, const TrajectoryHeader& header = two_swimmers(),
+           const std::function<void(TrajectoryFrame&)>& edit = {}) {
+  const Communicator communicator(MPI_COMM_SELF);
+  TrajectoryWriter writer(path, header, communicator);
+  for (int n = 0; n < frames; ++n) {
+    TrajectoryFrame frame = frame_number(n);
+    if (edit) edit(frame);
+    writer.append(frame);
+  }
+  writer.finish();
+}
+
+/// The message of the InputError that reading the file, all of it, throws; empty if there is none.
+std::string fault_of(const std::string& path) {
+  try {
+    const TrajectoryReader reader(path);
+    for (std::size_t n = 0; n < reader.frames(); ++n) static_cast<void>(reader.frame(n));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// Changes the finished file by HDF5 itself.
+void edit(const std::string& path, const std::function<void(hid_t)>& change) {
+  const H5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
+  change(file);
+}
+
+void expect_equal(const TrajectoryFrame& read, const TrajectoryFrame& written) {
+  EXPECT_EQ(read.step, written.step);
+  EXPECT_EQ(read.time, written.time);
+  EXPECT_EQ(read.positions, written.positions);
+  EXPECT_EQ(read.velocities, written.velocities);
+  EXPECT_EQ(read.mean_flow, written.mean_flow);
+  EXPECT_EQ(read.momentum, written.momentum);
+}
+
+TEST(TrajectoryReader, GivesBackWhatWasWritten) {
+  const Folder folder;
+  write(folder.file("run.h5md"), 5);
+  const TrajectoryReader reader(folder.file("run.h5md"));
+  const TrajectoryHeader written = two_swimmers();
+  EXPECT_EQ(reader.header().box_lengths, written.box_lengths);
+  EXPECT_EQ(reader.header().periodic, written.periodic);
+  EXPECT_EQ(reader.header().swimmer, written.swimmer);
+  EXPECT_EQ(reader.header().bead, written.bead);
+  EXPECT_EQ(reader.header().radius, written.radius);
+  EXPECT_EQ(reader.header().creator_version, written.creator_version);
+  EXPECT_EQ(reader.header().parameters, written.parameters);
+  ASSERT_EQ(reader.frames(), 5U);
+  for (const int n : {4, 0, 2}) expect_equal(reader.frame(n), frame_number(n));
+}
+
+// Such frames are chunks of their own, and compressed.
+TEST(TrajectoryReader, ReadsLargeSwarms) {
+  const Folder folder;
+  const int beads = 6000;
+  TrajectoryHeader header = two_swimmers();
+  header.swimmer.clear();
+  header.bead.clear();
+  header.radius.assign(beads, 1.0);
+  for (int b = 0; b < beads; ++b) {
+    header.swimmer.push_back(b / 3);
+    header.bead.push_back(b % 3 + 1);
+  }
+  const auto place = [](TrajectoryFrame& frame) {
+    frame.positions.clear();
+    for (int b = 0; b < beads; ++b)
+      frame.positions.push_back(Vec3(b, -b, 0.5 + static_cast<double>(frame.step)));
+    frame.velocities.assign(beads, Vec3::Zero());
+  };
+  write(folder.file("run.h5md"), 3, header, place);
+  const TrajectoryReader reader(folder.file("run.h5md"));
+  EXPECT_EQ(reader.frame(2).positions[5999], Vec3(5999, -5999, 100.5));
+}
+
+// A run that goes on holds the file, or was killed and left it so.
+TEST(TrajectoryReader, ReadsTheWholeFramesOfAFileThatIsBeingWritten) {
+  const Folder folder;
+  const Communicator communicator(MPI_COMM_SELF);
+  TrajectoryWriter writer(folder.file("run.h5md"), two_swimmers(), communicator);
+  for (int n = 0; n < 3; ++n) writer.append(frame_number(n));
+  std::filesystem::copy(folder.file("run.h5md.part"), folder.file("killed.h5md.part"));
+  const TrajectoryReader reader(folder.file("killed.h5md.part"));
+  ASSERT_EQ(reader.frames(), 3U);
+  expect_equal(reader.frame(2), frame_number(2));
+  EXPECT_EQ(TrajectoryReader(folder.file("run.h5md.part")).frames(), 3U);
+  writer.finish();
+}
+
+TEST(TrajectoryReader, SaysThatThereIsNoFrameYet) {
+  const Folder folder;
+  write(folder.file("run.h5md"), 0);
+  EXPECT_THAT(fault_of(folder.file("run.h5md")), HasSubstr("run.h5md: holds no frame yet; wait for"));
+}
+
+TEST(TrajectoryReader, RefusesWhatIsNoTrajectory) {
+  const Folder folder;
+  const auto path = folder.file("x.h5md");
+  EXPECT_THAT(fault_of(path),
+              AllOf(HasSubstr("x.h5md: cannot be read: No such file"), HasSubstr("; give a ")));
+  EXPECT_THAT(fault_of(folder.path), HasSubstr("is not a regular file"));
+  EXPECT_THAT(fault_of("-"), HasSubstr("name the file"));
+  std::ofstream(path) << "{ \"schema\": \"beadswim/run/1\" }\n";
+  EXPECT_THAT(fault_of(path), AllOf(HasSubstr("x.h5md: is no HDF5 file"), HasSubstr("give a trajectory")));
+  { const H5Handle empty(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path); }
+  EXPECT_THAT(fault_of(path), HasSubstr("x.h5md:/particles/beads/species: is missing"));
+}
+
+TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
+  const Folder folder;
+  const auto path = folder.file("run.h5md");
+  const auto fault_after = [&](const std::function<void(hid_t)>& change) {
+    write(path, 3);
+    edit(path, change);
+    return fault_of(path);
+  };
+  const auto without = [&](const char* name) {
+    return fault_after([&](hid_t file) { H5Ldelete(file, name, H5P_DEFAULT); });
+  };
+  for (const char* name : {"particles/beads/position/value", "particles/beads/image/value",
+                           "observables/momentum/value", "particles/beads/radius", "parameters"}) {
+    EXPECT_THAT(without(name), HasSubstr(std::string("run.h5md:/") + name + ": is missing or broken; give"));
+  }
+  EXPECT_THAT(fault_after([](hid_t file) { H5Adelete_by_name(file, "particles/beads/box", "boundary", 0); }),
+              HasSubstr("/particles/beads/box: has no attribute \"boundary\""));
+  EXPECT_THAT(fault_after([](hid_t file) {
+                H5Ldelete(file, "parameters/layout", H5P_DEFAULT);
+                write_dataset(file, "parameters/layout", std::array{1, 2});
+              }),
+              HasSubstr("/parameters/layout: is no text"));
+  EXPECT_THAT(fault_after([](hid_t file) {
+                H5Ldelete(file, "particles/beads/radius", H5P_DEFAULT);
+                write_dataset(file, "particles/beads/radius", std::array{1.0, 2.0});
+              }),
+              HasSubstr("/particles/beads/radius: is not of 6 beads"));
+  EXPECT_THAT(fault_after([](hid_t file) {
+                H5Ldelete(file, "particles/beads/position/value", H5P_DEFAULT);
+                write_dataset(file, "particles/beads/position/value", std::array{1.0, 2.0});
+              }),
+              HasSubstr("/particles/beads/position/value: has another shape"));
+}
+
+TEST(TrajectoryReader, RefusesSwimmersThatAreNotWholeAndNumbersThatAreNone) {
+  const Folder folder;
+  const auto path = folder.file("run.h5md");
+  TrajectoryHeader header = two_swimmers();
+  header.swimmer[4] = 4;
+  write(path, 1, header);
+  EXPECT_THAT(fault_of(path), HasSubstr("species: is not 1, 2, 3 of one swimmer after another"));
+  write(path, 2, two_swimmers(),
+        [](TrajectoryFrame& frame) { frame.velocities[3].x() = std::numeric_limits<double>::quiet_NaN(); });
+  EXPECT_THAT(fault_of(path), HasSubstr("velocity/value: holds a number that is not finite"));
+}
+
+// Cut short anywhere, a file is refused or read as far as it goes, and never a crash.
+TEST(TrajectoryReader, SurvivesFilesThatAreCutShort) {
+  const Folder folder;
+  const auto path = folder.file("run.h5md");
+  write(path, 40);
+  const auto size = std::filesystem::file_size(path);
+  for (int part = 0; part < 20; ++part) {
+    const auto cut = folder.file("cut.h5md");
+    std::filesystem::copy_file(path, cut, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(cut, size * part / 20);
+    EXPECT_THAT(fault_of(cut), HasSubstr("cut.h5md")) << part << " twentieths";
+  }
+}
+
+}  // namespace
+}  // namespace beadswim

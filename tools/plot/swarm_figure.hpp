@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "beadswim/compare/swarm_picture.hpp"
+
+namespace beadswim {
+
+enum class SwarmColours {
+  blocks,    ///< of neighbouring swimmers, in turn
+  swimmers,  ///< each its own, in turn
+  types,     ///< of the layout
+};
+
+struct SwarmFigureOptions {
+  std::optional<std::size_t> frame{};  ///< from 0; none: the last
+  SwarmColours colours = SwarmColours::blocks;
+  std::vector<int> block_swimmers{1, 3, 3};  ///< along each axis; or one number: by id, so many to a block
+  std::array<int, 3> repeat{1, 1, 1};        ///< periodic copies along each axis
+};
+
+/// The swarm at one frame, each swimmer with its middle bead in the box. Blocks of so many swimmers along
+/// each axis go by the layers in which middle beads stand in the layout, in a checkerboard of two colours.
+/// Throws InputError.
+SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFigureOptions& options);
+
+}  // namespace beadswim

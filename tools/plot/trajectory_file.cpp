@@ -1,0 +1,58 @@
+#include "trajectory_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
+
+namespace beadswim {
+namespace {
+
+Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
+  const auto& parameters = reader.header().parameters;
+  const auto found = parameters.find("layout");
+  const std::string place = path + ":/parameters/layout";
+  if (found == parameters.end()) {
+    throw InputError(place, "is missing; give a trajectory as beadswim-run wrote it");
+  }
+  Layout layout = layout_from_json(parse_json(found->second, place), place).layout;
+  if (layout.swimmers.size() * 3 != reader.header().swimmer.size()) {
+    throw InputError(place, fmt::format("has {} swimmers, and the trajectory {}; give a trajectory as "
+                                        "beadswim-run wrote it",
+                                        layout.swimmers.size(), reader.header().swimmer.size() / 3));
+  }
+  return layout;
+}
+
+}  // namespace
+
+double TrajectoryFile::period() const {
+  return layout.resolved_type(layout.swimmers.front()).driving.period;
+}
+
+std::vector<int> TrajectoryFile::swimmers() const {
+  const std::vector<int>& of_bead = reader.header().swimmer;
+  std::vector<int> ids;
+  for (std::size_t bead = 0; bead < of_bead.size(); bead += 3) ids.push_back(of_bead[bead]);
+  return ids;
+}
+
+TrajectoryFile open_trajectory(const std::string& path) {
+  TrajectoryReader reader(path);
+  Layout layout = layout_of(reader, path);
+  return {path, std::move(reader), std::move(layout)};
+}
+
+void refuse_swimmer(const std::string& flag, int id, const TrajectoryFile& file) {
+  const std::vector<int> ids = file.swimmers();
+  const auto distance = [id](int other) { return std::abs(static_cast<long>(other) - id); };
+  const int nearest = *std::ranges::min_element(ids, {}, distance);
+  const auto [low, high] = std::ranges::minmax(ids);
+  throw InputError(flag, fmt::format("no swimmer {} in {}; the nearest is {}, ids are {} to {}", id,
+                                     file.source, nearest, low, high));
+}
+
+}  // namespace beadswim
