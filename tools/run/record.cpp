@@ -82,7 +82,8 @@ RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, c
   record.domain = document.layout.domain;
   record.driving_period = on_lattice.period;
   record.driving = shared_driving(document.layout);
-  record.swimmers = parts.recorder.swimmers();
+  if (on_lattice.scene.swimmers.size() <= most_swimmers_listed) record.swimmers = parts.recorder.swimmers();
+  record.swarm = parts.recorder.swarm();
   record.momentum = MomentumRecord{.total = last.momentum * scales.momentum(),
                                    .initial = first.momentum * scales.momentum()};
   record.mass_relative_change = (1 + last.mass_excess) / (1 + first.mass_excess) - 1;

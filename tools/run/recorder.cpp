@@ -26,6 +26,40 @@ void transfer_note(Message& message, Note& note) {
   message(note.id, note.number, note.positions[0], note.positions[1], note.positions[2]);
 }
 
+template <class Message, class AnySpread>
+void transfer_spread(Message& message, AnySpread& spread) {
+  message(spread.mean, spread.deviation, spread.smallest, spread.largest);
+}
+template <class Message, class Value, class Transfer>
+void transfer_optional(Message& message, Value& value, Transfer&& transfer) {
+  bool is_there = value.has_value();
+  message(is_there);
+  if constexpr (std::is_same_v<Message, IncomingMessage>) {
+    if (is_there) value.emplace();
+  }
+  if (is_there) transfer(message, *value);
+}
+template <class Message, class Swimming>
+void transfer_swimming(Message& message, Swimming& swimming) {
+  message(swimming.swimmers, swimming.velocity, swimming.velocity_deviation, swimming.mean_flow,
+          swimming.arm_phase_order);
+  transfer_spread(message, swimming.speed_along_axis);
+  for (int arm = 0; arm < 2; ++arm) {
+    transfer_spread(message, swimming.arm_amplitudes[arm]);
+    transfer_spread(message, swimming.arm_means[arm]);
+  }
+}
+template <class Message, class Cycle>
+void transfer_swarm(Message& message, Cycle& cycle) {
+  auto& swarm = cycle.statistics;
+  message(swarm.index, swarm.swimmers, swarm.mean_axis, swarm.polar_order, swarm.nematic_order,
+          swarm.director, swarm.kinetic_energy, cycle.momentum);
+  transfer_spread(message, swarm.rotation);
+  transfer_optional(message, swarm.swimming, [](auto& m, auto& value) { transfer_swimming(m, value); });
+  transfer_optional(message, swarm.nearest_neighbour,
+                    [](auto& m, auto& value) { transfer_spread(m, value); });
+}
+
 /// A list, its length first: grows to it when it is read.
 template <class Message, class List, class Transfer>
 void transfer_list(Message& message, List& list, Transfer&& transfer) {
@@ -68,10 +102,13 @@ Recorder::Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int f
   std::ranges::sort(in_order, {}, &Swimmer::id);
   for (std::size_t s = 0; s < in_order.size(); ++s) {
     swimmers_.push_back({.id = in_order[s]->id, .cycles = {}});
-    periods_.push_back(layout.resolved_type(*in_order[s]).driving.period);
+    const SwimmerType type = layout.resolved_type(*in_order[s]);
+    periods_.push_back(type.driving.period);
+    beads_.push_back(type.beads);
     samples_per_cycle_.push_back(schedules_[on_lattice.scene.swimmers[s].type].per_cycle);
   }
   samples_.resize(swimmers_.size());
+  domain_ = *layout.domain;
 }
 
 long Recorder::step_of_frame(long frame) const {
@@ -115,7 +152,9 @@ void Recorder::take_notes(const Moment& now) {
     samples.push_back(sample);
     if (note.number == 0 || note.number % samples_per_cycle_[s] != 0) continue;
     const int index = static_cast<int>(note.number / samples_per_cycle_[s]);
-    swimmers_[s].cycles.push_back(cycle_statistics(index, samples, periods_[s]));
+    std::vector<CycleStatistics>& cycles = swimmers_[s].cycles;
+    if (swimmers_.size() > most_swimmers_listed) cycles.clear();
+    cycles.push_back(cycle_statistics(index, samples, periods_[s]));
     samples.erase(samples.begin(), samples.end() - 1);  // the end of one cycle is the start of the next
   }
   gathered_.clear();
@@ -141,7 +180,10 @@ void Recorder::record(const CoupledSystem& system, const SceneTotals& totals) {
   gather_notes();
   take_notes(now);
   last_frame_ = now;
-  if (next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0) append_cycles(frame.step, frame.time);
+  if (is_cycle_end()) {
+    append_cycles(frame.step, frame.time);
+    if (swimmers.size() > 1) append_swarm(swimmers, frame.momentum);
+  }
   ++next_frame_;
 }
 
@@ -167,10 +209,37 @@ void Recorder::append_cycles(long step, double time) {
   trajectory_.append(rows);
 }
 
+void Recorder::append_swarm(const std::vector<SwimmerState>& swimmers, const Vec3& momentum) {
+  const auto axis = [](const SwimmerMotion& motion) -> Vec3 {
+    return (motion[2].position - motion[0].position).normalized();
+  };
+  std::vector<SwarmMember> members;
+  for (std::size_t s = 0; s < swimmers.size(); ++s) {
+    const SwimmerMotion& motion = swimmers[s].motion;
+    SwarmMember& member = members.emplace_back();
+    member.axis = axis(motion);
+    member.initial_axis = swimmers[s].initial_axis;
+    if (!swimmers_[s].cycles.empty()) member.last_cycle = swimmers_[s].cycles.back();
+    for (int b = 0; b < 3; ++b) {
+      member.centre += motion[b].position * scales_.cell / 3;
+      const double speed = motion[b].velocity.norm() * scales_.velocity();
+      const double spin = motion[b].angular_velocity.norm() / scales_.step;
+      member.kinetic_energy +=
+          0.5 * mass(beads_[s][b]) * speed * speed + 0.5 * moment_of_inertia(beads_[s][b]) * spin * spin;
+    }
+  }
+  std::array<bool, 3> periodic{};
+  for (int a = 0; a < 3; ++a) periodic[a] = domain_.boundary[a] == Boundary::periodic;
+  const int index = static_cast<int>(next_frame_ / frames_per_cycle_);
+  swarm_.push_back(
+      {.statistics = swarm_statistics(index, members, domain_.lengths, periodic), .momentum = momentum});
+}
+
 template <class Message>
 void Recorder::transfer(Message& message) {
   message(next_frame_, last_frame_.time, last_frame_.mean_flow);
   transfer_list(message, gathered_, [](auto& m, auto& note) { transfer_note(m, note); });
+  transfer_list(message, swarm_, [](auto& m, auto& cycle) { transfer_swarm(m, cycle); });
   for (std::size_t s = 0; s < swimmers_.size(); ++s) {
     transfer_list(message, samples_[s], [](auto& m, auto& sample) { transfer_sample(m, sample); });
     transfer_list(message, swimmers_[s].cycles, [](auto& m, auto& cycle) { transfer_cycle(m, cycle); });

@@ -31,7 +31,9 @@ class Recorder {
   /// Takes the next frame. `totals`: of the system as it is now. Collective.
   void record(const CoupledSystem& system, const SceneTotals& totals);
 
-  const std::vector<SwimmerRecord>& swimmers() const { return swimmers_; }  ///< on rank 0
+  // On rank 0. Of many swimmers only the last cycle is kept.
+  const std::vector<SwimmerRecord>& swimmers() const { return swimmers_; }
+  const std::vector<SwarmCycle>& swarm() const { return swarm_; }
 
   /// What a checkpoint keeps; on rank 0, empty elsewhere. Collective.
   std::vector<char> state();
@@ -59,8 +61,11 @@ class Recorder {
   void gather_notes();
   void take_notes(const Moment& now);
   void append_cycles(long step, double time);
+  void append_swarm(const std::vector<SwimmerState>& swimmers, const Vec3& momentum);
   template <class Message>
   void transfer(Message& message);
+
+  bool is_cycle_end() const { return next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0; }
 
   LatticeScales scales_;
   const Communicator& communicator_;
@@ -78,6 +83,9 @@ class Recorder {
   std::vector<int> samples_per_cycle_;
   std::vector<SwimmerRecord> swimmers_;
   std::vector<std::vector<SwimmerSample>> samples_;  ///< of the cycle so far, one list a swimmer
+  Domain domain_;
+  std::vector<std::array<Bead, 3>> beads_;  ///< the layout's, of each swimmer
+  std::vector<SwarmCycle> swarm_;           ///< of two swimmers or more
 };
 
 }  // namespace beadswim

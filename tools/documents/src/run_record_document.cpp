@@ -79,6 +79,80 @@ Json json_of(const SwimmerRecord& swimmer) {
   return {{"id", swimmer.id}, {"cycles", cycles}};
 }
 
+Json json_of(const Spread& spread) {
+  return {{"mean", spread.mean},
+          {"deviation", spread.deviation},
+          {"smallest", spread.smallest},
+          {"largest", spread.largest}};
+}
+Json json_of(const std::array<Spread, 2>& arms) {
+  return Json::array({json_of(arms[0]), json_of(arms[1])});
+}
+
+Json json_of(const SwarmSwimming& swimming) {
+  return {{"swimmers", swimming.swimmers},
+          {"velocity", vec3_to_json(swimming.velocity)},
+          {"velocity_deviation", vec3_to_json(swimming.velocity_deviation)},
+          {"speed_along_axis", json_of(swimming.speed_along_axis)},
+          {"mean_flow", vec3_to_json(swimming.mean_flow)},
+          {"arm_amplitudes", json_of(swimming.arm_amplitudes)},
+          {"arm_means", json_of(swimming.arm_means)},
+          {"arm_phase_order", swimming.arm_phase_order}};
+}
+
+Json json_of(const SwarmCycle& cycle) {
+  const SwarmStatistics& swarm = cycle.statistics;
+  return {{"index", swarm.index},
+          {"swimmers", swarm.swimmers},
+          {"swimming", swarm.swimming ? json_of(*swarm.swimming) : Json(nullptr)},
+          {"mean_axis", vec3_to_json(swarm.mean_axis)},
+          {"polar_order", swarm.polar_order},
+          {"nematic_order", swarm.nematic_order},
+          {"director", vec3_to_json(swarm.director)},
+          {"rotation", json_of(swarm.rotation)},
+          {"nearest_neighbour", swarm.nearest_neighbour ? json_of(*swarm.nearest_neighbour) : Json(nullptr)},
+          {"kinetic_energy", swarm.kinetic_energy},
+          {"momentum", vec3_to_json(cycle.momentum)}};
+}
+
+Spread spread_from(const Json& json) {
+  return {.mean = json.at("mean").get<double>(),
+          .deviation = json.at("deviation").get<double>(),
+          .smallest = json.at("smallest").get<double>(),
+          .largest = json.at("largest").get<double>()};
+}
+std::array<Spread, 2> arms_from(const Json& json) {
+  return {spread_from(json.at(0)), spread_from(json.at(1))};
+}
+
+SwarmSwimming swarm_swimming_from(const Json& json) {
+  return {.swimmers = json.at("swimmers").get<int>(),
+          .velocity = vec3_from_json(json.at("velocity")),
+          .velocity_deviation = vec3_from_json(json.at("velocity_deviation")),
+          .speed_along_axis = spread_from(json.at("speed_along_axis")),
+          .mean_flow = vec3_from_json(json.at("mean_flow")),
+          .arm_amplitudes = arms_from(json.at("arm_amplitudes")),
+          .arm_means = arms_from(json.at("arm_means")),
+          .arm_phase_order = json.at("arm_phase_order").get<ArmNumbers>()};
+}
+
+SwarmCycle swarm_cycle_from(const Json& json) {
+  SwarmCycle cycle{.statistics = {}, .momentum = vec3_from_json(json.at("momentum"))};
+  SwarmStatistics& swarm = cycle.statistics;
+  swarm.index = json.at("index").get<int>();
+  swarm.swimmers = json.at("swimmers").get<int>();
+  if (!json.at("swimming").is_null()) swarm.swimming = swarm_swimming_from(json.at("swimming"));
+  swarm.mean_axis = vec3_from_json(json.at("mean_axis"));
+  swarm.polar_order = json.at("polar_order").get<double>();
+  swarm.nematic_order = json.at("nematic_order").get<double>();
+  swarm.director = vec3_from_json(json.at("director"));
+  swarm.rotation = spread_from(json.at("rotation"));
+  if (!json.at("nearest_neighbour").is_null())
+    swarm.nearest_neighbour = spread_from(json.at("nearest_neighbour"));
+  swarm.kinetic_energy = json.at("kinetic_energy").get<double>();
+  return cycle;
+}
+
 SwimmerRecord swimmer_from(const Json& json) {
   SwimmerRecord swimmer{json.at("id").get<int>(), {}};
   for (const Json& cycle : json.at("cycles")) swimmer.cycles.push_back(cycle_from(cycle));
@@ -197,7 +271,10 @@ RunRecord run_record_from_json(const Json& document, const std::string& source) 
   record.domain = domain_from_json(document.at("domain"));
   record.driving_period = document.at("driving").at("period").get<double>();
   record.driving = driving_from(document.at("driving"));
-  for (const Json& swimmer : document.at("swimmers")) record.swimmers.push_back(swimmer_from(swimmer));
+  if (document.contains("swimmers"))
+    for (const Json& swimmer : document.at("swimmers")) record.swimmers.push_back(swimmer_from(swimmer));
+  if (document.contains("swarm"))
+    for (const Json& cycle : document.at("swarm")) record.swarm.push_back(swarm_cycle_from(cycle));
   record.momentum = momentum_from(document.at("momentum"));
   record.mass_relative_change = value_unless_null<double>(document.at("mass_relative_change"));
   record.dimensionless = dimensionless_from(document.at("dimensionless"));
@@ -223,12 +300,16 @@ Json run_record_to_json(const RunRecord& record, RecordProvenance provenance) {
                    {"status", name_of(record.status)},
                    {"units", units_to_json(record.units)},
                    {"domain", domain_to_json(record.domain)},
-                   {"driving", driving_json(record)},
-                   {"swimmers", swimmers},
-                   {"momentum", json_of(record.momentum)},
-                   {"mass_relative_change", json_or_null(record.mass_relative_change)},
-                   {"dimensionless", json_of(record.dimensionless)},
-                   {"resolution", json_of(record.resolution)}};
+                   {"driving", driving_json(record)}};
+  if (!record.swimmers.empty()) document["swimmers"] = swimmers;
+  if (!record.swarm.empty() || record.swimmers.empty()) {
+    Json& swarm = document["swarm"] = Json::array();
+    for (const SwarmCycle& cycle : record.swarm) swarm.push_back(json_of(cycle));
+  }
+  document["momentum"] = json_of(record.momentum);
+  document["mass_relative_change"] = json_or_null(record.mass_relative_change);
+  document["dimensionless"] = json_of(record.dimensionless);
+  document["resolution"] = json_of(record.resolution);
   if (!record.reason.empty()) document["reason"] = record.reason;
   if (record.near_contact) document["near_contact"] = json_of(*record.near_contact);
   if (provenance == RecordProvenance::written && record.cost) document["cost"] = json_of(*record.cost);

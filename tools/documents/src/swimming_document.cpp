@@ -27,6 +27,14 @@ bool same_unit(const Units::Unit& a, const Units::Unit& b) {
   return a.name == b.name && a.si_factor == b.si_factor;
 }
 
+RunRecord with_swimmers(RunRecord record, const std::string& source) {
+  if (!record.swimmers.empty()) return record;
+  throw InputError(source,
+                   fmt::format("holds statistics of a swarm alone, of over {} swimmers; its swimmers are in "
+                               "the trajectory, which beadswim-plot trajectories draws",
+                               most_swimmers_listed));
+}
+
 }  // namespace
 
 bool same_units(const Units& a, const Units& b) {
@@ -40,7 +48,7 @@ std::string source_name(const std::string& path) {
 
 RunRecord read_run(const std::string& path) {
   refuse_trajectory(path);
-  return read_run_record(path);
+  return with_swimmers(read_run_record(path), source_name(path));
 }
 
 SwimmingDocument read_swimming(const std::string& path) {
@@ -48,7 +56,7 @@ SwimmingDocument read_swimming(const std::string& path) {
   const std::string source = source_name(path);
   const Json document = parse_json(read_text(path), source);
   const std::string kind = kind_of(document);
-  if (kind == "run") return run_record_from_json(document, source);
+  if (kind == "run") return with_swimmers(run_record_from_json(document, source), source);
   if (kind == "prediction") return predictions_from_json(document, source);
   throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
                                        "(\"beadswim/prediction/1\") is needed here",

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/compare/swarm_statistics.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/layout/layout.hpp"
@@ -20,6 +21,15 @@ enum class RunStatus { finished, stopped_speed, stopped_time, stopped_signal, fa
 struct SwimmerRecord {
   int id = 0;
   std::vector<CycleStatistics> cycles;  ///< whole cycles, in order
+};
+
+/// A record of more swimmers has statistics of the swarm alone; all swimmers are in the trajectory.
+constexpr std::size_t most_swimmers_listed = 64;
+
+/// A swarm, and the momentum of fluid and beads, at the end of a base cycle.
+struct SwarmCycle {
+  SwarmStatistics statistics;
+  Vec3 momentum = Vec3::Zero();
 };
 
 /// Of the driving forces (2.1).
@@ -84,7 +94,8 @@ struct RunRecord {
   std::optional<Domain> domain;          ///< none: unbounded fluid
   double driving_period = 0;             ///< the layout's base period
   std::optional<DrivingRecord> driving;  ///< none where the swimmers' differ
-  std::vector<SwimmerRecord> swimmers;
+  std::vector<SwimmerRecord> swimmers;   ///< none if there are more than most_swimmers_listed
+  std::vector<SwarmCycle> swarm;         ///< of two swimmers or more
   std::optional<MomentumRecord> momentum;
   std::optional<double> mass_relative_change;
   DimensionlessNumbers dimensionless;

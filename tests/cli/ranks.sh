@@ -1,0 +1,44 @@
+#!/bin/bash
+# A swarm whose swimmers cross the seams between ranks gives the same bytes on any number of ranks.
+source "$(dirname "$0")/harness.sh"
+
+# Middle beads, whose ranks own the swimmers, go to and fro across the planes in which ranks meet in a box of 48: 24 between
+# 2, 4 and 8 ranks, along all axes for 8, and 16 along z between 3.
+beadswim-layout swarm --preset paper-uniform --blocks 2,2,2 --block-swimmers 1,1,1 --radius 2 --arm 8 --core-gap 12 \
+  --block-gap 8,24,24 --period 200 --amplitude 0.4 --frame initial-axis |
+  beadswim-layout defect rotation --sigma 0.6 --seed 3 | beadswim-layout defect frequency --sigma 0.1 --seed 4 |
+  beadswim-layout defect phase --random --seed 5 |
+  jq '.swimmers[].position |= map(. + 12) | .swimmers[:2][].position[2] = 16' >swarm.json
+check "the swarm is laid out" test "$(jq '.swimmers | length' swarm.json)" -eq 8
+for scheme in mr psm; do
+  for ranks in 1 2 3 4 8; do
+    run mpirun -n $ranks beadswim-run swarm.json -o $scheme$ranks.h5md --cells-per-radius 2 --cycles 2 \
+      --bead-boundary $scheme --checkpoint-every 1 --progress none --no-provenance
+    has_status 0
+    mv out $scheme$ranks.json
+    check "a state" grep -q '"state_sha256": "[0-9a-f]\{64\}"' $scheme$ranks.json
+    [ $ranks -eq 1 ] && continue
+    check "$ranks ranks: record" cmp -s ${scheme}1.json $scheme$ranks.json
+    check "$ranks ranks: trajectory" cmp -s ${scheme}1.h5md $scheme$ranks.h5md
+    for part in lattice swimmers record trajectory layout flags; do  # all but the cost
+      check "$ranks ranks: checkpoint" h5diff ${scheme}1.h5md.ckpt.1 $scheme$ranks.h5md.ckpt.1 /$part
+    done
+  done
+done
+
+# h5dump's numbers are bead by bead, x, y, z; of middle beads those that have been on both sides of a plane.
+crossings() { # AXIS PLACE
+  h5dump -d /particles/beads/position/value -w 0 -y -m %.6f mr1.h5md | awk -v axis="$1" -v place="$2" '
+    /^ *[-0-9.]+,?$/ {
+      bead = int(n / 3) % 24
+      if (n++ % 3 != axis || bead % 3 != 1) next
+      if ($1 + 0 < place && $1 + 0 > place - 6) below[bead] = 1
+      if ($1 + 0 > place && $1 + 0 < place + 6) above[bead] = 1
+    }
+    END { for (bead in below) if (bead in above) ++count; print count + 0 }'
+}
+for plane in "0 24" "1 24" "2 24" "2 16"; do
+  command_line="crossings $plane"
+  check "swimmers change hands there" test "$(crossings $plane)" -gt 0
+done
+finish

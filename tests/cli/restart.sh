@@ -1,0 +1,196 @@
+#!/bin/bash
+# A run that is stopped, killed, or short of disk goes on from its last whole checkpoint, on any number of ranks, and
+# ends with the bits of an unbroken one.
+source "$(dirname "$0")/harness.sh"
+
+layout() { # FLAG...
+  beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic --period 100 \
+    --amplitude 0.02 "$@"
+}
+small() { # RANKS ARGUMENT...
+  mpirun -n "$1" beadswim-run "${@:2}" --progress none --no-provenance
+}
+# A file's record and trajectory against the unbroken run's, NAME.json and NAME.h5md.
+same_as() { # NAME RECORD TRAJECTORY
+  check "the record is that of an unbroken run" cmp -s "$1.json" "$2"
+  check "state_sha256 is there" grep -q '"state_sha256": "[0-9a-f]\{64\}"' "$2"
+  check "all datasets are those of an unbroken run" h5diff "$1.h5md" "$3"
+}
+resolution="--cells-per-radius 2 --relaxation-time 1.5"
+
+layout >layout.json
+small 2 layout.json -o whole.h5md $resolution --cycles 3 >whole.json
+
+# --- two checkpoints in turn, which change nothing, and from which a run goes on: on other numbers of ranks, to more
+# cycles, under another name
+run small 2 layout.json -o kept.h5md $resolution --cycles 2.5 --checkpoint-every 0.7
+has_status 0
+check "two checkpoints" test -s kept.h5md.ckpt.0 -a -s kept.h5md.ckpt.1
+check "no others" test "$(ls kept.h5md.* | wc -l)" -eq 2
+cp kept.h5md first.h5md
+for ranks in 1 3; do
+  for slot in 0 1; do  # at 2.1 and 2.5 cycles
+    run small $ranks --restart kept.h5md.ckpt.$slot -o gone.h5md --cycles 3
+    has_status 0
+    cp out gone.json
+    same_as whole gone.json gone.h5md
+  done
+done
+check "the trajectory that a checkpoint belongs to stays until the run ends" cmp -s first.h5md kept.h5md
+run small 2 --restart kept.h5md --cycles 3
+has_status 0
+cp out gone.json
+same_as whole gone.json kept.h5md
+
+# --- all schemes and precisions, swarms with periods of their own, flow fields
+beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,1,1 --radius 2 --arm 8 --core-gap 12 \
+  --block-gap 8,16,16 --period 100 --amplitude 0.1 --frame initial-axis |
+  beadswim-layout defect frequency --sigma 0.2 --seed 2 | beadswim-layout defect rotation --sigma 0.3 --seed 5 >swarm.json
+for flags in "--bead-boundary psm" "--bead-boundary cli --precision single" "--bead-boundary staircase --frames-per-cycle 7" \
+  "--bead-boundary mr --precision single"; do
+  run small 2 swarm.json -o a.h5md --cells-per-radius 2 --cycles 2 --flow-every 1 $flags
+  has_status 0
+  mv out a.json
+  run small 3 swarm.json -o b.h5md --cells-per-radius 2 --cycles 1.31 --flow-every 1 --checkpoint-every 1.31 $flags
+  has_status 0
+  run small 2 --restart b.h5md --cycles 2
+  has_status 0
+  mv out b.json
+  same_as a b.json b.h5md
+  check "flow fields too" diff -rq a.h5md.flow b.h5md.flow
+  check "and their list" test "$(sed s/a.h5md/b.h5md/ a.h5md.flow.pvd)" = "$(cat b.h5md.flow.pvd)"
+done
+
+# --- stopped on purpose: a checkpoint without having asked for any, exit status 4
+small 2 layout.json -o long.h5md $resolution --cycles 40 >long.json
+run beadswim-run layout.json -o timed.h5md $resolution --cycles 40 --time-limit 0.3 --progress none --no-provenance
+has_status 4
+err_has 'the state is kept: --restart timed.h5md.ckpt.0'
+for _ in $(seq 200); do
+  run small 2 --restart timed.h5md --time-limit 0.8
+  [ $status -eq 4 ] || break
+done
+has_status 0
+cp out timed.json
+same_as long timed.json timed.h5md
+
+for signal in TERM USR1; do
+  rm -f told.h5md*
+  mpirun -n 2 beadswim-run layout.json -o told.h5md $resolution --cycles 1e5 --progress none >out 2>err &
+  for _ in $(seq 100); do [ -s told.h5md.part ] && break; sleep 0.1; done
+  sleep 0.5
+  kill -$signal "$(pgrep -f '^beadswim-run .*told.h5md' | head -1)"  # one rank, as srun and batch systems do
+  status=0
+  wait $! || status=$?
+  command_line="kill -$signal (one rank of a running beadswim-run)"
+  has_status 4
+  check "status" test "$(jq -r .status out)" = stopped-signal
+  check "a checkpoint" test -s told.h5md.ckpt.0
+done
+# mpirun itself gives ranks a second after SIGTERM; whatever they came to, the run goes on from.
+rm -f told.h5md*
+mpirun -n 2 beadswim-run layout.json -o told.h5md $resolution --cycles 40 --checkpoint-every 1 --progress none >out 2>err &
+for _ in $(seq 100); do [ -s told.h5md.ckpt.1 ] && break; sleep 0.05; done
+kill -TERM $!
+wait $!
+run small 2 --restart told.h5md
+if [ $status -ne 2 ] || ! grep -q 'are behind this checkpoint' err; then  # it may have come to its end
+  has_status 0
+  cp out told.json
+  same_as long told.json told.h5md
+fi
+
+# --- killed at random moments, most of them while a checkpoint is written
+RANDOM=7
+small 1 layout.json -o killed.h5md $resolution --cycles 60 >never.json 2>/dev/null
+cp never.json unbroken.json
+mv killed.h5md unbroken.h5md
+kills=0
+command_line="kill -KILL (a running beadswim-run)"
+for attempt in $(seq 60); do
+  from=(layout.json $resolution --cycles 60)
+  ls killed.h5md.ckpt.? >/dev/null 2>&1 && from=(--restart killed.h5md)
+  beadswim-run "${from[@]}" -o killed.h5md --checkpoint-every 0.05 --progress none --no-provenance >out 2>err &
+  pid=$!
+  sleep "0.$((RANDOM % 900 + 100))"
+  if [ $attempt -le 8 ] && kill -KILL $pid 2>/dev/null; then
+    wait $pid 2>/dev/null
+    kills=$((kills + 1))
+    continue
+  fi
+  status=0
+  wait $pid || status=$?
+  break
+done
+has_status 0
+check "it was killed more than once" test $kills -gt 1
+cp out killed.json
+same_as unbroken killed.json killed.h5md
+
+# --- a damaged checkpoint is told from a whole one
+for slot in 0 1; do cp kept.h5md.ckpt.$slot hurt.h5md.ckpt.$slot; done
+newest=$(ls -t kept.h5md.ckpt.? | head -1)
+newest=hurt.h5md.ckpt.${newest: -1}
+size=$(stat -c %s "$newest")
+printf '\x55' | dd of="$newest" bs=1 seek=$((size / 2)) conv=notrunc status=none
+run small 2 --restart "$newest" --cycles 4
+has_status 2
+err_has 'is damaged: its contents are not those of its hash'
+run small 2 --restart hurt.h5md --cycles 3
+has_status 0
+err_has "$newest: is damaged.*going on from hurt.h5md.ckpt.[01]"
+cp out hurt.json
+same_as whole hurt.json hurt.h5md
+head -c 5000 kept.h5md.ckpt.0 >cut.h5md.ckpt.0
+run small 2 --restart cut.h5md.ckpt.0 --cycles 4
+has_status 2
+
+# --- a full disk: what is kept stays, and the run goes on when there is room
+cat >full.sh <<'FULL'
+mkdir full && mount -t tmpfs -o size=3m none full || exit 77
+cd full
+timeout 60 mpirun -n "$1" beadswim-run ../layout.json -o full.h5md --cells-per-radius 2 --relaxation-time 1.5 --cycles 3 \
+  --checkpoint-every 0.2 --progress none >../full.out 2>../full.err
+echo $? >../full.status
+cp full.h5md.ckpt.? ..
+FULL
+for ranks in 1 2; do
+  rm -rf full full.h5md*
+  if unshare -m true 2>/dev/null; then unshare -m bash full.sh $ranks; else break; fi
+  [ -e full.status ] || break
+  command_line="beadswim-run on a full disk, $ranks ranks"
+  status=$(<full.status)
+  cp full.err err
+  has_status 3
+  err_has 'is the disk full'
+  run small 2 --restart full.h5md
+  has_status 0
+  cp out full.json
+  same_as whole full.json full.h5md
+done
+
+# --- refusals
+refuses "--bead-boundary: psm is not mr, as of the checkpoint's run; leave it out" \
+  beadswim-run --restart kept.h5md --cycles 9 --bead-boundary psm
+refuses '--cells-per-radius: 4 is not 2' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
+refuses '--precision: single is not double' beadswim-run --restart kept.h5md --cycles 9 --precision single
+jq '.fluid.density = 1.01' layout.json >other.json
+refuses 'other.json: is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
+refuses '--cycles: 1 are behind this checkpoint' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
+refuses '--restart: nothing.h5md has no checkpoint to go on from; run with --checkpoint-every' \
+  beadswim-run --restart nothing.h5md
+refuses 'nothing.h5md.ckpt.1 does not exist' beadswim-run --restart nothing.h5md.ckpt.1
+cp layout.json fake.h5md.ckpt.0
+refuses 'fake.h5md.ckpt.0: is no checkpoint' beadswim-run --restart fake.h5md.ckpt.0
+cp whole.h5md fake.h5md.ckpt.1
+refuses 'fake.h5md.ckpt.1: is no checkpoint' beadswim-run --restart fake.h5md.ckpt.1
+refuses '-o: is missing' beadswim-run layout.json
+refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
+accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'
+
+# --- a new run's first checkpoint does away with an older run's, which a restart would take for its own
+run small 1 layout.json -o kept.h5md $resolution --cycles 0.5 --checkpoint-every 0.5
+has_status 0
+check "one checkpoint" test -s kept.h5md.ckpt.0 -a ! -e kept.h5md.ckpt.1
+
+finish
