@@ -184,7 +184,7 @@ cp layout.json fake.h5md.ckpt.0
 refuses 'fake.h5md.ckpt.0: is no checkpoint' beadswim-run --restart fake.h5md.ckpt.0
 cp whole.h5md fake.h5md.ckpt.1
 refuses 'fake.h5md.ckpt.1: is no checkpoint' beadswim-run --restart fake.h5md.ckpt.1
-refuses '-o: is missing' beadswim-run layout.json
+refuses '--output: is missing; name the trajectory' beadswim-run layout.json
 refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
 accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'
 

@@ -156,7 +156,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   for (const auto& [flag, value] : defaults) program->get_option(flag)->default_val(value);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
   if (options.output.empty() && options.restart.empty())
-    throw InputError("-o", "is missing; name the trajectory to write, -o FILE.h5md");
+    throw InputError("--output", "is missing; name the trajectory to write, -o FILE.h5md");
   options.bead_boundary = bead_scheme_named(words.bead_boundary);
   options.delay_correction = words.delay_correction == "on";
   options.radius_correction = words.radius_correction == "on";

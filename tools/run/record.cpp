@@ -21,6 +21,16 @@ std::int64_t peak_memory_bytes(const Communicator& communicator) {
   return bytes;
 }
 
+CommunicationRecord communication_of(const RunParts& parts, long steps) {
+  const Traffic sent = parts.system.traffic();
+  std::array<std::int64_t, 3> most{parts.system.neighbours(), sent.messages, sent.bytes};
+  MPI_Allreduce(MPI_IN_PLACE, most.data(), most.size(), MPI_INT64_T, MPI_MAX, parts.communicator.get());
+  const double each = 1 / std::max(1.0, static_cast<double>(steps));
+  return {.neighbours = static_cast<int>(most[0]),
+          .messages_per_step = each * static_cast<double>(most[1]),
+          .bytes_per_step = each * static_cast<double>(most[2])};
+}
+
 RunCost cost_of(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOutcome& outcome) {
   const std::int64_t updates = on_lattice.scene.cells.cast<std::int64_t>().prod() *
                                static_cast<std::int64_t>(parts.system.steps_done());
@@ -30,7 +40,8 @@ RunCost cost_of(const RunParts& parts, const SceneOnLattice& on_lattice, const R
           .ranks = ranks,
           .cell_updates = updates,
           .mlups = 1e-6 * static_cast<double>(updates) / outcome.wall_seconds,
-          .peak_memory_bytes = peak_memory_bytes(parts.communicator)};
+          .peak_memory_bytes = peak_memory_bytes(parts.communicator),
+          .communication = communication_of(parts, outcome.own_steps)};
 }
 
 DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice& on_lattice) {

@@ -23,7 +23,7 @@ void transfer_cycle(Message& message, Cycle& cycle) {
 }
 template <class Message, class Note>
 void transfer_note(Message& message, Note& note) {
-  message(note.id, note.number, note.positions[0], note.positions[1], note.positions[2]);
+  message(note.id, note.number, note.time, note.positions[0], note.positions[1], note.positions[2]);
 }
 
 template <class Message, class AnySpread>
@@ -122,10 +122,13 @@ void Recorder::sample(const CoupledSystem& system) {
     const long number = std::lround(static_cast<double>(step) / interval);
     const double exact = static_cast<double>(number) * interval;
     if (std::lround(exact) != step) continue;
-    Note note{.id = swimmer.id, .number = number, .positions = {}};
-    for (int b = 0; b < 3; ++b) {  // to the exact time, by less than half a step
+    // A cycle ends at its own time, from which the nearest step is less than half a step away.
+    const bool ends_cycle = number % schedules_[swimmer.type].per_cycle == 0;
+    const double time = ends_cycle ? exact : static_cast<double>(step);
+    Note note{.id = swimmer.id, .number = number, .time = time, .positions = {}};
+    for (int b = 0; b < 3; ++b) {
       const BeadMotion& bead = swimmer.motion[b];
-      note.positions[b] = bead.position + (exact - static_cast<double>(step)) * bead.velocity;
+      note.positions[b] = bead.position + (time - static_cast<double>(step)) * bead.velocity;
     }
     transfer_note(notes_, note);
   }
@@ -142,7 +145,7 @@ void Recorder::take_notes(const Moment& now) {
   for (const Note& note : gathered_) {
     const std::size_t s =
         std::ranges::lower_bound(swimmers_, note.id, {}, &SwimmerRecord::id) - swimmers_.begin();
-    const double time = static_cast<double>(note.number) / samples_per_cycle_[s] * periods_[s];
+    const double time = note.time * scales_.step;
     const double part =
         now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
     SwimmerSample sample{

@@ -50,6 +50,7 @@ class Recorder {
   struct Note {
     int id = 0;
     long number = 0;  ///< k
+    double time = 0;  ///< [step]
     std::array<Vec3, 3> positions;
   };
   /// The whole of one frame's time that concerns all.

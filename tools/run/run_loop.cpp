@@ -126,6 +126,7 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     if (is_checkpoint) keep();
   }
   outcome.wall_seconds = now.wall_seconds + cost();
+  outcome.own_steps = system.steps_done() - now.moment.steps_done;
   outcome.core_seconds = now.core_seconds + cost() * communicator.size();
   if (communicator.is_root()) progress.finish(system.steps_done());
   return outcome;

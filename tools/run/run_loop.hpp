@@ -22,6 +22,7 @@ struct RunOutcome {
   RunStatus status = RunStatus::finished;
   std::string reason;  ///< why it stopped before its end; empty if it did not
   double wall_seconds = 0, core_seconds = 0;
+  long own_steps = 0;                     ///< done by this program, not by one that it goes on from
   SceneTotals first_totals, last_totals;  ///< at the start, and when all was well the last time
 };
 

@@ -173,6 +173,7 @@ BeadExchange::Buffers BeadExchange::exchange(const Buffers& to_peers, int tag) {
     if (peers_[p] == rank_) continue;
     MPI_Isend(to_peers[p].data(), static_cast<int>(to_peers[p].size()), MPI_BYTE, peers_[p], tag, comm_,
               &requests.emplace_back());
+    traffic_.add_message(std::ssize(to_peers[p]));
   }
   Buffers from_peers(peers_.size());
   for (std::size_t p = 0; p < peers_.size(); ++p) {

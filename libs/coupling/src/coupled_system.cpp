@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "beadswim/core/error.hpp"
 #include "swimmer_message.hpp"
@@ -115,6 +116,19 @@ std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
   auto snapshots = snapshots_from_bytes(gather_bytes(message.bytes(), communicator_));
   std::ranges::sort(snapshots, {}, [](const SwimmerSnapshot& s) { return s.state.id; });
   return snapshots;
+}
+
+Traffic CoupledSystem::traffic() const {
+  Traffic sent = halo_.traffic();
+  sent.add(exchange_.traffic());
+  return sent;
+}
+
+int CoupledSystem::neighbours() const {
+  std::set<int> others = halo_.neighbours();
+  others.insert(exchange_.peers().begin(), exchange_.peers().end());
+  others.erase(communicator_.rank());
+  return static_cast<int>(others.size());
 }
 
 void CoupledSystem::restore(const SystemMoment& moment, std::span<const SwimmerSnapshot> swimmers,

@@ -232,6 +232,16 @@ void Halo::start(Populations& populations) {
   in_precision(populations.precision(), [&]<class Real>() { start_as<Real>(populations); });
 }
 
+std::set<int> Halo::neighbours() const {
+  std::set<int> others;
+  for (const auto& sides : faces_) {
+    for (const Face& face : sides) {
+      if (face.is_open() && face.neighbour != rank_) others.insert(face.neighbour);
+    }
+  }
+  return others;
+}
+
 void Halo::progress() {
   int done = 0;
   if (is_under_way_) MPI_Testall(messages_.size(), messages_.data(), &done, MPI_STATUSES_IGNORE);
@@ -309,6 +319,7 @@ void Halo::send(const Populations& populations, HaloContent together, int axis) 
     // A message is tagged by the side through which it leaves; two blocks may meet at both their faces.
     MPI_Irecv(face.receive.data(), size, MPI_BYTE, face.neighbour, 1 - side, comm_, &messages_[2 * side]);
     MPI_Isend(face.send.data(), size, MPI_BYTE, face.neighbour, side, comm_, &messages_[2 * side + 1]);
+    if (face.is_open()) traffic_.add_message(size);
   }
 }
 

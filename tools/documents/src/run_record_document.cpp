@@ -233,12 +233,26 @@ NearContactRecord near_contact_from(const Json& json) {
 }
 
 Json json_of(const RunCost& cost) {
-  return {{"wall_seconds", cost.wall_seconds},
-          {"core_seconds", cost.core_seconds},
-          {"ranks", cost.ranks},
-          {"cell_updates", json_or_null(cost.cell_updates)},
-          {"mlups", json_or_null(cost.mlups)},
-          {"peak_memory_bytes", cost.peak_memory_bytes}};
+  Json json{{"wall_seconds", cost.wall_seconds},
+            {"core_seconds", cost.core_seconds},
+            {"ranks", cost.ranks},
+            {"cell_updates", json_or_null(cost.cell_updates)},
+            {"mlups", json_or_null(cost.mlups)},
+            {"peak_memory_bytes", cost.peak_memory_bytes}};
+  if (cost.communication) {
+    json["communication"] = {{"neighbours", cost.communication->neighbours},
+                             {"messages_per_step", cost.communication->messages_per_step},
+                             {"bytes_per_step", cost.communication->bytes_per_step}};
+  }
+  return json;
+}
+
+std::optional<CommunicationRecord> communication_from(const Json& cost) {
+  if (!cost.contains("communication")) return std::nullopt;
+  const Json& json = cost.at("communication");
+  return CommunicationRecord{.neighbours = json.at("neighbours").get<int>(),
+                             .messages_per_step = json.at("messages_per_step").get<double>(),
+                             .bytes_per_step = json.at("bytes_per_step").get<double>()};
 }
 
 RunCost cost_from(const Json& json) {
@@ -247,7 +261,8 @@ RunCost cost_from(const Json& json) {
           .ranks = json.at("ranks").get<int>(),
           .cell_updates = value_unless_null<std::int64_t>(json.at("cell_updates")),
           .mlups = value_unless_null<double>(json.at("mlups")),
-          .peak_memory_bytes = json.at("peak_memory_bytes").get<std::int64_t>()};
+          .peak_memory_bytes = json.at("peak_memory_bytes").get<std::int64_t>(),
+          .communication = communication_from(json)};
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/traffic.hpp"
 #include "beadswim/coupling/bead_images.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/coupling/fault.hpp"
@@ -42,6 +43,12 @@ class BeadExchange {
   /// block, in order of their names.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
+  /// Sent so far.
+  const Traffic& traffic() const { return traffic_; }
+
+  /// Ranks that it talks to, itself among them.
+  const std::vector<int>& peers() const { return peers_; }
+
   /// Returns this rank's impulses to the owners; the totals of owned swimmers' beads come back.
   std::map<BeadName, Impulse> collect(std::span<const BeadOnLattice> beads);
 
@@ -56,6 +63,7 @@ class BeadExchange {
   Decomposition decomposition_;
   std::vector<BlockInLattice> blocks_;  ///< of all ranks
   std::vector<int> peers_;
+  Traffic traffic_;
   const std::vector<SwimmerType>& types_;
   std::vector<std::array<double, 3>> radii_;  ///< on the lattice, of each type
 };

@@ -73,6 +73,12 @@ class CoupledSystem {
   /// populations' outgoing numbers and the moment it is all that the future depends on. Collective.
   std::vector<SwimmerSnapshot> gather_snapshots();
 
+  /// What this rank has sent to others since the system was made.
+  Traffic traffic() const;
+
+  /// Other ranks that this one talks to.
+  int neighbours() const;
+
   /// Collective.
   SystemMoment moment() const { return {steps_done_, largest_bead_speed(), smallest_gap()}; }
 

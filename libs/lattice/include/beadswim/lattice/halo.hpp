@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/traffic.hpp"
 #include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/populations.hpp"
 
@@ -53,6 +55,12 @@ class Halo {
     finish(populations);
   }
 
+  /// Sent so far.
+  const Traffic& traffic() const { return traffic_; }
+
+  /// Other ranks across open faces.
+  std::set<int> neighbours() const;
+
   /// What of this the sweep before can do, row by row: fill() then leaves it.
   RowEnds row_ends() const;
 
@@ -89,6 +97,7 @@ class Halo {
   std::array<std::array<Face, 2>, 3> faces_;  ///< [axis][0: low side, 1: high side]
   std::array<MPI_Request, 4> messages_;       ///< across one axis
   bool is_under_way_ = false;                 ///< messages across z
+  Traffic traffic_;
 };
 
 }  // namespace beadswim

@@ -76,6 +76,13 @@ struct NearContactRecord {
   double friction = 0;            ///< Coulomb's coefficient
 };
 
+/// What the busiest rank sends to others in a step of the fluid.
+struct CommunicationRecord {
+  int neighbours = 0;  ///< other ranks that it talks to
+  double messages_per_step = 0;
+  double bytes_per_step = 0;
+};
+
 struct RunCost {
   double wall_seconds = 0;
   double core_seconds = 0;
@@ -83,6 +90,7 @@ struct RunCost {
   std::optional<std::int64_t> cell_updates;
   std::optional<double> mlups;  ///< 1e6 cell updates a second
   std::int64_t peak_memory_bytes = 0;
+  std::optional<CommunicationRecord> communication;  ///< none in older records
 };
 
 /// Optional members are null in JSON where the model has no such thing; cost and provenance may be absent.

@@ -1,0 +1,36 @@
+#!/bin/bash
+# The tables of docs/scaling.md from its records:  docs/results/scaling-tables.sh docs/results/scaling.jsonl
+# Times are medians of the runs of one kind.
+set -euo pipefail
+records=${1:?name the records}
+
+jq -rs '
+  def median: sort | .[(length - 1) / 2 | floor];
+  def short: if . >= 100 then round elif . >= 10 then (. * 10 | round) / 10 else (. * 100 | round) / 100 end;
+  def medians: group_by([.group, .ranks]) | map(.[0] + {time: (map(.seconds / .steps) | median)}) | sort_by(.ranks);
+  map(select(.group == "weak" or .group == "strong")) | medians as $all
+  | (["weak", "strong"][] as $group
+     | ($all | map(select(.group == $group))) as $rows
+     | "### \(if $group == "weak" then "Weak: nine swimmers a rank" else "Strong: 72 swimmers" end)\n\n"
+       + "| ranks | swimmers | cells a rank | ms a step | 10^6 cells/s | neighbours | messages a step | kB a step | cells/s over one rank'"'"'s |\n|---|---|---|---|---|---|---|---|---|\n"
+       + ($rows | map("| \(.ranks) | \(.swimmers) | \(.cells / .ranks | round) | \(.time * 1e3 | short) | \(.cells / .time / 1e6 | short) | \(.neighbours) | \(.messages_per_step | round) | \(.bytes_per_step / 1e3 | round) | \((.cells / .time) / ($rows[0].cells / $rows[0].time) | short) |") | join("\n")) + "\n")' "$records"
+
+jq -rs '
+  map(select(.group != "weak" and .group != "strong"))
+  | "### Largest\n\n| scene | swimmers | cells | precision | steps | GiB | bytes a cell | s a step |\n|---|---|---|---|---|---|---|---|\n"
+    + (map("| \(.group) | \(.swimmers) | \(.cells) | \(.precision) | \(.steps | round) | \(.memory / 1073741824 * 10 | round / 10) | \(.memory / .cells * 10 | round / 10) | \(.seconds / .steps * 100 | round / 100) |") | join("\n"))' "$records"
+
+# Time of a step with the paper's block of nine swimmers in 96^3 cells on each rank, as the page says.
+jq -rs '
+  def median: sort | .[(length - 1) / 2 | floor];
+  (map(select(.group == "weak" and .ranks == 2)) | map(.cells / (.seconds / .steps) / 2) | median) as $speed
+  | {cells: 884736, swimmers: 9, halo: (3 * 2 * 98 * 98 * 15 * 8), messages: 64, latency: 2e-6, bandwidth: 1e9, frames: 40,
+     steps: 2000, state: 844, root: 1e9} as $m
+  | "\n### Model\n\n| ranks | swimmers | sweep and beads, ms | messages, ms | frames, ms a step | all, ms | cycle of 2000 steps | efficiency |\n|---|---|---|---|---|---|---|---|\n"
+    + ([1, 1280, 10000, 100000] | map(
+        . as $ranks
+        | ($m.cells / $speed) as $work
+        | (if $ranks == 1 then 0 else $m.halo / $m.bandwidth + $m.messages * $m.latency end) as $send
+        | ($m.swimmers * $ranks * $m.state * $m.frames / $m.steps / $m.root) as $frames
+        | ($work + $send + $frames) as $all
+        | "| \($ranks) | \($ranks * $m.swimmers) | \($work * 1e4 | round / 10) | \($send * 1e4 | round / 10) | \($frames * 1e4 | round / 10) | \($all * 1e4 | round / 10) | \($all * $m.steps | round) s | \($work / $all * 100 | round) % |") | join("\n"))' "$records"

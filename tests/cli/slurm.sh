@@ -1,0 +1,39 @@
+#!/bin/bash
+# The job scripts of examples/slurm, with stand-ins for srun and scontrol: a job that is told to stop queues itself again and
+# ends with the bits of an unbroken run.
+source "$(dirname "$0")/harness.sh"
+jobs=$BEADSWIM_SOURCE/examples/slurm
+
+mkdir bin
+cat >bin/srun <<'SRUN'
+#!/bin/bash
+# Slurm signals the ranks themselves; a second after the start, if asked to.
+exec 3>&1
+mpirun -n 2 "$@" &
+if [ -n "${STOP_AFTER-}" ]; then
+  sleep "$STOP_AFTER"
+  kill -USR1 "$(pgrep -f "^beadswim-run .*slurm.h5md" | tail -1)"
+fi
+wait $!
+SRUN
+printf '#!/bin/bash\necho "$@" >>requeued\n' >bin/scontrol
+chmod +x bin/*
+export PATH=$PWD/bin:$PATH SLURM_JOB_ID=17
+
+beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic --period 100 \
+  --amplitude 0.02 >layout.json
+flags=(--cells-per-radius 2 --relaxation-time 1.5 --cycles 60 --no-provenance)
+beadswim-run layout.json -o whole.h5md "${flags[@]}" --progress none >whole.json
+STOP_AFTER=1 run bash "$jobs/run.sbatch" layout.json slurm.h5md "${flags[@]}"
+has_status 4
+check "it is queued again" grep -q '^requeue 17$' requeued
+check "no record yet" test ! -e slurm.json
+run bash "$jobs/run.sbatch" layout.json slurm.h5md "${flags[@]}"
+has_status 0
+check "queued once" test "$(wc -l <requeued)" -eq 1
+check "trajectory of an unbroken run" h5diff whole.h5md slurm.h5md
+state() { jq -r .state_sha256 "$1"; }
+check "state of an unbroken run" test "$(state whole.json)" = "$(state slurm.json)"
+
+for script in "$jobs"/*.sbatch; do check "$script parses" bash -n "$script"; done
+finish
