@@ -74,19 +74,31 @@ has_status 0
 cp out timed.json
 same_as long timed.json timed.h5md
 
+name=told$$.h5md
 for signal in TERM USR1; do
-  rm -f told.h5md*
-  mpirun -n 2 beadswim-run layout.json -o told.h5md $resolution --cycles 1e5 --progress none >out 2>err &
-  for _ in $(seq 100); do [ -s told.h5md.part ] && break; sleep 0.1; done
+  rm -f told*.h5md*
+  mpirun -n 2 beadswim-run layout.json -o $name $resolution --cycles 1e5 --progress none >out 2>err &
+  for _ in $(seq 100); do [ -s $name.part ] && break; sleep 0.1; done
   sleep 0.5
-  kill -$signal "$(pgrep -f '^beadswim-run .*told.h5md' | head -1)"  # one rank, as srun and batch systems do
+  kill -$signal "$(pgrep -f "^beadswim-run .*$name" | head -1)"  # one rank, as srun and batch systems do
   status=0
   wait $! || status=$?
   command_line="kill -$signal (one rank of a running beadswim-run)"
   has_status 4
   check "status" test "$(jq -r .status out)" = stopped-signal
-  check "a checkpoint" test -s told.h5md.ckpt.0
+  check "a checkpoint" test -s $name.ckpt.0
 done
+# Open MPI hands SIGUSR1 on.
+rm -f told.h5md*
+mpirun -n 2 beadswim-run layout.json -o told.h5md $resolution --cycles 1e5 --progress none >out 2>err &
+for _ in $(seq 100); do [ -s told.h5md.part ] && break; sleep 0.1; done
+sleep 0.5
+kill -USR1 $!
+status=0
+wait $! || status=$?
+command_line="kill -USR1 mpirun"
+has_status 4
+check "a checkpoint" test -s told.h5md.ckpt.0
 # mpirun itself gives ranks a second after SIGTERM; whatever they came to, the run goes on from.
 rm -f told.h5md*
 mpirun -n 2 beadswim-run layout.json -o told.h5md $resolution --cycles 40 --checkpoint-every 1 --progress none >out 2>err &
@@ -130,6 +142,7 @@ same_as unbroken killed.json killed.h5md
 # --- a damaged checkpoint is told from a whole one
 for slot in 0 1; do cp kept.h5md.ckpt.$slot hurt.h5md.ckpt.$slot; done
 newest=$(ls -t kept.h5md.ckpt.? | head -1)
+newest_whole=$newest
 newest=hurt.h5md.ckpt.${newest: -1}
 size=$(stat -c %s "$newest")
 printf '\x55' | dd of="$newest" bs=1 seek=$((size / 2)) conv=notrunc status=none
@@ -155,7 +168,7 @@ echo $? >../full.status
 cp full.h5md.ckpt.? ..
 FULL
 for ranks in 1 2; do
-  rm -rf full full.h5md*
+  rm -rf full full.h5md* full.status
   if unshare -m true 2>/dev/null; then unshare -m bash full.sh $ranks; else break; fi
   [ -e full.status ] || break
   command_line="beadswim-run on a full disk, $ranks ranks"
@@ -167,6 +180,18 @@ for ranks in 1 2; do
   has_status 0
   cp out full.json
   same_as whole full.json full.h5md
+  cat >again.sh <<'AGAIN'
+mount -t tmpfs -o size=20k none full || exit 77
+timeout 60 mpirun -n "$1" beadswim-run --restart full.h5md.ckpt.0 -o full/again.h5md --cycles 9 --progress none >full.out 2>full.err
+echo $? >full.status
+AGAIN
+  mkdir -p full
+  unshare -m bash again.sh $ranks
+  command_line="beadswim-run --restart on a full disk, $ranks ranks"
+  status=$(<full.status)
+  cp full.err err
+  has_status 3
+  err_has 'cannot be written: No space left'
 done
 
 # --- refusals
@@ -188,9 +213,19 @@ refuses '--output: is missing; name the trajectory' beadswim-run layout.json
 refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
 accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'
 
-# --- a new run's first checkpoint does away with an older run's, which a restart would take for its own
-run small 1 layout.json -o kept.h5md $resolution --cycles 0.5 --checkpoint-every 0.5
+# --- other spellings of a name are the same file: what a run goes on from stays until the next is whole
+cp "$newest_whole" spelt.h5md.ckpt.1
+run small 1 --restart ./spelt.h5md.ckpt.1 -o spelt.h5md --cycles 3.2 --checkpoint-every 1e20
 has_status 0
-check "one checkpoint" test -s kept.h5md.ckpt.0 -a ! -e kept.h5md.ckpt.1
+check "the first checkpoint goes into the other slot, and there is one for the end alone" \
+  test -s spelt.h5md.ckpt.0 -a -s spelt.h5md.ckpt.1 -a ! -e spelt.h5md.ckpt.1.old
+check "what it went on from is as it was" cmp -s "$newest_whole" spelt.h5md.ckpt.1
+
+# --- a new run puts an older run's checkpoints aside, which a restart would take for its own
+cp kept.h5md.ckpt.1 older
+run small 1 layout.json -o kept.h5md $resolution --cycles 0.2
+has_status 0
+check "none are left, and nothing is lost" test ! -e kept.h5md.ckpt.0 -a ! -e kept.h5md.ckpt.1
+check "the older one is there" cmp -s older kept.h5md.ckpt.1.old
 
 finish

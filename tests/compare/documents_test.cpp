@@ -29,7 +29,7 @@ RunRecord full_record() {
   cycle.arm_amplitudes = {3.5, 5.5};
   cycle.arm_phases = {-1.9, 3.1};
   cycle.arm_means = {20.25, 20.75};
-  record.swimmers = {{7, {cycle}}, {9, {}}};
+  record.swimmers = {{7, {cycle}, 163.75}, {9, {}, {}}};
   record.momentum = MomentumRecord{Vec3(1e-9, 2e-9, 3e-9), Vec3(4, 5, 6)};
   record.mass_relative_change = -1e-14;
   record.dimensionless = {0.15, 5.6, 0.01};
@@ -49,7 +49,8 @@ RunRecord full_record() {
                         .ranks = 2,
                         .cell_updates = 768000000000,
                         .mlups = 80,
-                        .peak_memory_bytes = 5000000000};
+                        .peak_memory_bytes = 5000000000,
+                        .communication = CommunicationRecord{3, 14.25, 1176012.5}};
   record.reason = "the time is over";
   record.near_contact = NearContactRecord{.smallest_gap = 0.25,
                                           .lubrication = true,
@@ -159,7 +160,8 @@ TEST(VerdictDocument, AnInfiniteErrorIsNull) {
 }
 
 TEST(VerdictDocument, CostIsTheSumOrUnknown) {
-  const RunCost cost{.wall_seconds = 1, .core_seconds = 2, .cell_updates = 3, .mlups = {}};
+  const RunCost cost{
+      .wall_seconds = 1, .core_seconds = 2, .cell_updates = 3, .mlups = {}, .communication = {}};
   const auto total = total_cost(std::vector<std::optional<RunCost>>{cost, cost});
   ASSERT_TRUE(total);
   EXPECT_EQ(total->core_seconds, 4);

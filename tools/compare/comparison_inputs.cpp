@@ -76,6 +76,12 @@ struct Scene {
   std::optional<double> period;
 };
 
+/// Of one swimmer's driving; the base period of a run that does not list it.
+double period_of(const RunRecord& run, int swimmer) {
+  const auto found = std::ranges::find(run.swimmers, swimmer, &SwimmerRecord::id);
+  return found == run.swimmers.end() ? run.driving_period : found->period.value_or(run.driving_period);
+}
+
 Scene scene_of(const SwimmingDocument& document) {
   if (const auto* run = std::get_if<RunRecord>(&document)) return {run->units, run->driving_period};
   const auto& prediction = std::get<PredictionDocument>(document);
@@ -91,12 +97,14 @@ void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
         reference.source,
         fmt::format("is in other units than {}; compare what was made from one layout", run.source));
   }
-  const double period = scene.period.value_or(record.driving_period);
-  if (std::abs(period - record.driving_period) > period_tolerance * record.driving_period) {
+  const auto* prediction = std::get_if<PredictionDocument>(&reference.document);
+  const double own = prediction != nullptr ? period_of(record, prediction->swimmer) : record.driving_period;
+  const double period = scene.period.value_or(own);
+  if (std::abs(period - own) > period_tolerance * own) {
     throw InputError(
         reference.source,
         fmt::format("has the driving period {}, {} has {}; compare what was made from one layout", period,
-                    run.source, record.driving_period));
+                    run.source, own));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/version.hpp"
 #include "beadswim/coupling/swimmer_snapshot.hpp"
 #include "beadswim/io/json.hpp"
 
@@ -13,6 +14,7 @@ namespace beadswim {
 namespace {
 
 constexpr const char* flags_section = "flags";
+constexpr const char* program_section = "program";
 constexpr const char* layout_section = "layout";
 constexpr const char* moment_section = "moment";
 constexpr const char* swimmers_section = "swimmers";
@@ -34,13 +36,27 @@ RunPast past_of(const CheckpointReader& checkpoint) {
   RunPast past;
   IncomingMessage message(checkpoint.bytes(moment_section, 0, checkpoint.size(moment_section)));
   transfer_past(message, past);
+  if (!message.is_at_end()) throw SolverError(checkpoint.path() + ": is of another version of the program");
   return past;
+}
+
+std::string this_program() {
+  return version() + " (" + revision() + ")";
 }
 
 LatticePart part_of(const CoupledSystem& system, const Communicator& communicator) {
   const Decomposition& decomposition = system.decomposition();
   const Block block = decomposition.block(communicator.rank());
   return {.cells = decomposition.cells(), .offset = block.offset, .size = block.size};
+}
+
+/// An older run's checkpoint, which a restart must not take for this run's.
+void put_aside(const std::string& path) {
+  std::error_code failure;
+  if (!std::filesystem::exists(path, failure)) return;
+  std::filesystem::rename(path, path + ".old", failure);
+  if (failure)
+    throw SolverError(fmt::format("{}, of an older run, cannot be renamed: {}", path, failure.message()));
 }
 
 /// Rank 0's look at the disk.
@@ -153,6 +169,12 @@ long steps_in(const CheckpointReader& checkpoint) {
 
 RunPast restore(CoupledSystem& system, Recorder& recorder, const CheckpointReader& checkpoint,
                 const Communicator& communicator) {
+  const std::string writer = checkpoint.text(program_section);
+  if (writer != this_program() && communicator.is_root()) {
+    tell(
+        fmt::format("beadswim-run: warning: {} was written by {}, and this is {}; the last bits may differ\n",
+                    checkpoint.path(), writer, this_program()));
+  }
   const RunPast past = past_of(checkpoint);
   const LatticePart part = part_of(system, communicator);
   system.restore(past.moment, owned_swimmers(checkpoint, system), [&](Populations& populations) {
@@ -171,10 +193,23 @@ Checkpoints::Checkpoints(const RunOptions& options, std::string layout, const st
   FlagValues flags = course_of(options);
   flags.merge(length_and_outputs_of(options));
   flags_ = dump_json(Json(flags));
-  if (restarted.empty()) return;
-  is_first_ = trajectory_of(restarted) != output_;
-  if (restarted == slot_path(output_, 0)) slot_ = 1;  // which stays until the next is whole
   last_ = restarted;
+  int slot = communicator_.is_root() ? slot_of(restarted) : -1;
+  MPI_Bcast(&slot, 1, MPI_INT, 0, communicator_.get());
+  if (slot >= 0) {
+    slot_ = 1 - slot;  // that one stays until the next is whole
+  } else if (communicator_.is_root()) {
+    for (const int other : {0, 1}) put_aside(slot_path(output_, other));
+  }
+}
+
+int Checkpoints::slot_of(const std::string& checkpoint) const {
+  std::error_code ignored;
+  for (const int slot : {0, 1}) {
+    if (!checkpoint.empty() && std::filesystem::equivalent(checkpoint, slot_path(output_, slot), ignored))
+      return slot;
+  }
+  return -1;
 }
 
 void Checkpoints::write(const RunParts& parts, const RunPast& past) {
@@ -183,13 +218,9 @@ void Checkpoints::write(const RunParts& parts, const RunPast& past) {
   OutgoingMessage moment;
   transfer_past(moment, past);
 
-  if (is_first_ && communicator_.is_root()) {  // of an older run; a restart must not take it for this one's
-    std::error_code ignored;
-    std::filesystem::remove(slot_path(output_, 1 - slot_), ignored);
-  }
-  is_first_ = false;
   const std::string path = slot_path(output_, slot_);
   CheckpointWriter file(path, communicator_);
+  file.add(program_section, this_program());
   file.add(flags_section, flags_);
   file.add(layout_section, layout_);
   file.add(moment_section, moment.bytes());

@@ -41,6 +41,7 @@ RunPast restore(CoupledSystem& system, Recorder& recorder, const CheckpointReade
 class Checkpoints {
  public:
   /// `layout`: text of the layout. `restarted`: the file that the run goes on from; empty if it began anew.
+  /// Renames checkpoints of another run under this one's name, to ...old.
   Checkpoints(const RunOptions& options, std::string layout, const std::string& restarted,
               const Communicator& communicator);
 
@@ -51,10 +52,11 @@ class Checkpoints {
   const std::string& last() const { return last_; }
 
  private:
+  int slot_of(const std::string& checkpoint) const;  ///< -1: none of this run's
+
   std::string output_, flags_, layout_;
   const Communicator& communicator_;
-  int slot_ = 0;          ///< of the next
-  bool is_first_ = true;  ///< of a run that began anew
+  int slot_ = 0;  ///< of the next
   std::string last_;
 };
 

@@ -38,11 +38,25 @@ FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scale
                      fmt::format("the folder {} cannot be created: {}; move what is in its way", stem_,
                                  std::strerror(reason)));
   }
+  if (done > 0 && communicator_.is_root()) remove_after(done);
   for (long step = interval; step <= done; step += interval) {
     const PvdEntry entry = entry_of(step);
     if (std::filesystem::exists(std::filesystem::path(stem_).parent_path() / entry.file))
       entries_.push_back(entry);
   }
+}
+
+void FlowOutput::remove_after(long done) const {
+  std::error_code ignored;
+  std::vector<std::filesystem::path> later;
+  for (const auto& file : std::filesystem::directory_iterator(stem_, ignored)) {
+    const std::filesystem::path& path = file.path();
+    const std::string number = path.stem().string();
+    const bool is_step = !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
+    if (path.extension() == ".vti" && is_step && number.size() < 19 && std::stol(number) > done)
+      later.push_back(path);
+  }
+  for (const auto& path : later) std::filesystem::remove(path, ignored);
 }
 
 PvdEntry FlowOutput::entry_of(long step) const {

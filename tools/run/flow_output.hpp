@@ -23,6 +23,7 @@ class FlowOutput {
 
  private:
   PvdEntry entry_of(long step) const;
+  void remove_after(long done) const;  ///< fields of later steps, which will be taken again
 
   std::string stem_;
   LatticeScales scales_;

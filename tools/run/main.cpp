@@ -22,6 +22,8 @@ namespace {
 
 using namespace beadswim;
 
+constexpr const char* program_name = "beadswim-run";
+
 /// The solver failed, results intact: known to every rank.
 class RunFailed : public SolverError {
  public:
@@ -77,8 +79,6 @@ void announce(const SceneOnLattice& on_lattice, const Communicator& communicator
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
 }
 
-constexpr const char* program_name = "beadswim-run";
-
 /// For a failure that may be known to this rank alone: it speaks, and takes the others with it.
 [[noreturn]] void stop_all_ranks(const Communicator& communicator) {
   report_current_exception(program_name);
@@ -125,6 +125,11 @@ std::variant<Request, int> read_request(int argc, char** argv, const Communicato
   return request;
 }
 
+/// Whether the run goes on under the name that its checkpoint's had.
+bool goes_on_there(const Request& request, const RunOptions& options) {
+  return request.checkpoint && trajectory_of(request.checkpoint->path()) == options.output;
+}
+
 /// A layout as a run sees it, whatever made it.
 std::string scene_text(LayoutDocument document) {
   document.provenance = Json::array();
@@ -150,9 +155,10 @@ LayoutDocument read_layout(const Request& request, const std::string& source,
 
 /// Throws InputError alike on all ranks while nothing has begun.
 int run(int argc, char** argv, const Communicator& communicator) {
-  const auto read = read_request(argc, argv, communicator);
+  const double start = MPI_Wtime();
+  auto read = read_request(argc, argv, communicator);
   if (const int* status = std::get_if<int>(&read)) return *status;
-  const Request& request = std::get<Request>(read);
+  Request& request = std::get<Request>(read);
   RunOptions options = request.options;
   if (!request.checkpoint || options.given.contains("LAYOUT"))
     require_other_file(options.layout, options.output);
@@ -172,6 +178,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
                         total_steps(on_lattice, options));  // may fail: on all ranks alike
   if (communicator.is_root()) {
     if (options.progress != ProgressStyle::none) announce(on_lattice, communicator);
+    if (request.checkpoint && options.progress != ProgressStyle::none)
+      tell(fmt::format("{}: going on from {}, step {}\n", program_name, request.checkpoint->path(), done));
     warn(on_lattice, roundoff);
   }
 
@@ -179,19 +187,21 @@ int run(int argc, char** argv, const Communicator& communicator) {
   std::unique_ptr<FlowOutput> flow;
   if (options.flow_every) {
     flow = std::make_unique<FlowOutput>(options.output, on_lattice.lattice.scales,
-                                        steps_between(on_lattice, *options.flow_every), done, communicator);
+                                        steps_between(on_lattice, *options.flow_every),
+                                        goes_on_there(request, options) ? done : 0, communicator);
   }
   TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator,
                               request.checkpoint.get());
   Recorder recorder(on_lattice, document.layout, options.frames_per_cycle, trajectory, communicator);
   Checkpoints checkpoints(options, dump_json(layout_to_json(document)),
                           request.checkpoint ? request.checkpoint->path() : "", communicator);
-  const RunParts parts{communicator, system, trajectory, recorder, checkpoints, flow.get(), progress};
+  const RunParts parts{start, communicator, system, trajectory, recorder, checkpoints, flow.get(), progress};
   catch_stop_signals();
   RunOutcome outcome;
   try {
     std::optional<RunPast> past;
     if (request.checkpoint) past = restore(system, recorder, *request.checkpoint, communicator);
+    request.checkpoint.reset();  // its room on the disk is free when another takes its place
     outcome = run_to_end(parts, on_lattice, options, past);
     const RunRecord record = make_record(parts, on_lattice, document, outcome, options);
     trajectory.finish();
@@ -203,7 +213,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
   const double mach = system.largest_bead_speed() * std::sqrt(3.0);
   if (communicator.is_root()) {
     warn_if_fast(mach);
-    if (outcome.status != RunStatus::finished) tell_how_to_go_on(checkpoints);
+    if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)
+      tell_how_to_go_on(checkpoints);
   }
   if (outcome.status == RunStatus::failed) throw RunFailed(outcome.reason);
   if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);

@@ -62,7 +62,9 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->check(finite_positive());
   program
       .add_option("--frames-per-cycle", options.frames_per_cycle,
-                  "Frames of the trajectory in a cycle, at most one a step; the stroke is fitted to them.")
+                  "Frames of the trajectory in a cycle of the base period, at most one a step; strokes are "
+                  "fitted to as many samples "
+                  "of each swimmer's own period.")
       ->check(CLI::Range(4, 1000000).description(""));
   program
       .add_option("--cells-per-radius", options.cells_per_radius,
@@ -153,7 +155,14 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   RunOptions options;
   Words words;
   add_flags(*program, options, words);
-  for (const auto& [flag, value] : defaults) program->get_option(flag)->default_val(value);
+  for (const auto& [flag, value] : defaults) {
+    CLI::Option* option = program->get_option_no_throw(flag);
+    if (option == nullptr)
+      throw InputError(
+          "--restart",
+          fmt::format("the checkpoint's run has the flag {}, which this program does not know", flag));
+    option->default_val(value);
+  }
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
   if (options.output.empty() && options.restart.empty())
     throw InputError("--output", "is missing; name the trajectory to write, -o FILE.h5md");

@@ -101,9 +101,12 @@ Recorder::Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int f
   for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
   std::ranges::sort(in_order, {}, &Swimmer::id);
   for (std::size_t s = 0; s < in_order.size(); ++s) {
-    swimmers_.push_back({.id = in_order[s]->id, .cycles = {}});
     const SwimmerType type = layout.resolved_type(*in_order[s]);
-    periods_.push_back(type.driving.period);
+    const double period = type.driving.period;
+    swimmers_.push_back({.id = in_order[s]->id,
+                         .cycles = {},
+                         .period = period == on_lattice.period ? std::nullopt : std::optional(period)});
+    periods_.push_back(period);
     beads_.push_back(type.beads);
     samples_per_cycle_.push_back(schedules_[on_lattice.scene.swimmers[s].type].per_cycle);
   }
@@ -128,7 +131,9 @@ void Recorder::sample(const CoupledSystem& system) {
     Note note{.id = swimmer.id, .number = number, .time = time, .positions = {}};
     for (int b = 0; b < 3; ++b) {
       const BeadMotion& bead = swimmer.motion[b];
-      note.positions[b] = bead.position + (time - static_cast<double>(step)) * bead.velocity;
+      const double ahead = time - static_cast<double>(step);
+      const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // a step
+      note.positions[b] = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
     }
     transfer_note(notes_, note);
   }

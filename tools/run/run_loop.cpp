@@ -64,12 +64,14 @@ long total_steps(const SceneOnLattice& on_lattice, const RunOptions& options) {
 }
 
 long steps_between(const SceneOnLattice& on_lattice, double cycles) {
-  return std::max(1L, std::lround(cycles * static_cast<double>(on_lattice.lattice.steps_per_period)));
+  constexpr double never = 1e15;
+  const double steps = cycles * static_cast<double>(on_lattice.lattice.steps_per_period);
+  return std::max(1L, std::lround(std::min(steps, never)));
 }
 
 RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options,
                       const std::optional<RunPast>& past) {
-  auto& [communicator, system, trajectory, recorder, checkpoints, flow, progress] = parts;
+  auto& [program_start, communicator, system, trajectory, recorder, checkpoints, flow, progress] = parts;
   const long steps = total_steps(on_lattice, options);
   const long flow_interval = options.flow_every ? steps_between(on_lattice, *options.flow_every) : 0;
   const long checkpoint_interval =
@@ -117,7 +119,7 @@ RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, c
     if (is_flow) flow->write(system);
     if (!is_guard) continue;
     if (communicator.is_root()) progress.update(done);
-    if (const auto stop = is_last ? std::nullopt : asked_to_stop(start, options, communicator)) {
+    if (const auto stop = is_last ? std::nullopt : asked_to_stop(program_start, options, communicator)) {
       outcome.status = stop->status;
       outcome.reason = fmt::format("step {} of {}: {}", done, steps, stop->reason);
       outcome.last_totals = system.totals();

@@ -28,6 +28,7 @@ struct RunOutcome {
 
 /// What a run's time loop drives.
 struct RunParts {
+  double start;  ///< of the program, by MPI_Wtime: what --time-limit counts from
   const Communicator& communicator;
   CoupledSystem& system;
   TrajectoryWriter& trajectory;

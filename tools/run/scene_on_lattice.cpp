@@ -30,6 +30,14 @@ void require_box(const Layout& layout, const std::string& source) {
                    "X,Y,Z and --boundary, or ask beadswim-theory");
 }
 
+/// The period that all swimmers share, else that of the first one's type.
+double base_period(const Layout& layout) {
+  const auto own = [&](const Swimmer& swimmer) { return layout.resolved_type(swimmer).driving.period; };
+  const double first = own(layout.swimmers.front());
+  if (std::ranges::all_of(layout.swimmers, [&](const Swimmer& s) { return own(s) == first; })) return first;
+  return layout.types.at(layout.swimmers.front().type).driving.period;
+}
+
 double shortest_period(const Layout& layout) {
   double shortest = std::numeric_limits<double>::infinity();
   for (const Swimmer& swimmer : layout.swimmers)
@@ -178,7 +186,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   require_box(layout, source);
   const Resolution hint = layout.resolution.value_or(default_resolution);
   SceneOnLattice result;
-  result.period = layout.types.at(layout.swimmers.front().type).driving.period;
+  result.period = base_period(layout);
   result.cells_per_radius = options.cells_per_radius.value_or(hint.cells_per_radius);
   result.asked_relaxation_time = options.relaxation_time.value_or(hint.relaxation_time);
   result.lattice = lattice_for(layout, result.cells_per_radius, result.asked_relaxation_time, result.period);

@@ -22,7 +22,7 @@ struct SceneOnLattice {
   LatticeChoice lattice;
   double cells_per_radius = 0;
   double asked_relaxation_time = 0;  ///< before the period was fitted to whole steps
-  double period = 0;                 ///< base period: of the first swimmer's type [time]
+  double period = 0;                 ///< base period: the swimmers', else that of the first one's type [time]
   double smallest_gap = 0;           ///< at the start, between beads, images and walls [cell]
   bool corrects_delay = false;
   bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_steady_vibrations)

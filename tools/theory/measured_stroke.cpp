@@ -29,7 +29,10 @@ MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> 
                      fmt::format("swimmer {} has not finished a cycle; run at least one", record.id));
   }
   const CycleStatistics& last = record.cycles.back();
-  return {path, run.units, run.driving_period, {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
+  return {path,
+          run.units,
+          record.period.value_or(run.driving_period),
+          {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
 }
 
 }  // namespace beadswim

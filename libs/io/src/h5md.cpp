@@ -138,6 +138,13 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
     add_element(cycles_, std::string(swimmers_group) + name, H5T_NATIVE_DOUBLE, {swimmers, 2});
 }
 
+TrajectoryWriter::~TrajectoryWriter() {
+  // One rank alone may have failed, and to close the file takes all.
+  if (std::uncaught_exceptions() <= exceptions_) return;
+  for (auto& [name, series] : series_) series.dataset.leave_open();
+  file_.leave_open();
+}
+
 void TrajectoryWriter::create_groups(const TrajectoryHeader& header) {
   write_metadata(header);
   const H5Handle particles = create_group(file_, "particles");

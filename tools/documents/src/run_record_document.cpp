@@ -33,6 +33,10 @@ auto value_in(const Table& table, const std::string& name) {
       ->first;
 }
 
+std::optional<double> number_if_any(const Json& json, const char* key) {
+  return json.contains(key) ? std::optional(json.at(key).get<double>()) : std::nullopt;
+}
+
 using ArmNumbers = std::array<double, 2>;
 
 Json driving_json(const RunRecord& record) {
@@ -76,7 +80,10 @@ CycleStatistics cycle_from(const Json& json) {
 Json json_of(const SwimmerRecord& swimmer) {
   Json cycles = Json::array();
   for (const CycleStatistics& cycle : swimmer.cycles) cycles.push_back(json_of(cycle));
-  return {{"id", swimmer.id}, {"cycles", cycles}};
+  Json json{{"id", swimmer.id}};
+  if (swimmer.period) json["period"] = *swimmer.period;
+  json["cycles"] = cycles;
+  return json;
 }
 
 Json json_of(const Spread& spread) {
@@ -154,7 +161,8 @@ SwarmCycle swarm_cycle_from(const Json& json) {
 }
 
 SwimmerRecord swimmer_from(const Json& json) {
-  SwimmerRecord swimmer{json.at("id").get<int>(), {}};
+  SwimmerRecord swimmer{
+      .id = json.at("id").get<int>(), .cycles = {}, .period = number_if_any(json, "period")};
   for (const Json& cycle : json.at("cycles")) swimmer.cycles.push_back(cycle_from(cycle));
   return swimmer;
 }
@@ -194,10 +202,6 @@ Json json_of(const std::optional<LatticeResolution>& resolution) {
   if (resolution->radius_on_lattice) json["radius_on_lattice"] = *resolution->radius_on_lattice;
   if (resolution->angular_softening) json["angular_softening"] = *resolution->angular_softening;
   return json;
-}
-
-std::optional<double> number_if_any(const Json& json, const char* key) {
-  return json.contains(key) ? std::optional(json.at(key).get<double>()) : std::nullopt;
 }
 
 std::optional<LatticeResolution> resolution_from(const Json& json) {

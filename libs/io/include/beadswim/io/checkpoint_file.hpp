@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <span>
 #include <string>
@@ -67,6 +68,9 @@ class CheckpointReader {
  public:
   /// Throws InputError, alike on all ranks, if the file is no checkpoint or not what was written.
   CheckpointReader(const std::string& path, const Communicator& communicator);
+  ~CheckpointReader();
+  CheckpointReader(const CheckpointReader&) = delete;
+  CheckpointReader& operator=(const CheckpointReader&) = delete;
 
   const std::string& path() const { return path_; }
 
@@ -88,6 +92,7 @@ class CheckpointReader {
 
   std::string path_;
   const Communicator& communicator_;
+  int exceptions_ = std::uncaught_exceptions();  ///< under way when it was opened
   H5Handle file_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <exception>
 #include <map>
 #include <span>
 #include <string>
@@ -55,6 +56,9 @@ class TrajectoryWriter {
   /// begins with the frames that this holds.
   TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator,
                    const CheckpointReader* checkpoint = nullptr);
+  ~TrajectoryWriter();
+  TrajectoryWriter(const TrajectoryWriter&) = delete;
+  TrajectoryWriter& operator=(const TrajectoryWriter&) = delete;
 
   void append(const TrajectoryFrame& frame);
   void append(const TrajectoryCycle& cycle);
@@ -106,6 +110,7 @@ class TrajectoryWriter {
   std::size_t beads_;
   bool goes_on_;  ///< with a file that a checkpoint held
   Lock lock_;
+  int exceptions_ = std::uncaught_exceptions();  ///< under way when it was opened
   H5Handle file_;
   std::map<std::string, Series> series_;  ///< by path in the file
   Sampling frames_, cycles_;

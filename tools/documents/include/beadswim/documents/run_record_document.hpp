@@ -21,6 +21,7 @@ enum class RunStatus { finished, stopped_speed, stopped_time, stopped_signal, fa
 struct SwimmerRecord {
   int id = 0;
   std::vector<CycleStatistics> cycles;  ///< whole cycles, in order
+  std::optional<double> period;         ///< of its driving, if that is not the base period [time]
 };
 
 /// A record of more swimmers has statistics of the swarm alone; all swimmers are in the trajectory.
@@ -100,7 +101,7 @@ struct RunRecord {
   std::string reason;  ///< why it ended before its time; empty if it did not
   Units units;
   std::optional<Domain> domain;          ///< none: unbounded fluid
-  double driving_period = 0;             ///< the layout's base period
+  double driving_period = 0;             ///< base period, by which cycles of the run are counted
   std::optional<DrivingRecord> driving;  ///< none where the swimmers' differ
   std::vector<SwimmerRecord> swimmers;   ///< none if there are more than most_swimmers_listed
   std::vector<SwarmCycle> swarm;         ///< of two swimmers or more
