@@ -41,4 +41,24 @@ for plane in "0 24" "1 24" "2 24" "2 16"; do
   command_line="crossings $plane"
   check "swimmers change hands there" test "$(crossings $plane)" -gt 0
 done
+# What two ranks send each other in a step (docs/scaling.md): two faces with their edges, of 15 or 5 numbers a cell, and the
+# four bytes of a message that names no bead, none being near a seam; one message more before the first step.
+beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic --period 100 \
+  --amplitude 0.02 --position 16,8,4 >off_seams.json
+sends() { # NUMBERS-A-CELL BYTES-A-NUMBER FLAG...
+  run mpirun -n 2 beadswim-run off_seams.json -o sent.h5md --cells-per-radius 2 --cycles 1 --progress none "${@:3}"
+  has_status 0
+  check "as many bytes as two faces have" \
+    holds ".cost.communication | .neighbours == 1 and (.bytes_per_step - $((2 * 34 * 18 * $1 * $2 + 4)) | fabs) < 0.1" out
+}
+sends 15 8 --bead-boundary mr
+sends 15 4 --bead-boundary cli --precision single
+sends 5 8 --bead-boundary psm
+run beadswim-run off_seams.json -o sent.h5md --cells-per-radius 2 --cycles 1 --progress none
+check "one rank sends nothing" holds '.cost.communication.bytes_per_step == 0' out
+
+records=$BEADSWIM_SOURCE/docs/results/scaling.jsonl
+check "the page has the records' tables" cmp -s <(bash "$BEADSWIM_SOURCE/docs/results/scaling-tables.sh" "$records") \
+  <(sed -n '/^<!-- from the records -->$/,$p' "$BEADSWIM_SOURCE/docs/scaling.md" | sed 1d)
+
 finish
