@@ -39,7 +39,7 @@ strong() {
 }
 largest() {
   measure "the paper's swarm" 2 8,16,10 --cells-per-radius 3 --precision single --cycles 0.02
-  measure largest 2 6,7,7 --cells-per-radius 6 --precision single --cycles 0.005
+  measure largest 2 5,7,8 --cells-per-radius 6 --precision single --cycles 0.005
 }
 
 groups=("$@")
