@@ -52,7 +52,8 @@ sends() { # NUMBERS-A-CELL BYTES-A-NUMBER FLAG...
     holds ".cost.communication | .neighbours == 1 and (.bytes_per_step - $((2 * 34 * 18 * $1 * $2 + 4)) | fabs) < 0.1" out
 }
 sends 15 8 --bead-boundary mr
-sends 15 4 --bead-boundary cli --precision single
+sends 15 4 --bead-boundary mr --precision single
+sends 5 8 --bead-boundary cli
 sends 5 8 --bead-boundary psm
 run beadswim-run off_seams.json -o sent.h5md --cells-per-radius 2 --cycles 1 --progress none
 check "one rank sends nothing" holds '.cost.communication.bytes_per_step == 0' out
