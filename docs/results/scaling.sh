@@ -1,6 +1,6 @@
 #!/bin/bash
 # The records behind docs/scaling.md, one line a run on standard output.
-#   docs/results/scaling.sh [weak|strong|largest]... >docs/results/scaling.jsonl     (10 minutes on 2 cores, 20 GiB for
+#   docs/results/scaling.sh [weak|strong|largest]... >docs/results/scaling.jsonl     (weak and strong a minute on 2 cores; 20 GiB for
 #   the largest; the programs on PATH)
 # Weak scaling: the paper's block of nine swimmers a rank; strong: eight blocks. Each three times, sizes in turns. More ranks
 # than cores show counts, not speed.

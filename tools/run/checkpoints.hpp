@@ -45,7 +45,8 @@ class Checkpoints {
   Checkpoints(const RunOptions& options, std::string layout, const std::string& restarted,
               const Communicator& communicator);
 
-  /// Keeps a sound run as it is now. Throws SolverError, alike on all ranks. Collective.
+  /// Keeps a sound run as it is now. Throws SolverError, maybe on one rank alone, which must then stop the
+  /// others. Collective.
   void write(const RunParts& parts, const RunPast& past);
 
   /// The last one; empty before it.

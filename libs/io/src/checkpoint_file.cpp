@@ -1,15 +1,12 @@
 #include "beadswim/io/checkpoint_file.hpp"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -17,6 +14,7 @@
 #include <type_traits>
 
 #include "beadswim/core/error.hpp"
+#include "part_file.hpp"
 
 namespace beadswim {
 namespace {
@@ -24,10 +22,6 @@ namespace {
 constexpr const char* format_name = "beadswim/checkpoint/1";
 constexpr const char* lattice_name = "lattice";
 constexpr hsize_t piece = hsize_t{1} << 26;  ///< bytes that are read or written at a time
-
-std::string part_name(const std::string& path) {
-  return path + ".part";
-}
 
 template <class Real>
 hid_t file_type() {
@@ -128,14 +122,6 @@ void begin_section(Sha256& hash, const std::string& name, std::uint64_t size) {
 std::uint64_t sum_over_ranks(std::uint64_t value, const Communicator& communicator) {
   MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_UINT64_T, MPI_SUM, communicator.get());
   return value;
-}
-
-void sync(const std::string& path, int flags) {
-  const int descriptor = open(path.c_str(), flags | O_CLOEXEC);
-  const bool failed = descriptor < 0 || (fsync(descriptor) != 0 && errno != EINVAL);
-  const int reason = errno;
-  if (descriptor >= 0) close(descriptor);
-  if (failed) throw SolverError(fmt::format("{}: cannot be written: {}", path, std::strerror(reason)));
 }
 
 /// Text of an attribute; empty if there is none such.
@@ -252,11 +238,10 @@ void CheckpointWriter::finish() {
   file_.close_checked(part_name(path_));
   MPI_Barrier(communicator_.get());
   if (communicator_.is_root()) {
-    sync(part_name(path_), O_RDONLY);
-    if (std::rename(part_name(path_).c_str(), path_.c_str()) != 0)
-      throw SolverError(fmt::format("{} cannot be renamed: {}", part_name(path_), std::strerror(errno)));
-    const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-    sync(folder.empty() ? "." : folder.string(), O_RDONLY | O_DIRECTORY);
+    if (const int reason = name_finished_file(path_)) {
+      throw SolverError(fmt::format("{} cannot be put on the disk as {}: {}", part_name(path_), path_,
+                                    std::strerror(reason)));
+    }
   }
   MPI_Barrier(communicator_.get());
   is_finished_ = true;

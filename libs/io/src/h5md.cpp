@@ -9,29 +9,16 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
 #include "beadswim/core/error.hpp"
+#include "part_file.hpp"
 
 namespace beadswim {
 namespace {
 
 constexpr const char* swimmers_group = "observables/swimmers/";
 constexpr const char* trajectory_section = "trajectory";  ///< of a checkpoint
-
-std::string part_name(const std::string& path) {
-  return path + ".part";
-}
-
-/// Puts the file on the disk and gives it its name; the system's reason if that fails, else 0.
-int name_finished_file(const std::string& path) {
-  const int file = open(part_name(path).c_str(), O_RDONLY);
-  const bool failed = file < 0 || fsync(file) != 0 || std::rename(part_name(path).c_str(), path.c_str()) != 0;
-  const int reason = failed ? errno : 0;
-  if (file >= 0) close(file);
-  return reason;
-}
 
 /// Why no trajectory of this name can be made; empty if it can. `part` becomes PATH.part, locked by this
 /// process.
