@@ -17,7 +17,8 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* swimmers_group = "observables/swimmers/";
+// Beside the H5MD groups: MDAnalysis takes whatever lies in /observables for a series with a value every frame.
+constexpr const char* swimmers_group = "swimmers/";
 constexpr const char* trajectory_section = "trajectory";  ///< of a checkpoint
 
 /// Why no trajectory of this name can be made; empty if it can. `part` becomes PATH.part, locked by this
@@ -144,8 +145,8 @@ void TrajectoryWriter::create_groups(const TrajectoryHeader& header) {
   write_dataset(beads, "species", header.bead);
   write_dataset(beads, "swimmer", header.swimmer);
   write_dataset(beads, "radius", header.radius);
-  const H5Handle observables = create_group(file_, "observables");
-  create_group(observables, "swimmers");
+  create_group(file_, "observables");
+  create_group(file_, "swimmers");
 }
 
 void TrajectoryWriter::write_metadata(const TrajectoryHeader& header) {
