@@ -1,8 +1,8 @@
 #!/bin/bash
 # The records behind docs/swarm-stability.md.
-#   docs/results/stability.sh FOLDER [GROUP...]     (half an hour on one core; the programs on PATH)
-# Groups: order: the uniform swarm, each swimmer moved by 1e-3, and left to itself; rows, along, along_fine: two swimmers abreast, on
-# finer lattices too; phases: drivings out of step; map: blocks of 1 x 3 x 3 with other gaps.
+#   docs/results/stability.sh FOLDER [GROUP...]     (an hour on one core; the programs on PATH)
+# Groups: order: the uniform swarm, each swimmer moved by 1e-3, and left to itself; larger: three swimmers and four wide; rows, along,
+# along_fine: two swimmers abreast, on finer lattices too; phases: drivings out of step; map: blocks of 1 x 3 x 3 with other gaps.
 # Layouts and runs stay in FOLDER/runs, and what is there is kept.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
@@ -51,6 +51,15 @@ order() {
   done
   simulate "8 swimmers, k = 0.0347, none moved" runs/lattice.json --cycles 20 --cells-per-radius 3 <runs/lattice.json
 }
+larger() {
+  local k
+  for k in 0.0347 0.2; do
+    swarm 3,3,3 --stiffness $k >runs/lattice.json
+    pair "27 swimmers, k = $k" 1e-3 --cycles 40 --cells-per-radius 3
+    swarm 1,4,4 --stiffness $k >runs/lattice.json
+    pair "16 abreast, k = $k" 1e-3 --cycles 60 --cells-per-radius 3
+  done
+}
 pair() { # NAME SIGMA FLAGS...
   local name=$1 sigma=$2
   shift 2
@@ -80,8 +89,12 @@ along() {
   done
 }
 along_fine() {
-  swarm 1,2,1 --stiffness 0.1 >runs/lattice.json
-  ahead <runs/lattice.json | simulate "2 abreast, one ahead, k = 0.1" runs/lattice.json --cycles 30 --cells-per-radius 4.5
+  local k
+  for k in 0.0347 0.1 0.2; do
+    swarm 1,2,1 --stiffness $k >runs/lattice.json
+    ahead <runs/lattice.json | simulate "2 abreast, one ahead, k = $k" runs/lattice.json --cycles 30 --cells-per-radius 4.5
+  done
+  ahead <runs/lattice.json | simulate "2 abreast, one ahead, k = $k" runs/lattice.json --cycles 30 --cells-per-radius 6
 }
 phases() {
   local k seed flags=(--cells-per-radius 3 --cycles)
@@ -110,15 +123,15 @@ arrangement() { # K C DX DY   rows of 3 x 3; the lattice has equal gaps in the s
     simulate "k = $1, C = $2, D_x = $3, D_y = $4" runs/lattice.json --cycles 20 --cells-per-radius 3 --precision single
 }
 map() {
-  local gaps both=('24 16 46' '24 32 46')
-  local soft=('32 32 46' '36 32 46' '44 32 46' '36 16 46' '24 32 24' '32 16 32' '36 56 46' '44 32 44' '28 32 46' '24 56 46' '24 16 24')
-  # shellcheck disable=SC2086
-  for gaps in "${both[@]}" "${soft[@]}"; do arrangement 0.0347 $gaps; done
-  # shellcheck disable=SC2086
-  for gaps in "${both[@]}"; do arrangement 0.2 $gaps; done
+  local k gaps all=('24 16 46' '24 32 46' '32 32 46' '36 32 46' '44 32 46' '36 16 46' '24 32 24' '32 16 32' '36 56 46' '44 32 44'
+    '28 32 46' '24 56 46' '24 16 24')
+  for k in 0.0347 0.2; do
+    # shellcheck disable=SC2086
+    for gaps in "${all[@]}"; do arrangement $k $gaps; done
+  done
 }
 
-[ $# -gt 0 ] || set -- order rows along along_fine phases map
+[ $# -gt 0 ] || set -- order larger rows along along_fine phases map
 for group; do
   "$group" >"$group.part"
   mv "$group.part" "$group.jsonl"

@@ -1,6 +1,6 @@
 #!/bin/bash
 # The records behind docs/swarm-figures.md.
-#   docs/results/swarms.sh FOLDER [GROUP...]     (three quarters of an hour on one core; the programs on PATH)
+#   docs/results/swarms.sh FOLDER [GROUP...]     (two hours on one core; the programs on PATH)
 # Groups: uniform, defect: figures 5 and 6 at several resolutions; sensitivity: the defect swarm with other springs, dampers,
 # beads and starts; fine: the defect swarm at the paper's resolution. Files that are there are kept.
 set -euo pipefail
@@ -56,7 +56,7 @@ sensitivity() {
   defect_swarm | simulate 'staircase beads' "${coarse[@]}" --bead-boundary staircase --radius-correction off --delay-correction off
   defect_swarm | beadswim-layout defect jitter --sigma 0.5 | simulate 'each moved by 0.5' "${coarse[@]}"
 }
-fine() { defect_swarm | simulate reference --cycles 20 --cells-per-radius 6 --precision single; }
+fine() { defect_swarm | simulate reference --cycles 124 --cells-per-radius 6 --precision single --frames-per-cycle 12; }
 
 [ $# -gt 0 ] || set -- uniform defect sensitivity fine
 for group; do
