@@ -1,0 +1,313 @@
+#include "direct_ewald.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "beadswim/mobility/line_flow.hpp"
+#include "beadswim/mobility/pair_mobility.hpp"
+
+// The reference sums themselves, against facts that do not come from them.
+
+namespace beadswim::direct {
+namespace {
+
+constexpr double eta = 1.0 / 3;  // [mass/(length time)]
+constexpr double pi = std::numbers::pi;
+constexpr std::array both_laws{Law::oseen, Law::rotne_prager};
+
+/// Random spheres of radii 1 to 5 in a box; they may cut and hold one another.
+Spheres random_spheres(unsigned seed, std::size_t count, const Eigen::Vector3d& lengths) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> share(0, 1), log_radius(0, std::log(5.0)), force(-1, 1);
+  Spheres spheres;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector3d at(share(random), share(random), share(random));
+    spheres.places.push_back(lengths.cwiseProduct(at));
+    spheres.radii.push_back(std::exp(log_radius(random)));
+    spheres.forces.emplace_back(force(random), force(random), force(random));
+  }
+  return spheres;
+}
+
+double largest_difference(const Vectors& a, const Vectors& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max(largest, (a[i] - b[i]).lpNorm<Eigen::Infinity>());
+  }
+  return largest;
+}
+
+double smallest_eigenvalue(const Eigen::MatrixXd& matrix) {
+  return matrix.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
+}
+
+/// sin(x)/x, the mean of exp(ikz) over a sphere's surface at x = ka.
+double surface_mean(double x) {
+  return x == 0 ? 1 : std::sin(x) / x;
+}
+
+/// (I - kk) exp(ik.r) averaged over directions of k: j_0 - j_1/x along I and j_2 along rr, x = kr.
+Tensor direction_mean(double x) {
+  if (x < 1e-2) return {2. / 3 - 2 * x * x / 15, x * x / 15};
+  const double j0 = std::sin(x) / x, j1_over_x = (j0 - std::cos(x)) / (x * x);
+  return {j0 - j1_over_x, 3 * j1_over_x - j0};
+}
+
+/// (1/(2 pi)^3) int surface_mean(k a_i) surface_mean(k a_j) (I - kk)/(eta k^2) exp(ik.r) d^3k over
+/// 1/(8 pi eta), up to `cutoff`. The integrand is even and limited to the band a_i + a_j + r, so that the
+/// trapezoid rule is exact.
+Tensor oseen_averaged_over_surfaces(double a_i, double a_j, double r, double cutoff) {
+  const double step = 3 / (a_i + a_j + r);
+  Tensor sum{0, 0};
+  for (double k = 0; k < cutoff; k += step) {
+    const double weight = 4 / pi * step * (k == 0 ? 0.5 : 1) * surface_mean(k * a_i) * surface_mean(k * a_j);
+    const Tensor mean = direction_mean(k * r);
+    sum = sum + Tensor{weight * mean.identity, weight * mean.dyad};
+  }
+  return sum;
+}
+
+// The definition of the law in every branch: apart, cutting, one within the other.
+TEST(DirectRotnePrager, IsOseenAveragedOverBothSurfaces) {
+  constexpr double truncation = 1e-9;  // of a sphere's own: cut off at k a_j, k r >= 2000
+  const double a_i = 4, own = lone_sphere(a_i).identity;
+  for (const double a_j : {4.0, 3.0, 1.5, 0.4}) {
+    for (const double r : {9.0, 7.5, 6.1, 5.0, 4.2, 3.0, 2.4, 1.0, 0.1}) {
+      SCOPED_TRACE(testing::Message() << "a_j = " << a_j << ", r = " << r);
+      const Tensor average = oseen_averaged_over_surfaces(a_i, a_j, r, 2000 / std::min(a_j, r));
+      const Tensor there = rotne_prager_tensor(a_i, a_j, r), back = rotne_prager_tensor(a_j, a_i, r);
+      EXPECT_NEAR(there.identity, average.identity, truncation * own);
+      EXPECT_NEAR(there.dyad, average.dyad, truncation * own);
+      EXPECT_EQ(there.identity, back.identity);
+      EXPECT_EQ(there.dyad, back.dyad);
+    }
+  }
+}
+
+// Each branch continued beyond its border: values and central differences are the same at touch, and where
+// one sphere just holds the other.
+TEST(DirectRotnePrager, IsSmoothWhereBranchesMeet) {
+  const auto expect_smooth = [](auto outer, auto inner, double border) {
+    constexpr double roundoff = 1e-14, roundoff_over_step = 1e-9;
+    const double h = 1e-5;
+    const Tensor gap = outer(border) - inner(border);
+    const Tensor gap_of_slopes =
+        outer(border + h) - inner(border + h) - (outer(border - h) - inner(border - h));
+    EXPECT_NEAR(gap.identity, 0, roundoff);
+    EXPECT_NEAR(gap.dyad, 0, roundoff);
+    EXPECT_NEAR(gap_of_slopes.identity / (2 * h), 0, roundoff_over_step);
+    EXPECT_NEAR(gap_of_slopes.dyad / (2 * h), 0, roundoff_over_step);
+  };
+  const double a_i = 5;
+  for (const double a_j : {5.0, 2.0, 0.5}) {
+    SCOPED_TRACE(testing::Message() << "a_j = " << a_j);
+    const auto apart = [&](double r) { return spheres_apart((a_i * a_i + a_j * a_j) / 6, r); };
+    const auto cutting = [&](double r) { return spheres_cutting(a_i, a_j, r); };
+    const auto holding = [&](double) { return lone_sphere(a_i); };
+    expect_smooth(apart, cutting, a_i + a_j);
+    if (a_i != a_j) expect_smooth(cutting, holding, a_i - a_j);
+  }
+}
+
+// A branch that is too large somewhere makes a mobility that gains energy from the fluid; in a box too, where
+// spheres cut their own images.
+TEST(DirectRotnePrager, DissipatesForRandomOverlappingSpheres) {
+  const Eigen::Vector3d lengths(9, 8, 7);
+  const auto in_box = [&](const Spheres& s) {
+    return periodic_velocities(Law::rotne_prager, s, eta, lengths);
+  };
+  const auto open = [](const Spheres& s) { return open_velocities(Law::rotne_prager, s, eta); };
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    const Spheres spheres = random_spheres(seed, 6, lengths);
+    EXPECT_GT(smallest_eigenvalue(mobility_matrix(spheres, open)), 0) << "seed " << seed;
+    EXPECT_GT(smallest_eigenvalue(mobility_matrix(spheres, in_box)), 0) << "seed " << seed;
+  }
+}
+
+// Beenakker's closed form against the integral over wavevectors that defines its complement.
+TEST(DirectEwald, ScreenedAndBlurredPartsMakeTheWhole) {
+  constexpr double roundoff = 1e-14;  // of the size term, relative
+  const double xi = 0.1;
+  for (const double r : {5.0, 8.0, 9.99}) {
+    for (const double s : {0.0, 12.0}) {
+      const Tensor gap = spheres_apart(s, r) - screened(s, xi, r) - blurred(s, xi, r);
+      EXPECT_NEAR(gap.identity, 0, roundoff * (1 + 6 * s / (r * r)) / r);
+      EXPECT_NEAR(gap.dyad, 0, roundoff * (1 + 6 * s / (r * r)) / r);
+    }
+  }
+}
+
+// The splitting is an arbitrary number: a missing or doubled piece of either sum depends on it.
+TEST(DirectEwald, DoesNotDependOnSplitting) {
+  constexpr double roundoff = 1e-14;  // velocities are of order 0.1
+  constexpr unsigned seed = 31;
+  const Eigen::Vector3d lengths(31, 24, 19);
+  Spheres spheres = random_spheres(seed, 12, lengths);
+  spheres.places[1] = spheres.places[0] + Eigen::Vector3d(0.3, 0, 0.1);  // one within the other
+  spheres.places[2] = spheres.places[0] + lengths;  // at the other's image: Rotne-Prager alone has a value
+  for (const Law law : both_laws) {
+    if (law == Law::oseen) spheres.places[2][0] += 4;
+    const Vectors balanced = periodic_velocities(law, spheres, eta, lengths);
+    for (const double ratio : {0.6, 1.6, 2.5}) {
+      const double xi = ratio * balanced_splitting(lengths);
+      const Vectors other = periodic_velocities(law, spheres, eta, lengths, xi);
+      EXPECT_LT(largest_difference(other, balanced), roundoff) << "ratio " << ratio << ", seed " << seed;
+    }
+  }
+}
+
+// Cubic array: mobility over the lone sphere's 1 - 2.837297 a/L + (4 pi/3)(a/L)^3 (Hasimoto, J. Fluid Mech.
+// 5, 317 (1959)); points have no cubic term. A wrong own term or background shows here.
+TEST(DirectEwald, SlowsACubicArrayOfSpheresAsHasimotoFound) {
+  constexpr double printed_digits = 1e-12;
+  const double length = 50;
+  for (const double a : {1.0, 4.0, 20.0}) {
+    const double ratio = a / length, points = 1 - 2.8372974794806 * ratio;
+    const Spheres sphere{{{3, 7, -80}}, {a}, {{0, 1, 0}}};
+    const auto mobility = [&](Law law) -> Eigen::Vector3d {
+      return periodic_velocities(law, sphere, eta, Eigen::Vector3d::Constant(length))[0] * (6 * pi * eta * a);
+    };
+    EXPECT_NEAR(mobility(Law::oseen)[1], points, printed_digits);
+    EXPECT_NEAR(mobility(Law::rotne_prager)[1], points + 4 * pi / 3 * std::pow(ratio, 3), printed_digits);
+    EXPECT_NEAR(mobility(Law::rotne_prager)[0], 0, printed_digits);
+  }
+}
+
+TEST(DirectEwald, IsUnchangedByDoublingTheBoxWithItsSpheres) {
+  constexpr double roundoff = 1e-14;  // velocities are of order 0.1
+  constexpr unsigned seed = 5;
+  const Eigen::Vector3d lengths(22, 17, 26);
+  const Spheres spheres = random_spheres(seed, 5, lengths);
+  for (const Law law : both_laws) {
+    const Vectors single = periodic_velocities(law, spheres, eta, lengths);
+    for (int axis = 0; axis < 3; ++axis) {
+      Spheres twice = spheres;
+      Eigen::Vector3d doubled = lengths;
+      doubled[axis] *= 2;
+      for (std::size_t i = 0; i < single.size(); ++i) {
+        twice.places.push_back(spheres.places[i] + lengths[axis] * Eigen::Vector3d::Unit(axis));
+        twice.radii.push_back(spheres.radii[i]);
+        twice.forces.push_back(spheres.forces[i]);
+      }
+      Vectors velocities = periodic_velocities(law, twice, eta, doubled);
+      velocities.resize(single.size());
+      EXPECT_LT(largest_difference(velocities, single), roundoff) << "axis " << axis << ", seed " << seed;
+    }
+  }
+}
+
+// Far images are felt as a velocity -2.837297 F/(6 pi eta L), F the sum of forces; the rest falls as L^-3.
+TEST(DirectEwald, TendsToOpenFluidInLargeBoxes) {
+  constexpr unsigned seed = 8;
+  const Spheres spheres = random_spheres(seed, 6, {20, 20, 20});
+  Eigen::Vector3d total = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& force : spheres.forces) total += force;
+  for (const Law law : both_laws) {
+    const auto rest = [&](double length) {
+      Vectors expected = open_velocities(law, spheres, eta);
+      for (Eigen::Vector3d& velocity : expected) {
+        velocity -= 2.8372974794806 / (6 * pi * eta * length) * total;
+      }
+      return largest_difference(periodic_velocities(law, spheres, eta, Eigen::Vector3d::Constant(length)),
+                                expected);
+    };
+    EXPECT_NEAR(std::log2(rest(200) / rest(400)), 3, 0.1) << "seed " << seed;  // truncation: 3rd order
+    EXPECT_NEAR(std::log2(rest(400) / rest(800)), 3, 0.03) << "seed " << seed;
+    EXPECT_LT(rest(800), 1e-5);
+  }
+}
+
+/// Matrix of a bead's velocity along its line, by forces along it: Rotne-Prager of LineFlow, with the line
+/// along x.
+Eigen::MatrixXd line_mobility(const LineFlow& flow, const std::vector<double>& x,
+                              const std::vector<double>& radii) {
+  const std::size_t count = x.size();
+  Eigen::MatrixXd mobility(count, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = 0; j < count; ++j) {
+      const SteadyFlow by_j = i == j ? flow.steady_images(x[i]) : flow.steady(x[i], x[j]);
+      mobility(i, j) = by_j.oseen.value + (radii[i] * radii[i] + radii[j] * radii[j]) * by_j.laplacian.value +
+                       (i == j ? self_mobility(radii[i], eta) : 0);
+    }
+  }
+  return mobility;
+}
+
+/// The same of the direct sum, with the line along `axis` and the other axes in cyclic order.
+Eigen::MatrixXd turned_mobility(int axis, const Box& box, const Eigen::Vector2d& yz,
+                                const std::vector<double>& x, const std::vector<double>& radii) {
+  const auto turned = [&](auto from) {
+    return std::array{from[(3 - axis) % 3], from[(4 - axis) % 3], from[(5 - axis) % 3]};
+  };
+  Spheres spheres;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::array place = turned(std::array{x[i], yz[0], yz[1]});
+    spheres.places.emplace_back(place.data());
+    spheres.radii.push_back(radii[i]);
+  }
+  const std::array lengths = turned(box.lengths);
+  const Eigen::MatrixXd all = mobility_matrix(spheres, [&](const Spheres& s) {
+    return box_velocities(Law::rotne_prager, s, eta, Eigen::Vector3d(lengths.data()), turned(box.free_slip));
+  });
+  return all(Eigen::seqN(axis, x.size(), 3), Eigen::seqN(axis, x.size(), 3));
+}
+
+// Sums along a line, derived otherwise and tested apart; the line along each axis in turn. Catches a mirror
+// of wrong sign or place, and axes mixed up.
+TEST(DirectEwald, AgreesWithFlowAlongALine) {
+  constexpr double truncation = 1e-13;  // of a sphere's own; both sums are cut off
+  const std::vector<double> x{27, 47, 71}, radii{4, 3, 5};
+  for (const Box& box :
+       {Box{.lengths = {100, 40, 40}, .free_slip = {}}, Box{.lengths = {100, 60, 35}, .free_slip = {}},
+        Box{.lengths = {100, 60, 35}, .free_slip = {true, false, false}},
+        Box{.lengths = {100, 60, 35}, .free_slip = {false, true, false}},
+        Box{.lengths = {100, 60, 35}, .free_slip = {true, true, true}}}) {
+    const Eigen::MatrixXd expected = line_mobility(LineFlow(eta, box, 22, 10), x, radii);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::MatrixXd difference = turned_mobility(axis, box, {22, 10}, x, radii) - expected;
+      EXPECT_LT(difference.lpNorm<Eigen::Infinity>(), truncation * self_mobility(3, eta)) << "axis " << axis;
+    }
+  }
+}
+
+// One bead moves by a unit force on another as that one does by the same force on the first; walls and
+// overlaps included.
+TEST(DirectEwald, IsReciprocalForUnequalRadii) {
+  constexpr double roundoff = 1e-14;
+  constexpr unsigned seed = 77;
+  const Eigen::Vector3d lengths(20, 26, 15);
+  const Spheres spheres = random_spheres(seed, 4, lengths);
+  for (const Law law : both_laws) {
+    for (const std::array<bool, 3>& walls : {std::array{false, false, false}, {true, false, true}}) {
+      const Eigen::MatrixXd mobility = mobility_matrix(
+          spheres, [&](const Spheres& s) { return box_velocities(law, s, eta, lengths, walls); });
+      EXPECT_LT((mobility - mobility.transpose()).lpNorm<Eigen::Infinity>(), roundoff) << "seed " << seed;
+    }
+  }
+}
+
+// Fluid slides along a free-slip wall and does not cross it; forces across it act on nothing at the wall.
+TEST(DirectEwald, MovesNothingThroughAFreeSlipWall) {
+  constexpr double roundoff = 1e-14;
+  constexpr unsigned seed = 12;
+  const Eigen::Vector3d lengths(20, 26, 25);
+  for (int axis = 0; axis < 3; ++axis) {
+    Spheres spheres = random_spheres(seed, 6, lengths);
+    spheres.places[0][axis] = 0;
+    spheres.places[1][axis] = lengths[axis];
+    std::array<bool, 3> walls{};
+    walls[axis] = true;
+    const Vectors velocities = box_velocities(Law::rotne_prager, spheres, eta, lengths, walls);
+    for (int wall = 0; wall < 2; ++wall) {
+      EXPECT_NEAR(velocities[wall][axis], 0, roundoff) << "seed " << seed;
+      EXPECT_GT(velocities[wall].norm(), 1e-3);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beadswim::direct
