@@ -1,0 +1,237 @@
+// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace.
+#include "mobility_kernels.hpp"
+
+#include <cmath>
+
+#include "beadswim/core/kernel.hpp"
+
+namespace beadswim::BEADSWIM_INSTRUCTION_SET {
+
+/// To the nearest whole number, below 2^51.
+BEADSWIM_KERNEL double rounded(double value) {
+  constexpr double shift = 0x1.8p52;
+  return (value + shift) - shift;
+}
+
+int near_spheres(const SortedSpheres& spheres, int one, int begin, int end, double reach, PairBatch& batch) {
+  constexpr int chunk = 128;
+  double d[3][chunk], r2[chunk];
+  const double at[3]{spheres.x[one], spheres.y[one], spheres.z[one]};
+  double inverse[3];
+  for (int a = 0; a < 3; ++a) inverse[a] = spheres.lengths[a] > 0 ? 1 / spheres.lengths[a] : 0;
+  const double limit = reach * reach;
+  const unsigned char wanted = spheres.is_receiver[one];
+  for (; begin < end && batch.count + chunk <= PairBatch::most; begin += chunk) {
+    const int n = end - begin < chunk ? end - begin : chunk;
+    const double* const places[3]{spheres.x + begin, spheres.y + begin, spheres.z + begin};
+    for (int t = 0; t < n; ++t) r2[t] = 0;
+    for (int a = 0; a < 3; ++a) {
+      for (int t = 0; t < n; ++t) {
+        double along = at[a] - places[a][t];
+        along -= spheres.lengths[a] * rounded(along * inverse[a]);
+        d[a][t] = along;
+        r2[t] += along * along;
+      }
+    }
+    int count = batch.count;
+    for (int t = 0; t < n; ++t) {
+      batch.other[count] = begin + t;
+      batch.d[0][count] = d[0][t];
+      batch.d[1][count] = d[1][t];
+      batch.d[2][count] = d[2][t];
+      batch.r2[count] = r2[t];
+      count += (r2[t] < limit) & (wanted | spheres.is_receiver[begin + t]);
+    }
+    batch.count = count;
+  }
+  return begin < end ? begin : end;
+}
+
+template <int functions>
+BEADSWIM_KERNEL void pair_velocities_of(const PairTable& table, const double* force, PairBatch& b,
+                                        double* velocity) {
+  const double* const coefficients = table.coefficients;
+  const double first = table.first, inverse_width = table.inverse_width;
+  const double fx = force[0], fy = force[1], fz = force[2];
+  double sx = 0, sy = 0, sz = 0;
+#pragma omp simd reduction(+ : sx, sy, sz)
+  for (int t = 0; t < b.count; ++t) {
+    const double place = (std::sqrt(b.r2[t]) - first) * inverse_width;
+    const int stretch = static_cast<int>(place);
+    const double p = place - stretch;
+    const double* c = coefficients + static_cast<long>(stretch) * (functions * (PairTable::degree + 1));
+    double value[functions];
+#pragma GCC unroll 4
+    for (int f = 0; f < functions; ++f) value[f] = c[PairTable::degree * functions + f];
+#pragma GCC unroll 6
+    for (int k = PairTable::degree - 1; k >= 0; --k) {
+#pragma GCC unroll 4
+      for (int f = 0; f < functions; ++f) value[f] = value[f] * p + c[k * functions + f];
+    }
+    double isotropic = value[0], axial = value[1];
+    if constexpr (functions == 4) {
+      isotropic += b.squares[t] * value[2];
+      axial += b.squares[t] * value[3];
+    }
+    const double dx = b.d[0][t], dy = b.d[1][t], dz = b.d[2][t];
+    const double gx = b.force[0][t], gy = b.force[1][t], gz = b.force[2][t];
+    const double along = axial * (dx * fx + dy * fy + dz * fz);
+    b.velocity[0][t] = isotropic * fx + along * dx;
+    b.velocity[1][t] = isotropic * fy + along * dy;
+    b.velocity[2][t] = isotropic * fz + along * dz;
+    const double back = axial * (dx * gx + dy * gy + dz * gz);
+    sx += isotropic * gx + back * dx;
+    sy += isotropic * gy + back * dy;
+    sz += isotropic * gz + back * dz;
+  }
+  velocity[0] += sx;
+  velocity[1] += sy;
+  velocity[2] += sz;
+}
+
+void pair_velocities(const PairTable& table, const double* force, PairBatch& batch, double* velocity) {
+  table.functions == 2 ? pair_velocities_of<2>(table, force, batch, velocity)
+                       : pair_velocities_of<4>(table, force, batch, velocity);
+}
+
+/// A bead's window: P points along each axis and their weights.
+template <int P>
+struct Window {
+  int first[3];
+  double weight[3][P];
+  int planes[P], rows[P];  ///< wrapped; a plane is -1 where it is another rank's
+
+  BEADSWIM_KERNEL void meet(const WindowMesh& mesh, const double* position) {
+    for (int a = 0; a < 3; ++a) {
+      const double place = (position[a] - mesh.origin[a]) * mesh.inverse_spacing[a];
+      const double below = std::floor(place);
+      first[a] = static_cast<int>(below) - P / 2 + 1;
+      // exp(-c (d + p)^2) = exp(-c d^2) exp(-2 c d)^p exp(-c p^2)
+      const double d = below - P / 2 + 1 - place;
+      double power = mesh.height[a] * std::exp(-mesh.decay[a] * d * d);
+      const double ratio = std::exp(-2 * mesh.decay[a] * d);
+      for (int p = 0; p < P; ++p) {
+        weight[a][p] = power * mesh.decay_at[a][p];
+        power *= ratio;
+      }
+      first[a] = wrapped(first[a], mesh.points[a]);
+    }
+    for (int p = 0; p < P; ++p) {
+      planes[p] = wrapped(first[0] + p, mesh.points[0]) - mesh.first_plane;
+      if (planes[p] >= mesh.planes) planes[p] = -1;
+      rows[p] = wrapped(first[1] + p, mesh.points[1]);
+    }
+  }
+  BEADSWIM_KERNEL static int wrapped(int index, int points) {
+    if (index >= 0 && index < points) return index;
+    const int rest = index % points;
+    return rest < 0 ? rest + points : rest;
+  }
+  BEADSWIM_KERNEL bool wraps(const WindowMesh& mesh) const { return first[2] + P > mesh.points[2]; }
+  BEADSWIM_KERNEL long row(const WindowMesh& mesh, int p, int q) const {
+    return (static_cast<long>(planes[p]) * mesh.points[1] + rows[q]) * mesh.row_length;
+  }
+};
+
+template <int P>
+BEADSWIM_KERNEL void spread_of(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,
+                               double* const* onto) {
+  Window<P> w;
+  for (long b = 0; b < beads.count; ++b) {
+    w.meet(mesh, beads.positions + 3 * b);
+    const bool wraps = w.wraps(mesh);
+    for (int c = 0; c < 3; ++c) {
+      const double number = numbers[3 * b + c];
+      for (int p = 0; p < P; ++p) {
+        if (w.planes[p] < 0) continue;
+        for (int q = 0; q < P; ++q) {
+          double* const row = onto[c] + w.row(mesh, p, q);
+          const double strength = number * w.weight[0][p] * w.weight[1][q];
+          if (wraps) {
+            for (int s = 0; s < P; ++s)
+              row[Window<P>::wrapped(w.first[2] + s, mesh.points[2])] += strength * w.weight[2][s];
+          } else {
+            double* const at = row + w.first[2];
+#pragma GCC ivdep
+            for (int s = 0; s < P; ++s) at[s] += strength * w.weight[2][s];
+          }
+        }
+      }
+    }
+  }
+}
+
+template <int P>
+BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,
+                               double* numbers) {
+  Window<P> w;
+  for (long b = 0; b < beads.count; ++b) {
+    w.meet(mesh, beads.positions + 3 * b);
+    const bool wraps = w.wraps(mesh);
+    for (int c = 0; c < 3; ++c) {
+      double along[P]{};  // sums under the other two axes' windows
+      for (int p = 0; p < P; ++p) {
+        if (w.planes[p] < 0) continue;
+        for (int q = 0; q < P; ++q) {
+          const double* const row = from[c] + w.row(mesh, p, q);
+          const double weight = w.weight[0][p] * w.weight[1][q];
+          if (wraps) {
+            for (int s = 0; s < P; ++s)
+              along[s] += weight * row[Window<P>::wrapped(w.first[2] + s, mesh.points[2])];
+          } else {
+            const double* const at = row + w.first[2];
+#pragma GCC ivdep
+            for (int s = 0; s < P; ++s) along[s] += weight * at[s];
+          }
+        }
+      }
+      double sum = 0;
+      for (int s = 0; s < P; ++s) sum += along[s] * w.weight[2][s];
+      numbers[3 * b + c] += sum;
+    }
+  }
+}
+
+void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,
+                    double* const* onto) {
+#define BEADSWIM_SPREAD(P) \
+  case P:                  \
+    return spread_of<P>(mesh, beads, numbers, onto)
+  switch (mesh.window) {
+    BEADSWIM_SPREAD(4);
+    BEADSWIM_SPREAD(6);
+    BEADSWIM_SPREAD(8);
+    BEADSWIM_SPREAD(10);
+    BEADSWIM_SPREAD(12);
+    BEADSWIM_SPREAD(14);
+    BEADSWIM_SPREAD(16);
+    BEADSWIM_SPREAD(18);
+    BEADSWIM_SPREAD(20);
+    BEADSWIM_SPREAD(22);
+    BEADSWIM_SPREAD(24);
+    BEADSWIM_SPREAD(26);
+  }
+}
+
+void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,
+                    double* numbers) {
+#define BEADSWIM_GATHER(P) \
+  case P:                  \
+    return gather_of<P>(mesh, beads, from, numbers)
+  switch (mesh.window) {
+    BEADSWIM_GATHER(4);
+    BEADSWIM_GATHER(6);
+    BEADSWIM_GATHER(8);
+    BEADSWIM_GATHER(10);
+    BEADSWIM_GATHER(12);
+    BEADSWIM_GATHER(14);
+    BEADSWIM_GATHER(16);
+    BEADSWIM_GATHER(18);
+    BEADSWIM_GATHER(20);
+    BEADSWIM_GATHER(22);
+    BEADSWIM_GATHER(24);
+    BEADSWIM_GATHER(26);
+  }
+}
+
+}  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -1,0 +1,152 @@
+#include "beadswim/mobility/mobility_product.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/ewald_split.hpp"
+#include "beadswim/mobility/particle_mesh.hpp"
+#include "near_pairs.hpp"
+
+namespace beadswim {
+namespace {
+
+/// In open space fewer spheres are summed pair by pair: exactly, and as fast.
+constexpr std::size_t fewest_on_mesh = 1000;
+
+void check(const MobilityScene& scene) {
+  if (scene.radii.empty()) throw InputError("mobility", "no sphere");
+  for (const double radius : scene.radii)
+    if (!(radius > 0 && std::isfinite(radius)))
+      throw InputError("mobility", fmt::format("radius {}", radius));
+  if (!(scene.viscosity > 0 && std::isfinite(scene.viscosity)))
+    throw InputError("mobility", fmt::format("viscosity {}", scene.viscosity));
+  if (!scene.box) return;
+  for (const double length : scene.box->lengths)
+    if (!(length > 0 && std::isfinite(length)))
+      throw InputError("mobility", fmt::format("box edge {}", length));
+}
+
+/// The periodic box in which walls are mirrors: twice as long across them.
+std::array<double, 3> mirrored_lengths(const std::optional<Box>& box) {
+  if (!box) return {};
+  std::array<double, 3> lengths = box->lengths;
+  for (int a = 0; a < 3; ++a)
+    if (box->free_slip[a]) lengths[a] *= 2;
+  return lengths;
+}
+
+int mirrors(const std::optional<Box>& box) {
+  int count = 0;
+  if (box)
+    for (const bool wall : box->free_slip) count += wall ? 1 : 0;
+  return count;
+}
+
+/// Adds the copies behind walls, of each axis in turn: a mirror reverses a vector's part across it.
+void add_mirror_images(const Box& box, std::vector<Vec3>& positions, std::vector<Vec3>& forces) {
+  for (int a = 0; a < 3; ++a) {
+    if (!box.free_slip[a]) continue;
+    const std::size_t count = positions.size();
+    for (std::size_t b = 0; b < count; ++b) {
+      Vec3 place = positions[b], force = forces[b];
+      place[a] = -place[a];
+      force[a] = -force[a];
+      positions.push_back(place);
+      forces.push_back(force);
+    }
+  }
+}
+
+EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {
+  EwaldScene ewald{.lengths = mirrored_lengths(scene.box),
+                   .is_periodic = scene.box.has_value(),
+                   .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirrors(scene.box)),
+                   .typical_radius = *std::ranges::max_element(scene.radii),
+                   .tolerance = scene.tolerance};
+  if (scene.box) return ewald;
+  Vec3 low = positions[0], high = positions[0];
+  for (const Vec3& x : positions) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  for (int a = 0; a < 3; ++a)
+    ewald.lengths[a] = high[a] - low[a] + 2 * *std::ranges::max_element(scene.radii);
+  return ewald;
+}
+
+/// Sums over ranks, each sum in order of the ranks: the same bits whenever the number of ranks is.
+void sum_over_ranks(std::span<Vec3> velocities, const Communicator& communicator) {
+  const int ranks = communicator.size();
+  if (ranks == 1) return;
+  const std::size_t each = (velocities.size() + ranks - 1) / ranks;
+  std::vector<Vec3> parts(velocities.begin(), velocities.end());
+  parts.resize(each * ranks, Vec3::Zero());
+  std::vector<Vec3> arrived(each * ranks), sums(each, Vec3::Zero());
+  const int doubles = static_cast<int>(3 * each);
+  MPI_Alltoall(parts.data(), doubles, MPI_DOUBLE, arrived.data(), doubles, MPI_DOUBLE, communicator.get());
+  for (int r = 0; r < ranks; ++r)
+    for (std::size_t b = 0; b < each; ++b) sums[b] += arrived[r * each + b];
+  MPI_Allgather(sums.data(), doubles, MPI_DOUBLE, parts.data(), doubles, MPI_DOUBLE, communicator.get());
+  std::copy_n(parts.begin(), velocities.size(), velocities.begin());
+}
+
+}  // namespace
+
+struct MobilityProduct::Parts {
+  MobilityScene scene;
+  const Communicator& communicator;
+  std::optional<EwaldPlan> plan;
+  std::unique_ptr<NearPairs> near;  ///< none: pairs are summed whole
+  std::unique_ptr<ParticleMesh> mesh;
+  std::vector<double> self;  ///< of each sphere, less what the mesh does to itself
+};
+
+MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> positions,
+                                 const Communicator& communicator) {
+  check(scene);
+  const std::array<double, 3> lengths = mirrored_lengths(scene.box);
+  std::vector<double> radii = scene.radii;
+  for (int m = 0; m < mirrors(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
+  parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}});
+  if (scene.box || scene.radii.size() >= fewest_on_mesh)
+    parts_->plan = plan_ewald(ewald_scene(scene, positions));
+  for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));
+  if (!parts_->plan) return;
+  const EwaldPlan& plan = *parts_->plan;
+  parts_->near = std::make_unique<NearPairs>(
+      NearPairs::Law{scene.model, scene.viscosity, radii, lengths, plan.xi, plan.cut_off});
+  ParticleMesh::Beads beads{{}, scene.viscosity};
+  const bool is_sphere = scene.model == PointModel::rotne_prager;
+  if (is_sphere)
+    for (const double radius : radii) beads.squared_radii.push_back(radius * radius);
+  parts_->mesh = std::make_unique<ParticleMesh>(plan, lengths, beads, communicator);
+  for (std::size_t b = 0; b < scene.radii.size(); ++b)
+    parts_->self[b] -= far_self_mobility(plan.xi, is_sphere ? radii[b] * radii[b] : 0, scene.viscosity);
+}
+
+MobilityProduct::~MobilityProduct() = default;
+
+const std::optional<EwaldPlan>& MobilityProduct::plan() const {
+  return parts_->plan;
+}
+
+void MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                            std::span<Vec3> velocities) const {
+  const Parts& parts = *parts_;
+  std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
+  if (parts.scene.box) add_mirror_images(*parts.scene.box, places, sources);
+  std::ranges::fill(velocities, Vec3::Zero());
+  if (parts.mesh) {
+    parts.near->add_velocities(places, sources, velocities, parts.communicator);
+    parts.mesh->add_velocities(places, sources, velocities);
+  } else {
+    add_all_pairs(parts.scene.model, parts.scene.viscosity, parts.scene.radii, places, sources, velocities,
+                  parts.communicator);
+  }
+  sum_over_ranks(velocities, parts.communicator);
+  for (std::size_t b = 0; b < velocities.size(); ++b) velocities[b] += parts.self[b] * forces[b];
+}
+
+}  // namespace beadswim

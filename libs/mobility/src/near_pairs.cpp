@@ -1,0 +1,184 @@
+#include "near_pairs.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/mobility/ewald_split.hpp"
+#include "neighbour_cells.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Stretches of the table, short beside distances: to some 1e-12 of the tensor.
+int stretches_between(double first, double last) {
+  return static_cast<int>(std::clamp(40 * (last - first) / first, 256.0, 65536.0));
+}
+
+/// Rank r's share of n things in a row.
+std::pair<int, int> share(int n, const Communicator& communicator) {
+  const auto at = [&](int rank) { return static_cast<int>(std::int64_t{n} * rank / communicator.size()); };
+  return {at(communicator.rank()), at(communicator.rank() + 1)};
+}
+
+/// Coefficients of the polynomial of degree 5 through values at Chebyshev's points of [0, 1].
+using Fit = Eigen::Matrix<double, PairTable::degree + 1, 1>;
+double chebyshev_point(int k) {
+  constexpr int n = PairTable::degree + 1;
+  return 0.5 - 0.5 * std::cos(std::numbers::pi * (k + 0.5) / n);
+}
+Fit fit(const Fit& values) {
+  constexpr int n = PairTable::degree + 1;
+  static const Eigen::Matrix<double, n, n> inverse = [] {
+    Eigen::Matrix<double, n, n> powers;
+    for (int k = 0; k < n; ++k)
+      for (int p = 0; p < n; ++p) powers(k, p) = std::pow(chebyshev_point(k), p);
+    return Eigen::Matrix<double, n, n>(powers.inverse());
+  }();
+  return inverse * values;
+}
+
+}  // namespace
+
+NearPairs::NearPairs(Law law) : law_(std::move(law)) {
+  const auto [least, most] = std::ranges::minmax_element(law_.radii);
+  touching_ = std::min(2 * *most, law_.cut_off);
+  is_alike_ = *least == *most || law_.model == PointModel::oseen;
+  tabulate();
+}
+
+PairTensor NearPairs::tensor(double radius_i, double radius_j, double r) const {
+  const bool is_sphere = law_.model == PointModel::rotne_prager;
+  const double squares = is_sphere ? radius_i * radius_i + radius_j * radius_j : 0;
+  PairTensor tensor = near_tensor(law_.xi, r, law_.viscosity).of_spheres(squares);
+  if (is_sphere && r < radius_i + radius_j) {
+    const PairTensor overlap = rotne_prager_tensor(radius_i, radius_j, r, law_.viscosity) -
+                               rotne_prager_tensor_apart(squares, r, law_.viscosity);
+    tensor = {tensor.isotropic + overlap.isotropic, tensor.axial + overlap.axial};
+  }
+  return tensor;
+}
+
+void NearPairs::tabulate() {
+  constexpr int powers = PairTable::degree + 1;
+  const int stretches = stretches_between(touching_, law_.cut_off);
+  const double width = (law_.cut_off - touching_) / stretches;
+  table_ = {.first = touching_,
+            .inverse_width = width > 0 ? 1 / width : 0,
+            .functions = is_alike_ ? 2 : 4,
+            .coefficients = nullptr};
+  const double squares = law_.model == PointModel::oseen ? 0 : 2 * law_.radii.front() * law_.radii.front();
+  const int functions = table_.functions;
+  coefficients_.resize(static_cast<std::size_t>(stretches + 1) * powers *
+                       functions);  // one more: roundoff at the end
+  for (int s = 0; s <= stretches; ++s) {
+    std::array<Fit, 4> values;
+    for (int k = 0; k < powers; ++k) {
+      const double r = touching_ + (s + chebyshev_point(k)) * width;
+      const SplitTensor parts = near_tensor(law_.xi, r, law_.viscosity);
+      const PairTensor first = is_alike_ ? parts.of_spheres(squares) : parts.oseen;
+      values[0][k] = first.isotropic;
+      values[1][k] = first.axial / (r * r);
+      values[2][k] = parts.laplacian.isotropic / 6;
+      values[3][k] = parts.laplacian.axial / 6 / (r * r);
+    }
+    for (int f = 0; f < functions; ++f) {
+      const Fit coefficients = fit(values[f]);
+      for (int p = 0; p < powers; ++p)
+        coefficients_[(static_cast<std::size_t>(s) * powers + p) * functions + f] = coefficients[p];
+    }
+  }
+  table_.coefficients = coefficients_.data();
+}
+
+/// Beads in order of cells, and the pairs of one bead.
+struct NearPairs::Work {
+  NeighbourCells cells;
+  std::vector<double> places[3];
+  std::vector<unsigned char> is_receiver;
+  std::vector<Vec3> forces, velocities;
+  std::vector<double> radii;
+  PairBatch batch;
+};
+
+void NearPairs::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                               std::span<Vec3> velocities, const Communicator& communicator) const {
+  Work work{.cells = NeighbourCells(positions, law_.cut_off, law_.lengths),
+            .places = {},
+            .is_receiver = {},
+            .forces = {},
+            .velocities = {},
+            .radii = {},
+            .batch = {}};
+  const std::vector<int>& order = work.cells.order();
+  work.velocities.assign(order.size(), Vec3::Zero());
+  for (const int b : order) {
+    for (int a = 0; a < 3; ++a) work.places[a].push_back(positions[b][a]);
+    work.is_receiver.push_back(b < std::ssize(velocities) ? 1 : 0);
+    work.forces.push_back(forces[b]);
+    work.radii.push_back(law_.radii[b]);
+  }
+  const auto& kernels = mobility_kernels();
+  SortedSpheres spheres{
+      work.places[0].data(), work.places[1].data(), work.places[2].data(), work.is_receiver.data(), {}};
+  std::ranges::copy(law_.lengths, spheres.lengths);
+  const auto [first, last] = share(static_cast<int>(order.size()), communicator);
+  for (int s = first; s < last; ++s) {
+    work.cells.for_each_stretch_after(s, [&](int begin, int end) {
+      while ((begin = kernels.near_spheres(spheres, s, begin, end, law_.cut_off, work.batch)) < end)
+        flush(work, s);
+    });
+    flush(work, s);
+  }
+  for (std::size_t s = 0; s < order.size(); ++s)
+    if (work.is_receiver[s] != 0) velocities[order[s]] += work.velocities[s];
+}
+
+void NearPairs::flush(Work& work, int one) const {
+  PairBatch& batch = work.batch;
+  int kept = 0;
+  for (int t = 0; t < batch.count; ++t) {
+    const int other = batch.other[t];
+    const Vec3 d(batch.d[0][t], batch.d[1][t], batch.d[2][t]);
+    if (batch.r2[t] <= touching_ * touching_) {  // few
+      const double r = std::sqrt(batch.r2[t]);
+      const PairTensor whole = tensor(work.radii[one], work.radii[other], r);
+      work.velocities[one] += whole.apply(d, r, work.forces[other]);
+      work.velocities[other] += whole.apply(d, r, work.forces[one]);
+      continue;
+    }
+    batch.other[kept] = other;
+    batch.r2[kept] = batch.r2[t];
+    for (int a = 0; a < 3; ++a) {
+      batch.d[a][kept] = d[a];
+      batch.force[a][kept] = work.forces[other][a];
+    }
+    if (!is_alike_)
+      batch.squares[kept] = work.radii[one] * work.radii[one] + work.radii[other] * work.radii[other];
+    ++kept;
+  }
+  batch.count = kept;
+  mobility_kernels().pair_velocities(table_, work.forces[one].data(), batch, work.velocities[one].data());
+  for (int t = 0; t < kept; ++t)
+    for (int a = 0; a < 3; ++a) work.velocities[batch.other[t]][a] += batch.velocity[a][t];
+  batch.count = 0;
+}
+
+void add_all_pairs(PointModel model, double viscosity, std::span<const double> radii,
+                   std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
+                   const Communicator& communicator) {
+  const int n = static_cast<int>(positions.size());
+  for (int i = communicator.rank(); i < n; i += communicator.size()) {
+    for (int j = i + 1; j < n; ++j) {
+      const Vec3 d = positions[i] - positions[j];
+      const double r = d.norm();
+      const PairTensor tensor = model == PointModel::oseen
+                                    ? oseen_tensor(r, viscosity)
+                                    : rotne_prager_tensor(radii[i], radii[j], r, viscosity);
+      velocities[i] += tensor.apply(d, r, forces[j]);
+      velocities[j] += tensor.apply(d, r, forces[i]);
+    }
+  }
+}
+
+}  // namespace beadswim

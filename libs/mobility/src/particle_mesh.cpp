@@ -1,0 +1,356 @@
+#include "beadswim/mobility/particle_mesh.hpp"
+
+#include <fftw3-mpi.h>
+
+#include <algorithm>
+#include <complex>
+#include <numbers>
+#include <numeric>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/ewald_split.hpp"
+#include "mobility_kernels.hpp"
+
+namespace beadswim {
+namespace {
+
+using Complex = std::complex<double>;
+
+struct FftwFree {
+  void operator()(double* memory) const { fftw_free(memory); }
+};
+using FftwArray = std::unique_ptr<double[], FftwFree>;
+
+struct PlanFree {
+  void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
+};
+using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanFree>;
+
+Complex* as_complex(const FftwArray& array) {
+  return reinterpret_cast<Complex*>(array.get());
+}
+
+/// Transforms of real meshes in place, split over ranks by planes of the first axis; in k by those of the
+/// second.
+class Transform {
+ public:
+  Transform(const std::array<int, 3>& points, const Communicator& communicator) : points_(points) {
+    static const bool started = (fftw_mpi_init(), true);
+    (void)started;
+    const std::array<std::ptrdiff_t, 3> n{points[0], points[1], points[2]};
+    size_ = fftw_mpi_local_size_3d_transposed(n[0], n[1], n[2] / 2 + 1, communicator.get(), &planes_,
+                                              &first_plane_, &waves_, &first_wave_);
+    const FftwArray scratch = array();
+    auto* complex = reinterpret_cast<fftw_complex*>(scratch.get());
+    // Estimated plans: the same ones, and the same bits, in every run.
+    forward_.reset(fftw_mpi_plan_dft_r2c_3d(n[0], n[1], n[2], scratch.get(), complex, communicator.get(),
+                                            FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_OUT));
+    backward_.reset(fftw_mpi_plan_dft_c2r_3d(n[0], n[1], n[2], complex, scratch.get(), communicator.get(),
+                                             FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_IN));
+  }
+
+  FftwArray array() const { return FftwArray(fftw_alloc_real(2 * std::max<std::ptrdiff_t>(size_, 1))); }
+  std::ptrdiff_t reals() const { return 2 * size_; }
+  void forward(const FftwArray& a) const {
+    fftw_mpi_execute_dft_r2c(forward_.get(), a.get(), reinterpret_cast<fftw_complex*>(a.get()));
+  }
+  void backward(const FftwArray& a) const {
+    fftw_mpi_execute_dft_c2r(backward_.get(), reinterpret_cast<fftw_complex*>(a.get()), a.get());
+  }
+
+  int planes() const { return static_cast<int>(planes_); }
+  int first_plane() const { return static_cast<int>(first_plane_); }
+  std::ptrdiff_t wave_count() const { return waves_ * points_[0] * (points_[2] / 2 + 1); }
+
+  /// Calls visit(place in the array, index along x, y, z) for this rank's wavevectors, indices from -n/2.
+  template <class Visitor>
+  void for_each_wave(const Visitor& visit) const {
+    const auto signed_index = [](int i, int n) { return 2 * i > n ? i - n : i; };
+    std::ptrdiff_t place = 0;
+    for (int j = 0; j < waves_; ++j)
+      for (int i = 0; i < points_[0]; ++i)
+        for (int k = 0; k <= points_[2] / 2; ++k, ++place)
+          visit(place, signed_index(i, points_[0]),
+                signed_index(static_cast<int>(first_wave_) + j, points_[1]), k);
+  }
+
+ private:
+  std::array<int, 3> points_;
+  std::ptrdiff_t size_ = 0, planes_ = 0, first_plane_ = 0, waves_ = 0, first_wave_ = 0;
+  FftwPlan forward_, backward_;
+};
+
+/// xx, xy, xz, yy, yz, zz of a symmetric tensor on a vector.
+template <class T>
+std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex, 3>& f) {
+  return {t[0] * f[0] + t[1] * f[1] + t[2] * f[2], t[1] * f[0] + t[3] * f[1] + t[4] * f[2],
+          t[2] * f[0] + t[4] * f[1] + t[5] * f[2]};
+}
+
+}  // namespace
+
+// Of beads of one size the laplacian is part of one kernel. Else forces are spread twice, as they are (F) and
+// times a_j^2 (D), and velocities gathered twice: u = K F + L D, plus a_i^2 times L F; K the Oseen part, L =
+// laplacian/6.
+struct ParticleMesh::Mesh {
+  EwaldPlan plan;
+  std::array<double, 3> lengths;
+  Beads beads;
+  const Communicator& communicator;
+  bool is_periodic;
+  int fields = 1;
+  double shared_size = 0;  ///< a_i^2 + a_j^2 of all pairs, if there is one field
+  WindowMesh geometry;
+  std::array<double, 3> spacing{};  ///< h [length]
+  std::unique_ptr<Transform> transform;
+  std::vector<std::array<FftwArray, 3>> values;  ///< of each field: forces, then velocities
+  std::vector<int> order;  ///< beads by rows of the mesh, so that neighbours follow each other
+  std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: transforms of K, and of L
+
+  void set_points(const std::array<int, 3>& points);
+  void follow(std::span<const Vec3> positions);
+  void sample_kernel();
+  void spread(std::span<const Vec3> positions, std::span<const Vec3> forces);
+  void gather(std::span<const Vec3> positions, std::span<Vec3> velocities);
+  void sort(std::span<const Vec3> positions);
+  void multiply();
+  void multiply_periodic();
+  void multiply_open();
+};
+
+ParticleMesh::ParticleMesh(const EwaldPlan& plan, const std::array<double, 3>& lengths, Beads beads,
+                           const Communicator& communicator)
+    : mesh_(new Mesh{
+          plan, lengths, std::move(beads), communicator, lengths[0] > 0, 1, 0, {}, {}, {}, {}, {}, {}}) {
+  const std::vector<double>& squares = mesh_->beads.squared_radii;
+  const auto [least, most] = std::ranges::minmax_element(squares);
+  if (!squares.empty() && *least == *most) mesh_->shared_size = 2 * *most;
+  if (!squares.empty() && *least != *most) mesh_->fields = 2;
+  if (!mesh_->is_periodic) return;
+  std::array<int, 3> points;
+  for (int a = 0; a < 3; ++a) {
+    points[a] = good_mesh_size(lengths[a] / plan.spacing);
+    mesh_->spacing[a] = lengths[a] / points[a];
+  }
+  mesh_->set_points(points);
+}
+
+ParticleMesh::~ParticleMesh() = default;
+
+void ParticleMesh::Mesh::set_points(const std::array<int, 3>& points) {
+  transform = std::make_unique<Transform>(points, communicator);
+  geometry.window = plan.window;
+  geometry.row_length = 2 * (points[2] / 2 + 1);  // padded for transforms in place
+  geometry.first_plane = transform->first_plane();
+  geometry.planes = transform->planes();
+  const double half = plan.window / 2.0, decay = plan.window_shape * plan.window_shape / (2 * half * half);
+  for (int a = 0; a < 3; ++a) {
+    geometry.points[a] = points[a];
+    geometry.inverse_spacing[a] = 1 / spacing[a];
+    geometry.decay[a] = decay;
+    geometry.height[a] = std::sqrt(decay / std::numbers::pi) / spacing[a];
+    for (int p = 0; p < plan.window; ++p) geometry.decay_at[a][p] = std::exp(-decay * p * p);
+  }
+  values.resize(fields);
+  for (auto& field : values)
+    for (FftwArray& component : field) component = transform->array();
+}
+
+namespace {
+
+/// The window's share eta of the far part's Gaussian: 2 xi^2 h^2/eta = decay.
+double share_of(const EwaldPlan& plan, const WindowMesh& mesh, int axis) {
+  const double xh = plan.xi / mesh.inverse_spacing[axis];
+  return 2 * xh * xh / mesh.decay[axis];
+}
+
+}  // namespace
+
+void ParticleMesh::Mesh::follow(std::span<const Vec3> positions) {
+  Vec3 low = positions[0], high = positions[0];
+  for (const Vec3& x : positions) {
+    low = low.cwiseMin(x);
+    high = high.cwiseMax(x);
+  }
+  std::array<int, 3> points;
+  for (int a = 0; a < 3; ++a) {
+    spacing[a] = plan.spacing;
+    points[a] = good_mesh_size(2 * (std::ceil((high[a] - low[a]) / plan.spacing) + plan.window));
+    geometry.origin[a] = low[a] - plan.window / 2 * plan.spacing;
+  }
+  if (transform && std::ranges::equal(points, geometry.points)) return;
+  set_points(points);
+  sample_kernel();
+}
+
+void ParticleMesh::Mesh::sample_kernel() {
+  kernel.assign(fields, std::vector<std::array<double, 6>>(transform->wave_count()));
+  const double share = share_of(plan, geometry, 0);
+  const auto& n = geometry.points;
+  const double scale = std::pow(plan.spacing, 3) / (double(n[0]) * n[1] * n[2]);
+  std::array<FftwArray, 6> samples;
+  for (int k = 0; k < fields; ++k) {
+    for (FftwArray& s : samples) s = transform->array();
+    const auto displacement = [&](int i, int axis) {
+      return (2 * i >= n[axis] ? i - n[axis] : i) * plan.spacing;
+    };
+    for (int i = 0; i < geometry.planes; ++i) {
+      for (int j = 0; j < n[1]; ++j) {
+        const std::ptrdiff_t row = (std::ptrdiff_t{i} * n[1] + j) * geometry.row_length;
+        for (int l = 0; l < n[2]; ++l) {
+          const Vec3 d(displacement(geometry.first_plane + i, 0), displacement(j, 1), displacement(l, 2));
+          const double r = d.norm();
+          const SplitTensor parts = far_tensor(plan.xi, share, r, beads.viscosity);
+          const PairTensor tensor =
+              k == 0 ? parts.of_spheres(fields == 1 ? shared_size : 0)
+                     : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
+          const Vec3 unit = r > 0 ? Vec3(d / r) : Vec3::Zero();
+          int c = 0;
+          for (int a = 0; a < 3; ++a)
+            for (int b = a; b < 3; ++b, ++c)
+              samples[c][row + l] = (a == b ? tensor.isotropic : 0) + tensor.axial * unit[a] * unit[b];
+        }
+      }
+    }
+    for (int c = 0; c < 6; ++c) {
+      transform->forward(samples[c]);  // of even functions: real
+      const Complex* waves = as_complex(samples[c]);
+      for (std::ptrdiff_t w = 0; w < transform->wave_count(); ++w) kernel[k][w][c] = scale * waves[w].real();
+    }
+  }
+}
+
+void ParticleMesh::Mesh::sort(std::span<const Vec3> positions) {
+  const auto index = [&](const Vec3& x, int a) {
+    const int i = static_cast<int>(std::floor((x[a] - geometry.origin[a]) * geometry.inverse_spacing[a])) %
+                  geometry.points[a];
+    return i < 0 ? i + geometry.points[a] : i;
+  };
+  std::vector<int> row(positions.size()), start(geometry.points[0] * geometry.points[1] + 1, 0);
+  for (std::size_t b = 0; b < positions.size(); ++b)
+    ++start[(row[b] = index(positions[b], 0) * geometry.points[1] + index(positions[b], 1)) + 1];
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  order.resize(positions.size());
+  for (std::size_t b = 0; b < positions.size(); ++b) order[start[row[b]]++] = static_cast<int>(b);
+}
+
+namespace {
+
+std::vector<Vec3> in_order(const std::vector<int>& order, std::span<const Vec3> vectors) {
+  std::vector<Vec3> sorted;
+  sorted.reserve(order.size());
+  for (const int b : order) sorted.push_back(vectors[b]);
+  return sorted;
+}
+
+}  // namespace
+
+void ParticleMesh::Mesh::spread(std::span<const Vec3> positions, std::span<const Vec3> forces) {
+  sort(positions);
+  const std::vector<Vec3> places = in_order(order, positions);
+  std::vector<Vec3> sources = in_order(order, forces);
+  for (int f = 0; f < fields; ++f) {
+    if (f == 1)
+      for (std::size_t s = 0; s < sources.size(); ++s) sources[s] *= beads.squared_radii[order[s]];
+    std::array<double*, 3> onto;
+    for (int c = 0; c < 3; ++c) {
+      onto[c] = values[f][c].get();
+      std::fill_n(onto[c], transform->reals(), 0.0);
+    }
+    mobility_kernels().spread_windows(geometry, {std::ssize(places), places[0].data()}, sources[0].data(),
+                                      onto.data());
+  }
+}
+
+void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<Vec3> velocities) {
+  std::erase_if(order, [&](int b) { return b >= std::ssize(velocities); });
+  const std::vector<Vec3> places = in_order(order, positions);
+  const double volume = spacing[0] * spacing[1] * spacing[2];
+  for (int f = 0; f < fields; ++f) {
+    const std::array<const double*, 3> from{values[f][0].get(), values[f][1].get(), values[f][2].get()};
+    std::vector<Vec3> sums(places.size(), Vec3::Zero());
+    mobility_kernels().gather_windows(geometry, {std::ssize(sums), places[0].data()}, from.data(),
+                                      sums[0].data());
+    for (std::size_t s = 0; s < sums.size(); ++s)
+      velocities[order[s]] += volume * (f == 0 ? 1 : beads.squared_radii[order[s]]) * sums[s];
+  }
+}
+
+void ParticleMesh::Mesh::multiply() {
+  for (auto& field : values)
+    for (FftwArray& component : field) transform->forward(component);
+  is_periodic ? multiply_periodic() : multiply_open();
+  for (auto& field : values)
+    for (FftwArray& component : field) transform->backward(component);
+}
+
+void ParticleMesh::Mesh::multiply_periodic() {
+  std::array<double, 3> wave, left;  // per index: k, and what is left of the Gaussian's exponent
+  for (int a = 0; a < 3; ++a) {
+    wave[a] = 2 * std::numbers::pi / lengths[a];
+    left[a] = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);
+  }
+  const auto& n = geometry.points;
+  const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3 / V
+  transform->for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
+    std::array<Complex*, 3> force, second;
+    for (int c = 0; c < 3; ++c) {
+      force[c] = as_complex(values[0][c]) + place;
+      second[c] = fields == 2 ? as_complex(values[1][c]) + place : nullptr;
+    }
+    if (i == 0 && j == 0 && l == 0) {  // the mean flow, which is zero
+      for (int c = 0; c < 3; ++c) *force[c] = 0;
+      if (fields == 2)
+        for (int c = 0; c < 3; ++c) *second[c] = 0;
+      return;
+    }
+    const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
+    const double k2 = k.squaredNorm();
+    const double exponent = i * i * left[0] + j * j * left[1] + l * l * left[2];
+    const double factor = scale * far_spectrum(plan.xi, k2, exponent, beads.viscosity);
+    const auto transverse = [&](const std::array<Complex*, 3>& f) {
+      const Complex along = (k[0] * *f[0] + k[1] * *f[1] + k[2] * *f[2]) / k2;
+      return std::array<Complex, 3>{*f[0] - along * k[0], *f[1] - along * k[1], *f[2] - along * k[2]};
+    };
+    const auto F = transverse(force);
+    if (fields == 1) {
+      for (int c = 0; c < 3; ++c) *force[c] = factor * (1 - shared_size * k2 / 6) * F[c];
+      return;
+    }
+    const auto D = transverse(second);
+    for (int c = 0; c < 3; ++c) {
+      *force[c] = factor * (F[c] - k2 / 6 * D[c]);
+      *second[c] = -factor * k2 / 6 * F[c];
+    }
+  });
+}
+
+void ParticleMesh::Mesh::multiply_open() {
+  for (std::ptrdiff_t place = 0; place < transform->wave_count(); ++place) {
+    std::array<Complex, 3> F, D;
+    for (int c = 0; c < 3; ++c) {
+      F[c] = as_complex(values[0][c])[place];
+      if (fields == 2) D[c] = as_complex(values[1][c])[place];
+    }
+    auto u = times(kernel[0][place], F);
+    if (fields == 2) {
+      const auto by_size = times(kernel[1][place], D), second = times(kernel[1][place], F);
+      for (int c = 0; c < 3; ++c) {
+        u[c] += by_size[c];
+        as_complex(values[1][c])[place] = second[c];
+      }
+    }
+    for (int c = 0; c < 3; ++c) as_complex(values[0][c])[place] = u[c];
+  }
+}
+
+void ParticleMesh::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                  std::span<Vec3> velocities) {
+  Mesh& mesh = *mesh_;
+  if (!mesh.is_periodic) mesh.follow(positions);
+  mesh.spread(positions, forces);
+  mesh.multiply();
+  mesh.gather(positions, velocities);
+}
+
+}  // namespace beadswim

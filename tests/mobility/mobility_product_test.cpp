@@ -1,0 +1,165 @@
+#include "beadswim/mobility/mobility_product.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "beadswim/core/error.hpp"
+#include "direct_ewald.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr double eta = 1.0 / 3;  // [mass/(length time)]
+
+/// Spheres anywhere in a box, radii from `smallest` to twice it (or all alike), forces that sum to zero.
+direct::Spheres random_spheres(int count, const std::array<double, 3>& lengths, double smallest, bool alike) {
+  std::mt19937 random(static_cast<unsigned>(count));  // seed: the count
+  std::uniform_real_distribution<double> uniform(0, 1);
+  direct::Spheres spheres;
+  Vec3 sum = Vec3::Zero();
+  for (int b = 0; b < count; ++b) {
+    spheres.places.emplace_back(lengths[0] * uniform(random), lengths[1] * uniform(random),
+                                lengths[2] * uniform(random));
+    spheres.radii.push_back(smallest * (alike ? 1 : 1 + uniform(random)));
+    spheres.forces.emplace_back(uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5);
+    sum += spheres.forces.back();
+  }
+  for (Vec3& force : spheres.forces) force -= sum / count;
+  return spheres;
+}
+
+direct::Vectors product(const MobilityScene& scene, const direct::Spheres& spheres) {
+  const Communicator world(MPI_COMM_WORLD);
+  const MobilityProduct mobility(scene, spheres.places, world);
+  direct::Vectors velocities(spheres.places.size());
+  mobility.apply(spheres.places, spheres.forces, velocities);
+  return velocities;
+}
+
+double relative_error(const direct::Vectors& a, const direct::Vectors& exact) {
+  double difference = 0, size = 0;
+  for (std::size_t b = 0; b < a.size(); ++b) {
+    difference += (a[b] - exact[b]).squaredNorm();
+    size += exact[b].squaredNorm();
+  }
+  return std::sqrt(difference / size);
+}
+
+struct Case {
+  std::array<double, 3> lengths;
+  std::array<bool, 3> free_slip;
+};
+constexpr Case boxes[] = {{{20, 20, 20}, {}},
+                          {{48, 16, 20}, {}},
+                          {{15, 24, 30}, {true, false, false}},
+                          {{16, 15, 20}, {true, true, true}}};
+
+// Against the sum over all images and wavevectors of another splitting: the error is what was asked for,
+// however small. A wrong share of the windows, size term, self term or mirror is far outside of it.
+TEST(MobilityProduct, InABoxIsTheDirectSumToItsTolerance) {
+  for (const PointModel model : {PointModel::rotne_prager, PointModel::oseen}) {
+    const auto law = model == PointModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
+    for (const Case& box : boxes) {
+      for (const bool alike : {true, false}) {
+        const direct::Spheres spheres = random_spheres(24, box.lengths, 1, alike);
+        const auto exact = direct::box_velocities(law, spheres, eta, Vec3(box.lengths.data()), box.free_slip);
+        for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
+          const MobilityScene scene{model, eta, Box{box.lengths, box.free_slip}, spheres.radii, tolerance};
+          EXPECT_LT(relative_error(product(scene, spheres), exact), tolerance)
+              << box.lengths[0] << " long, walls " << box.free_slip[0] << ", alike " << alike;
+        }
+      }
+    }
+  }
+}
+
+// Against the sum of all pairs: a thousand spheres are on the mesh. Crowded, where many overlap, and far
+// apart.
+TEST(MobilityProduct, InOpenSpaceIsTheSumOfPairsToItsTolerance) {
+  for (const double edge : {25.0, 60.0, 1500.0}) {
+    for (const bool alike : {true, false}) {
+      const direct::Spheres spheres = random_spheres(1001, {edge, edge, edge / 2}, 1, alike);
+      const auto exact = direct::open_velocities(direct::Law::rotne_prager, spheres, eta);
+      for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
+        const MobilityScene scene{PointModel::rotne_prager, eta, {}, spheres.radii, tolerance};
+        EXPECT_LT(relative_error(product(scene, spheres), exact), tolerance)
+            << "edge " << edge << ", alike " << alike;
+      }
+    }
+  }
+}
+
+TEST(MobilityProduct, SumsFewSpheresInOpenSpaceToRoundoff) {
+  constexpr double roundoff = 1e-14;
+  for (const PointModel model : {PointModel::rotne_prager, PointModel::oseen}) {
+    const auto law = model == PointModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
+    const direct::Spheres spheres = random_spheres(30, {10, 10, 10}, 1, false);
+    EXPECT_LT(relative_error(product({model, eta, {}, spheres.radii}, spheres),
+                             direct::open_velocities(law, spheres, eta)),
+              roundoff);
+  }
+}
+
+// Where positions differ by whole edges of the box, and however the swarm has moved in open space.
+TEST(MobilityProduct, DoesNotHangOnImagesOrPlace) {
+  direct::Spheres spheres = random_spheres(40, {20, 24, 30}, 1, false);
+  const MobilityScene in_box{PointModel::rotne_prager, eta, Box{{20, 24, 30}}, spheres.radii, 1e-6};
+  const auto before = product(in_box, spheres);
+  for (std::size_t b = 0; b < spheres.places.size(); ++b)
+    spheres.places[b] +=
+        Vec3(20.0 * (static_cast<double>(b % 3) - 1), -24.0 * static_cast<double>(b % 2), 60);
+  constexpr double roundoff = 1e-12;
+  EXPECT_LT(relative_error(product(in_box, spheres), before), roundoff);
+
+  direct::Spheres many = random_spheres(1001, {40, 40, 40}, 1, true);
+  const Communicator world(MPI_COMM_WORLD);
+  const double tolerance = 1e-4;
+  const MobilityProduct mobility({PointModel::rotne_prager, eta, {}, many.radii, tolerance}, many.places,
+                                 world);
+  for (Vec3& place : many.places) place = 1.3 * place + Vec3(1e4, -300, 7);  // the mesh follows, and grows
+  direct::Vectors velocities(many.places.size());
+  mobility.apply(many.places, many.forces, velocities);
+  EXPECT_LT(relative_error(velocities, direct::open_velocities(direct::Law::rotne_prager, many, eta)),
+            tolerance);
+}
+
+// <f, mu g> = <g, mu f>, and f does work: pairs and mesh together, to roundoff, whatever the tolerance.
+TEST(MobilityProduct, IsReciprocalAndDissipates) {
+  direct::Spheres spheres = random_spheres(60, {20, 24, 30}, 1, false);
+  const MobilityScene scene{PointModel::rotne_prager, eta, Box{{20, 24, 30}}, spheres.radii, 1e-3};
+  const direct::Vectors f = spheres.forces, by_f = product(scene, spheres);
+  std::ranges::rotate(spheres.forces, spheres.forces.begin() + 7);
+  const direct::Vectors g = spheres.forces, by_g = product(scene, spheres);
+  double f_by_g = 0, g_by_f = 0, work = 0;
+  for (std::size_t b = 0; b < f.size(); ++b) {
+    f_by_g += f[b].dot(by_g[b]);
+    g_by_f += g[b].dot(by_f[b]);
+    work += f[b].dot(by_f[b]);
+  }
+  constexpr double roundoff = 1e-12;
+  EXPECT_NEAR(f_by_g, g_by_f, roundoff * work);
+  EXPECT_GT(work, 0);
+}
+
+// The same bits again on as many ranks: FFTW's plans and the order of sums do not hang on time or luck.
+TEST(MobilityProduct, RepeatsItsBits) {
+  const direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, false);
+  const MobilityScene scene{PointModel::rotne_prager, eta, {}, spheres.radii, 1e-4};
+  EXPECT_EQ(product(scene, spheres), product(scene, spheres));
+}
+
+TEST(MobilityProduct, RefusesWhatItCannotSum) {
+  const direct::Spheres spheres = random_spheres(5, {20, 20, 20}, 1, true);
+  MobilityScene scene{PointModel::rotne_prager, eta, Box{{20, 20, 3}}, spheres.radii};
+  EXPECT_THROW(product(scene, spheres), InputError);
+  scene.box->lengths[2] = 20;
+  scene.tolerance = 0.1;
+  EXPECT_THROW(product(scene, spheres), InputError);
+  scene.tolerance = 1e-4;
+  scene.radii[3] = 0;
+  EXPECT_THROW(product(scene, spheres), InputError);
+}
+
+}  // namespace
+}  // namespace beadswim
