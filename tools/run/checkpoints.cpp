@@ -183,7 +183,8 @@ RunPast restore(CoupledSystem& system, Recorder& recorder, const CheckpointReade
   });
   recorder.restore(communicator.is_root()
                        ? checkpoint.bytes(record_section, 0, checkpoint.size(record_section))
-                       : std::vector<char>{});
+                       : std::vector<char>{},
+                   past.moment.steps_done);
   return past;
 }
 

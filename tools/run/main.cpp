@@ -14,6 +14,7 @@
 #include "memory.hpp"
 #include "record.hpp"
 #include "run_loop.hpp"
+#include "scene_facts.hpp"
 #include "stop_signal.hpp"
 #include "velocity_roundoff.hpp"
 #include "warnings.hpp"
@@ -52,9 +53,9 @@ std::string read_text_once(const std::string& path, const Communicator& communic
 
 TrajectoryHeader header_of(const LayoutDocument& document, const SceneOnLattice& on_lattice) {
   TrajectoryHeader header;
-  const Domain& domain = *document.layout.domain;
-  header.box_lengths = domain.lengths;
-  for (int a = 0; a < 3; ++a) header.periodic[a] = domain.boundary[a] == Boundary::periodic;
+  const Box box = box_of(document.layout);
+  header.box_lengths = box.lengths;
+  header.periodic = box.periodic;
   for (const CoupledScene::Swimmer& swimmer : on_lattice.scene.swimmers) {
     for (int b = 0; b < 3; ++b) {
       header.swimmer.push_back(swimmer.id);
