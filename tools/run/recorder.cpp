@@ -69,13 +69,6 @@ void transfer_list(Message& message, List& list, Transfer&& transfer) {
   for (auto& element : list) transfer(message, element);
 }
 
-/// Of each type [step].
-std::vector<double> periods_of(const CoupledScene& scene) {
-  std::vector<double> periods;
-  for (const SwimmerType& type : scene.types) periods.push_back(type.driving.period);
-  return periods;
-}
-
 /// All but equal where both ends are: the mean flow at a time between two frames.
 Vec3 between(double part, const Vec3& first, const Vec3& last) {
   Vec3 result;
@@ -85,15 +78,16 @@ Vec3 between(double part, const Vec3& first, const Vec3& last) {
 
 }  // namespace
 
-Recorder::Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int frames_per_cycle,
-                   TrajectoryWriter& trajectory, const Communicator& communicator)
-    : scales_(on_lattice.lattice.scales),
+Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
+                   const Communicator& communicator)
+    : units_(plan.units),
+      time_step_(plan.time_step),
       communicator_(communicator),
-      steps_per_cycle_(on_lattice.lattice.steps_per_period),
-      frames_per_cycle_(static_cast<int>(std::min<long>(frames_per_cycle, steps_per_cycle_))),
+      steps_per_cycle_(plan.steps_per_cycle),
+      frames_per_cycle_(static_cast<int>(std::min<long>(plan.options.frames_per_cycle, steps_per_cycle_))),
       box_(box_of(layout)),
       trajectory_(trajectory),
-      schedules_(periods_of(on_lattice.scene), frames_per_cycle_) {
+      schedules_(plan.periods, frames_per_cycle_) {
   if (!communicator.is_root()) return;
   std::vector<const Swimmer*> in_order;
   for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
@@ -103,10 +97,10 @@ Recorder::Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int f
     const double period = type.driving.period;
     logs_.push_back({.record = {.id = in_order[s]->id,
                                 .cycles = {},
-                                .period = period == on_lattice.period ? std::nullopt : std::optional(period)},
+                                .period = period == plan.base_period ? std::nullopt : std::optional(period)},
                      .beads = type.beads,
                      .period = period,
-                     .samples_per_cycle = schedules_.of(on_lattice.scene.swimmers[s].type).per_cycle(),
+                     .samples_per_cycle = schedules_.of(plan.swimmers[s].name.type).per_cycle(),
                      .samples = {}});
   }
 }
@@ -121,23 +115,21 @@ long Recorder::step_of_frame(long frame) const {
   return std::lround(static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_));
 }
 
-void Recorder::sample(const CoupledSystem& system) {
-  const long step = system.steps_done();
+void Recorder::sample(const Model& model) {
+  const long step = model.steps_done();
   if (!schedules_.is_any_due(step)) return;
-  for (const SwimmerState& swimmer : system.owned_swimmers()) {
-    if (!schedules_.is_due(swimmer.type, step)) continue;
-    const SamplingSchedule& schedule = schedules_.of(swimmer.type);
+  for (int swimmer = 0; swimmer < model.own_swimmers(); ++swimmer) {
+    const SwimmerName name = model.own_swimmer(swimmer);
+    if (!schedules_.is_due(name.type, step)) continue;
+    const SamplingSchedule& schedule = schedules_.of(name.type);
     const long number = schedule.number_at(step);
     // A cycle ends at its own time, from which the nearest step is less than half a step away.
     const bool ends_cycle = number % schedule.per_cycle() == 0;
     const double time = ends_cycle ? schedule.time_of(number) : static_cast<double>(step);
-    Note note{.id = swimmer.id, .number = number, .time = time, .positions = {}};
-    for (int b = 0; b < 3; ++b) {
-      const BeadMotion& bead = swimmer.motion[b];
-      const double ahead = time - static_cast<double>(step);
-      const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // a step
-      note.positions[b] = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
-    }
+    const Note note{.id = name.id,
+                    .number = number,
+                    .time = time,
+                    .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
     transfer_note(notes_, note);
   }
   schedules_.go_on_from(step + 1);
@@ -160,12 +152,12 @@ void Recorder::take_notes(const Moment& now) {
 }
 
 void Recorder::take_note(Log& log, const Note& note, const Moment& now) {
-  const double time = note.time * scales_.step;
+  const double time = note.time * time_step_;
   const double part =
       now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
   SwimmerSample sample{
       .time = time, .bead_positions = {}, .mean_flow = between(part, last_frame_.mean_flow, now.mean_flow)};
-  for (int b = 0; b < 3; ++b) sample.bead_positions[b] = note.positions[b] * scales_.cell;
+  for (int b = 0; b < 3; ++b) sample.bead_positions[b] = note.positions[b] * units_.length;
   log.samples.push_back(sample);
   if (note.number == 0 || note.number % log.samples_per_cycle != 0) return;
   const int index = static_cast<int>(note.number / log.samples_per_cycle);
@@ -175,21 +167,20 @@ void Recorder::take_note(Log& log, const Note& note, const Moment& now) {
   log.samples.erase(log.samples.begin(), log.samples.end() - 1);  // one cycle's end is the next one's start
 }
 
-void Recorder::record(const CoupledSystem& system, const SceneTotals& totals) {
-  const std::vector<SwimmerState> swimmers = system.gather_swimmers();
-  const long step = system.steps_done();
-  const Moment now{.time = static_cast<double>(step) * scales_.step,
-                   .mean_flow = totals.mean_flow * scales_.velocity()};
+void Recorder::record(const Model& model, const ModelTotals& totals) {
+  const std::vector<SwimmerSight> swimmers = model.gather_swimmers();
+  const long step = model.steps_done();
+  const Moment now{.time = static_cast<double>(step) * time_step_, .mean_flow = totals.mean_flow};
   TrajectoryFrame frame{.step = step,
                         .time = now.time,
                         .positions = {},
                         .velocities = {},
                         .mean_flow = now.mean_flow,
-                        .momentum = totals.momentum * scales_.momentum()};
-  for (const SwimmerState& swimmer : swimmers) {
+                        .momentum = totals.momentum.value_or(Vec3::Zero())};
+  for (const SwimmerSight& swimmer : swimmers) {
     for (const BeadMotion& bead : swimmer.motion) {
-      frame.positions.push_back(bead.position * scales_.cell);
-      frame.velocities.push_back(bead.velocity * scales_.velocity());
+      frame.positions.push_back(bead.position * units_.length);
+      frame.velocities.push_back(bead.velocity * units_.velocity());
     }
   }
   trajectory_.append(frame);
@@ -225,7 +216,7 @@ void Recorder::append_cycles(long step, double time) {
   trajectory_.append(rows);
 }
 
-void Recorder::append_swarm(const std::vector<SwimmerState>& swimmers, const Vec3& momentum) {
+void Recorder::append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec3& momentum) {
   const auto axis = [](const SwimmerMotion& motion) -> Vec3 {
     return (motion[2].position - motion[0].position).normalized();
   };
@@ -238,9 +229,9 @@ void Recorder::append_swarm(const std::vector<SwimmerState>& swimmers, const Vec
     member.initial_axis = swimmers[s].initial_axis;
     if (!log.record.cycles.empty()) member.last_cycle = log.record.cycles.back();
     for (int b = 0; b < 3; ++b) {
-      member.centre += motion[b].position * scales_.cell / 3;
-      const double speed = motion[b].velocity.norm() * scales_.velocity();
-      const double spin = motion[b].angular_velocity.norm() / scales_.step;
+      member.centre += motion[b].position * units_.length / 3;
+      const double speed = motion[b].velocity.norm() * units_.velocity();
+      const double spin = motion[b].angular_velocity.norm() / units_.time;
       member.kinetic_energy +=
           0.5 * mass(log.beads[b]) * speed * speed + 0.5 * moment_of_inertia(log.beads[b]) * spin * spin;
     }

@@ -4,12 +4,11 @@
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/message.hpp"
-#include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
+#include "model.hpp"
 #include "sampling_schedule.hpp"
 #include "scene_facts.hpp"
-#include "scene_on_lattice.hpp"
 
 namespace beadswim {
 
@@ -17,8 +16,8 @@ namespace beadswim {
 /// own period alike, become the statistics of its cycles, on rank 0.
 class Recorder {
  public:
-  Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int frames_per_cycle,
-           TrajectoryWriter& trajectory, const Communicator& communicator);
+  Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
+           const Communicator& communicator);
 
   /// Step of frame k: as near to k/frames_per_cycle cycles as steps allow.
   long step_of_frame(long frame) const;
@@ -28,10 +27,10 @@ class Recorder {
 
   /// Samples those of this rank's swimmers whose time has come. To be called after every step, and before the
   /// first.
-  void sample(const CoupledSystem& system);
+  void sample(const Model& model);
 
-  /// Takes the next frame. `totals`: of the system as it is now. Collective.
-  void record(const CoupledSystem& system, const SceneTotals& totals);
+  /// Takes the next frame. `totals`: of the model as it is now. Collective.
+  void record(const Model& model, const ModelTotals& totals);
 
   // On rank 0. Of many swimmers only the last cycle is kept.
   std::vector<SwimmerRecord> swimmers() const;
@@ -48,7 +47,7 @@ class Recorder {
     int id = 0;
     long number = 0;                ///< k
     double time = 0;                ///< [step]
-    std::array<Vec3, 3> positions;  ///< [cell]
+    std::array<Vec3, 3> positions;  ///< [ModelUnits]
   };
   /// What rank 0 knows of one swimmer.
   struct Log {
@@ -68,13 +67,14 @@ class Recorder {
   void take_notes(const Moment& now);
   void take_note(Log& log, const Note& note, const Moment& now);
   void append_cycles(long step, double time);
-  void append_swarm(const std::vector<SwimmerState>& swimmers, const Vec3& momentum);
+  void append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec3& momentum);
   template <class Message>
   void transfer(Message& message);
 
   bool is_cycle_end() const { return next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0; }
 
-  LatticeScales scales_;
+  ModelUnits units_;
+  double time_step_;
   const Communicator& communicator_;
   long steps_per_cycle_;
   int frames_per_cycle_;
