@@ -7,7 +7,6 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/version.hpp"
-#include "beadswim/coupling/swimmer_snapshot.hpp"
 #include "beadswim/io/json.hpp"
 
 namespace beadswim {
@@ -17,37 +16,14 @@ constexpr const char* flags_section = "flags";
 constexpr const char* program_section = "program";
 constexpr const char* layout_section = "layout";
 constexpr const char* moment_section = "moment";
-constexpr const char* swimmers_section = "swimmers";
 constexpr const char* record_section = "record";
 
 std::string slot_path(const std::string& trajectory, int slot) {
   return fmt::format("{}.ckpt.{}", trajectory, slot);
 }
 
-/// Past: RunPast, const to write.
-template <class Message, class Past>
-void transfer_past(Message& message, Past& past) {
-  message(past.moment.steps_done, past.moment.largest_bead_speed, past.moment.smallest_gap);
-  message(past.first_totals.momentum, past.first_totals.mean_flow, past.first_totals.mass_excess);
-  message(past.wall_seconds, past.core_seconds);
-}
-
-RunPast past_of(const CheckpointReader& checkpoint) {
-  RunPast past;
-  IncomingMessage message(checkpoint.bytes(moment_section, 0, checkpoint.size(moment_section)));
-  transfer_past(message, past);
-  if (!message.is_at_end()) throw SolverError(checkpoint.path() + ": is of another version of the program");
-  return past;
-}
-
 std::string this_program() {
   return version() + " (" + revision() + ")";
-}
-
-LatticePart part_of(const CoupledSystem& system, const Communicator& communicator) {
-  const Decomposition& decomposition = system.decomposition();
-  const Block block = decomposition.block(communicator.rank());
-  return {.cells = decomposition.cells(), .offset = block.offset, .size = block.size};
 }
 
 /// An older run's checkpoint, which a restart must not take for this run's.
@@ -67,39 +43,8 @@ bool exists(const std::string& path, const Communicator& communicator) {
   return there == 1;
 }
 
-/// The populations of one rank, as they are stored.
-template <class Real>
-void add_populations(CheckpointWriter& file, const CoupledSystem& system, const LatticePart& part) {
-  const Populations& populations = system.populations();
-  file.add_lattice<Real>(part, d3q19::directions, [&](int i, std::span<Real> numbers) {
-    auto next = numbers.begin();
-    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
-      *next++ = static_cast<Real>(populations.outgoing(i, cell));
-    });
-  });
-}
-
-template <class Real>
-void read_populations(const CheckpointReader& file, Populations& populations, const LatticePart& part) {
-  file.read_lattice<Real>(part, d3q19::directions, [&](int i, std::span<const Real> numbers) {
-    auto next = numbers.begin();
-    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
-      populations.set_outgoing(i, cell, static_cast<double>(*next++));
-    });
-  });
-}
-
-/// Of all swimmers, those that this rank owns, read some thousands at a time.
-std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
-  const std::uint64_t all = file.size(swimmers_section), some = 4096 * snapshot_size();
-  std::vector<SwimmerSnapshot> owned;
-  for (std::uint64_t first = 0; first < all; first += some) {
-    for (SwimmerSnapshot& swimmer :
-         snapshots_from_bytes(file.bytes(swimmers_section, first, std::min(some, all - first)))) {
-      if (system.owns(swimmer.state)) owned.push_back(std::move(swimmer));
-    }
-  }
-  return owned;
+IncomingMessage moment_of(const CheckpointReader& checkpoint) {
+  return IncomingMessage(checkpoint.bytes(moment_section, 0, checkpoint.size(moment_section)));
 }
 
 std::unique_ptr<CheckpointReader> last_whole(const std::string& trajectory,
@@ -111,8 +56,7 @@ std::unique_ptr<CheckpointReader> last_whole(const std::string& trajectory,
     if (!exists(path, communicator)) continue;
     try {
       auto checkpoint = std::make_unique<CheckpointReader>(path, communicator);
-      if (!last || past_of(*checkpoint).moment.steps_done > past_of(*last).moment.steps_done)
-        last = std::move(checkpoint);
+      if (!last || steps_in(*checkpoint) > steps_in(*last)) last = std::move(checkpoint);
     } catch (const InputError& damaged) {
       faults += std::string(damaged.what()) + "; ";
     }
@@ -164,10 +108,12 @@ std::string layout_of(const CheckpointReader& checkpoint) {
 }
 
 long steps_in(const CheckpointReader& checkpoint) {
-  return past_of(checkpoint).moment.steps_done;
+  long steps_done = 0;
+  moment_of(checkpoint)(steps_done);
+  return steps_done;
 }
 
-RunPast restore(CoupledSystem& system, Recorder& recorder, const CheckpointReader& checkpoint,
+RunPast restore(Model& model, Recorder& recorder, const CheckpointReader& checkpoint,
                 const Communicator& communicator) {
   const std::string writer = checkpoint.text(program_section);
   if (writer != this_program() && communicator.is_root()) {
@@ -175,15 +121,16 @@ RunPast restore(CoupledSystem& system, Recorder& recorder, const CheckpointReade
         fmt::format("beadswim-run: warning: {} was written by {}, and this is {}; the last bits may differ\n",
                     checkpoint.path(), writer, this_program()));
   }
-  const RunPast past = past_of(checkpoint);
-  const LatticePart part = part_of(system, communicator);
-  system.restore(past.moment, owned_swimmers(checkpoint, system), [&](Populations& populations) {
-    in_precision(populations.precision(),
-                 [&]<class Real>() { read_populations<Real>(checkpoint, populations, part); });
-  });
+  RunPast past;
+  IncomingMessage moment = moment_of(checkpoint);
+  moment(past.steps_done);
+  model.restore(past.steps_done, moment, checkpoint);
+  moment(past.wall_seconds, past.core_seconds);
+  if (!moment.is_at_end()) throw SolverError(checkpoint.path() + ": is of another version of the program");
   recorder.restore(communicator.is_root()
                        ? checkpoint.bytes(record_section, 0, checkpoint.size(record_section))
-                       : std::vector<char>{});
+                       : std::vector<char>{},
+                   past.steps_done);
   return past;
 }
 
@@ -213,10 +160,11 @@ int Checkpoints::slot_of(const std::string& checkpoint) const {
 }
 
 void Checkpoints::write(const RunParts& parts, const RunPast& past) {
-  const std::vector<SwimmerSnapshot> swimmers = parts.system.gather_snapshots();
   const std::vector<char> record = parts.recorder.state();
   OutgoingMessage moment;
-  transfer_past(moment, past);
+  moment(past.steps_done);
+  parts.model.write_past(moment);
+  moment(past.wall_seconds, past.core_seconds);
 
   const std::string path = slot_path(output_, slot_);
   CheckpointWriter file(path, communicator_);
@@ -224,12 +172,9 @@ void Checkpoints::write(const RunParts& parts, const RunPast& past) {
   file.add(flags_section, flags_);
   file.add(layout_section, layout_);
   file.add(moment_section, moment.bytes());
-  file.add(swimmers_section, bytes_of(swimmers));
+  parts.model.write_state(file);
   file.add(record_section, record);
   parts.trajectory.add_to(file);
-  const LatticePart part = part_of(parts.system, communicator_);
-  in_precision(parts.system.populations().precision(),
-               [&]<class Real>() { add_populations<Real>(file, parts.system, part); });
   file.finish();
   last_ = path;
   slot_ = 1 - slot_;

@@ -34,8 +34,8 @@ std::string layout_of(const CheckpointReader& checkpoint);
 /// Steps done when it was taken.
 long steps_in(const CheckpointReader& checkpoint);
 
-/// Sets system and recorder to where the checkpoint's were.
-RunPast restore(CoupledSystem& system, Recorder& recorder, const CheckpointReader& checkpoint,
+/// Sets model and recorder to where the checkpoint's were. Collective.
+RunPast restore(Model& model, Recorder& recorder, const CheckpointReader& checkpoint,
                 const Communicator& communicator);
 
 class Checkpoints {

@@ -84,7 +84,7 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
 
 }  // namespace
 
-std::string describe(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far) {
+std::string fault_message(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far) {
   const double steps = static_cast<double>(on_lattice.lattice.steps_per_period);
   const double mach = fault.kind == FaultKind::speed ? fault.value * std::sqrt(3.0) : mach_so_far;
   return fmt::format("step {} (cycle {:.3f}, Mach {:.2g}): {}", fault.step,

@@ -9,6 +9,6 @@ namespace beadswim {
 
 /// Where, what, the likely cause and what to change, for people. mach_so_far: of the fastest bead that was
 /// within the limit.
-std::string describe(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far);
+std::string fault_message(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far);
 
 }  // namespace beadswim

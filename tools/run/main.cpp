@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -11,12 +9,13 @@
 #include "beadswim/core/version.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
-#include "memory.hpp"
+#include "lattice_model.hpp"
 #include "record.hpp"
+#include "request.hpp"
+#include "run_length.hpp"
 #include "run_loop.hpp"
+#include "scene_facts.hpp"
 #include "stop_signal.hpp"
-#include "velocity_roundoff.hpp"
-#include "warnings.hpp"
 
 namespace {
 
@@ -30,37 +29,16 @@ class RunFailed : public SolverError {
   using SolverError::SolverError;
 };
 
-/// Standard input belongs to rank 0: it reads the text, all ranks get it.
-std::string read_text_once(const std::string& path, const Communicator& communicator) {
-  std::string text, failure;
-  if (communicator.is_root()) {
-    try {
-      text = read_text(path);
-    } catch (const InputError& error) {
-      failure = error.what();
-    }
-  }
-  for (std::string* shared : {&text, &failure}) {
-    std::int64_t size = std::ssize(*shared);
-    MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
-    shared->resize(size);
-    MPI_Bcast(shared->data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
-  }
-  if (!failure.empty()) throw InputError(failure);
-  return text;
-}
-
-TrajectoryHeader header_of(const LayoutDocument& document, const SceneOnLattice& on_lattice) {
+TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
   TrajectoryHeader header;
-  const Domain& domain = *document.layout.domain;
-  header.box_lengths = domain.lengths;
-  for (int a = 0; a < 3; ++a) header.periodic[a] = domain.boundary[a] == Boundary::periodic;
-  for (const CoupledScene::Swimmer& swimmer : on_lattice.scene.swimmers) {
+  const Box box = box_of(document.layout);
+  header.box_lengths = box.lengths;
+  header.periodic = box.periodic;
+  for (const PlannedSwimmer& swimmer : plan.swimmers) {
     for (int b = 0; b < 3; ++b) {
-      header.swimmer.push_back(swimmer.id);
+      header.swimmer.push_back(swimmer.name.id);
       header.bead.push_back(b + 1);
-      header.radius.push_back(on_lattice.scene.types[swimmer.type].beads[b].radius *
-                              on_lattice.lattice.scales.cell);
+      header.radius.push_back(swimmer.radii[b]);
     }
   }
   header.creator_version = version() + " (" + revision() + ")";
@@ -68,15 +46,44 @@ TrajectoryHeader header_of(const LayoutDocument& document, const SceneOnLattice&
   return header;
 }
 
-void announce(const SceneOnLattice& on_lattice, const Communicator& communicator) {
-  const Index3& cells = on_lattice.scene.cells;
-  const LatticeChoice& lattice = on_lattice.lattice;
-  tell(fmt::format(
-      "beadswim-run: {} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} "
-      "swimmers, {} precision, {:.2g} GB on {} ranks\n",
-      cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
-      lattice.steps_per_period, on_lattice.scene.swimmers.size(), name_of(on_lattice.scene.precision),
-      1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
+/// How the layout is run. Throws InputError alike on all ranks. Collective.
+std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
+                                    const Communicator& communicator) {
+  return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
+}
+
+void require_steps_left(const ModelPlan& plan, long done) {
+  const double cycles = plan.options.cycles;
+  if (done == 0 || done < total_steps(cycles, plan.steps_per_cycle)) return;
+  throw InputError("--cycles",
+                   fmt::format("{} are behind this checkpoint, of cycle {:.6g}; ask for more", cycles,
+                               static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
+}
+
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) tell(fmt::format("{}: warning: {}\n", program_name, warning));
+}
+
+/// What the run is, before it begins.
+void announce(const ModelPlan& plan, const Request& request) {
+  if (plan.options.progress != ProgressStyle::none) {
+    tell(fmt::format("{}: {}\n", program_name, plan.announcement));
+    if (request.checkpoint) {
+      tell(fmt::format("{}: going on from {}, step {}\n", program_name, request.checkpoint->path(),
+                       request.steps_done));
+    }
+  }
+  warn(plan.warnings);
+}
+
+void tell_how_to_go_on(const Checkpoints& checkpoints) {
+  if (checkpoints.last().empty()) return;
+  tell(fmt::format("{}: the state is kept: --restart {}\n", program_name, checkpoints.last()));
+}
+
+void print_record(const RunRecord& record, const RunOptions& options) {
+  const auto provenance = options.with_provenance ? RecordProvenance::written : RecordProvenance::left_out;
+  write_text("-", dump_json(run_record_to_json(record, provenance)));
 }
 
 /// For a failure that may be known to this rank alone: it speaks, and takes the others with it.
@@ -86,71 +93,22 @@ void announce(const SceneOnLattice& on_lattice, const Communicator& communicator
   std::abort();
 }
 
-void tell_how_to_go_on(const Checkpoints& checkpoints) {
-  if (checkpoints.last().empty()) return;
-  tell(fmt::format("{}: the state is kept: --restart {}\n", program_name, checkpoints.last()));
-}
-
-void require_steps_left(const SceneOnLattice& on_lattice, const RunOptions& options, long done) {
-  if (done == 0 || done < total_steps(on_lattice, options)) return;
-  throw InputError(
-      "--cycles",
-      fmt::format("{} are behind this checkpoint, of cycle {:.6g}; ask for more", options.cycles,
-                  static_cast<double>(done) / static_cast<double>(on_lattice.lattice.steps_per_period)));
-}
-
-void print_record(const RunRecord& record, const RunOptions& options) {
-  const auto provenance = options.with_provenance ? RecordProvenance::written : RecordProvenance::left_out;
-  write_text("-", dump_json(run_record_to_json(record, provenance)));
-}
-
-/// The command line, and what it goes on from.
-struct Request {
-  RunOptions options;
-  std::unique_ptr<CheckpointReader> checkpoint;  ///< none: it begins anew
-};
-
-/// An exit status if --help or --version was all that was asked for. Throws InputError.
-std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator) {
-  Request request;
-  auto parsed = parse_run_options(argc, argv);
-  if (const int* status = std::get_if<int>(&parsed)) return *status;
-  request.options = std::get<RunOptions>(parsed);
-  if (request.options.restart.empty()) return request;
-  request.checkpoint = open_checkpoint(request.options.restart, communicator);
-  const FlagValues flags = flags_of(*request.checkpoint);
-  request.options = std::get<RunOptions>(parse_run_options(argc, argv, flags));
-  require_same_course(request.options, flags);
-  if (request.options.output.empty()) request.options.output = trajectory_of(request.checkpoint->path());
-  return request;
-}
-
-/// Whether the run goes on under the name that its checkpoint's had.
-bool goes_on_there(const Request& request, const RunOptions& options) {
-  return request.checkpoint && trajectory_of(request.checkpoint->path()) == options.output;
-}
-
-/// A layout as a run sees it, whatever made it.
-std::string scene_text(LayoutDocument document) {
-  document.provenance = Json::array();
-  return dump_json(layout_to_json(document));
-}
-
-/// The layout, or the checkpoint's, which a layout that is given must be.
-LayoutDocument read_layout(const Request& request, const std::string& source,
-                           const Communicator& communicator) {
-  const RunOptions& options = request.options;
-  const auto parse = [](const std::string& text, const std::string& name) {
-    return layout_from_json(parse_json(text, name), name);
-  };
-  if (!request.checkpoint) return parse(read_text_once(options.layout, communicator), source);
-  const LayoutDocument kept = parse(layout_of(*request.checkpoint), request.checkpoint->path());
-  if (options.given.contains("LAYOUT") &&
-      scene_text(parse(read_text_once(options.layout, communicator), source)) != scene_text(kept)) {
-    throw InputError(
-        source, "is not the layout of the checkpoint's run; leave it out, or begin anew without --restart");
+/// Runs to the end, and prints the record.
+RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document) {
+  try {
+    std::optional<RunPast> past;
+    if (request.checkpoint)
+      past = restore(parts.model, parts.recorder, *request.checkpoint, parts.communicator);
+    request.checkpoint.reset();  // its room on the disk is free when another takes its place
+    const RunOutcome outcome = run_to_end(parts, past);
+    const RunRecord record = make_record(parts, document, outcome);
+    parts.trajectory.finish();
+    if (parts.communicator.is_root()) print_record(record, parts.plan.options);
+    return outcome;
+  } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
+    tell_how_to_go_on(parts.checkpoints);
+    stop_all_ranks(parts.communicator);
   }
-  return kept;
 }
 
 /// Throws InputError alike on all ranks while nothing has begun.
@@ -159,60 +117,28 @@ int run(int argc, char** argv, const Communicator& communicator) {
   auto read = read_request(argc, argv, communicator);
   if (const int* status = std::get_if<int>(&read)) return *status;
   Request& request = std::get<Request>(read);
-  RunOptions options = request.options;
-  if (!request.checkpoint || options.given.contains("LAYOUT"))
-    require_other_file(options.layout, options.output);
-  const std::string source = options.layout == "-" ? "standard input" : options.layout;
-  const LayoutDocument document = read_layout(request, source, communicator);
-  const SceneOnLattice on_lattice = put_on_lattice(document.layout, options, source);
-  options.cells_per_radius = on_lattice.cells_per_radius;
-  options.relaxation_time = on_lattice.asked_relaxation_time;
-  require_memory(on_lattice.scene, communicator);
-  const long done = request.checkpoint ? steps_in(*request.checkpoint) : 0;
-  require_steps_left(on_lattice, options, done);
-  Progress progress(options.progress, done, total_steps(on_lattice, options),
-                    static_cast<double>(on_lattice.lattice.steps_per_period),
-                    on_lattice.scene.cells.cast<double>().prod());
-  const double roundoff =
-      velocity_roundoff(on_lattice.scene, on_lattice.lattice.steps_per_period,
-                        total_steps(on_lattice, options));  // may fail: on all ranks alike
-  if (communicator.is_root()) {
-    if (options.progress != ProgressStyle::none) announce(on_lattice, communicator);
-    if (request.checkpoint && options.progress != ProgressStyle::none)
-      tell(fmt::format("{}: going on from {}, step {}\n", program_name, request.checkpoint->path(), done));
-    warn(on_lattice, roundoff);
-  }
+  const LayoutDocument document = read_layout(request, communicator);
+  const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
+  const ModelPlan& plan = *planned;
+  const RunOptions& options = plan.options;
+  const long done = request.steps_done;
+  require_steps_left(plan, done);
+  Progress progress(options.progress, done, total_steps(options.cycles, plan.steps_per_cycle),
+                    static_cast<double>(plan.steps_per_cycle), plan.cells);
+  if (communicator.is_root()) announce(plan, request);
 
-  CoupledSystem system(on_lattice.scene, communicator);
-  std::unique_ptr<FlowOutput> flow;
-  if (options.flow_every) {
-    flow = std::make_unique<FlowOutput>(options.output, on_lattice.lattice.scales,
-                                        steps_between(on_lattice, *options.flow_every),
-                                        goes_on_there(request, options) ? done : 0, communicator);
-  }
-  TrajectoryWriter trajectory(options.output, header_of(document, on_lattice), communicator,
+  const std::unique_ptr<Model> model = plan.make(request.goes_on_there() ? done : 0);
+  TrajectoryWriter trajectory(options.output, header_of(document, plan), communicator,
                               request.checkpoint.get());
-  Recorder recorder(on_lattice, document.layout, options.frames_per_cycle, trajectory, communicator);
+  Recorder recorder(plan, document.layout, trajectory, communicator);
   Checkpoints checkpoints(options, dump_json(layout_to_json(document)),
                           request.checkpoint ? request.checkpoint->path() : "", communicator);
-  const RunParts parts{start, communicator, system, trajectory, recorder, checkpoints, flow.get(), progress};
+  const RunParts parts{start, communicator, plan, *model, trajectory, recorder, checkpoints, progress};
   catch_stop_signals();
-  RunOutcome outcome;
-  try {
-    std::optional<RunPast> past;
-    if (request.checkpoint) past = restore(system, recorder, *request.checkpoint, communicator);
-    request.checkpoint.reset();  // its room on the disk is free when another takes its place
-    outcome = run_to_end(parts, on_lattice, options, past);
-    const RunRecord record = make_record(parts, on_lattice, document, outcome, options);
-    trajectory.finish();
-    if (communicator.is_root()) print_record(record, options);
-  } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
-    tell_how_to_go_on(checkpoints);
-    stop_all_ranks(communicator);
-  }
-  const double mach = system.largest_bead_speed() * std::sqrt(3.0);
+  const RunOutcome outcome = run_and_record(parts, request, document);
+  const std::vector<std::string> warnings = model->warnings();
   if (communicator.is_root()) {
-    warn_if_fast(mach);
+    warn(warnings);
     if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)
       tell_how_to_go_on(checkpoints);
   }

@@ -29,7 +29,8 @@ std::string readable(double seconds) {
 
 }  // namespace
 
-Progress::Progress(ProgressStyle style, long first, long steps, double steps_per_cycle, double cells)
+Progress::Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
+                   std::optional<double> cells)
     : style_(resolved(style)),
       first_(static_cast<double>(first)),
       steps_(static_cast<double>(steps)),
@@ -56,16 +57,16 @@ void Progress::print(long steps_done) {
   const double elapsed = seconds(Clock::now() - start_);
   const double now_done = done - first_;
   const double left = now_done > 0 ? elapsed * (steps_ - done) / now_done : 0;
-  const double mlups = elapsed > 0 ? 1e-6 * cells_ * now_done / elapsed : 0;
+  const double mlups = elapsed > 0 ? 1e-6 * cells_.value_or(0) * now_done / elapsed : 0;
   if (style_ == ProgressStyle::json) {
-    tell(fmt::format(
-        "{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},\"mlups\":{:.3f},\"seconds_left\":{:.1f}}}\n",
-        steps_done, steps_, done / steps_per_cycle_, mlups, left));
+    tell(fmt::format("{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},{}\"seconds_left\":{:.1f}}}\n", steps_done,
+                     steps_, done / steps_per_cycle_, cells_ ? fmt::format("\"mlups\":{:.3f},", mlups) : "",
+                     left));
     return;
   }
-  const std::string line =
-      fmt::format("cycle {:.2f} of {:.2f}, {:3.0f} %, {:.1f} MLUPS, {} left", done / steps_per_cycle_,
-                  steps_ / steps_per_cycle_, 100 * done / steps_, mlups, readable(left));
+  const std::string line = fmt::format(
+      "cycle {:.2f} of {:.2f}, {:3.0f} %,{} {} left", done / steps_per_cycle_, steps_ / steps_per_cycle_,
+      100 * done / steps_, cells_ ? fmt::format(" {:.1f} MLUPS,", mlups) : "", readable(left));
   if (style_ == ProgressStyle::lines) {
     tell(fmt::format("beadswim-run: {}\n", line));
     return;

@@ -6,7 +6,6 @@
 namespace beadswim {
 
 /// The run record; whole on rank 0. Collective.
-RunRecord make_record(const RunParts& parts, const SceneOnLattice& on_lattice, const LayoutDocument& layout,
-                      const RunOutcome& outcome, const RunOptions& options);
+RunRecord make_record(const RunParts& parts, const LayoutDocument& layout, const RunOutcome& outcome);
 
 }  // namespace beadswim

@@ -69,12 +69,6 @@ void transfer_list(Message& message, List& list, Transfer&& transfer) {
   for (auto& element : list) transfer(message, element);
 }
 
-/// Whole numbers of steps are exact: a swimmer of the base period is sampled at frames.
-double in_steps(double period) {
-  const double whole = std::round(period);
-  return std::abs(period - whole) < 1e-9 * period ? whole : period;
-}
-
 /// All but equal where both ends are: the mean flow at a time between two frames.
 Vec3 between(double part, const Vec3& first, const Vec3& last) {
   Vec3 result;
@@ -84,18 +78,16 @@ Vec3 between(double part, const Vec3& first, const Vec3& last) {
 
 }  // namespace
 
-Recorder::Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int frames_per_cycle,
-                   TrajectoryWriter& trajectory, const Communicator& communicator)
-    : scales_(on_lattice.lattice.scales),
+Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
+                   const Communicator& communicator)
+    : units_(plan.units),
+      time_step_(plan.time_step),
       communicator_(communicator),
-      steps_per_cycle_(on_lattice.lattice.steps_per_period),
-      frames_per_cycle_(static_cast<int>(std::min<long>(frames_per_cycle, steps_per_cycle_))),
-      trajectory_(trajectory) {
-  for (const SwimmerType& type : on_lattice.scene.types) {
-    const double period = in_steps(type.driving.period);
-    const int per_cycle = static_cast<int>(std::min<double>(frames_per_cycle_, std::floor(period)));
-    schedules_.push_back({.interval = period / per_cycle, .per_cycle = per_cycle});
-  }
+      steps_per_cycle_(plan.steps_per_cycle),
+      frames_per_cycle_(static_cast<int>(std::min<long>(plan.options.frames_per_cycle, steps_per_cycle_))),
+      box_(box_of(layout)),
+      trajectory_(trajectory),
+      schedules_(plan.periods, frames_per_cycle_) {
   if (!communicator.is_root()) return;
   std::vector<const Swimmer*> in_order;
   for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
@@ -103,40 +95,44 @@ Recorder::Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int f
   for (std::size_t s = 0; s < in_order.size(); ++s) {
     const SwimmerType type = layout.resolved_type(*in_order[s]);
     const double period = type.driving.period;
-    swimmers_.push_back({.id = in_order[s]->id,
-                         .cycles = {},
-                         .period = period == on_lattice.period ? std::nullopt : std::optional(period)});
-    periods_.push_back(period);
-    beads_.push_back(type.beads);
-    samples_per_cycle_.push_back(schedules_[on_lattice.scene.swimmers[s].type].per_cycle);
+    logs_.push_back({.record = {.id = in_order[s]->id,
+                                .cycles = {},
+                                .period = period == plan.base_period ? std::nullopt : std::optional(period)},
+                     .beads = type.beads,
+                     .period = period,
+                     .samples_per_cycle = schedules_.of(plan.swimmers[s].name.type).per_cycle(),
+                     .samples = {}});
   }
-  samples_.resize(swimmers_.size());
-  domain_ = *layout.domain;
+}
+
+std::vector<SwimmerRecord> Recorder::swimmers() const {
+  std::vector<SwimmerRecord> records;
+  for (const Log& log : logs_) records.push_back(log.record);
+  return records;
 }
 
 long Recorder::step_of_frame(long frame) const {
   return std::lround(static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_));
 }
 
-void Recorder::sample(const CoupledSystem& system) {
-  const long step = system.steps_done();
-  for (const SwimmerState& swimmer : system.owned_swimmers()) {
-    const double interval = schedules_[swimmer.type].interval;
-    const long number = std::lround(static_cast<double>(step) / interval);
-    const double exact = static_cast<double>(number) * interval;
-    if (std::lround(exact) != step) continue;
+void Recorder::sample(const Model& model) {
+  const long step = model.steps_done();
+  if (!schedules_.is_any_due(step)) return;
+  for (int swimmer = 0; swimmer < model.own_swimmers(); ++swimmer) {
+    const SwimmerName name = model.own_swimmer(swimmer);
+    if (!schedules_.is_due(name.type, step)) continue;
+    const SamplingSchedule& schedule = schedules_.of(name.type);
+    const long number = schedule.number_at(step);
     // A cycle ends at its own time, from which the nearest step is less than half a step away.
-    const bool ends_cycle = number % schedules_[swimmer.type].per_cycle == 0;
-    const double time = ends_cycle ? exact : static_cast<double>(step);
-    Note note{.id = swimmer.id, .number = number, .time = time, .positions = {}};
-    for (int b = 0; b < 3; ++b) {
-      const BeadMotion& bead = swimmer.motion[b];
-      const double ahead = time - static_cast<double>(step);
-      const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // a step
-      note.positions[b] = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
-    }
+    const bool ends_cycle = number % schedule.per_cycle() == 0;
+    const double time = ends_cycle ? schedule.time_of(number) : static_cast<double>(step);
+    const Note note{.id = name.id,
+                    .number = number,
+                    .time = time,
+                    .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
     transfer_note(notes_, note);
   }
+  schedules_.go_on_from(step + 1);
 }
 
 void Recorder::gather_notes() {
@@ -148,40 +144,43 @@ void Recorder::gather_notes() {
 void Recorder::take_notes(const Moment& now) {
   std::ranges::sort(gathered_, {}, [](const Note& note) { return std::tuple(note.id, note.number); });
   for (const Note& note : gathered_) {
-    const std::size_t s =
-        std::ranges::lower_bound(swimmers_, note.id, {}, &SwimmerRecord::id) - swimmers_.begin();
-    const double time = note.time * scales_.step;
-    const double part =
-        now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
-    SwimmerSample sample{
-        .time = time, .bead_positions = {}, .mean_flow = between(part, last_frame_.mean_flow, now.mean_flow)};
-    for (int b = 0; b < 3; ++b) sample.bead_positions[b] = note.positions[b] * scales_.cell;
-    std::vector<SwimmerSample>& samples = samples_[s];
-    samples.push_back(sample);
-    if (note.number == 0 || note.number % samples_per_cycle_[s] != 0) continue;
-    const int index = static_cast<int>(note.number / samples_per_cycle_[s]);
-    std::vector<CycleStatistics>& cycles = swimmers_[s].cycles;
-    if (swimmers_.size() > most_swimmers_listed) cycles.clear();
-    cycles.push_back(cycle_statistics(index, samples, periods_[s]));
-    samples.erase(samples.begin(), samples.end() - 1);  // the end of one cycle is the start of the next
+    const auto log = std::ranges::lower_bound(logs_, note.id, {},
+                                              [](const Log& candidate) { return candidate.record.id; });
+    take_note(*log, note, now);
   }
   gathered_.clear();
 }
 
-void Recorder::record(const CoupledSystem& system, const SceneTotals& totals) {
-  const std::vector<SwimmerState> swimmers = system.gather_swimmers();
-  const Moment now{.time = static_cast<double>(system.steps_done()) * scales_.step,
-                   .mean_flow = totals.mean_flow * scales_.velocity()};
-  TrajectoryFrame frame{.step = system.steps_done(),
+void Recorder::take_note(Log& log, const Note& note, const Moment& now) {
+  const double time = note.time * time_step_;
+  const double part =
+      now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
+  SwimmerSample sample{
+      .time = time, .bead_positions = {}, .mean_flow = between(part, last_frame_.mean_flow, now.mean_flow)};
+  for (int b = 0; b < 3; ++b) sample.bead_positions[b] = note.positions[b] * units_.length;
+  log.samples.push_back(sample);
+  if (note.number == 0 || note.number % log.samples_per_cycle != 0) return;
+  const int index = static_cast<int>(note.number / log.samples_per_cycle);
+  std::vector<CycleStatistics>& cycles = log.record.cycles;
+  if (logs_.size() > most_swimmers_listed) cycles.clear();
+  cycles.push_back(cycle_statistics(index, log.samples, log.period));
+  log.samples.erase(log.samples.begin(), log.samples.end() - 1);  // one cycle's end is the next one's start
+}
+
+void Recorder::record(const Model& model, const ModelTotals& totals) {
+  const std::vector<SwimmerSight> swimmers = model.gather_swimmers();
+  const long step = model.steps_done();
+  const Moment now{.time = static_cast<double>(step) * time_step_, .mean_flow = totals.mean_flow};
+  TrajectoryFrame frame{.step = step,
                         .time = now.time,
                         .positions = {},
                         .velocities = {},
                         .mean_flow = now.mean_flow,
-                        .momentum = totals.momentum * scales_.momentum()};
-  for (const SwimmerState& swimmer : swimmers) {
+                        .momentum = totals.momentum.value_or(Vec3::Zero())};
+  for (const SwimmerSight& swimmer : swimmers) {
     for (const BeadMotion& bead : swimmer.motion) {
-      frame.positions.push_back(bead.position * scales_.cell);
-      frame.velocities.push_back(bead.velocity * scales_.velocity());
+      frame.positions.push_back(bead.position * units_.length);
+      frame.velocities.push_back(bead.velocity * units_.velocity());
     }
   }
   trajectory_.append(frame);
@@ -203,8 +202,8 @@ void Recorder::append_cycles(long step, double time) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   none.velocity = none.axis = none.mean_flow = Vec3::Constant(nan);
   none.arm_amplitudes = none.arm_phases = none.arm_means = {nan, nan};
-  for (const SwimmerRecord& swimmer : swimmers_) {
-    const CycleStatistics& cycle = swimmer.cycles.empty() ? none : swimmer.cycles.back();
+  for (const Log& log : logs_) {
+    const CycleStatistics& cycle = log.record.cycles.empty() ? none : log.record.cycles.back();
     for (const auto& [to, from] : {std::pair{&rows.velocity, &cycle.velocity},
                                    {&rows.axis, &cycle.axis},
                                    {&rows.mean_flow, &cycle.mean_flow}})
@@ -217,30 +216,29 @@ void Recorder::append_cycles(long step, double time) {
   trajectory_.append(rows);
 }
 
-void Recorder::append_swarm(const std::vector<SwimmerState>& swimmers, const Vec3& momentum) {
+void Recorder::append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec3& momentum) {
   const auto axis = [](const SwimmerMotion& motion) -> Vec3 {
     return (motion[2].position - motion[0].position).normalized();
   };
   std::vector<SwarmMember> members;
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     const SwimmerMotion& motion = swimmers[s].motion;
+    const Log& log = logs_[s];
     SwarmMember& member = members.emplace_back();
     member.axis = axis(motion);
     member.initial_axis = swimmers[s].initial_axis;
-    if (!swimmers_[s].cycles.empty()) member.last_cycle = swimmers_[s].cycles.back();
+    if (!log.record.cycles.empty()) member.last_cycle = log.record.cycles.back();
     for (int b = 0; b < 3; ++b) {
-      member.centre += motion[b].position * scales_.cell / 3;
-      const double speed = motion[b].velocity.norm() * scales_.velocity();
-      const double spin = motion[b].angular_velocity.norm() / scales_.step;
+      member.centre += motion[b].position * units_.length / 3;
+      const double speed = motion[b].velocity.norm() * units_.velocity();
+      const double spin = motion[b].angular_velocity.norm() / units_.time;
       member.kinetic_energy +=
-          0.5 * mass(beads_[s][b]) * speed * speed + 0.5 * moment_of_inertia(beads_[s][b]) * spin * spin;
+          0.5 * mass(log.beads[b]) * speed * speed + 0.5 * moment_of_inertia(log.beads[b]) * spin * spin;
     }
   }
-  std::array<bool, 3> periodic{};
-  for (int a = 0; a < 3; ++a) periodic[a] = domain_.boundary[a] == Boundary::periodic;
   const int index = static_cast<int>(next_frame_ / frames_per_cycle_);
   swarm_.push_back(
-      {.statistics = swarm_statistics(index, members, domain_.lengths, periodic), .momentum = momentum});
+      {.statistics = swarm_statistics(index, members, box_.lengths, box_.periodic), .momentum = momentum});
 }
 
 template <class Message>
@@ -248,9 +246,9 @@ void Recorder::transfer(Message& message) {
   message(next_frame_, last_frame_.time, last_frame_.mean_flow);
   transfer_list(message, gathered_, [](auto& m, auto& note) { transfer_note(m, note); });
   transfer_list(message, swarm_, [](auto& m, auto& cycle) { transfer_swarm(m, cycle); });
-  for (std::size_t s = 0; s < swimmers_.size(); ++s) {
-    transfer_list(message, samples_[s], [](auto& m, auto& sample) { transfer_sample(m, sample); });
-    transfer_list(message, swimmers_[s].cycles, [](auto& m, auto& cycle) { transfer_cycle(m, cycle); });
+  for (Log& log : logs_) {
+    transfer_list(message, log.samples, [](auto& m, auto& sample) { transfer_sample(m, sample); });
+    transfer_list(message, log.record.cycles, [](auto& m, auto& cycle) { transfer_cycle(m, cycle); });
   }
 }
 
@@ -261,7 +259,8 @@ std::vector<char> Recorder::state() {
   return message.bytes();
 }
 
-void Recorder::restore(std::vector<char> state) {
+void Recorder::restore(std::vector<char> state, long steps_done) {
+  schedules_.go_on_from(steps_done + 1);
   if (communicator_.is_root()) {
     IncomingMessage message(std::move(state));
     transfer(message);

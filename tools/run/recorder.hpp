@@ -4,10 +4,11 @@
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/message.hpp"
-#include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
-#include "scene_on_lattice.hpp"
+#include "model.hpp"
+#include "sampling_schedule.hpp"
+#include "scene_facts.hpp"
 
 namespace beadswim {
 
@@ -15,8 +16,8 @@ namespace beadswim {
 /// own period alike, become the statistics of its cycles, on rank 0.
 class Recorder {
  public:
-  Recorder(const SceneOnLattice& on_lattice, const Layout& layout, int frames_per_cycle,
-           TrajectoryWriter& trajectory, const Communicator& communicator);
+  Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
+           const Communicator& communicator);
 
   /// Step of frame k: as near to k/frames_per_cycle cycles as steps allow.
   long step_of_frame(long frame) const;
@@ -26,32 +27,35 @@ class Recorder {
 
   /// Samples those of this rank's swimmers whose time has come. To be called after every step, and before the
   /// first.
-  void sample(const CoupledSystem& system);
+  void sample(const Model& model);
 
-  /// Takes the next frame. `totals`: of the system as it is now. Collective.
-  void record(const CoupledSystem& system, const SceneTotals& totals);
+  /// Takes the next frame. `totals`: of the model as it is now. Collective.
+  void record(const Model& model, const ModelTotals& totals);
 
   // On rank 0. Of many swimmers only the last cycle is kept.
-  const std::vector<SwimmerRecord>& swimmers() const { return swimmers_; }
+  std::vector<SwimmerRecord> swimmers() const;
   const std::vector<SwarmCycle>& swarm() const { return swarm_; }
 
   /// What a checkpoint keeps; on rank 0, empty elsewhere. Collective.
   std::vector<char> state();
-  /// `state`: on rank 0. Throws SolverError if it is of another run.
-  void restore(std::vector<char> state);
+  /// `state`: on rank 0, of a run that had done `steps_done`. Throws SolverError if it is of another run.
+  void restore(std::vector<char> state, long steps_done);
 
  private:
-  /// How one swimmer is sampled: sample k at the step nearest to k `interval`.
-  struct Schedule {
-    double interval = 1;  ///< [step]
-    int per_cycle = 1;
-  };
   /// A sample on its way to rank 0.
   struct Note {
     int id = 0;
-    long number = 0;  ///< k
-    double time = 0;  ///< [step]
-    std::array<Vec3, 3> positions;
+    long number = 0;                ///< k
+    double time = 0;                ///< [step]
+    std::array<Vec3, 3> positions;  ///< [ModelUnits]
+  };
+  /// What rank 0 knows of one swimmer.
+  struct Log {
+    SwimmerRecord record;
+    std::array<Bead, 3> beads;  ///< the layout's
+    double period = 0;          ///< [time]
+    int samples_per_cycle = 1;
+    std::vector<SwimmerSample> samples;  ///< of the cycle so far
   };
   /// The whole of one frame's time that concerns all.
   struct Moment {
@@ -61,32 +65,30 @@ class Recorder {
 
   void gather_notes();
   void take_notes(const Moment& now);
+  void take_note(Log& log, const Note& note, const Moment& now);
   void append_cycles(long step, double time);
-  void append_swarm(const std::vector<SwimmerState>& swimmers, const Vec3& momentum);
+  void append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec3& momentum);
   template <class Message>
   void transfer(Message& message);
 
   bool is_cycle_end() const { return next_frame_ > 0 && next_frame_ % frames_per_cycle_ == 0; }
 
-  LatticeScales scales_;
+  ModelUnits units_;
+  double time_step_;
   const Communicator& communicator_;
   long steps_per_cycle_;
   int frames_per_cycle_;
+  Box box_;
   TrajectoryWriter& trajectory_;
-  std::vector<Schedule> schedules_;  ///< of each type of the scene
+  SamplingSchedules schedules_;
   long next_frame_ = 0;
   OutgoingMessage notes_;  ///< of this rank's swimmers, since they were gathered
 
-  // On rank 0, swimmers in order of their ids.
+  // On rank 0.
   std::vector<Note> gathered_;  ///< since the last frame
   Moment last_frame_;
-  std::vector<double> periods_;
-  std::vector<int> samples_per_cycle_;
-  std::vector<SwimmerRecord> swimmers_;
-  std::vector<std::vector<SwimmerSample>> samples_;  ///< of the cycle so far, one list a swimmer
-  Domain domain_;
-  std::vector<std::array<Bead, 3>> beads_;  ///< the layout's, of each swimmer
-  std::vector<SwarmCycle> swarm_;           ///< of two swimmers or more
+  std::vector<Log> logs_;          ///< swimmers in order of their ids
+  std::vector<SwarmCycle> swarm_;  ///< of two swimmers or more
 };
 
 }  // namespace beadswim

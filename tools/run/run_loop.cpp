@@ -2,15 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/coupling/conservation.hpp"
 #include "checkpoints.hpp"
-#include "fault_message.hpp"
+#include "run_length.hpp"
 #include "stop_signal.hpp"
 
 namespace beadswim {
@@ -19,7 +16,7 @@ namespace {
 /// Steps between looks at what may stop the run: ranks agree there, and only there.
 constexpr long steps_between_guards = 20;
 
-/// Steps after which the fluid's totals are looked at even if no frame is due.
+/// Steps after which the model's totals are looked at even if no frame is due.
 constexpr long steps_between_totals = 500;
 
 struct Stop {
@@ -43,95 +40,118 @@ std::optional<Stop> asked_to_stop(double start, const RunOptions& options, const
                   *options.time_limit)};
 }
 
-/// What totals say has gone wrong, if anything.
-std::optional<Fault> loss_in(const CoupledSystem& system, const SceneOnLattice& on_lattice,
-                             const SceneTotals& first, const SceneTotals& now) {
-  auto fault = conservation_fault(on_lattice.scene, first, now, system.largest_bead_speed());
-  if (fault) fault->step = system.steps_done();
-  return fault;
-}
+/// At which steps what is due. Interval 0: never.
+struct Timetable {
+  long steps = 0, flow_interval = 0, checkpoint_interval = 0;
+
+  explicit Timetable(const ModelPlan& plan)
+      : steps(total_steps(plan.options.cycles, plan.steps_per_cycle)),
+        flow_interval(interval(plan, plan.options.flow_every)),
+        checkpoint_interval(interval(plan, plan.options.checkpoint_every)) {}
+
+  bool is_last(long step) const { return step == steps; }
+  bool is_flow(long step) const { return flow_interval > 0 && step % flow_interval == 0; }
+  bool is_checkpoint(long step) const {
+    return checkpoint_interval > 0 && (is_last(step) || step % checkpoint_interval == 0);
+  }
+  bool is_guard(long step) const {
+    return is_last(step) || is_checkpoint(step) || step % steps_between_guards == 0;
+  }
+
+ private:
+  static long interval(const ModelPlan& plan, const std::optional<double>& cycles) {
+    return cycles ? steps_between(*cycles, plan.steps_per_cycle) : 0;
+  }
+};
+
+class TimeLoop {
+ public:
+  TimeLoop(const RunParts& parts, const RunPast& past) : parts_(parts), past_(past), due_(parts.plan) {}
+
+  /// The state at the run's start.
+  void record_start() {
+    outcome_.last_totals = parts_.model.first_totals();
+    parts_.recorder.sample(parts_.model);
+    parts_.recorder.record(parts_.model, outcome_.last_totals);
+  }
+  void go_on() { outcome_.last_totals = parts_.model.totals(); }
+
+  RunOutcome run() {
+    while (step() < due_.steps && outcome_.status == RunStatus::finished) {
+      parts_.model.step();
+      parts_.recorder.sample(parts_.model);
+      const bool is_guard = due_.is_guard(step()), is_frame = parts_.recorder.is_due(step());
+      if (!is_guard && !is_frame && !due_.is_flow(step())) continue;
+      if (!is_sound(is_frame)) break;
+      if (is_frame) parts_.recorder.record(parts_.model, outcome_.last_totals);
+      if (due_.is_flow(step())) parts_.model.write_flow();
+      if (is_guard) guard();
+    }
+    const RunPast now = as_past();
+    outcome_.wall_seconds = now.wall_seconds;
+    outcome_.core_seconds = now.core_seconds;
+    if (parts_.communicator.is_root()) parts_.progress.finish(step());
+    return outcome_;
+  }
+
+ private:
+  long step() const { return parts_.model.steps_done(); }
+
+  /// Whether nothing has gone wrong. Frames, checkpoints and the record need the totals, which it takes then.
+  bool is_sound(bool is_frame) {
+    ModelTotals totals = outcome_.last_totals;
+    if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % steps_between_totals == 0)
+      totals = parts_.model.totals();
+    if (const std::optional<ModelFault> fault = parts_.model.fault()) {
+      outcome_.status = fault->status;
+      outcome_.reason = fault->message;
+      return false;
+    }
+    outcome_.last_totals = totals;
+    return true;
+  }
+
+  /// Stops the run if it is asked to; keeps it if that is due, or if it stops.
+  void guard() {
+    if (parts_.communicator.is_root()) parts_.progress.update(step());
+    bool is_checkpoint = due_.is_checkpoint(step());
+    const std::optional<Stop> stop =
+        due_.is_last(step()) ? std::nullopt
+                             : asked_to_stop(parts_.start, parts_.plan.options, parts_.communicator);
+    if (stop) {
+      outcome_.status = stop->status;
+      outcome_.reason = fmt::format("step {} of {}: {}", step(), due_.steps, stop->reason);
+      outcome_.last_totals = parts_.model.totals();
+      is_checkpoint = true;
+    }
+    if (is_checkpoint) parts_.checkpoints.write(parts_, as_past());
+  }
+
+  /// What a run that goes on from here would have behind it.
+  RunPast as_past() const {
+    const double seconds = MPI_Wtime() - start_;
+    return {.steps_done = step(),
+            .wall_seconds = past_.wall_seconds + seconds,
+            .core_seconds = past_.core_seconds + seconds * parts_.communicator.size()};
+  }
+
+  const RunParts& parts_;
+  RunPast past_;
+  Timetable due_;
+  double start_ = MPI_Wtime();
+  RunOutcome outcome_;
+};
 
 }  // namespace
 
-long total_steps(const SceneOnLattice& on_lattice, const RunOptions& options) {
-  const double steps = options.cycles * static_cast<double>(on_lattice.lattice.steps_per_period);
-  constexpr double most = 1e15;  // counted exactly in doubles, and out of reach
-  if (steps > most) {
-    throw InputError("--cycles", fmt::format("{:.3g} cycles are {:.3g} steps; at most {:.3g}", options.cycles,
-                                             steps, most));
+RunOutcome run_to_end(const RunParts& parts, const std::optional<RunPast>& past) {
+  TimeLoop loop(parts, past.value_or(RunPast{}));
+  if (past) {
+    loop.go_on();
+  } else {
+    loop.record_start();
   }
-  return std::max(1L, std::lround(steps));
-}
-
-long steps_between(const SceneOnLattice& on_lattice, double cycles) {
-  constexpr double never = 1e15;
-  const double steps = cycles * static_cast<double>(on_lattice.lattice.steps_per_period);
-  return std::max(1L, std::lround(std::min(steps, never)));
-}
-
-RunOutcome run_to_end(const RunParts& parts, const SceneOnLattice& on_lattice, const RunOptions& options,
-                      const std::optional<RunPast>& past) {
-  auto& [program_start, communicator, system, trajectory, recorder, checkpoints, flow, progress] = parts;
-  const long steps = total_steps(on_lattice, options);
-  const long flow_interval = options.flow_every ? steps_between(on_lattice, *options.flow_every) : 0;
-  const long checkpoint_interval =
-      options.checkpoint_every ? steps_between(on_lattice, *options.checkpoint_every) : 0;
-  const double start = MPI_Wtime();
-  const auto cost = [&] { return MPI_Wtime() - start; };
-  RunPast now = past.value_or(RunPast{});
-  const auto keep = [&] {
-    RunPast kept = now;
-    kept.moment = system.moment();
-    kept.wall_seconds += cost();
-    kept.core_seconds += cost() * communicator.size();
-    checkpoints.write(parts, kept);
-  };
-  RunOutcome outcome;
-  outcome.last_totals = system.totals();
-  if (!past) {
-    now.first_totals = outcome.last_totals;
-    recorder.sample(system);
-    recorder.record(system, outcome.last_totals);
-  }
-  outcome.first_totals = now.first_totals;
-  while (system.steps_done() < steps && outcome.status == RunStatus::finished) {
-    system.step();
-    recorder.sample(system);
-    const long done = system.steps_done();
-    const bool is_last = done == steps, is_frame = recorder.is_due(done);
-    const bool is_flow = flow != nullptr && done % flow_interval == 0;
-    bool is_checkpoint = checkpoint_interval > 0 && (is_last || done % checkpoint_interval == 0);
-    const bool is_guard = is_last || is_checkpoint || done % steps_between_guards == 0;
-    if (!is_guard && !is_frame && !is_flow) continue;
-
-    SceneTotals totals = outcome.last_totals;
-    const bool is_watched = is_last || is_frame || is_checkpoint || done % steps_between_totals == 0;
-    if (is_watched) totals = system.totals();
-    std::optional<Fault> fault = system.fault();
-    if (!fault && is_watched) fault = loss_in(system, on_lattice, outcome.first_totals, totals);
-    if (fault) {
-      outcome.status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed;
-      outcome.reason = describe(*fault, on_lattice, system.largest_bead_speed() * std::sqrt(3.0));
-      break;
-    }
-    outcome.last_totals = totals;
-    if (is_frame) recorder.record(system, totals);
-    if (is_flow) flow->write(system);
-    if (!is_guard) continue;
-    if (communicator.is_root()) progress.update(done);
-    if (const auto stop = is_last ? std::nullopt : asked_to_stop(program_start, options, communicator)) {
-      outcome.status = stop->status;
-      outcome.reason = fmt::format("step {} of {}: {}", done, steps, stop->reason);
-      outcome.last_totals = system.totals();
-      is_checkpoint = true;
-    }
-    if (is_checkpoint) keep();
-  }
-  outcome.wall_seconds = now.wall_seconds + cost();
-  outcome.own_steps = system.steps_done() - now.moment.steps_done;
-  outcome.core_seconds = now.core_seconds + cost() * communicator.size();
-  if (communicator.is_root()) progress.finish(system.steps_done());
-  return outcome;
+  return loop.run();
 }
 
 }  // namespace beadswim

@@ -13,6 +13,7 @@
 #include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/layout/bead_gaps.hpp"
+#include "scene_facts.hpp"
 
 namespace beadswim {
 namespace {
@@ -28,14 +29,6 @@ void require_box(const Layout& layout, const std::string& source) {
   throw InputError(source + ":/domain",
                    "is null (unbounded fluid), which a lattice cannot hold; make the layout with --box "
                    "X,Y,Z and --boundary, or ask beadswim-theory");
-}
-
-/// The period that all swimmers share, else that of the first one's type.
-double base_period(const Layout& layout) {
-  const auto own = [&](const Swimmer& swimmer) { return layout.resolved_type(swimmer).driving.period; };
-  const double first = own(layout.swimmers.front());
-  if (std::ranges::all_of(layout.swimmers, [&](const Swimmer& s) { return own(s) == first; })) return first;
-  return layout.types.at(layout.swimmers.front().type).driving.period;
 }
 
 double shortest_period(const Layout& layout) {

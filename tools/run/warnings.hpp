@@ -1,16 +1,18 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "scene_on_lattice.hpp"
 
-// What a run says on standard error and does all the same. Of one rank.
+// What a lattice run says on standard error and does all the same, a line each.
 
 namespace beadswim {
 
-/// What may go wrong, known before it starts.
-/// roundoff: velocity_roundoff().
-void warn(const SceneOnLattice& on_lattice, double roundoff);
+/// What may go wrong, known before it starts. roundoff: velocity_roundoff().
+std::vector<std::string> warnings_before(const SceneOnLattice& on_lattice, double roundoff);
 
 /// A lattice fluid is nearly incompressible only while it is slow. mach: the largest of the run.
-void warn_if_fast(double mach);
+std::vector<std::string> warnings_after(double mach);
 
 }  // namespace beadswim

@@ -1,0 +1,158 @@
+#include "lattice_model.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "beadswim/coupling/conservation.hpp"
+#include "beadswim/coupling/fault.hpp"
+#include "fault_message.hpp"
+#include "lattice_record.hpp"
+#include "lattice_state.hpp"
+#include "memory.hpp"
+#include "run_length.hpp"
+#include "velocity_roundoff.hpp"
+#include "warnings.hpp"
+
+namespace beadswim {
+namespace {
+
+std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator& communicator) {
+  const Index3& cells = on_lattice.scene.cells;
+  const LatticeChoice& lattice = on_lattice.lattice;
+  return fmt::format(
+      "{} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} swimmers, {} precision, "
+      "{:.2g} GB on {} ranks",
+      cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
+      lattice.steps_per_period, on_lattice.scene.swimmers.size(), name_of(on_lattice.scene.precision),
+      1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
+}
+
+PlannedSwimmer planned(const CoupledScene::Swimmer& swimmer, const SceneOnLattice& on_lattice) {
+  PlannedSwimmer result{.name = {.id = swimmer.id, .type = swimmer.type}};
+  for (int b = 0; b < 3; ++b) {
+    result.radii[b] = on_lattice.scene.types[swimmer.type].beads[b].radius * on_lattice.lattice.scales.cell;
+  }
+  return result;
+}
+
+std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) {
+  if (!plan.options.flow_every) return std::nullopt;
+  return FlowOutput(plan.options.output, plan.on_lattice.lattice.scales,
+                    steps_between(*plan.options.flow_every, plan.steps_per_cycle), flow_until,
+                    plan.communicator);
+}
+
+}  // namespace
+
+LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const std::string& source,
+                         const Communicator& ranks)
+    : communicator(ranks), on_lattice(put_on_lattice(layout, asked, source)) {
+  require_memory(on_lattice.scene, communicator);
+  const LatticeChoice& lattice = on_lattice.lattice;
+  options = asked;
+  options.cells_per_radius = on_lattice.cells_per_radius;
+  options.relaxation_time = on_lattice.asked_relaxation_time;
+  units = {.length = lattice.scales.cell, .time = lattice.scales.step};
+  base_period = on_lattice.period;
+  time_step = lattice.scales.step;
+  steps_per_cycle = lattice.steps_per_period;
+  for (const SwimmerType& type : on_lattice.scene.types) periods.push_back(type.driving.period);
+  for (const CoupledScene::Swimmer& swimmer : on_lattice.scene.swimmers)
+    swimmers.push_back(planned(swimmer, on_lattice));
+  cells = on_lattice.scene.cells.cast<double>().prod();
+  announcement = announcement_of(on_lattice, communicator);
+  const long steps = total_steps(options.cycles, steps_per_cycle);
+  warnings = warnings_before(on_lattice, velocity_roundoff(on_lattice.scene, steps_per_cycle, steps));
+}
+
+std::unique_ptr<Model> LatticePlan::make(long flow_until) const {
+  return std::make_unique<LatticeModel>(*this, flow_until);
+}
+
+LatticeModel::LatticeModel(const LatticePlan& plan, long flow_until)
+    : on_lattice_(plan.on_lattice),
+      communicator_(plan.communicator),
+      system_(on_lattice_.scene, communicator_),
+      flow_(flow_output(plan, flow_until)),
+      first_totals_(system_.totals()),
+      last_totals_(first_totals_) {}
+
+SwimmerName LatticeModel::own_swimmer(int number) const {
+  const SwimmerState& swimmer = system_.owned_swimmers()[number];
+  return {.id = swimmer.id, .type = swimmer.type};
+}
+
+std::array<Vec3, 3> LatticeModel::bead_positions(int number, double ahead) const {
+  const SwimmerState& swimmer = system_.owned_swimmers()[number];
+  std::array<Vec3, 3> positions;
+  for (int b = 0; b < 3; ++b) {
+    const BeadMotion& bead = swimmer.motion[b];
+    const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // a step
+    positions[b] = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
+  }
+  return positions;
+}
+
+std::vector<SwimmerSight> LatticeModel::gather_swimmers() const {
+  std::vector<SwimmerSight> sights;
+  for (const SwimmerState& swimmer : system_.gather_swimmers())
+    sights.push_back({.id = swimmer.id, .initial_axis = swimmer.initial_axis, .motion = swimmer.motion});
+  return sights;
+}
+
+ModelTotals LatticeModel::in_layout_units(const SceneTotals& totals) const {
+  const LatticeScales& scales = on_lattice_.lattice.scales;
+  return {.momentum = totals.momentum * scales.momentum(),
+          .mean_flow = totals.mean_flow * scales.velocity(),
+          .mass_excess = totals.mass_excess};
+}
+
+ModelTotals LatticeModel::totals() {
+  last_totals_ = system_.totals();
+  last_totals_step_ = steps_done();
+  return in_layout_units(last_totals_);
+}
+
+std::optional<ModelFault> LatticeModel::fault() const {
+  std::optional<Fault> fault = system_.fault();
+  if (!fault && last_totals_step_ == steps_done()) {
+    fault = conservation_fault(on_lattice_.scene, first_totals_, last_totals_, system_.largest_bead_speed());
+    if (fault) fault->step = steps_done();
+  }
+  if (!fault) return std::nullopt;
+  return ModelFault{.status = fault->kind == FaultKind::speed ? RunStatus::stopped_speed : RunStatus::failed,
+                    .message = fault_message(*fault, on_lattice_, largest_mach())};
+}
+
+double LatticeModel::largest_mach() const {
+  return system_.largest_bead_speed() * std::sqrt(3.0);
+}
+
+void LatticeModel::describe(RunRecord& record) const {
+  describe_lattice_run(record, system_, on_lattice_, steps_done() - first_step_, communicator_);
+}
+
+std::vector<std::string> LatticeModel::warnings() const {
+  return warnings_after(largest_mach());
+}
+
+void LatticeModel::write_past(OutgoingMessage& past) const {
+  const SystemMoment moment = system_.moment();
+  past(moment.largest_bead_speed, moment.smallest_gap);
+  past(first_totals_.momentum, first_totals_.mean_flow, first_totals_.mass_excess);
+}
+
+void LatticeModel::write_state(CheckpointWriter& checkpoint) {
+  write_lattice_state(checkpoint, system_, communicator_);
+}
+
+void LatticeModel::restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) {
+  SystemMoment moment{.steps_done = steps_done};
+  past(moment.largest_bead_speed, moment.smallest_gap);
+  past(first_totals_.momentum, first_totals_.mean_flow, first_totals_.mass_excess);
+  read_lattice_state(checkpoint, system_, moment, communicator_);
+  first_step_ = steps_done;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "beadswim/coupling/coupled_system.hpp"
+#include "flow_output.hpp"
+#include "model.hpp"
+#include "scene_on_lattice.hpp"
+
+// Beads resolved in a lattice-Boltzmann fluid (libs/coupling), as a run drives them.
+
+namespace beadswim {
+
+struct LatticePlan : ModelPlan {
+  /// communicator: must outlive it. Throws InputError as put_on_lattice (scene_on_lattice.hpp) does, or if
+  /// the machine has too little memory. Collective.
+  LatticePlan(const Layout& layout, const RunOptions& asked, const std::string& source,
+              const Communicator& communicator);
+
+  std::unique_ptr<Model> make(long flow_until) const override;
+
+  const Communicator& communicator;
+  SceneOnLattice on_lattice;
+};
+
+class LatticeModel : public Model {
+ public:
+  LatticeModel(const LatticePlan& plan, long flow_until);
+
+  void step() override { system_.step(); }
+  long steps_done() const override { return system_.steps_done(); }
+
+  int own_swimmers() const override { return static_cast<int>(system_.owned_swimmers().size()); }
+  SwimmerName own_swimmer(int number) const override;
+  std::array<Vec3, 3> bead_positions(int number, double ahead) const override;
+  std::vector<SwimmerSight> gather_swimmers() const override;
+
+  ModelTotals first_totals() const override { return in_layout_units(first_totals_); }
+  ModelTotals totals() override;
+  std::optional<ModelFault> fault() const override;
+
+  void write_flow() override { flow_->write(system_); }
+  void describe(RunRecord& record) const override;
+  std::vector<std::string> warnings() const override;
+
+  void write_past(OutgoingMessage& past) const override;
+  void write_state(CheckpointWriter& checkpoint) override;
+  void restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) override;
+
+ private:
+  ModelTotals in_layout_units(const SceneTotals& totals) const;
+  double largest_mach() const;
+
+  const SceneOnLattice& on_lattice_;
+  const Communicator& communicator_;
+  CoupledSystem system_;
+  std::optional<FlowOutput> flow_;
+  long first_step_ = 0;                     ///< of this program's own
+  SceneTotals first_totals_, last_totals_;  ///< lattice units
+  long last_totals_step_ = 0;
+};
+
+}  // namespace beadswim

@@ -1,0 +1,82 @@
+#include "lattice_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/coupling/gather.hpp"
+#include "beadswim/lattice/trt.hpp"
+
+namespace beadswim {
+namespace {
+
+CommunicationRecord communication_of(const CoupledSystem& system, long steps,
+                                     const Communicator& communicator) {
+  const Traffic sent = system.traffic();
+  std::array<std::int64_t, 3> most{system.neighbours(), sent.messages, sent.bytes};
+  MPI_Allreduce(MPI_IN_PLACE, most.data(), most.size(), MPI_INT64_T, MPI_MAX, communicator.get());
+  const double each = 1 / std::max(1.0, static_cast<double>(steps));
+  return {.neighbours = static_cast<int>(most[0]),
+          .messages_per_step = each * static_cast<double>(most[1]),
+          .bytes_per_step = each * static_cast<double>(most[2])};
+}
+
+DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice& on_lattice) {
+  double smallest = on_lattice.scene.types.front().beads[0].radius, largest = smallest;
+  for (const SwimmerType& type : on_lattice.scene.types) {
+    for (const Bead& bead : type.beads) {
+      smallest = std::min(smallest, bead.radius);
+      largest = std::max(largest, bead.radius);
+    }
+  }
+  const double nu = lattice_viscosity(on_lattice.lattice.relaxation_time);
+  const double omega = 2 * std::numbers::pi / static_cast<double>(on_lattice.lattice.steps_per_period);
+  return {.reynolds_bead = largest_bead_speed * 2 * largest / nu,
+          .penetration_depth_over_radius = std::sqrt(2 * nu / omega) / smallest,
+          .mach = largest_bead_speed * std::sqrt(3.0)};
+}
+
+LatticeResolution resolution_of(const SceneOnLattice& on_lattice) {
+  const LatticeScales& scales = on_lattice.lattice.scales;
+  return {.cells_per_radius = on_lattice.cells_per_radius,
+          .cell_size = scales.cell,
+          .time_step = scales.step,
+          .relaxation_time = on_lattice.lattice.relaxation_time,
+          .kinematic_viscosity_lattice = lattice_viscosity(on_lattice.lattice.relaxation_time),
+          .steps_per_cycle = on_lattice.lattice.steps_per_period,
+          .bead_boundary = name_of(on_lattice.scene.bead_boundary),
+          .density_on_lattice = on_lattice.density_on_lattice(),
+          .radius_on_lattice = on_lattice.radius_on_lattice(),
+          .angular_softening = on_lattice.angular_softening,
+          .precision = name_of(on_lattice.scene.precision)};
+}
+
+NearContactRecord near_contact_of(const CoupledSystem& system, const SceneOnLattice& on_lattice) {
+  const NearContactLaw law = near_contact_law(on_lattice.scene);
+  const double cell = on_lattice.lattice.scales.cell, gap = system.smallest_gap();
+  return {.smallest_gap = std::isfinite(gap) ? std::optional(gap * cell) : std::nullopt,
+          .lubrication = on_lattice.scene.lubrication,
+          .normal_cut_off = law.range.normal * cell,
+          .tangential_cut_off = law.range.tangential * cell,
+          .friction = law.friction};
+}
+
+}  // namespace
+
+void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const SceneOnLattice& on_lattice,
+                          long own_steps, const Communicator& communicator) {
+  record.model = "lbm";
+  record.dimensionless = numbers_of(system.largest_bead_speed(), on_lattice);
+  record.resolution = resolution_of(on_lattice);
+  RunCost& cost = *record.cost;
+  cost.cell_updates =
+      on_lattice.scene.cells.cast<std::int64_t>().prod() * static_cast<std::int64_t>(system.steps_done());
+  cost.mlups = 1e-6 * static_cast<double>(*cost.cell_updates) / cost.wall_seconds;
+  cost.communication = communication_of(system, own_steps, communicator);
+  record.near_contact = near_contact_of(system, on_lattice);
+  // After a fault swimmers waited where they were: the last state is no result.
+  if (record.status != RunStatus::failed && record.status != RunStatus::stopped_speed)
+    record.state_sha256 = state_sha256(system, communicator);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,75 @@
+#include "request.hpp"
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/tools/program.hpp"
+#include "checkpoints.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Standard input belongs to rank 0: it reads the text, all ranks get it.
+std::string read_text_once(const std::string& path, const Communicator& communicator) {
+  std::string text, failure;
+  if (communicator.is_root()) {
+    try {
+      text = read_text(path);
+    } catch (const InputError& error) {
+      failure = error.what();
+    }
+  }
+  for (std::string* shared : {&text, &failure}) {
+    std::int64_t size = std::ssize(*shared);
+    MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
+    shared->resize(size);
+    MPI_Bcast(shared->data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
+  }
+  if (!failure.empty()) throw InputError(failure);
+  return text;
+}
+
+/// A layout as a run sees it, whatever made it.
+std::string scene_text(LayoutDocument document) {
+  document.provenance = Json::array();
+  return dump_json(layout_to_json(document));
+}
+
+}  // namespace
+
+bool Request::goes_on_there() const {
+  return checkpoint && trajectory_of(checkpoint->path()) == options.output;
+}
+
+std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator) {
+  Request request;
+  auto parsed = parse_run_options(argc, argv);
+  if (const int* status = std::get_if<int>(&parsed)) return *status;
+  request.options = std::get<RunOptions>(parsed);
+  if (request.options.restart.empty()) return request;
+  request.checkpoint = open_checkpoint(request.options.restart, communicator);
+  const FlagValues flags = flags_of(*request.checkpoint);
+  request.options = std::get<RunOptions>(parse_run_options(argc, argv, flags));
+  require_same_course(request.options, flags);
+  if (request.options.output.empty()) request.options.output = trajectory_of(request.checkpoint->path());
+  request.steps_done = steps_in(*request.checkpoint);
+  return request;
+}
+
+LayoutDocument read_layout(const Request& request, const Communicator& communicator) {
+  const RunOptions& options = request.options;
+  const auto parse = [](const std::string& text, const std::string& name) {
+    return layout_from_json(parse_json(text, name), name);
+  };
+  const auto given = [&] { return parse(read_text_once(options.layout, communicator), request.source()); };
+  const bool is_given = !request.checkpoint || options.given.contains("LAYOUT");
+  if (is_given) require_other_file(options.layout, options.output);
+  if (!request.checkpoint) return given();
+  const LayoutDocument kept = parse(layout_of(*request.checkpoint), request.checkpoint->path());
+  if (is_given && scene_text(given()) != scene_text(kept)) {
+    throw InputError(
+        request.source(),
+        "is not the layout of the checkpoint's run; leave it out, or begin anew without --restart");
+  }
+  return kept;
+}
+
+}  // namespace beadswim

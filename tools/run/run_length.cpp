@@ -1,0 +1,28 @@
+#include "run_length.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+
+long total_steps(double cycles, long steps_per_cycle) {
+  const double steps = cycles * static_cast<double>(steps_per_cycle);
+  constexpr double most = 1e15;  // counted exactly in doubles, and out of reach
+  if (steps > most) {
+    throw InputError("--cycles",
+                     fmt::format("{:.3g} cycles are {:.3g} steps; at most {:.3g}", cycles, steps, most));
+  }
+  return std::max(1L, std::lround(steps));
+}
+
+long steps_between(double cycles, long steps_per_cycle) {
+  constexpr double never = 1e15;
+  const double steps = cycles * static_cast<double>(steps_per_cycle);
+  return std::max(1L, std::lround(std::min(steps, never)));
+}
+
+}  // namespace beadswim
