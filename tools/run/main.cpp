@@ -10,6 +10,7 @@
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
 #include "lattice_model.hpp"
+#include "overdamped_model.hpp"
 #include "record.hpp"
 #include "request.hpp"
 #include "run_length.hpp"
@@ -31,7 +32,7 @@ class RunFailed : public SolverError {
 
 TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
   TrajectoryHeader header;
-  const Box box = box_of(document.layout);
+  const SceneBox box = box_of(document.layout);
   header.box_lengths = box.lengths;
   header.periodic = box.periodic;
   for (const PlannedSwimmer& swimmer : plan.swimmers) {
@@ -49,6 +50,8 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
 /// How the layout is run. Throws InputError alike on all ranks. Collective.
 std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
                                     const Communicator& communicator) {
+  if (request.options.model != "lbm")
+    return std::make_unique<OverdampedPlan>(document.layout, request.options, request.source(), communicator);
   return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
 }
 

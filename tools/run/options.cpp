@@ -54,8 +54,12 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
           "with --restart the checkpoint's.")
       ->type_name("FILE.h5md")
       ->default_str("");
-  add_word(program, "--model", words.model, CLI::IsMember({"lbm", "auto"}), "lbm|auto", "auto",
-           "lbm: beads resolved in a lattice-Boltzmann fluid. auto: the best model there is, lbm.");
+  add_word(
+      program, "--model", words.model, CLI::IsMember({"lbm", "rpy", "oseen", "auto"}), "lbm|rpy|oseen|auto",
+      "auto",
+      "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
+      "Prager's "
+      "mobility of all pairs and images; oseen: likewise, by Oseen's. auto: the best model there is, lbm.");
   program
       .add_option("--cycles", options.cycles,
                   "Length of the run, in periods of the first type's driving; fractions allowed.")
@@ -66,6 +70,15 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
                   "fitted to as many samples "
                   "of each swimmer's own period.")
       ->check(CLI::Range(4, 1000000).description(""));
+  program
+      .add_option("--tolerance", options.tolerance,
+                  "rpy and oseen: error of bead velocities by the sum over pairs and images, relative to "
+                  "their root mean square.")
+      ->check(CLI::Range(1e-12, 1e-2).description(""));
+  program
+      .add_option("--steps-per-cycle", options.steps_per_cycle,
+                  "rpy and oseen: time steps in the shortest period of any swimmer's driving.")
+      ->check(CLI::Range(20, 1000000).description(""));
   program
       .add_option("--cells-per-radius", options.cells_per_radius,
                   "Cells per smallest bead radius [default: the layout's, else 4]")
@@ -149,7 +162,8 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
                                                 const FlagValues& defaults) {
   const auto program = make_program(
       "beadswim-run",
-      "Runs a layout: bead-spring swimmers resolved in a fluid. Writes bead trajectories (H5MD) and prints "
+      "Runs a layout: bead-spring swimmers resolved in a fluid, or as points of a mobility (--model). Writes "
+      "bead trajectories (H5MD) and prints "
       "the run "
       "record, with velocity and stroke of each cycle, as JSON. Run it under mpirun -n N for N ranks.");
   RunOptions options;
@@ -166,6 +180,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
   if (options.output.empty() && options.restart.empty())
     throw InputError("--output", "is missing; name the trajectory to write, -o FILE.h5md");
+  options.model = words.model == "auto" ? "lbm" : words.model;
   options.bead_boundary = bead_scheme_named(words.bead_boundary);
   options.delay_correction = words.delay_correction == "on";
   options.radius_correction = words.radius_correction == "on";
@@ -180,7 +195,14 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
 }
 
 FlagValues course_of(const RunOptions& o) {
-  FlagValues values{{"--frames-per-cycle", fmt::format("{}", o.frames_per_cycle)},
+  if (o.model != "lbm") {
+    return {{"--model", o.model},
+            {"--frames-per-cycle", fmt::format("{}", o.frames_per_cycle)},
+            {"--tolerance", fmt::format("{}", o.tolerance)},
+            {"--steps-per-cycle", fmt::format("{}", o.steps_per_cycle)}};
+  }
+  FlagValues values{{"--model", o.model},
+                    {"--frames-per-cycle", fmt::format("{}", o.frames_per_cycle)},
                     {"--bead-boundary", name_of(o.bead_boundary)},
                     {"--delay-correction", on_or_off(o.delay_correction)},
                     {"--radius-correction", on_or_off(o.radius_correction)},

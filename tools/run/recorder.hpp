@@ -78,7 +78,7 @@ class Recorder {
   const Communicator& communicator_;
   long steps_per_cycle_;
   int frames_per_cycle_;
-  Box box_;
+  SceneBox box_;
   TrajectoryWriter& trajectory_;
   SamplingSchedules schedules_;
   long next_frame_ = 0;

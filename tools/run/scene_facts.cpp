@@ -11,8 +11,8 @@ double base_period(const Layout& layout) {
   return layout.types.at(layout.swimmers.front().type).driving.period;
 }
 
-Box box_of(const Layout& layout) {
-  Box box;
+SceneBox box_of(const Layout& layout) {
+  SceneBox box;
   if (!layout.domain) return box;
   box.lengths = layout.domain->lengths;
   for (int a = 0; a < 3; ++a) box.periodic[a] = layout.domain->boundary[a] == Boundary::periodic;

@@ -12,10 +12,10 @@ namespace beadswim {
 double base_period(const Layout& layout);
 
 /// Edges of the box and which of its axes are periodic; in unbounded fluid zero and none.
-struct Box {
+struct SceneBox {
   Vec3 lengths = Vec3::Zero();
   std::array<bool, 3> periodic{};
 };
-Box box_of(const Layout& layout);
+SceneBox box_of(const Layout& layout);
 
 }  // namespace beadswim

@@ -297,6 +297,7 @@ void CheckpointReader::add_sections(Sha256& hash) const {
 }
 
 std::uint64_t CheckpointReader::hash_of_part() const {
+  if (H5Lexists(file_, lattice_name, H5P_DEFAULT) == 0) return 0;  // of a model without one
   const H5Handle dataset(H5Dopen2(file_, lattice_name, H5P_DEFAULT), H5Dclose, path_);
   const H5Handle space(H5Dget_space(dataset), H5Sclose, path_);
   const H5Handle type(H5Dget_type(dataset), H5Tclose, path_);

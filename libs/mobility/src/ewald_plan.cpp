@@ -39,7 +39,7 @@ double cut_off_in_splittings(const EwaldScene& scene, double xi) {
   double s = 3;
   for (int i = 0; i < 20; ++i) {
     const double each = 1.5 / std::sqrt(std::numbers::pi) * size * (1 + 4.0 / 3 * size * size * s * s);
-    const double error = 12 * each * std::sqrt(std::numbers::pi * density * s / (xi * xi * xi));
+    const double error = 6 * each * std::sqrt(std::numbers::pi * density * s / (xi * xi * xi));
     s = std::sqrt(std::max(4.0, std::log(std::max(error, 0.5) / scene.tolerance)));
   }
   return s;
@@ -51,7 +51,9 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
   // The best shape, and the error it leaves, found by trying (docs/method/mobility-product.md).
   const auto shape = [](int points) { return 0.95 * std::sqrt(std::numbers::pi * points); };
   const double size = xi * s * scene.typical_radius;
-  const auto error = [&](int points) { return 4 * (1 + 4 * size * size) * std::exp(-1.36 * points); };
+  const auto error = [&](int points) {
+    return 4 * (1 + 0.6 * size * size * size * size) * std::exp(-1.36 * points);
+  };
   int window = 4;
   while (window < 26 && error(window) > scene.tolerance) window += 2;
   // Windows must leave enough of the Gaussian to the kernel, or its samples alias in open space:

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "beadswim/mobility/ewald_split.hpp"
-#include "neighbour_cells.hpp"
+#include "beadswim/mobility/neighbour_cells.hpp"
 
 namespace beadswim {
 namespace {

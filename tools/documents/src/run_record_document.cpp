@@ -220,6 +220,26 @@ std::optional<LatticeResolution> resolution_from(const Json& json) {
       .precision = json.at("precision").get<std::string>()};
 }
 
+Json json_of(const MobilityRecord& mobility) {
+  return {{"time_step", mobility.time_step},
+          {"steps_per_cycle", mobility.steps_per_cycle},
+          {"tolerance", mobility.tolerance},
+          {"products", mobility.products},
+          {"cut_off", json_or_null(mobility.cut_off)},
+          {"mesh_spacing", json_or_null(mobility.mesh_spacing)},
+          {"smallest_gap", json_or_null(mobility.smallest_gap)}};
+}
+
+MobilityRecord mobility_from(const Json& json) {
+  return {.time_step = json.at("time_step").get<double>(),
+          .steps_per_cycle = json.at("steps_per_cycle").get<std::int64_t>(),
+          .tolerance = json.at("tolerance").get<double>(),
+          .products = json.at("products").get<std::int64_t>(),
+          .cut_off = value_unless_null<double>(json.at("cut_off")),
+          .mesh_spacing = value_unless_null<double>(json.at("mesh_spacing")),
+          .smallest_gap = value_unless_null<double>(json.at("smallest_gap"))};
+}
+
 Json json_of(const NearContactRecord& contact) {
   return {{"smallest_gap", json_or_null(contact.smallest_gap)},
           {"lubrication", contact.lubrication},
@@ -299,6 +319,7 @@ RunRecord run_record_from_json(const Json& document, const std::string& source) 
   record.dimensionless = dimensionless_from(document.at("dimensionless"));
   record.resolution = resolution_from(document.at("resolution"));
   if (document.contains("reason")) record.reason = document.at("reason").get<std::string>();
+  if (document.contains("mobility")) record.mobility = mobility_from(document.at("mobility"));
   if (document.contains("near_contact")) record.near_contact = near_contact_from(document.at("near_contact"));
   if (document.contains("cost")) record.cost = cost_from(document.at("cost"));
   record.state_sha256 = value_unless_null<std::string>(document.at("state_sha256"));
@@ -330,6 +351,7 @@ Json run_record_to_json(const RunRecord& record, RecordProvenance provenance) {
   document["dimensionless"] = json_of(record.dimensionless);
   document["resolution"] = json_of(record.resolution);
   if (!record.reason.empty()) document["reason"] = record.reason;
+  if (record.mobility) document["mobility"] = json_of(*record.mobility);
   if (record.near_contact) document["near_contact"] = json_of(*record.near_contact);
   if (provenance == RecordProvenance::written && record.cost) document["cost"] = json_of(*record.cost);
   document["state_sha256"] = json_or_null(record.state_sha256);

@@ -77,6 +77,16 @@ struct NearContactRecord {
   double friction = 0;            ///< Coulomb's coefficient
 };
 
+/// How a run without a lattice took its steps and sums.
+struct MobilityRecord {
+  double time_step = 0;  ///< [time]
+  std::int64_t steps_per_cycle = 0;
+  double tolerance = 0;                         ///< of bead velocities, relative
+  std::int64_t products = 0;                    ///< of mobility and forces
+  std::optional<double> cut_off, mesh_spacing;  ///< of Ewald's sum; none where all pairs are summed [length]
+  std::optional<double> smallest_gap;           ///< of beads that repelled each other [length]
+};
+
 /// What the busiest rank sends to others in a step of the fluid.
 struct CommunicationRecord {
   int neighbours = 0;  ///< other ranks that it talks to
@@ -109,6 +119,7 @@ struct RunRecord {
   std::optional<double> mass_relative_change;
   DimensionlessNumbers dimensionless;
   std::optional<LatticeResolution> resolution;
+  std::optional<MobilityRecord> mobility;
   std::optional<NearContactRecord> near_contact;
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;  ///< none after a fault

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "beadswim/bodies/swimmer_type.hpp"
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/mobility/mobility_product.hpp"
+
+namespace beadswim {
+
+/// A swarm without inertia. Any coherent unit system.
+struct OverdampedScene {
+  struct Swimmer {
+    int id = 0;
+    int type = 0;                  ///< index into types
+    Vec3 position = Vec3::Zero();  ///< centre of bead 2, unwrapped
+    Vec3 axis = Vec3::UnitX();     ///< unit vector from bead 1 to bead 3
+  };
+
+  PointModel model = PointModel::rotne_prager;
+  double viscosity = 0;    ///< dynamic
+  std::optional<Box> box;  ///< none: open space
+  std::vector<SwimmerType> types;
+  std::vector<Swimmer> swimmers;  ///< in order of their ids
+  double step = 0;                ///< [time]
+  double tolerance = 1e-4;        ///< of the mobility product, and of what dashpots hang on
+
+  const SwimmerType& type_of(std::size_t swimmer) const { return types[swimmers[swimmer].type]; }
+};
+
+}  // namespace beadswim

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "beadswim/overdamped/contact_force.hpp"
+#include "beadswim/overdamped/overdamped_scene.hpp"
+
+namespace beadswim {
+
+/// Two beads, or a bead and its mirror image, so close that they repel each other.
+struct Contact {
+  int first = 0, second = 0;   ///< beads; the same: with its image behind a wall
+  Vec3 normal = Vec3::Zero();  ///< from the second to the first
+  ContactForce law;
+};
+
+struct Contacts {
+  std::vector<Contact> list;
+  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of these
+};
+
+/// Range and strength of the scene's repulsion.
+struct ContactScale {
+  double share = 0.2;  ///< reach over the mean radius
+  double strength =
+      0;  ///< largest driving force; where there is none, that which stretches a spring by a radius
+  double largest_radius = 0;
+
+  explicit ContactScale(const OverdampedScene& scene);
+};
+
+Contacts find_contacts(const ContactScale& scale, const std::optional<Box>& box,
+                       std::span<const double> radii, std::span<const Vec3> positions);
+
+}  // namespace beadswim

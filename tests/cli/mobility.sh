@@ -1,0 +1,83 @@
+#!/bin/bash
+# beadswim-run --model rpy|oseen: runs without a lattice, by the same files.
+source "$(dirname "$0")/harness.sh"
+
+small() { # RANKS ARGUMENT...
+  mpirun -n "$1" beadswim-run "${@:2}" --progress none --no-provenance
+}
+decided() { # METHOD TOLERANCE RUN PREDICTION
+  run beadswim-compare "$3" "$4" --method "$1" --tolerance "$2"
+  has_status 0
+}
+
+# --- a swimmer in open space against the theory of its own mobility; the record is valid, and says what it took
+beadswim-layout swimmer --preset paper-single --unbounded --amplitude 0.2 >open.json
+beadswim-theory open.json >theory.json
+for model in rpy oseen; do
+  run beadswim-run open.json --model $model -o $model.h5md --steps-per-cycle 1000 --cycles 4 --progress none
+  has_status 0
+  check "the record names the model" holds ".model == \"$model\" and .momentum == null and .resolution == null and .mobility.products > 4000" out
+  cp out $model.json
+  decided $model-ode 2e-6 $model.json theory.json
+done
+check "the trajectory has frames and axes without a box" test "$(h5dump -H -d /particles/beads/position/value rpy.h5md | grep -c '161, 3, 3')" -eq 1
+
+# --- in the layout's own box, periodic and midway between walls
+for boundary in periodic periodic,free-slip,free-slip; do
+  beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary $boundary --amplitude 0.2 >box.json
+  beadswim-theory box.json >theory.json
+  run beadswim-run box.json --model rpy -o box.h5md --steps-per-cycle 400 --cycles 3 --tolerance 1e-6 --progress none
+  has_status 0
+  cp out box.run.json
+  decided rpy-box-ode 1e-4 box.run.json theory.json
+done
+
+# --- swarms: turned, with periods of their own and some swimmers missing; the same to the tolerance on any number of ranks
+beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,2,2 |
+  beadswim-layout defect rotation --sigma 0.2 --seed 5 | beadswim-layout defect frequency --sigma 0.1 --seed 2 |
+  beadswim-layout defect vacancy --count 2 --seed 1 >swarm.json
+run small 1 swarm.json --model rpy -o one.h5md --cycles 1.5
+has_status 0
+cp out one.json
+for ranks in 2 3; do
+  run small $ranks swarm.json --model rpy -o more.h5md --cycles 1.5
+  has_status 0
+  check "velocities agree on $ranks ranks" holds '[.[].swimmers[].cycles[0].velocity] | .[:(length / 2)] as $a | [$a, .[(length / 2):]] | transpose | all(.[]; [.[0], .[1]] | transpose | all(.[]; (.[0] - .[1] | fabs) < 1e-10))' \
+    <(jq -s . one.json out)
+done
+
+# --- stopped by time, and gone on, with the bits of an unbroken run
+run small 2 swarm.json --model rpy -o whole.h5md --cycles 1.5
+cp out whole.json
+run small 2 swarm.json --model rpy -o part.h5md --cycles 0.7 --checkpoint-every 0.35
+has_status 0
+run small 2 --restart part.h5md --cycles 1.5
+has_status 0
+check "the record is that of an unbroken run" cmp -s out whole.json
+check "all datasets are those of an unbroken run" h5diff whole.h5md part.h5md
+refuses '^beadswim-run: --model: lbm is not rpy' beadswim-run --restart part.h5md --model lbm --cycles 3
+
+# --- beads that are driven together repel each other, and the run says so
+beadswim-layout swimmer --preset paper-single --unbounded --arm 14 --amplitude 0.4 >close.json
+run beadswim-run close.json --model rpy -o close.h5md --cycles 2 --progress none
+has_status 0
+err_has 'warning: beads came as near as'
+check "the gap stays open" holds '.mobility.smallest_gap | . > 0 and . < 0.8' out
+
+# --- a torn arm stops the run on all ranks with a message
+beadswim-layout swimmer --preset paper-single --unbounded --amplitude 3 >torn.json
+run small 2 torn.json --model rpy -o torn.h5md
+has_status 3
+err_has 'arm . of swimmer 0 .* is torn'
+check "the record reaches up to it" holds '.status == "failed" and .state_sha256 == null' out
+
+# --- what the model cannot do
+refuses '^beadswim-run: --cells-per-radius: is of the lattice' beadswim-run open.json --model rpy -o x.h5md --cells-per-radius 3
+refuses '^beadswim-run: --flow-every: is of the lattice' beadswim-run open.json --model oseen -o x.h5md --flow-every 1
+refuses '^beadswim-run: --tolerance: is of the mobility models' beadswim-run box.json -o x.h5md --tolerance 1e-3
+refuses 'tolerance' beadswim-run open.json --model rpy -o x.h5md --tolerance 0.5
+beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary no-slip >walls.json
+refuses 'walls.json:/domain/boundary/0: is no-slip' beadswim-run walls.json --model rpy -o x.h5md
+check "no file is left" test ! -e x.h5md
+
+finish

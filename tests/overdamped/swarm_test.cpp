@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "beadswim/bodies/swimmer_forces.hpp"
+#include "direct_ewald.hpp"
+#include "scenes.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Three swimmers, turned and near each other, one of another type.
+OverdampedScene three_swimmers(int steps_per_cycle) {
+  OverdampedScene scene = scene_of(paper_swimmer(), steps_per_cycle);
+  scene.types.push_back(odd_swimmer());
+  scene.types[1].springs[0].damping = scene.types[1].springs[1].damping = 0;
+  scene.types[0].angular_stiffness = scene.types[1].angular_stiffness =
+      2;  // bends, and Runge and Kutta bear it
+  scene.swimmers.push_back(
+      {.id = 1, .type = 1, .position = {62, 54, 44}, .axis = Vec3(1, 0.5, -0.2).normalized()});
+  scene.swimmers.push_back(
+      {.id = 2, .type = 0, .position = {40, 45, 58}, .axis = Vec3(-0.3, 1, 0.4).normalized()});
+  return scene;
+}
+
+direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& places, double time) {
+  direct::Spheres spheres{places, {}, {}};
+  const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
+    const SwimmerType& type = scene.type_of(s);
+    const BeadVectors beads{places[3 * s], places[3 * s + 1], places[3 * s + 2]};
+    const BeadVectors springs = spring_forces(type.springs, beads, at_rest);
+    const BeadVectors bending = angular_spring_forces(type.angular_stiffness, beads);
+    const BeadVectors driving = driving_forces(type.driving, time, beads, scene.swimmers[s].axis);
+    for (int b = 0; b < 3; ++b) {
+      spheres.radii.push_back(type.beads[b].radius);
+      spheres.forces.push_back(springs[b] + bending[b] + driving[b]);
+    }
+  }
+  return spheres;
+}
+
+/// Positions after a time, by Runge and Kutta's steps and direct sums.
+direct::Vectors by_runge_kutta(const OverdampedScene& scene, direct::Vectors x, double end, int steps) {
+  const auto velocity = [&](const direct::Vectors& places, double time) {
+    const direct::Spheres spheres = spheres_of(scene, places, time);
+    if (!scene.box) return direct::open_velocities(direct::Law::rotne_prager, spheres, scene.viscosity);
+    return direct::box_velocities(direct::Law::rotne_prager, spheres, scene.viscosity,
+                                  Vec3(scene.box->lengths.data()), scene.box->free_slip);
+  };
+  const auto ahead = [&](const direct::Vectors& v, double by) {
+    direct::Vectors places = x;
+    for (std::size_t b = 0; b < x.size(); ++b) places[b] += by * v[b];
+    return places;
+  };
+  const double h = end / steps;
+  for (int n = 0; n < steps; ++n) {
+    const auto k1 = velocity(x, n * h), k2 = velocity(ahead(k1, h / 2), (n + 0.5) * h),
+               k3 = velocity(ahead(k2, h / 2), (n + 0.5) * h), k4 = velocity(ahead(k3, h), (n + 1) * h);
+    for (std::size_t b = 0; b < x.size(); ++b) x[b] += h / 6 * (k1[b] + 2 * k2[b] + 2 * k3[b] + k4[b]);
+  }
+  return x;
+}
+
+double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
+  return most;
+}
+
+// Swimmers that turn, bend and drag each other: another integrator, and every pair written out.
+TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInOpenSpace) {
+  constexpr int steps = 1200;
+  constexpr double truncation = 3e-5;  // strokes are 4, 2/3 of a cycle
+  const OverdampedScene scene = three_swimmers(steps);
+  const auto start = positions_after(scene, 0);
+  const double end = scene.step * 800;
+  const auto exact = by_runge_kutta(scene, start, end, 1600);
+  EXPECT_GT(farthest(start, exact), 1);
+  EXPECT_LT(farthest(positions_after(scene, 800), exact), truncation);
+}
+
+TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInABoxWithWalls) {
+  constexpr int steps = 300;
+  constexpr double truncation = 1e-3;
+  OverdampedScene scene = three_swimmers(steps);
+  scene.box = Box{{110, 90, 80}, {false, true, false}};
+  scene.tolerance = 1e-6;
+  const auto start = positions_after(scene, 0);
+  const double end = scene.step * 60;
+  EXPECT_LT(farthest(positions_after(scene, 60), by_runge_kutta(scene, start, end, 100)), truncation);
+}
+
+// A cell that repeats: what one swimmer does in it each of eight does in a box of 2 x 2 x 2 cells, to the
+// product's tolerance.
+TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
+  constexpr int steps = 40;
+  OverdampedScene one = scene_of(paper_swimmer(), steps);
+  one.types[0].driving.amplitude = {1, 1};
+  one.types[0].springs[0].stiffness = one.types[0].springs[1].stiffness = 0.2;
+  one.box = Box{{64, 32, 32}, {}};
+  one.swimmers[0].position = {32, 16, 16};
+  one.tolerance = 1e-6;
+  OverdampedScene eight = one;
+  eight.box = Box{{128, 64, 64}, {}};
+  eight.swimmers.clear();
+  for (int id = 0; id < 8; ++id)
+    eight.swimmers.push_back(
+        {.id = id,
+         .type = 0,
+         .position = Vec3(32 + 64 * (id & 1), 16 + 32 * (id >> 1 & 1), 16 + 32 * (id >> 2)),
+         .axis = Vec3::UnitX()});
+  const auto cell = positions_after(one, 2 * steps), swarm = positions_after(eight, 2 * steps);
+  EXPECT_GT(std::abs(cell[0][0] - 12), 0.02);
+  for (std::size_t b = 0; b < swarm.size(); ++b) {
+    const Vec3 offset = eight.swimmers[b / 3].position - one.swimmers[0].position;
+    EXPECT_LT((swarm[b] - offset - cell[b % 3]).norm(), 1e-5) << "bead " << b;
+  }
+}
+
+// Beads of two swimmers that overlap at the start part, and no step is undone by it; torn arms are told of.
+TEST(OverdampedSwarm, PartsBeadsThatTouch) {
+  OverdampedScene scene = scene_of(paper_swimmer(), 200);
+  scene.swimmers.push_back(
+      {.id = 1, .type = 0, .position = scene.swimmers[0].position + Vec3(0, 7.9, 0), .axis = Vec3::UnitX()});
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  for (int n = 0; n < 400; ++n) system.step();
+  ASSERT_FALSE(system.fault());
+  for (int b = 0; b < 3; ++b) EXPECT_GT((system.positions()[b] - system.positions()[3 + b]).norm(), 8.0);
+}
+
+TEST(OverdampedSwarm, StopsAtATornArm) {
+  OverdampedScene scene = scene_of(paper_swimmer(), 400);
+  scene.types[0].driving.amplitude = {6, 6};
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  for (int n = 0; n < 400 && !system.fault(); ++n) system.step();
+  ASSERT_TRUE(system.fault());
+  EXPECT_EQ(system.fault()->kind, OverdampedFaultKind::torn_arm);
+  const Vec3 stopped = system.positions()[0];
+  system.step();
+  EXPECT_EQ(system.positions()[0], stopped);
+}
+
+}  // namespace
+}  // namespace beadswim

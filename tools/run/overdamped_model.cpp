@@ -1,0 +1,256 @@
+#include "overdamped_model.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/sha256.hpp"
+#include "scene_facts.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr const char* beads_section = "beads";
+
+std::string name_of(PointModel model) {
+  return model == PointModel::oseen ? "oseen" : "rpy";
+}
+
+std::optional<Box> mobility_box(const Layout& layout, const std::string& source) {
+  if (!layout.domain) return std::nullopt;
+  Box box;
+  for (int a = 0; a < 3; ++a) {
+    box.lengths[a] = layout.domain->lengths[a];
+    if (layout.domain->boundary[a] == Boundary::no_slip) {
+      throw InputError(
+          fmt::format("{}:/domain/boundary/{}", source, a),
+          "is no-slip, for which there is no mobility here; make the layout with --boundary periodic or "
+          "free-slip, or run it with --model lbm");
+    }
+    box.free_slip[a] = layout.domain->boundary[a] == Boundary::free_slip;
+  }
+  return box;
+}
+
+/// A type for each driving, as the scene has them: swimmers of one type share it unless theirs is their own.
+int type_of(const SwimmerType& type, std::vector<SwimmerType>& types, std::vector<std::string>& names,
+            const std::string& name) {
+  for (std::size_t t = 0; t < types.size(); ++t)
+    if (names[t] == name && types[t].driving == type.driving) return static_cast<int>(t);
+  types.push_back(type);
+  names.push_back(name);
+  return static_cast<int>(types.size()) - 1;
+}
+
+void require_inside(const OverdampedScene& scene, const std::string& source) {
+  if (!scene.box) return;
+  for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
+    const auto& [id, type, position, axis] = scene.swimmers[s];
+    const auto& springs = scene.types[type].springs;
+    for (const Vec3& bead : {Vec3(position - springs[0].rest_length * axis), position,
+                             Vec3(position + springs[1].rest_length * axis)})
+      for (int a = 0; a < 3; ++a) {
+        if (!scene.box->free_slip[a] || (bead[a] > 0 && bead[a] < scene.box->lengths[a])) continue;
+        throw InputError(
+            source,
+            fmt::format("swimmer {} has a bead beyond the wall across {}; move it, or enlarge the box", id,
+                        "xyz"[a]));
+      }
+  }
+}
+
+/// Flags that say nothing to a model without a lattice.
+void refuse_lattice_flags(const RunOptions& options) {
+  for (const char* flag :
+       {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
+        "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"}) {
+    if (!options.given.contains(flag)) continue;
+    throw InputError(
+        flag,
+        fmt::format("is of the lattice; leave it out, or run with --model lbm instead of {}", options.model));
+  }
+}
+
+}  // namespace
+
+OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, const std::string& source,
+                               const Communicator& ranks)
+    : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
+  refuse_lattice_flags(asked);
+  options = asked;
+  scene.model = asked.model == "oseen" ? PointModel::oseen : PointModel::rotne_prager;
+  scene.viscosity = layout.fluid.dynamic_viscosity();
+  scene.box = mobility_box(layout, source);
+  scene.tolerance = asked.tolerance;
+  std::vector<const Swimmer*> in_order;
+  for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
+  std::ranges::sort(in_order, {}, &Swimmer::id);
+  std::vector<std::string> names;
+  for (const Swimmer* swimmer : in_order) {
+    const int type = type_of(layout.resolved_type(*swimmer), scene.types, names, swimmer->type);
+    scene.swimmers.push_back({swimmer->id, type, swimmer->position, swimmer->axis});
+    PlannedSwimmer planned{.name = {.id = swimmer->id, .type = type}};
+    for (int b = 0; b < 3; ++b) planned.radii[b] = scene.types[type].beads[b].radius;
+    swimmers.push_back(planned);
+  }
+  require_inside(scene, source);
+  base_period = beadswim::base_period(layout);
+  double shortest = base_period;
+  for (const SwimmerType& type : scene.types) shortest = std::min(shortest, type.driving.period);
+  steps_per_cycle = std::lround(std::ceil(asked.steps_per_cycle * base_period / shortest - 1e-9));
+  time_step = scene.step = base_period / static_cast<double>(steps_per_cycle);
+  for (const SwimmerType& type : scene.types) periods.push_back(type.driving.period / time_step);
+  announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
+                             asked.model, swimmers.size(), scene.box ? "a box" : "open space",
+                             scene.tolerance, steps_per_cycle, communicator.size());
+}
+
+std::unique_ptr<Model> OverdampedPlan::make(long) const {
+  return std::make_unique<OverdampedModel>(*this);
+}
+
+OverdampedModel::OverdampedModel(const OverdampedPlan& plan)
+    : plan_(plan),
+      system_(plan.scene, plan.communicator),
+      first_(static_cast<int>(plan.swimmers.size() * plan.communicator.rank() / plan.communicator.size())),
+      last_(static_cast<int>(plan.swimmers.size() * (plan.communicator.rank() + 1) /
+                             plan.communicator.size())) {}
+
+SwimmerName OverdampedModel::own_swimmer(int number) const {
+  return plan_.swimmers[first_ + number].name;
+}
+
+std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) const {
+  const OverdampedState& state = system_.state();
+  const double time = ahead * plan_.time_step;
+  std::array<Vec3, 3> positions;
+  for (int b = 0; b < 3; ++b) {
+    const std::size_t bead = 3 * static_cast<std::size_t>(first_ + number) + b;
+    const Vec3 gained = state.velocities[0][bead] - state.velocities[1][bead];  // in the last step
+    positions[b] = state.positions[0][bead] + time * (state.velocities[0][bead] + 0.5 * ahead * gained);
+  }
+  return positions;
+}
+
+std::vector<SwimmerSight> OverdampedModel::gather_swimmers() const {
+  std::vector<SwimmerSight> sights;
+  if (!plan_.communicator.is_root()) return sights;
+  for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
+    SwimmerSight sight{
+        .id = plan_.swimmers[s].name.id, .initial_axis = plan_.scene.swimmers[s].axis, .motion = {}};
+    for (int b = 0; b < 3; ++b) {
+      sight.motion[b].position = system_.positions()[3 * s + b];
+      sight.motion[b].velocity = system_.velocities()[3 * s + b];
+    }
+    sights.push_back(sight);
+  }
+  return sights;
+}
+
+std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
+  const Vec3& p = fault.position;
+  const std::string place =
+      fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
+  switch (fault.kind) {
+    case OverdampedFaultKind::torn_arm:
+      return fmt::format(
+          "arm {} {} is torn: {:.3g} times its rest length, over 2; weaker driving or stiffer springs keep "
+          "it whole",
+          fault.bead, place, fault.value);
+    case OverdampedFaultKind::speed:
+      return fmt::format(
+          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, or drive it less",
+          fault.bead, place, fault.value);
+    case OverdampedFaultKind::not_finite:
+      return fmt::format(
+          "bead {} {} has no finite place any more; take more --steps-per-cycle, or drive it less",
+          fault.bead, place);
+  }
+  return "unknown fault";
+}
+
+std::optional<ModelFault> OverdampedModel::fault() const {
+  if (!system_.fault()) return std::nullopt;
+  const OverdampedFault& fault = *system_.fault();
+  const bool is_speed = fault.kind == OverdampedFaultKind::speed;
+  return ModelFault{
+      .status = is_speed ? RunStatus::stopped_speed : RunStatus::failed,
+      .message = fmt::format("step {} (cycle {:.3f}): {}", fault.step,
+                             static_cast<double>(fault.step) / static_cast<double>(plan_.steps_per_cycle),
+                             message_of(fault))};
+}
+
+void OverdampedModel::describe(RunRecord& record) const {
+  const OverdampedState& state = system_.state();
+  double smallest = plan_.scene.types.front().beads[0].radius, largest = smallest;
+  for (const SwimmerType& type : plan_.scene.types) {
+    for (const Bead& bead : type.beads) {
+      smallest = std::min(smallest, bead.radius);
+      largest = std::max(largest, bead.radius);
+    }
+  }
+  const double omega = 2 * std::numbers::pi / plan_.base_period;
+  record.model = name_of(plan_.scene.model);
+  record.dimensionless = {
+      .reynolds_bead = state.largest_speed * 2 * largest / plan_.kinematic_viscosity,
+      .penetration_depth_over_radius = std::sqrt(2 * plan_.kinematic_viscosity / omega) / smallest,
+      .mach = std::nullopt};
+  const std::optional<EwaldPlan>& sums = system_.mobility().plan();
+  record.mobility = MobilityRecord{
+      .time_step = plan_.time_step,
+      .steps_per_cycle = plan_.steps_per_cycle,
+      .tolerance = plan_.scene.tolerance,
+      .products = state.products,
+      .cut_off = sums ? std::optional(sums->cut_off) : std::nullopt,
+      .mesh_spacing = sums ? std::optional(sums->spacing) : std::nullopt,
+      .smallest_gap = std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap) : std::nullopt};
+  if (system_.fault()) return;
+  Sha256 hash;
+  hash.update(std::as_bytes(system_.positions()));
+  record.state_sha256 = hash.hexadecimal();
+}
+
+std::vector<std::string> OverdampedModel::warnings() const {
+  const double gap = system_.state().smallest_gap;
+  if (!std::isfinite(gap)) return {};
+  return {fmt::format(
+      "beads came as near as {:.3g} and repelled each other; point models know nothing of the film "
+      "between them: check the run against --model lbm",
+      gap)};
+}
+
+void OverdampedModel::write_past(OutgoingMessage& past) const {
+  const OverdampedState& state = system_.state();
+  past(state.products, state.largest_speed, state.smallest_gap);
+}
+
+namespace {
+
+template <class Message, class State>
+void transfer_beads(Message& message, State& state) {
+  for (auto* lists : {&state.positions, &state.velocities})
+    for (auto& list : *lists) message(list);
+  message(state.distant);
+}
+
+}  // namespace
+
+void OverdampedModel::write_state(CheckpointWriter& checkpoint) {
+  OutgoingMessage message;
+  if (plan_.communicator.is_root()) transfer_beads(message, system_.state());
+  checkpoint.add(beads_section, message.bytes());
+}
+
+void OverdampedModel::restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) {
+  OverdampedState state;
+  state.steps_done = steps_done;
+  past(state.products, state.largest_speed, state.smallest_gap);
+  IncomingMessage message(checkpoint.bytes(beads_section, 0, checkpoint.size(beads_section)));
+  transfer_beads(message, state);
+  system_.restore(std::move(state));
+}
+
+}  // namespace beadswim
