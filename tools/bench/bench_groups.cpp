@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <fstream>
 #include <optional>
-#include <thread>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
+#include "first_ranks.hpp"
 #include "scenes.hpp"
 #include "timing.hpp"
 
@@ -66,24 +66,6 @@ std::vector<Group> groups_of(const BenchRequest& request, int ranks, double avai
     }
   }
   return groups;
-}
-
-/// This rank's part of what the first `ranks` ranks do; the others sleep until these are done.
-template <class Work>
-void on_first_ranks(int ranks, const Communicator& world, Work&& work) {
-  const bool active = world.rank() < ranks;
-  MPI_Comm part = MPI_COMM_NULL;
-  MPI_Comm_split(world.get(), active ? 0 : 1, world.rank(), &part);
-  if (active) {
-    const Communicator communicator(part);
-    work(communicator);
-  }
-  MPI_Comm_free(&part);
-  MPI_Request all_done;
-  MPI_Ibarrier(world.get(), &all_done);
-  for (int done = 0; MPI_Test(&all_done, &done, MPI_STATUS_IGNORE), done == 0;) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // a core that waits must not take memory time
-  }
 }
 
 std::vector<double> ratios(const std::vector<double>& seconds, const std::vector<double>& reference) {

@@ -35,9 +35,47 @@ Json row_to_json(const BenchRow& row) {
   return json;
 }
 
+Json row_to_json(const ProductRow& row) {
+  return {{"beads", row.beads},
+          {"surroundings", row.is_periodic ? "periodic" : "open"},
+          {"ranks", row.ranks},
+          {"tolerance", row.tolerance},
+          {"seconds", row.seconds},
+          {"seconds_best", row.seconds_best},
+          {"error", row.error ? Json(*row.error) : Json(nullptr)},
+          {"memory_bytes", row.memory_bytes}};
+}
+
+Json products_to_json(const BenchReport& report, const Json& provenance) {
+  Json rows = Json::array();
+  for (const ProductRow& row : report.products) rows.push_back(row_to_json(row));
+  return {{"schema", "beadswim/bench/1"},
+          {"processor", processor_name()},
+          {"instruction_set", sweep_instruction_set()},
+          {"rounds", report.rounds},
+          {"rows", Json::array()},
+          {"mobility_products", rows},
+          {"provenance", Json::array({provenance})}};
+}
+
+std::string product_table(const BenchReport& report) {
+  std::string table = fmt::format(
+      "{}, {}; medians of {} rounds\n\n  beads surroundings ranks tolerance  seconds     best     error  "
+      "MB\n",
+      processor_name(), sweep_instruction_set(), report.rounds);
+  for (const ProductRow& row : report.products) {
+    table += fmt::format("{:7} {:12} {:5} {:9.1e} {:8.4f} {:8.4f} {:>9} {:4.0f}\n", row.beads,
+                         row.is_periodic ? "periodic" : "open", row.ranks, row.tolerance, row.seconds,
+                         row.seconds_best, row.error ? fmt::format("{:.1e}", *row.error) : "-",
+                         1e-6 * static_cast<double>(row.memory_bytes));
+  }
+  return table;
+}
+
 }  // namespace
 
 Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
+  if (!report.products.empty()) return products_to_json(report, provenance);
   Json rows = Json::array(), by_ranks = Json::array();
   for (const BenchRow& row : report.rows) rows.push_back(row_to_json(row));
   for (const BandwidthRow& row : report.bandwidths) {
@@ -58,6 +96,7 @@ Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
 }
 
 std::string bench_table(const BenchReport& report) {
+  if (!report.products.empty()) return product_table(report);
   std::string table = fmt::format("{}, {}; {} beads; medians of {} rounds\n", processor_name(),
                                   sweep_instruction_set(), name_of(report.bead_boundary), report.rounds);
   for (const BandwidthRow& row : report.bandwidths) {

@@ -6,6 +6,7 @@
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/lattice/precision.hpp"
+#include "mobility_products.hpp"
 
 namespace beadswim {
 
@@ -32,8 +33,9 @@ struct BandwidthRow {
 struct BenchReport {
   int rounds = 0;
   BeadScheme bead_boundary = BeadScheme::staircase;  ///< of the swarm
-  std::vector<BenchRow> rows;
-  std::vector<BandwidthRow> bandwidths;
+  std::vector<BenchRow> rows{};
+  std::vector<BandwidthRow> bandwidths{};
+  std::vector<ProductRow> products{};  ///< of mobilities, instead of rows and bandwidths
 };
 
 /// schemas/bench.schema.json

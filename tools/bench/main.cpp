@@ -15,6 +15,7 @@ struct BenchOptions {
   BenchRequest request;
   std::string bead_boundary = name_of(BeadScheme::staircase);
   std::vector<std::string> precisions{name_of(Precision::fp64), name_of(Precision::fp32)};
+  ProductRequest products;
   bool json = false;
 };
 
@@ -26,7 +27,7 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       "as "
       "fractions of a yardstick that moves the same bytes without arithmetic. Under mpirun -n N on 1 and on "
       "N "
-      "ranks. On an otherwise idle machine.");
+      "ranks. With --beads, seconds of the mobility models' products. On an otherwise idle machine.");
   program->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
       ->delimiter(',')
       ->check(CLI::Range(32, 4096).description(""))
@@ -43,6 +44,16 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       ->check(CLI::IsMember(bead_scheme_names()))
       ->capture_default_str()
       ->type_name("NAME");
+  program
+      ->add_option("--beads", options.products.beads,
+                   "Instead of the lattice: products of a mobility and forces, of so many beads.")
+      ->delimiter(',')
+      ->check(CLI::Range(2, 100000000).description(""))
+      ->default_str("")
+      ->type_name("N,...");
+  program->add_option("--tolerance", options.products.tolerance, "Of these products, as of beadswim-run.")
+      ->check(CLI::Range(1e-12, 1e-2).description(""))
+      ->capture_default_str();
   program
       ->add_option("--rounds", options.request.rounds,
                    "Rounds over all cases; medians over the rounds are reported.")
@@ -62,7 +73,13 @@ int run(int argc, char** argv, const Communicator& world) {
     if (std::ranges::count(options.precisions, name_of(precision)) > 0)
       options.request.precisions.push_back(precision);
   }
-  const BenchReport report = measure_all(options.request, world);
+  BenchReport report{.rounds = options.request.rounds, .bead_boundary = options.request.bead_boundary};
+  if (options.products.beads.empty()) {
+    report = measure_all(options.request, world);
+  } else {
+    options.products.rounds = report.rounds;
+    report.products = measure_products(options.products, world);
+  }
   if (world.is_root()) {
     write_text("-", options.json ? dump_json(bench_report_to_json(report, provenance_record(*program)))
                                  : bench_table(report));

@@ -1,0 +1,114 @@
+#include "mobility_products.hpp"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <random>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/median.hpp"
+#include "beadswim/mobility/mobility_product.hpp"
+#include "first_ranks.hpp"
+
+namespace beadswim {
+namespace {
+
+struct Beads {
+  std::vector<Vec3> positions, forces;
+  double edge = 0;
+};
+
+Beads random_beads(int count) {
+  Beads beads{.positions = {}, .forces = {}, .edge = 32 * std::cbrt(count)};
+  std::mt19937_64 random(static_cast<unsigned>(count));  // seed: the count
+  std::uniform_real_distribution<double> uniform(0, 1);
+  const auto vector = [&] { return Vec3(uniform(random), uniform(random), uniform(random)); };
+  Vec3 sum = Vec3::Zero();
+  for (int b = 0; b < count; ++b) {
+    beads.positions.push_back(beads.edge * vector());
+    beads.forces.push_back(vector());
+    sum += beads.forces.back();
+  }
+  for (Vec3& force : beads.forces) force -= sum / count;
+  return beads;
+}
+
+/// Of all ranks together, now [byte].
+std::int64_t resident_bytes(const Communicator& communicator) {
+  std::ifstream info("/proc/self/statm");
+  std::int64_t all = 0, resident = 0;
+  info >> all >> resident;
+  resident *= sysconf(_SC_PAGE_SIZE);
+  MPI_Allreduce(MPI_IN_PLACE, &resident, 1, MPI_INT64_T, MPI_SUM, communicator.get());
+  return resident;
+}
+
+double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& exact) {
+  double difference = 0, size = 0;
+  for (std::size_t b = 0; b < a.size(); ++b) {
+    difference += (a[b] - exact[b]).squaredNorm();
+    size += exact[b].squaredNorm();
+  }
+  return std::sqrt(difference / size);
+}
+
+ProductRow measure(const ProductRequest& request, int count, bool is_periodic,
+                   const Communicator& communicator) {
+  constexpr int most_checked = 100000;
+  const Beads beads = random_beads(count);
+  MobilityScene scene{
+      .model = PointModel::rotne_prager,
+      .viscosity = 1.0 / 3,
+      .box = is_periodic ? std::optional(Box{{beads.edge, beads.edge, beads.edge}, {}}) : std::nullopt,
+      .radii = std::vector<double>(count, 6),
+      .tolerance = request.tolerance};
+  ProductRow row{.beads = count,
+                 .is_periodic = is_periodic,
+                 .ranks = communicator.size(),
+                 .tolerance = request.tolerance};
+  std::vector<Vec3> velocities(count), exact(count);
+  {
+    const std::int64_t before = resident_bytes(communicator);
+    const MobilityProduct product(scene, beads.positions, communicator);
+    product.apply(beads.positions, beads.forces, velocities);  // makes its plans
+    std::vector<double> seconds;
+    for (int n = 0; n < request.rounds; ++n) {
+      MPI_Barrier(communicator.get());
+      const double start = MPI_Wtime();
+      product.apply(beads.positions, beads.forces, velocities);
+      seconds.push_back(MPI_Wtime() - start);
+    }
+    row.memory_bytes = resident_bytes(communicator) - before;
+    row.seconds = median(seconds);
+    row.seconds_best = *std::ranges::min_element(seconds);
+  }
+  if (count <= most_checked) {
+    scene.tolerance = std::max(1e-12, request.tolerance / 1000);
+    MobilityProduct(scene, beads.positions, communicator).apply(beads.positions, beads.forces, exact);
+    row.error = relative_difference(velocities, exact);
+  }
+  return row;
+}
+
+}  // namespace
+
+std::vector<ProductRow> measure_products(const ProductRequest& request, const Communicator& world) {
+  std::vector<ProductRow> rows;
+  for (const int count : request.beads) {
+    for (const bool is_periodic : {true, false}) {
+      for (int ranks = 1; ranks <= world.size(); ranks += std::max(1, world.size() - 1)) {
+        if (world.is_root()) tell(fmt::format("beadswim-bench: {} beads, {} ranks\n", count, ranks));
+        on_first_ranks(ranks, world, [&](const Communicator& communicator) {
+          if (communicator.size() == ranks && world.rank() < ranks)
+            rows.push_back(measure(request, count, is_periodic, communicator));
+        });
+      }
+    }
+  }
+  return rows;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+
+namespace beadswim {
+
+struct ProductRequest {
+  std::vector<int> beads;
+  double tolerance = 1e-4;
+  int rounds = 9;
+};
+
+/// Velocities of so many beads by forces on them (MobilityProduct).
+struct ProductRow {
+  int beads = 0;
+  bool is_periodic = false;
+  int ranks = 1;
+  double tolerance = 0;
+  double seconds = 0, seconds_best = 0;  ///< of a product: median, and fastest round
+  std::optional<double> error{};  ///< relative, against a sum a thousand times as accurate; none of many beads
+  std::int64_t memory_bytes = 0;  ///< that all ranks' programs have grown by with it
+};
+
+/// Beads of radius 6 at random in a cube with 32^3 for each, as many as the paper's uniform swarm has, with
+/// random forces of sum zero; in a periodic box and in open space, on one rank and on all. On rank 0.
+/// Collective.
+std::vector<ProductRow> measure_products(const ProductRequest& request, const Communicator& world);
+
+}  // namespace beadswim
