@@ -76,8 +76,8 @@ TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInOpenSpace) {
 // Ewald's sum along the line against that in space; a swimmer between walls across its axis feels their
 // images.
 TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInBoxes) {
-  constexpr int steps = 500;
-  constexpr double truncation = 1e-5;
+  constexpr int steps = 300;
+  constexpr double truncation = 5e-5;
   OverdampedScene scene = scene_of(paper_swimmer(), steps);
   scene.tolerance = 1e-6;
   scene.box = Box{{120, 80, 80}, {}};

@@ -87,8 +87,8 @@ TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInABoxWithWalls) {
   scene.box = Box{{110, 90, 80}, {false, true, false}};
   scene.tolerance = 1e-6;
   const auto start = positions_after(scene, 0);
-  const double end = scene.step * 60;
-  EXPECT_LT(farthest(positions_after(scene, 60), by_runge_kutta(scene, start, end, 100)), truncation);
+  const double end = scene.step * 30;
+  EXPECT_LT(farthest(positions_after(scene, 30), by_runge_kutta(scene, start, end, 40)), truncation);
 }
 
 // A cell that repeats: what one swimmer does in it each of eight does in a box of 2 x 2 x 2 cells, to the

@@ -39,7 +39,7 @@ double cut_off_in_splittings(const EwaldScene& scene, double xi) {
   double s = 3;
   for (int i = 0; i < 20; ++i) {
     const double each = 1.5 / std::sqrt(std::numbers::pi) * size * (1 + 4.0 / 3 * size * size * s * s);
-    const double error = 6 * each * std::sqrt(std::numbers::pi * density * s / (xi * xi * xi));
+    const double error = 3 * each * std::sqrt(std::numbers::pi * density * s / (xi * xi * xi));
     s = std::sqrt(std::max(4.0, std::log(std::max(error, 0.5) / scene.tolerance)));
   }
   return s;
@@ -98,9 +98,9 @@ EwaldPlan plan_ewald(const EwaldScene& scene) {
 }
 
 int good_mesh_size(double at_least) {
-  for (int n = std::max(2, 2 * static_cast<int>(std::ceil(at_least / 2 - 1e-9)));; n += 2) {
+  for (int n = std::max(2, static_cast<int>(std::ceil(at_least - 1e-9)));; ++n) {
     int rest = n;
-    for (const int factor : {2, 3, 5})
+    for (const int factor : {2, 3, 5, 7})
       while (rest % factor == 0) rest /= factor;
     if (rest == 1) return n;
   }

@@ -175,7 +175,7 @@ void ParticleMesh::Mesh::follow(std::span<const Vec3> positions) {
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
     spacing[a] = plan.spacing;
-    points[a] = good_mesh_size(2 * (std::ceil((high[a] - low[a]) / plan.spacing) + plan.window));
+    points[a] = good_mesh_size(2 * (std::floor((high[a] - low[a]) / plan.spacing) + plan.window) - 1);
     geometry.origin[a] = low[a] - plan.window / 2 * plan.spacing;
   }
   if (transform && std::ranges::equal(points, geometry.points)) return;

@@ -31,7 +31,7 @@ struct EwaldPlan {
 /// [1e-12, 1e-2], or an edge of the box less than four radii.
 EwaldPlan plan_ewald(const EwaldScene& scene);
 
-/// A number of points at least this that FFTs like: of factors 2, 3, 5, and even.
+/// A number of points at least this that FFTs like: of factors 2, 3, 5 and 7.
 int good_mesh_size(double at_least);
 
 }  // namespace beadswim
