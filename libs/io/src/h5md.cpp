@@ -17,7 +17,8 @@
 namespace beadswim {
 namespace {
 
-// Beside the H5MD groups: MDAnalysis takes whatever lies in /observables for a series with a value every frame.
+// Beside the H5MD groups: MDAnalysis takes whatever lies in /observables for a series with a value every
+// frame.
 constexpr const char* swimmers_group = "swimmers/";
 constexpr const char* trajectory_section = "trajectory";  ///< of a checkpoint
 
