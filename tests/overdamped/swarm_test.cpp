@@ -118,6 +118,56 @@ TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
   }
 }
 
+/// Means over the third cycle of one swimmer's force dipole along x, sum F_x x, by the forces that its places
+/// and the time imply.
+double mean_dipole(const OverdampedScene& scene, int steps_per_cycle) {
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  double dipole = 0;
+  for (int n = 0; n < 3 * steps_per_cycle; ++n) {
+    if (n >= 2 * steps_per_cycle) {
+      const direct::Vectors places(system.positions().begin(), system.positions().end());
+      const direct::Spheres spheres = spheres_of(scene, places, system.time());
+      for (int b = 0; b < 3; ++b)
+        dipole += spheres.forces[b][0] * (places[b] - places[1])[0] / steps_per_cycle;
+    }
+    system.step();
+  }
+  return dipole;
+}
+
+/// How fast the middle beads of two swimmers part in the third cycle.
+Vec3 parting(OverdampedScene scene, const Vec3& separation, int steps_per_cycle) {
+  scene.swimmers.push_back(scene.swimmers[0]);
+  scene.swimmers[1].id = 1;
+  scene.swimmers[1].position += separation;
+  const auto before = positions_after(scene, 2 * steps_per_cycle),
+             after = positions_after(scene, 3 * steps_per_cycle);
+  return ((after[4] - after[1]) - (before[4] - before[1])) / scene.types[0].driving.period;
+}
+
+// Far apart two swimmers see each other's mean force dipole D: in line they part at D/(2 pi eta R^2), side by
+// side at -D/(4 pi eta R^2), the flow of two opposite forces; next orders are 1/R of it. Neither cycle nor
+// stroke enters.
+TEST(OverdampedSwarm, PartsAsTheDipolesFarFieldSays) {
+  constexpr int steps = 200;
+  OverdampedScene scene = scene_of(paper_swimmer(), steps);
+  scene.types[0].driving.amplitude = {0.3, 0.1};  // by symmetry alike forces have a small dipole only
+  const double dipole = mean_dipole(scene, steps), eta = scene.viscosity;
+  const auto error = [&](double r) {
+    const double in_line = parting(scene, {r, 0, 0}, steps)[0] / (dipole / (2 * pi * eta * r * r));
+    const double abreast = parting(scene, {0, r, 0}, steps)[1] / (-dipole / (4 * pi * eta * r * r));
+    return std::pair(std::abs(in_line - 1), std::abs(abreast - 1));
+  };
+  const auto [near_line, near_abreast] = error(1000);
+  const auto [far_line, far_abreast] = error(4000);
+  constexpr double next_order = 0.02;
+  EXPECT_LT(far_line, next_order);
+  EXPECT_LT(far_abreast, next_order);
+  EXPECT_LT(far_line, 0.5 * near_line + 1e-4);
+  EXPECT_LT(far_abreast, 0.5 * near_abreast + 1e-4);
+}
+
 // Beads of two swimmers that overlap at the start part, and no step is undone by it; torn arms are told of.
 TEST(OverdampedSwarm, PartsBeadsThatTouch) {
   OverdampedScene scene = scene_of(paper_swimmer(), 200);
