@@ -254,6 +254,13 @@ refuses 'layout.json: is "beadswim/layout/1"; a run record .* or a prediction' b
 : >empty.json
 refuses 'empty.json: is empty' beadswim-plot stroke empty.json
 refuses 'standard input can be read once' beadswim-plot stroke - -
+
+# What products of a mobility cost: the page's figure.
+same_bytes "beadswim-plot mobility-products $BEADSWIM_SOURCE/docs/results/mobility-products.json -o -" \
+  "cat $BEADSWIM_SOURCE/docs/images/mobility-products.svg"
+refuses 'has no mobility_products; make it with' beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/bench.json"
+refuses 'cycle: has no meaning for mobility-products' \
+  beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/mobility-products.json" --cycle 2
 refuses 'run.h5md: is a trajectory' beadswim-plot stroke run.h5md
 
 finish

@@ -2,6 +2,7 @@
 #include "beadswim/tools/program.hpp"
 #include "plot_inputs.hpp"
 #include "plot_request.hpp"
+#include "product_figure.hpp"
 #include "speed_figure.hpp"
 #include "stroke_figure.hpp"
 #include "velocity_figure.hpp"
@@ -17,6 +18,7 @@ Figure draw(const PlotRequest& request) {
   const CycleChoice cycle = parse_cycle_choice(request.cycle);
   const auto against = parse_against(request.against);
   const Axes axes = parse_axes(request.axes);
+  if (request.kind == products_kind) return product_figure(request.files);
   if (request.kind == trajectories_kind) return trajectory_figure(request.files, trajectory_options(request));
   if (request.kind == speed_kind) {
     return speed_figure(read_plot_inputs(request.files, {}), {request.reference, request.methods, cycle});

@@ -174,8 +174,13 @@ void add_flags(CLI::App& program, PlotRequest& request) {
           "axis, against the mean flow along periodic axes. separation: the same velocity against l/λ, "
           "the beads' smallest separation over their radius. speed-against-error: periods that a core does "
           "in an hour, against the error of velocity and stroke, by setting and resolution. trajectories: a "
-          "coordinate of beads against time. swarm: a picture of all beads at one frame.")
-      ->type_name("stroke|velocity-against-period|separation|speed-against-error|trajectories|swarm");
+          "coordinate of beads against time. swarm: a picture of all beads at one frame. mobility-products: "
+          "time "
+          "of a product of mobility and forces against the number of beads, by beadswim-bench --beads "
+          "--json.")
+      ->type_name(
+          "stroke|velocity-against-period|separation|speed-against-error|trajectories|swarm|mobility-"
+          "products");
   program
       .add_option(
           "FILES", request.files,
@@ -200,7 +205,8 @@ void add_flags(CLI::App& program, PlotRequest& request) {
 }
 
 void require_consistent(const PlotRequest& request) {
-  const Names kinds{stroke_kind, period_kind, separation_kind, speed_kind, trajectories_kind, swarm_kind};
+  const Names kinds{stroke_kind,       period_kind, separation_kind, speed_kind,
+                    trajectories_kind, swarm_kind,  products_kind};
   if (request.kind.empty()) {
     throw InputError("KIND", fmt::format("none given; there are {}", fmt::join(kinds, ", ")));
   }

@@ -18,6 +18,7 @@ inline constexpr const char* separation_kind = "separation";
 inline constexpr const char* speed_kind = "speed-against-error";
 inline constexpr const char* trajectories_kind = "trajectories";
 inline constexpr const char* swarm_kind = "swarm";
+inline constexpr const char* products_kind = "mobility-products";
 
 /// The command line, as text.
 struct PlotRequest {
