@@ -90,6 +90,48 @@ TEST(MobilityProduct, InOpenSpaceIsTheSumOfPairsToItsTolerance) {
   }
 }
 
+// Triplets five radii long, a million apart: near pairs are as right as where all are near.
+TEST(MobilityProduct, KeepsNearPairsOfSpheresThatAreFarFromOthers) {
+  direct::Spheres spheres = random_spheres(1200, {1e6, 1e6, 1e6}, 1, true);
+  for (std::size_t b = 0; b < spheres.places.size(); ++b)
+    spheres.places[b] = spheres.places[b - b % 3] + Vec3(5.0 * static_cast<double>(b % 3), 0, 0);
+  const auto exact = direct::open_velocities(direct::Law::rotne_prager, spheres, eta);
+  const double tolerance = 1e-6;
+  EXPECT_LT(
+      relative_error(product({PointModel::rotne_prager, eta, {}, spheres.radii, tolerance}, spheres), exact),
+      tolerance);
+}
+
+// Spheres at one place, and all but, move as one: nothing cancels.
+TEST(MobilityProduct, SumsSpheresThatCoincide) {
+  direct::Spheres spheres = random_spheres(1200, {60, 60, 60}, 1, true);
+  spheres.places[1] = spheres.places[0];
+  spheres.places[3] = spheres.places[2] + Vec3(1e-6, 0, 0);
+  const double tolerance = 1e-4;
+  const direct::Vectors velocities =
+      product({PointModel::rotne_prager, eta, {}, spheres.radii, tolerance}, spheres);
+  EXPECT_LT((velocities[0] - velocities[1]).norm(), 1e-3 * velocities[0].norm());
+  EXPECT_LT((velocities[2] - velocities[3]).norm(), 1e-3 * velocities[2].norm());
+}
+
+// Places that are no numbers crash nothing.
+TEST(MobilityProduct, BearsPlacesThatAreNoNumbers) {
+  for (const bool is_periodic : {false, true}) {
+    direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, true);
+    const Communicator world(MPI_COMM_WORLD);
+    MobilityScene scene{PointModel::rotne_prager, eta, {}, spheres.radii};
+    if (is_periodic) scene.box = Box{{40, 40, 40}, {}};
+    const MobilityProduct mobility(scene, spheres.places, world);
+    spheres.places[7] = Vec3::Constant(std::nan(""));
+    direct::Vectors velocities(spheres.places.size());
+    try {
+      mobility.apply(spheres.places, spheres.forces, velocities);
+      EXPECT_FALSE(velocities[7].allFinite());
+    } catch (const SolverError&) {  // as good an answer
+    }
+  }
+}
+
 TEST(MobilityProduct, SumsFewSpheresInOpenSpaceToRoundoff) {
   constexpr double roundoff = 1e-14;
   for (const PointModel model : {PointModel::rotne_prager, PointModel::oseen}) {

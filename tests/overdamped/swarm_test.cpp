@@ -180,6 +180,31 @@ TEST(OverdampedSwarm, PartsBeadsThatTouch) {
   for (int b = 0; b < 3; ++b) EXPECT_GT((system.positions()[b] - system.positions()[3 + b]).norm(), 8.0);
 }
 
+// Driven against a wall beads stay on their side of it.
+TEST(OverdampedSwarm, StaysBetweenWalls) {
+  OverdampedScene scene = scene_of(paper_swimmer(), 800);
+  scene.box = Box{{60, 40, 40}, {true, true, true}};
+  scene.swimmers[0].position = {24.05, 4.05, 20};
+  scene.types[0].driving.amplitude = {0.8, 0.8};
+  scene.tolerance = 1e-3;
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  for (int n = 0; n < 400; ++n) system.step();
+  ASSERT_FALSE(system.fault());
+  EXPECT_GT(system.state().smallest_gap, 0);
+  EXPECT_LT(system.state().smallest_gap, 0.4);
+}
+
+// Numbers that are none are told of, in the first steps too.
+TEST(OverdampedSwarm, StopsAtNumbersThatAreNone) {
+  OverdampedScene scene = scene_of(paper_swimmer(), 100);
+  scene.types[0].driving.amplitude = {1e160, 1e160};
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  for (int n = 0; n < 5; ++n) system.step();
+  ASSERT_TRUE(system.fault());
+}
+
 TEST(OverdampedSwarm, StopsAtATornArm) {
   OverdampedScene scene = scene_of(paper_swimmer(), 400);
   scene.types[0].driving.amplitude = {6, 6};

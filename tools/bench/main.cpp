@@ -73,6 +73,10 @@ int run(int argc, char** argv, const Communicator& world) {
     if (std::ranges::count(options.precisions, name_of(precision)) > 0)
       options.request.precisions.push_back(precision);
   }
+  for (const char* flag : {"--edge", "--precision", "--bead-boundary"}) {
+    if (!options.products.beads.empty() && program->count(flag) > 0)
+      throw InputError(flag, "is of the lattice; leave it out with --beads");
+  }
   BenchReport report{.rounds = options.request.rounds, .bead_boundary = options.request.bead_boundary};
   if (options.products.beads.empty()) {
     report = measure_all(options.request, world);

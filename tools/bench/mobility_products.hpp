@@ -21,8 +21,8 @@ struct ProductRow {
   int ranks = 1;
   double tolerance = 0;
   double seconds = 0, seconds_best = 0;  ///< of a product: median, and fastest round
-  std::optional<double>
-      error{};  ///< relative, against a sum a thousand times as accurate; none of many beads
+  std::optional<double> error{};  ///< relative, against a sum a thousand times as accurate; none of many
+                                  ///< beads, where all pairs are summed, or of tolerances under 1e-9
   std::int64_t memory_bytes = 0;  ///< that all ranks' programs have grown by with it
 };
 

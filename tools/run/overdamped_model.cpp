@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <tuple>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
@@ -36,29 +38,35 @@ std::optional<Box> mobility_box(const Layout& layout, const std::string& source)
 }
 
 /// A type for each driving, as the scene has them: swimmers of one type share it unless theirs is their own.
-int type_of(const SwimmerType& type, std::vector<SwimmerType>& types, std::vector<std::string>& names,
-            const std::string& name) {
-  for (std::size_t t = 0; t < types.size(); ++t)
-    if (names[t] == name && types[t].driving == type.driving) return static_cast<int>(t);
-  types.push_back(type);
-  names.push_back(name);
-  return static_cast<int>(types.size()) - 1;
-}
+class TypesByDriving {
+ public:
+  int number_of(const std::string& name, const SwimmerType& type, std::vector<SwimmerType>& types) {
+    const Driving& d = type.driving;
+    const auto [place, is_new] =
+        numbers_.try_emplace({name, d.amplitude, d.phase, d.period, d.frame, d.phase_offset}, types.size());
+    if (is_new) types.push_back(type);
+    return static_cast<int>(place->second);
+  }
 
-void require_inside(const OverdampedScene& scene, const std::string& source) {
-  if (!scene.box) return;
-  for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
-    const auto& [id, type, position, axis] = scene.swimmers[s];
-    const auto& springs = scene.types[type].springs;
-    for (const Vec3& bead : {Vec3(position - springs[0].rest_length * axis), position,
-                             Vec3(position + springs[1].rest_length * axis)})
-      for (int a = 0; a < 3; ++a) {
-        if (!scene.box->free_slip[a] || (bead[a] > 0 && bead[a] < scene.box->lengths[a])) continue;
-        throw InputError(
-            source,
-            fmt::format("swimmer {} has a bead beyond the wall across {}; move it, or enlarge the box", id,
-                        "xyz"[a]));
-      }
+ private:
+  std::map<std::tuple<std::string, std::array<double, 2>, double, double, DrivingFrame, double>, std::size_t>
+      numbers_;
+};
+
+/// Ewald's sum meets each pair once, and beads' contacts have room.
+void require_room(const OverdampedScene& scene, const std::string& source) {
+  double largest = 0;
+  for (const SwimmerType& type : scene.types)
+    for (const Bead& bead : type.beads) largest = std::max(largest, bead.radius);
+  constexpr double radii = 4.4;  // two images of a bead must not touch a third
+  for (int a = 0; a < 3 && scene.box; ++a) {
+    if (scene.box->lengths[a] >= radii * largest) continue;
+    throw InputError(
+        fmt::format("{}:/domain/lengths/{}", source, a),
+        fmt::format(
+            "{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box, or run it with "
+            "--model lbm",
+            scene.box->lengths[a], radii, radii * largest));
   }
 }
 
@@ -88,15 +96,15 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
   std::vector<const Swimmer*> in_order;
   for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
   std::ranges::sort(in_order, {}, &Swimmer::id);
-  std::vector<std::string> names;
+  TypesByDriving by_driving;
   for (const Swimmer* swimmer : in_order) {
-    const int type = type_of(layout.resolved_type(*swimmer), scene.types, names, swimmer->type);
+    const int type = by_driving.number_of(swimmer->type, layout.resolved_type(*swimmer), scene.types);
     scene.swimmers.push_back({swimmer->id, type, swimmer->position, swimmer->axis});
     PlannedSwimmer planned{.name = {.id = swimmer->id, .type = type}};
     for (int b = 0; b < 3; ++b) planned.radii[b] = scene.types[type].beads[b].radius;
     swimmers.push_back(planned);
   }
-  require_inside(scene, source);
+  require_room(scene, source);
   base_period = beadswim::base_period(layout);
   double shortest = base_period;
   for (const SwimmerType& type : scene.types) shortest = std::min(shortest, type.driving.period);
@@ -162,8 +170,22 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           fault.bead, place, fault.value);
     case OverdampedFaultKind::speed:
       return fmt::format(
-          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, or drive it less",
+          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, which crowded "
+          "swarms need, or drive "
+          "it less",
           fault.bead, place, fault.value);
+    case OverdampedFaultKind::wall:
+      return fmt::format(
+          "bead {} {} is {:.3g} beyond a wall; take more --steps-per-cycle, drive it less, or enlarge the "
+          "box",
+          fault.bead, place, fault.value);
+    case OverdampedFaultKind::dashpots:
+      return fmt::format(
+          "velocities that dashpots hang on were not found in 100 products, and still change by {:.2g}; take "
+          "weaker dashpots{}",
+          fault.value,
+          plan_.scene.model == PointModel::oseen ? ", or --model rpy, which is sound for near beads too"
+                                                 : "");
     case OverdampedFaultKind::not_finite:
       return fmt::format(
           "bead {} {} has no finite place any more; take more --steps-per-cycle, or drive it less",
@@ -216,10 +238,11 @@ void OverdampedModel::describe(RunRecord& record) const {
 std::vector<std::string> OverdampedModel::warnings() const {
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return {};
-  return {fmt::format(
-      "beads came as near as {:.3g} and repelled each other; point models know nothing of the film "
-      "between them: check the run against --model lbm",
-      gap)};
+  return {
+      fmt::format("beads came as near as {:.3g} to each other or a wall and were repelled; point models know "
+                  "nothing of the film "
+                  "between them: check the run against --model lbm",
+                  gap)};
 }
 
 void OverdampedModel::write_past(OutgoingMessage& past) const {

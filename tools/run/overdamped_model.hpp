@@ -8,7 +8,7 @@
 namespace beadswim {
 
 struct OverdampedPlan : ModelPlan {
-  /// communicator: must outlive it. Throws InputError if the layout has no-slip walls or beads beyond a wall,
+  /// communicator: must outlive it. Throws InputError if the layout has no-slip walls or is too narrow,
   /// or options are the lattice's.
   OverdampedPlan(const Layout& layout, const RunOptions& asked, const std::string& source,
                  const Communicator& communicator);

@@ -28,7 +28,7 @@ void require_box(const Layout& layout, const std::string& source) {
   if (layout.domain) return;
   throw InputError(source + ":/domain",
                    "is null (unbounded fluid), which a lattice cannot hold; make the layout with --box "
-                   "X,Y,Z and --boundary, or ask beadswim-theory");
+                   "X,Y,Z and --boundary, run it with --model rpy, or ask beadswim-theory");
 }
 
 double shortest_period(const Layout& layout) {

@@ -51,15 +51,17 @@ template <int functions>
 BEADSWIM_KERNEL void pair_velocities_of(const PairTable& table, const double* force, PairBatch& b,
                                         double* velocity) {
   const double* const coefficients = table.coefficients;
-  const double first = table.first, inverse_width = table.inverse_width;
+  const std::int64_t first = table.first;
   const double fx = force[0], fy = force[1], fz = force[2];
   double sx = 0, sy = 0, sz = 0;
 #pragma omp simd reduction(+ : sx, sy, sz)
   for (int t = 0; t < b.count; ++t) {
-    const double place = (std::sqrt(b.r2[t]) - first) * inverse_width;
-    const int stretch = static_cast<int>(place);
-    const double p = place - stretch;
-    const double* c = coefficients + static_cast<long>(stretch) * (functions * (PairTable::degree + 1));
+    const std::int64_t bits = __builtin_bit_cast(std::int64_t, b.r2[t]);
+    constexpr std::int64_t fraction = (std::int64_t{1} << 52) - 1, one = std::int64_t{0x3ff} << 52;
+    const std::int64_t within = ((bits << PairTable::stretch_bits) & fraction) | one;
+    const double p = __builtin_bit_cast(double, within) - 1;
+    const double* c =
+        coefficients + ((bits >> PairTable::shift) - first) * (functions * (PairTable::degree + 1));
     double value[functions];
 #pragma GCC unroll 4
     for (int f = 0; f < functions; ++f) value[f] = c[PairTable::degree * functions + f];
@@ -103,7 +105,9 @@ struct Window {
 
   BEADSWIM_KERNEL void meet(const WindowMesh& mesh, const double* position) {
     for (int a = 0; a < 3; ++a) {
-      const double place = (position[a] - mesh.origin[a]) * mesh.inverse_spacing[a];
+      double place = (position[a] - mesh.origin[a]) * mesh.inverse_spacing[a];
+      place -=
+          mesh.points[a] * std::floor(place * mesh.inverse_points[a]);  // where numbers still fit into an int
       const double below = std::floor(place);
       first[a] = static_cast<int>(below) - P / 2 + 1;
       // exp(-c (d + p)^2) = exp(-c d^2) exp(-2 c d)^p exp(-c p^2)

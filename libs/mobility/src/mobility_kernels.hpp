@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "beadswim/core/kernel_choice.hpp"
 
 // The arithmetic of a mobility product: pairs of spheres, and windows between spheres and a mesh.
@@ -26,12 +28,14 @@ struct PairBatch {
   double velocity[3][most];  ///< of the others, by the one's force
 };
 
-/// isotropic and axial/r^2 of a pair tensor between `first` and the cut-off, as polynomials of degree 5 in
-/// stretches of r; of spheres of several sizes, those of SplitTensor's two parts.
+/// isotropic and axial/r^2 of a pair tensor between some distance and the cut-off, as polynomials of degree 5
+/// in stretches of r^2; of spheres of several sizes, those of SplitTensor's two parts. Each octave of r^2 has
+/// 64 equal stretches: which one r^2 is in, and where in it, are bits of the number.
 struct PairTable {
   static constexpr int degree = 5;
-  double first = 0, inverse_width = 0;
-  int functions = 2;  ///< 4: isotropic and axial/r^2 of both parts
+  static constexpr int stretch_bits = 6, shift = 52 - stretch_bits;
+  std::int64_t first = 0;  ///< upper bits of r^2 in the first stretch
+  int functions = 2;       ///< 4: isotropic and axial/r^2 of both parts
   const double* coefficients =
       nullptr;  ///< [stretch][power][function], of the place within the stretch, 0 to 1
 };
@@ -42,7 +46,7 @@ struct WindowMesh {
   int window = 0;                   ///< points along an axis, even
   int points[3]{}, row_length = 0;  ///< of the mesh
   int first_plane = 0, planes = 0;  ///< along the first axis, of this rank
-  double origin[3]{}, inverse_spacing[3]{};
+  double origin[3]{}, inverse_spacing[3]{}, inverse_points[3]{};
   double decay[3]{}, height[3]{};     ///< height exp(-decay d^2), d in spacings
   double decay_at[3][most_points]{};  ///< exp(-decay p^2), p = 0, 1, ...
 };

@@ -114,6 +114,8 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));
   if (!parts_->plan) return;
+  // Of rank 0, should ranks' processors differ in a last digit.
+  MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   const EwaldPlan& plan = *parts_->plan;
   parts_->near = std::make_unique<NearPairs>(
       NearPairs::Law{scene.model, scene.viscosity, radii, lengths, plan.xi, plan.cut_off});

@@ -2,18 +2,15 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numbers>
 
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/neighbour_cells.hpp"
 
 namespace beadswim {
 namespace {
-
-/// Stretches of the table, short beside distances: to some 1e-12 of the tensor.
-int stretches_between(double first, double last) {
-  return static_cast<int>(std::clamp(40 * (last - first) / first, 256.0, 65536.0));
-}
 
 /// Rank r's share of n things in a row.
 std::pair<int, int> share(int n, const Communicator& communicator) {
@@ -50,6 +47,10 @@ NearPairs::NearPairs(Law law) : law_(std::move(law)) {
 PairTensor NearPairs::tensor(double radius_i, double radius_j, double r) const {
   const bool is_sphere = law_.model == PointModel::rotne_prager;
   const double squares = is_sphere ? radius_i * radius_i + radius_j * radius_j : 0;
+  if (is_sphere && r < 1e-3 * std::min(radius_i, radius_j)) {  // what follows would cancel
+    return rotne_prager_tensor(radius_i, radius_j, r, law_.viscosity) -
+           far_tensor(law_.xi, 0, 0, law_.viscosity).of_spheres(squares);
+  }
   PairTensor tensor = near_tensor(law_.xi, r, law_.viscosity).of_spheres(squares);
   if (is_sphere && r < radius_i + radius_j) {
     const PairTensor overlap = rotne_prager_tensor(radius_i, radius_j, r, law_.viscosity) -
@@ -61,20 +62,17 @@ PairTensor NearPairs::tensor(double radius_i, double radius_j, double r) const {
 
 void NearPairs::tabulate() {
   constexpr int powers = PairTable::degree + 1;
-  const int stretches = stretches_between(touching_, law_.cut_off);
-  const double width = (law_.cut_off - touching_) / stretches;
-  table_ = {.first = touching_,
-            .inverse_width = width > 0 ? 1 / width : 0,
-            .functions = is_alike_ ? 2 : 4,
-            .coefficients = nullptr};
+  const auto stretch_of = [](double r) { return std::bit_cast<std::int64_t>(r * r) >> PairTable::shift; };
+  table_ = {.first = stretch_of(touching_), .functions = is_alike_ ? 2 : 4, .coefficients = nullptr};
+  const auto stretches = static_cast<int>(stretch_of(law_.cut_off) - table_.first);
   const double squares = law_.model == PointModel::oseen ? 0 : 2 * law_.radii.front() * law_.radii.front();
   const int functions = table_.functions;
-  coefficients_.resize(static_cast<std::size_t>(stretches + 1) * powers *
-                       functions);  // one more: roundoff at the end
+  coefficients_.resize(static_cast<std::size_t>(stretches + 1) * powers * functions);
   for (int s = 0; s <= stretches; ++s) {
     std::array<Fit, 4> values;
+    const auto edge = [&](int n) { return std::bit_cast<double>((table_.first + n) << PairTable::shift); };
     for (int k = 0; k < powers; ++k) {
-      const double r = touching_ + (s + chebyshev_point(k)) * width;
+      const double r = std::sqrt(std::lerp(edge(s), edge(s + 1), chebyshev_point(k)));
       const SplitTensor parts = near_tensor(law_.xi, r, law_.viscosity);
       const PairTensor first = is_alike_ ? parts.of_spheres(squares) : parts.oseen;
       values[0][k] = first.isotropic;

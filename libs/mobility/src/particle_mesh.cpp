@@ -1,9 +1,11 @@
 #include "beadswim/mobility/particle_mesh.hpp"
 
 #include <fftw3-mpi.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <complex>
+#include <new>
 #include <numbers>
 #include <numeric>
 
@@ -49,7 +51,11 @@ class Transform {
                                              FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_IN));
   }
 
-  FftwArray array() const { return FftwArray(fftw_alloc_real(2 * std::max<std::ptrdiff_t>(size_, 1))); }
+  FftwArray array() const {
+    FftwArray memory(fftw_alloc_real(2 * std::max<std::ptrdiff_t>(size_, 1)));
+    if (!memory) throw std::bad_alloc();
+    return memory;
+  }
   std::ptrdiff_t reals() const { return 2 * size_; }
   void forward(const FftwArray& a) const {
     fftw_mpi_execute_dft_r2c(forward_.get(), a.get(), reinterpret_cast<fftw_complex*>(a.get()));
@@ -147,6 +153,7 @@ void ParticleMesh::Mesh::set_points(const std::array<int, 3>& points) {
   for (int a = 0; a < 3; ++a) {
     geometry.points[a] = points[a];
     geometry.inverse_spacing[a] = 1 / spacing[a];
+    geometry.inverse_points[a] = 1.0 / points[a];
     geometry.decay[a] = decay;
     geometry.height[a] = std::sqrt(decay / std::numbers::pi) / spacing[a];
     for (int p = 0; p < plan.window; ++p) geometry.decay_at[a][p] = std::exp(-decay * p * p);
@@ -171,6 +178,14 @@ void ParticleMesh::Mesh::follow(std::span<const Vec3> positions) {
   for (const Vec3& x : positions) {
     low = low.cwiseMin(x);
     high = high.cwiseMax(x);
+  }
+  constexpr double most_points = 1e10;
+  const Vec3 wanted = 2 * ((high - low) / plan.spacing + Vec3::Constant(plan.window));
+  if (!(wanted.prod() < most_points)) {
+    throw SolverError(
+        fmt::format("beads are {:.3g} x {:.3g} x {:.3g} apart, too far for a mesh of spacing {:.3g}; "
+                    "have they been torn away?",
+                    high[0] - low[0], high[1] - low[1], high[2] - low[2], plan.spacing));
   }
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
@@ -222,9 +237,9 @@ void ParticleMesh::Mesh::sample_kernel() {
 
 void ParticleMesh::Mesh::sort(std::span<const Vec3> positions) {
   const auto index = [&](const Vec3& x, int a) {
-    const int i = static_cast<int>(std::floor((x[a] - geometry.origin[a]) * geometry.inverse_spacing[a])) %
-                  geometry.points[a];
-    return i < 0 ? i + geometry.points[a] : i;
+    const double place = (x[a] - geometry.origin[a]) * geometry.inverse_spacing[a], n = geometry.points[a];
+    const double folded = place - n * std::floor(place / n);
+    return folded > 0 ? static_cast<int>(std::min(folded, n - 1)) : 0;
   };
   std::vector<int> row(positions.size()), start(geometry.points[0] * geometry.points[1] + 1, 0);
   for (std::size_t b = 0; b < positions.size(); ++b)

@@ -1,4 +1,4 @@
-#include "contacts.hpp"
+#include "beadswim/overdamped/contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -20,13 +20,22 @@ class Finder {
  public:
   Finder(const ContactScale& scale, Contacts& contacts) : scale_(scale), contacts_(contacts) {}
 
-  void meet(int first, int second, const Vec3& separation, double radius_first, double radius_second) {
-    const double distance = separation.norm(), gap = distance - radius_first - radius_second;
-    const double reach = scale_.share * (radius_first + radius_second) / 2;
-    if (gap >= reach || distance == 0) return;
+  /// `is_image`: of the second, on the other side of the box.
+  void meet(int first, int second, bool is_image, const Vec3& separation, double radii) {
+    const double distance = separation.norm(), gap = distance - radii;
+    const double reach = scale_.share * radii / 2;
+    if (gap >= reach) return;
     contacts_.smallest_gap = std::min(contacts_.smallest_gap, gap);
-    contacts_.list.push_back(
-        {first, second, separation / distance, contact_force(gap, reach, scale_.strength)});
+    const Vec3 normal = distance > 0 ? Vec3(separation / distance) : Vec3::UnitX();
+    contacts_.list.push_back({first, second, is_image, normal, contact_force(gap, reach, scale_.strength)});
+  }
+
+  /// A bead and its image behind the wall that is `to_wall` away, below 0 beyond it; `inward`: from the wall.
+  void meet_wall(int bead, double to_wall, const Vec3& inward, double radius) {
+    const double gap = 2 * (to_wall - radius), reach = scale_.share * radius;
+    if (gap >= reach) return;
+    contacts_.smallest_gap = std::min(contacts_.smallest_gap, gap / 2);
+    contacts_.list.push_back({bead, bead, true, inward, contact_force(gap, reach, scale_.strength)});
   }
 
  private:
@@ -57,18 +66,19 @@ Contacts find_contacts(const ContactScale& scale, const std::optional<Box>& box,
     const int i = order[s];
     cells.for_each_stretch_after(s, [&](int begin, int end) {
       for (int t = begin; t < end; ++t) {
-        Vec3 d = positions[i] - positions[order[t]];
+        const Vec3 direct = positions[i] - positions[order[t]];
+        Vec3 d = direct;
         if (box)
           for (int a = 0; a < 3; ++a) d[a] -= lengths[a] * std::nearbyint(d[a] / lengths[a]);
-        finder.meet(i, order[t], d, radii[i], radii[order[t]]);
+        finder.meet(i, order[t], d != direct, d, radii[i] + radii[order[t]]);
       }
     });
     if (!box) continue;
     for (int a = 0; a < 3; ++a) {
       if (!box->free_slip[a]) continue;
       const double to_far_wall = box->lengths[a] - positions[i][a];
-      const double image = positions[i][a] < to_far_wall ? 2 * positions[i][a] : -2 * to_far_wall;
-      finder.meet(i, i, image * Vec3::Unit(a), radii[i], radii[i]);
+      finder.meet_wall(i, positions[i][a], Vec3::Unit(a), radii[i]);
+      finder.meet_wall(i, to_far_wall, -Vec3::Unit(a), radii[i]);
     }
   }
   return contacts;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
-#include "contacts.hpp"
 #include "swimmer_response.hpp"
 
 namespace beadswim {
@@ -49,6 +48,10 @@ std::pair<std::size_t, std::size_t> share_of(std::size_t n, int rank, int ranks)
   return {n * rank / ranks, n * (rank + 1) / ranks};
 }
 
+bool are_finite(const std::vector<Vec3>& vectors) {
+  return std::ranges::all_of(vectors, [](const Vec3& v) { return v.allFinite(); });
+}
+
 double root_mean_square(const std::vector<Vec3>& vectors) {
   double sum = 0;
   for (const Vec3& v : vectors) sum += v.squaredNorm();
@@ -61,6 +64,7 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
     : scene_(std::move(scene)),
       communicator_(communicator),
       radii_(radii_of(scene_)),
+      contact_scale_(scene_),
       mobility_({scene_.model, scene_.viscosity, scene_.box, radii_, scene_.tolerance}, rest_places(scene_),
                 communicator) {
   for (const SwimmerType& type : scene_.types)
@@ -68,11 +72,18 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
   state_.positions.fill(rest_places(scene_));
   state_.velocities.fill(Beads(radii_.size(), Vec3::Zero()));
   if (has_dashpots_) state_.distant.assign(radii_.size(), Vec3::Zero());
-  state_.velocities[0] = velocities_at(state_.positions[0], 0);
+  contacts_ = contacts_of(state_.positions[0]);
+  state_.velocities[0] = velocities_at(state_.positions[0], 0, contacts_);
+  note_extremes();
+}
+
+Contacts OverdampedSystem::contacts_of(const Beads& positions) const {
+  return find_contacts(contact_scale_, scene_.box, radii_, positions);
 }
 
 /// All but dashpots'.
-OverdampedSystem::Beads OverdampedSystem::forces(const Beads& positions, double time) const {
+OverdampedSystem::Beads OverdampedSystem::forces(const Beads& positions, double time,
+                                                 const Contacts& contacts) const {
   Beads forces;
   forces.reserve(positions.size());
   const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
@@ -84,7 +95,7 @@ OverdampedSystem::Beads OverdampedSystem::forces(const Beads& positions, double 
     const BeadVectors driving = driving_forces(type.driving, time, beads, scene_.swimmers[s].axis);
     for (int b = 0; b < 3; ++b) forces.push_back(springs[b] + bending[b] + driving[b]);
   }
-  for (const Contact& contact : find_contacts(ContactScale(scene_), scene_.box, radii_, positions).list) {
+  for (const Contact& contact : contacts.list) {
     const Vec3 force = contact.law.force * contact.normal;
     forces[contact.first] += force;
     if (contact.second != contact.first) forces[contact.second] -= force;
@@ -92,8 +103,9 @@ OverdampedSystem::Beads OverdampedSystem::forces(const Beads& positions, double 
   return forces;
 }
 
-OverdampedSystem::Beads OverdampedSystem::velocities_at(const Beads& positions, double time) {
-  const Beads all = forces(positions, time);
+OverdampedSystem::Beads OverdampedSystem::velocities_at(const Beads& positions, double time,
+                                                        const Contacts& contacts) {
+  const Beads all = forces(positions, time, contacts);
   if (has_dashpots_) return velocities_with_dashpots(positions, all);
   Beads velocities(all.size());
   mobility_.apply(positions, all, velocities);
@@ -120,7 +132,8 @@ OverdampedSystem::Beads OverdampedSystem::velocities_with_dashpots(const Beads& 
   }
   Beads damped = forces, velocities(forces.size());
   constexpr int most = 100;
-  for (int i = 0; i < most; ++i) {
+  double relative = INFINITY;
+  for (int i = 0; i < most && relative > 0.1 * scene_.tolerance; ++i) {  // NaN is a fault, found later
     for (std::size_t s = 0; s < own.size(); ++s) {
       const Vector9 v = own[s].solver.solve(own[s].mobility * own_of(forces, s) + own_of(state_.distant, s));
       Eigen::Map<Vector9>(damped[3 * s].data()) = own_of(forces, s) - own[s].damping * v;
@@ -133,10 +146,11 @@ OverdampedSystem::Beads OverdampedSystem::velocities_with_dashpots(const Beads& 
       change += (distant - own_of(state_.distant, s)).squaredNorm();
       Eigen::Map<Vector9>(state_.distant[3 * s].data()) = distant;
     }
-    const double relative =
-        std::sqrt(change / static_cast<double>(velocities.size())) / root_mean_square(velocities);
-    if (!(relative > 0.1 * scene_.tolerance)) break;  // NaN is a fault, found later
+    relative = std::sqrt(change / static_cast<double>(velocities.size())) / root_mean_square(velocities);
+    MPI_Bcast(&relative, 1, MPI_DOUBLE, 0, communicator_.get());  // one decision, whatever ranks' processors
   }
+  if (relative > 0.1 * scene_.tolerance && !fault_)
+    fault_ = {.kind = OverdampedFaultKind::dashpots, .step = state_.steps_done, .value = relative};
   return velocities;
 }
 
@@ -204,10 +218,9 @@ struct OverdampedSystem::Implicit {
 OverdampedSystem::Implicit OverdampedSystem::implicit_part() const {
   const Beads& now = state_.positions[0];
   const auto [first, last] = share_of(scene_.swimmers.size(), communicator_.rank(), communicator_.size());
-  Implicit implicit{scene_, ContactScale(scene_), now, std::vector<Matrix9>(last - first, Matrix9::Zero())};
-  for (const Contact& c : find_contacts(implicit.scale, scene_.box, radii_, now).list) {
-    if (c.first / 3 == c.second / 3 && c.first != c.second)
-      continue;  // its own, or with its own image across the box
+  Implicit implicit{scene_, contact_scale_, now, std::vector<Matrix9>(last - first, Matrix9::Zero())};
+  for (const Contact& c : contacts_.list) {
+    if (c.first / 3 == c.second / 3 && !c.is_image) continue;  // g has its own
     // Twice on either side, as if the other bead moved as much the other way.
     const Eigen::Matrix3d along = 2 * c.law.stiffness * c.normal * c.normal.transpose();
     for (const int bead : {c.first, c.second}) {
@@ -264,8 +277,9 @@ OverdampedSystem::Beads OverdampedSystem::deferred_corrections() {
     share(new_end);
     middle = new_middle;
     end = new_end;
-    v_middle = velocities_at(middle, time() + h / 2);
-    v_end = velocities_at(end, time() + h);
+    if (!are_finite(middle) || !are_finite(end)) break;  // a fault, found later
+    v_middle = velocities_at(middle, time() + h / 2, contacts_of(middle));
+    v_end = velocities_at(end, time() + h, contacts_of(end));
   }
   return end;
 }
@@ -296,11 +310,14 @@ void OverdampedSystem::step() {
   ++state_.steps_done;
   look_for_faults(before);
   if (fault_) return;
-  state_.velocities[0] = velocities_at(state_.positions[0], time());
+  contacts_ = contacts_of(state_.positions[0]);
+  state_.velocities[0] = velocities_at(state_.positions[0], time(), contacts_);
+  note_extremes();
+}
+
+void OverdampedSystem::note_extremes() {
   for (const Vec3& v : state_.velocities[0]) state_.largest_speed = std::max(state_.largest_speed, v.norm());
-  state_.smallest_gap =
-      std::min(state_.smallest_gap,
-               find_contacts(ContactScale(scene_), scene_.box, radii_, state_.positions[0]).smallest_gap);
+  state_.smallest_gap = std::min(state_.smallest_gap, contacts_.smallest_gap);
 }
 
 /// All ranks have all beads and see the same.
@@ -315,6 +332,10 @@ void OverdampedSystem::look_for_faults(const Beads& before) {
     const int number = static_cast<int>(b % 3) + 1;
     if (!std::isfinite(moved)) note(OverdampedFaultKind::not_finite, b, number, moved);
     if (moved > 1) note(OverdampedFaultKind::speed, b, number, moved);
+    for (int a = 0; a < 3 && scene_.box; ++a) {
+      const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
+      if (scene_.box->free_slip[a] && beyond > 0) note(OverdampedFaultKind::wall, b, number, beyond);
+    }
     if (number == 3) continue;
     const double length =
         (now[b + 1] - now[b]).norm() / scene_.type_of(b / 3).springs[number - 1].rest_length;
@@ -323,9 +344,12 @@ void OverdampedSystem::look_for_faults(const Beads& before) {
 }
 
 void OverdampedSystem::restore(OverdampedState state) {
-  if (state.positions[0].size() != radii_.size() || state.velocities[0].size() != radii_.size())
+  const auto is_whole = [&](const Beads& list) { return list.size() == radii_.size(); };
+  if (!std::ranges::all_of(state.positions, is_whole) || !std::ranges::all_of(state.velocities, is_whole) ||
+      (has_dashpots_ && !is_whole(state.distant)))
     throw SolverError("the state is of another scene");
   state_ = std::move(state);
+  contacts_ = contacts_of(state_.positions[0]);
 }
 
 }  // namespace beadswim

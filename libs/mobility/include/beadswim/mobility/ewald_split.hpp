@@ -5,24 +5,22 @@
 
 #include "beadswim/mobility/rotne_prager_tensor.hpp"
 
-// Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part, gone beyond some 4/xi, and a
-// far part that is smooth, as the sum of images in a periodic box and as the work between particles and mesh
-// need it.
+// clang-format off
+// Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part, gone beyond some 4/xi, and a far part that
+// is smooth, as the sum of images in a periodic box and as the work between particles and mesh need it.
 //
-//   far   (I - kk/k^2)/(eta k^2) s(k) (1 - A k^2/6),   s(k) = (1 + k^2/(4 xi^2)) exp(-k^2/(4 xi^2)),   A =
-//   a_i^2 + a_j^2 near  what is left
+//   far    (I - kk/k^2)/(eta k^2) s(k) (1 - A k^2/6),   s(k) = (1 + k^2/(4 xi^2)) exp(-k^2/(4 xi^2)),   A = a_i^2 + a_j^2
+//   near   what is left
 //
-// Isotropic tensors without divergence come of a scalar chi(r), of transform -8 pi s(k)/k^4 for the Oseen
-// part:
+// Isotropic tensors without divergence come of a scalar chi(r), of transform -8 pi s(k)/k^4 for the Oseen part:
 //
-//   (I laplacian - grad grad) chi / (8 pi eta) = [ (chi'' + chi'/r) I + (chi'/r - chi'') rr/r^2 ] / (8 pi
-//   eta)
+//   (I laplacian - grad grad) chi / (8 pi eta) = [ (chi'' + chi'/r) I + (chi'/r - chi'') rr/r^2 ] / (8 pi eta)
 //
-// and the laplacian of the tensor of psi = laplacian chi. Near: chi' = erfc(xi r), for r itself without
-// splitting.
+// and the laplacian of the tensor of psi = laplacian chi. Near: chi' = erfc(xi r), for r itself without splitting.
 //
-// References: Hasimoto, J. Fluid Mech. 5, 317 (1959); af Klinteberg, Shamshirgar and Tornberg, Res. Math.
-// Sci. 4, 1 (2017) for open space. Page: docs/method/mobility-product.md.
+// References: Hasimoto, J. Fluid Mech. 5, 317 (1959); af Klinteberg, Shamshirgar and Tornberg, Res. Math. Sci. 4, 1 (2017)
+// for open space. Page: docs/method/mobility-product.md.
+// clang-format on
 
 namespace beadswim {
 
@@ -57,8 +55,8 @@ inline double far_self_mobility(double xi, double squared_radius, double viscosi
          (8 * std::numbers::pi * viscosity);
 }
 
-/// The far part's transform without its direction: s(k)/(eta k^2) exp(+window), k > 0. `exponent`: of the
-/// Gaussian that is left when windows have their part, k^2/(4 xi^2) without any.
+/// (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2), k > 0. `exponent`: what windows leave of the far part's
+/// Gaussian, k^2/(4 xi^2) where there are none.
 inline double far_spectrum(double xi, double k2, double exponent, double viscosity) {
   return (1 + k2 / (4 * xi * xi)) * std::exp(-exponent) / (viscosity * k2);
 }

@@ -28,8 +28,9 @@ class NeighbourCells {
       const double extent = is_periodic() ? lengths_[a] : high[a] - low[a];
       // No more cells than a row of all beads would need: memory stays linear in their number.
       const double most = std::cbrt(8.0 * static_cast<double>(positions.size())) + 1;
-      counts_[a] = static_cast<int>(std::clamp(std::floor(2 * extent / cut_off), 1.0, most));
-      inverse_edge_[a] = extent > 0 ? counts_[a] / extent : 0;
+      const bool is_finite = std::isfinite(extent);  // of places that are no numbers one cell is left
+      counts_[a] = is_finite ? static_cast<int>(std::clamp(std::floor(2 * extent / cut_off), 1.0, most)) : 1;
+      inverse_edge_[a] = is_finite && extent > 0 ? counts_[a] / extent : 0;
     }
     low_ = low;
     sort(positions);
@@ -79,13 +80,14 @@ class NeighbourCells {
     for (int a = 0; a < 3; ++a) {
       double place = x[a] - low_[a];
       if (is_periodic()) place -= lengths_[a] * std::floor(place / lengths_[a]);
-      c[a] = std::clamp(static_cast<int>(place * inverse_edge_[a]), 0, counts_[a] - 1);
+      const double cell = place * inverse_edge_[a];
+      c[a] = cell > 0 ? static_cast<int>(std::min(cell, counts_[a] - 1.0)) : 0;
     }
     return index(c);
   }
 
   void sort(std::span<const Vec3> positions) {
-    start_.assign(counts_[0] * counts_[1] * counts_[2] + 1, 0);
+    start_.assign(std::size_t(counts_[0]) * counts_[1] * counts_[2] + 1, 0);
     std::vector<int> cell(positions.size());
     for (std::size_t b = 0; b < positions.size(); ++b) ++start_[(cell[b] = cell_of(positions[b])) + 1];
     for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];

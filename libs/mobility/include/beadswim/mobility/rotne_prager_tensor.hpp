@@ -7,19 +7,20 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/pair_mobility.hpp"
 
+// clang-format off
 // Rotne-Prager-Yamakawa mobility of two spheres of any radii, apart or overlapping, in open space:
 //
 //   mu = isotropic I + axial rr/r^2,     A = a_i^2 + a_j^2,  D = a_i - a_j
 //
-//   isotropic = (1 + A/(3 r^2)) / (8 pi eta r)                axial = (1 - A/r^2) / (8 pi eta r)     apart
-//   isotropic = u [16 r^3 (a_i + a_j) - (D^2 + 3 r^2)^2]      axial = u 3 (D^2 - r^2)^2 overlapping isotropic
-//   = 1/(6 pi eta max(a_i, a_j))                    axial = 0                              one in the other
+//   isotropic = (1 + A/(3 r^2)) / (8 pi eta r)             axial = (1 - A/r^2) / (8 pi eta r)    apart
+//   isotropic = u [16 r^3 (a_i + a_j) - (D^2 + 3 r^2)^2]   axial = u 3 (D^2 - r^2)^2             overlapping
+//   isotropic = 1/(6 pi eta max(a_i, a_j))                 axial = 0                             one in the other
 //
-// with u = 1/(192 pi eta a_i a_j r^3). The Oseen tensor averaged over both surfaces: any number of spheres,
-// wherever they are, has a positive definite mobility. Along the line of centres it is rotne_prager.hpp's.
+// with u = 1/(192 pi eta a_i a_j r^3). The Oseen tensor averaged over both surfaces: any number of spheres, wherever
+// they are, has a positive definite mobility. Along the line of centres it is rotne_prager.hpp's.
 //
-// Reference: Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014). Page:
-// docs/method/rotne-prager.md.
+// Reference: Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014). Page: docs/method/rotne-prager.md.
+// clang-format on
 
 namespace beadswim {
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "beadswim/overdamped/contacts.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
 // Swimmers whose beads have no inertia: each moves at once as the forces on all beads have it,
@@ -18,9 +19,10 @@
 //
 //   11/6 x' - h g(x') = 3 x - 3/2 x_1 + 1/3 x_2 + h [ 3 (v - g(x)) - 3 (v_1 - g(x_1)) + (v_2 - g(x_2)) ]
 //
-// However stiff springs are, that is stable as long as neighbours change what springs do by less than a
-// third. Contacts with others' beads enter g linearly. Two steps of deferred corrections begin. Dashpots are
-// solved for together with the velocity, by a few products more.
+// At any stiffness that is stable as long as all swimmers together answer 0.65 to 1.5 times as much to their
+// springs as each alone. Swarms denser than the paper's ask for more steps a cycle (the page has a table).
+// Contacts with others' beads enter g linearly. Two steps of deferred corrections begin. Dashpots are solved
+// for together with the velocity, by a few products more.
 //
 // References: Ascher, Ruuth and Wetton, SIAM J. Numer. Anal. 32, 797 (1995); Dutt, Greengard and Rokhlin, BIT
 // 40, 241 (2000). Page: docs/method/mobility-swarms.md.
@@ -31,6 +33,8 @@ enum class OverdampedFaultKind {
   not_finite,  ///< no number any more
   speed,       ///< a bead moved by more than its radius in a step [radius]
   torn_arm,    ///< an arm over twice its rest length [rest length]
+  wall,        ///< the centre of a bead beyond a wall [length]
+  dashpots,    ///< velocities that dashpots hang on were not found; of no one bead [relative change]
 };
 
 struct OverdampedFault {
@@ -79,21 +83,25 @@ class OverdampedSystem {
   using Beads = std::vector<Vec3>;
 
   struct Implicit;
-  Beads forces(const Beads& positions, double time) const;
-  Beads velocities_at(const Beads& positions, double time);
+  Contacts contacts_of(const Beads& positions) const;
+  Beads forces(const Beads& positions, double time, const Contacts& contacts) const;
+  Beads velocities_at(const Beads& positions, double time, const Contacts& contacts);
   Beads velocities_with_dashpots(const Beads& positions, const Beads& forces);
   Implicit implicit_part() const;
   Beads multistep();
   Beads deferred_corrections();
   void share(Beads& positions) const;
   void look_for_faults(const Beads& before);
+  void note_extremes();
 
   OverdampedScene scene_;
   const Communicator& communicator_;
   std::vector<double> radii_;  ///< of all beads
   bool has_dashpots_ = false;
+  ContactScale contact_scale_;
   MobilityProduct mobility_;
   OverdampedState state_;
+  Contacts contacts_;  ///< of the positions now
   std::optional<OverdampedFault> fault_;
 };
 

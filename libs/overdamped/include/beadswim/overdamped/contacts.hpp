@@ -13,13 +13,15 @@ namespace beadswim {
 /// Two beads, or a bead and its mirror image, so close that they repel each other.
 struct Contact {
   int first = 0, second = 0;   ///< beads; the same: with its image behind a wall
+  bool is_image = false;       ///< of the second, in the box
   Vec3 normal = Vec3::Zero();  ///< from the second to the first
   ContactForce law;
 };
 
 struct Contacts {
   std::vector<Contact> list;
-  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of these
+  double smallest_gap =
+      std::numeric_limits<double>::infinity();  ///< of these; to a wall, not to the image behind it
 };
 
 /// Range and strength of the scene's repulsion.
