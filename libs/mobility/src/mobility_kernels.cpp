@@ -109,7 +109,8 @@ struct Window {
       place -=
           mesh.points[a] * std::floor(place * mesh.inverse_points[a]);  // where numbers still fit into an int
       const double below = std::floor(place);
-      first[a] = static_cast<int>(below) - P / 2 + 1;
+      const bool is_on_mesh = below >= 0 && below < mesh.points[a];  // no number is not
+      first[a] = (is_on_mesh ? static_cast<int>(below) : 0) - P / 2 + 1;
       // exp(-c (d + p)^2) = exp(-c d^2) exp(-2 c d)^p exp(-c p^2)
       const double d = below - P / 2 + 1 - place;
       double power = mesh.height[a] * std::exp(-mesh.decay[a] * d * d);
