@@ -109,8 +109,7 @@ std::vector<ProductRow> measure_products(const ProductRequest& request, const Co
       for (int ranks = 1; ranks <= world.size(); ranks += std::max(1, world.size() - 1)) {
         if (world.is_root()) tell(fmt::format("beadswim-bench: {} beads, {} ranks\n", count, ranks));
         on_first_ranks(ranks, world, [&](const Communicator& communicator) {
-          if (communicator.size() == ranks && world.rank() < ranks)
-            rows.push_back(measure(request, count, is_periodic, communicator));
+          rows.push_back(measure(request, count, is_periodic, communicator));
         });
       }
     }

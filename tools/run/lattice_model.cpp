@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "fault_message.hpp"
@@ -49,10 +48,8 @@ std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) 
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const std::string& source,
                          const Communicator& ranks)
     : communicator(ranks), on_lattice(put_on_lattice(layout, asked, source)) {
-  for (const char* flag : {"--tolerance", "--steps-per-cycle"}) {
-    if (asked.given.contains(flag))
-      throw InputError(flag, "is of the mobility models; leave it out, or add --model rpy or oseen");
-  }
+  refuse_flags(asked, {"--tolerance", "--steps-per-cycle"},
+               "is of the mobility models; leave it out, or add --model rpy or oseen");
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
   options = asked;

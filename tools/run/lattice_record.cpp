@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "beadswim/coupling/gather.hpp"
 #include "beadswim/lattice/trt.hpp"
+#include "scene_facts.hpp"
 
 namespace beadswim {
 namespace {
@@ -22,18 +22,11 @@ CommunicationRecord communication_of(const CoupledSystem& system, long steps,
 }
 
 DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice& on_lattice) {
-  double smallest = on_lattice.scene.types.front().beads[0].radius, largest = smallest;
-  for (const SwimmerType& type : on_lattice.scene.types) {
-    for (const Bead& bead : type.beads) {
-      smallest = std::min(smallest, bead.radius);
-      largest = std::max(largest, bead.radius);
-    }
-  }
-  const double nu = lattice_viscosity(on_lattice.lattice.relaxation_time);
-  const double omega = 2 * std::numbers::pi / static_cast<double>(on_lattice.lattice.steps_per_period);
-  return {.reynolds_bead = largest_bead_speed * 2 * largest / nu,
-          .penetration_depth_over_radius = std::sqrt(2 * nu / omega) / smallest,
-          .mach = largest_bead_speed * std::sqrt(3.0)};
+  DimensionlessNumbers numbers = dimensionless_numbers(
+      on_lattice.scene.types, largest_bead_speed, lattice_viscosity(on_lattice.lattice.relaxation_time),
+      static_cast<double>(on_lattice.lattice.steps_per_period));
+  numbers.mach = largest_bead_speed * std::sqrt(3.0);
+  return numbers;
 }
 
 LatticeResolution resolution_of(const SceneOnLattice& on_lattice) {

@@ -194,6 +194,12 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   return options;
 }
 
+void refuse_flags(const RunOptions& options, std::initializer_list<const char*> flags,
+                  const std::string& why) {
+  for (const char* flag : flags)
+    if (options.given.contains(flag)) throw InputError(flag, why);
+}
+
 FlagValues course_of(const RunOptions& o) {
   if (o.model != "lbm") {
     return {{"--model", o.model},

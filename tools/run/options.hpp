@@ -49,6 +49,10 @@ using FlagValues = std::map<std::string, std::string>;
 std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv,
                                                 const FlagValues& defaults = {});
 
+/// Throws InputError, `why` after the flag's name, if one of these is on the command line.
+void refuse_flags(const RunOptions& options, std::initializer_list<const char*> flags,
+                  const std::string& why);
+
 /// The flags that set the course of a run, with the values of these options: a run goes on with the same.
 FlagValues course_of(const RunOptions& options);
 

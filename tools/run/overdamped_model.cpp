@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <numbers>
-#include <tuple>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
@@ -37,27 +34,9 @@ std::optional<Box> mobility_box(const Layout& layout, const std::string& source)
   return box;
 }
 
-/// A type for each driving, as the scene has them: swimmers of one type share it unless theirs is their own.
-class TypesByDriving {
- public:
-  int number_of(const std::string& name, const SwimmerType& type, std::vector<SwimmerType>& types) {
-    const Driving& d = type.driving;
-    const auto [place, is_new] =
-        numbers_.try_emplace({name, d.amplitude, d.phase, d.period, d.frame, d.phase_offset}, types.size());
-    if (is_new) types.push_back(type);
-    return static_cast<int>(place->second);
-  }
-
- private:
-  std::map<std::tuple<std::string, std::array<double, 2>, double, double, DrivingFrame, double>, std::size_t>
-      numbers_;
-};
-
 /// Ewald's sum meets each pair once, and beads' contacts have room.
 void require_room(const OverdampedScene& scene, const std::string& source) {
-  double largest = 0;
-  for (const SwimmerType& type : scene.types)
-    for (const Bead& bead : type.beads) largest = std::max(largest, bead.radius);
+  const double largest = largest_radius(scene.types);
   constexpr double radii = 4.4;  // two images of a bead must not touch a third
   for (int a = 0; a < 3 && scene.box; ++a) {
     if (scene.box->lengths[a] >= radii * largest) continue;
@@ -70,35 +49,23 @@ void require_room(const OverdampedScene& scene, const std::string& source) {
   }
 }
 
-/// Flags that say nothing to a model without a lattice.
-void refuse_lattice_flags(const RunOptions& options) {
-  for (const char* flag :
-       {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
-        "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"}) {
-    if (!options.given.contains(flag)) continue;
-    throw InputError(
-        flag,
-        fmt::format("is of the lattice; leave it out, or run with --model lbm instead of {}", options.model));
-  }
-}
-
 }  // namespace
 
 OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, const std::string& source,
                                const Communicator& ranks)
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
-  refuse_lattice_flags(asked);
+  refuse_flags(asked,
+               {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
+                "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
+               "is of the lattice; leave it out, or run with --model lbm instead of " + asked.model);
   options = asked;
   scene.model = asked.model == "oseen" ? PointModel::oseen : PointModel::rotne_prager;
   scene.viscosity = layout.fluid.dynamic_viscosity();
   scene.box = mobility_box(layout, source);
   scene.tolerance = asked.tolerance;
-  std::vector<const Swimmer*> in_order;
-  for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
-  std::ranges::sort(in_order, {}, &Swimmer::id);
-  TypesByDriving by_driving;
-  for (const Swimmer* swimmer : in_order) {
-    const int type = by_driving.number_of(swimmer->type, layout.resolved_type(*swimmer), scene.types);
+  TypedSwimmers typed = typed_swimmers(layout);
+  scene.types = std::move(typed.types);
+  for (const auto& [swimmer, type] : typed.members) {
     scene.swimmers.push_back({swimmer->id, type, swimmer->position, swimmer->axis});
     PlannedSwimmer planned{.name = {.id = swimmer->id, .type = type}};
     for (int b = 0; b < 3; ++b) planned.radii[b] = scene.types[type].beads[b].radius;
@@ -106,9 +73,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
   }
   require_room(scene, source);
   base_period = beadswim::base_period(layout);
-  double shortest = base_period;
-  for (const SwimmerType& type : scene.types) shortest = std::min(shortest, type.driving.period);
-  steps_per_cycle = std::lround(std::ceil(asked.steps_per_cycle * base_period / shortest - 1e-9));
+  steps_per_cycle = std::lround(
+      std::ceil(asked.steps_per_cycle * base_period / std::min(base_period, shortest_period(layout)) - 1e-9));
   time_step = scene.step = base_period / static_cast<double>(steps_per_cycle);
   for (const SwimmerType& type : scene.types) periods.push_back(type.driving.period / time_step);
   announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
@@ -121,14 +87,15 @@ std::unique_ptr<Model> OverdampedPlan::make(long) const {
 }
 
 OverdampedModel::OverdampedModel(const OverdampedPlan& plan)
-    : plan_(plan),
-      system_(plan.scene, plan.communicator),
-      first_(static_cast<int>(plan.swimmers.size() * plan.communicator.rank() / plan.communicator.size())),
-      last_(static_cast<int>(plan.swimmers.size() * (plan.communicator.rank() + 1) /
-                             plan.communicator.size())) {}
+    : plan_(plan), system_(plan.scene, plan.communicator) {}
+
+int OverdampedModel::own_swimmers() const {
+  const auto [first, last] = system_.own_swimmers();
+  return static_cast<int>(last - first);
+}
 
 SwimmerName OverdampedModel::own_swimmer(int number) const {
-  return plan_.swimmers[first_ + number].name;
+  return plan_.swimmers[system_.own_swimmers().first + number].name;
 }
 
 std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) const {
@@ -136,7 +103,7 @@ std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) co
   const double time = ahead * plan_.time_step;
   std::array<Vec3, 3> positions;
   for (int b = 0; b < 3; ++b) {
-    const std::size_t bead = 3 * static_cast<std::size_t>(first_ + number) + b;
+    const std::size_t bead = 3 * (system_.own_swimmers().first + number) + b;
     const Vec3 gained = state.velocities[0][bead] - state.velocities[1][bead];  // in the last step
     positions[b] = state.positions[0][bead] + time * (state.velocities[0][bead] + 0.5 * ahead * gained);
   }
@@ -207,19 +174,9 @@ std::optional<ModelFault> OverdampedModel::fault() const {
 
 void OverdampedModel::describe(RunRecord& record) const {
   const OverdampedState& state = system_.state();
-  double smallest = plan_.scene.types.front().beads[0].radius, largest = smallest;
-  for (const SwimmerType& type : plan_.scene.types) {
-    for (const Bead& bead : type.beads) {
-      smallest = std::min(smallest, bead.radius);
-      largest = std::max(largest, bead.radius);
-    }
-  }
-  const double omega = 2 * std::numbers::pi / plan_.base_period;
   record.model = name_of(plan_.scene.model);
-  record.dimensionless = {
-      .reynolds_bead = state.largest_speed * 2 * largest / plan_.kinematic_viscosity,
-      .penetration_depth_over_radius = std::sqrt(2 * plan_.kinematic_viscosity / omega) / smallest,
-      .mach = std::nullopt};
+  record.dimensionless = dimensionless_numbers(plan_.scene.types, state.largest_speed,
+                                               plan_.kinematic_viscosity, plan_.base_period);
   const std::optional<EwaldPlan>& sums = system_.mobility().plan();
   record.mobility = MobilityRecord{
       .time_step = plan_.time_step,

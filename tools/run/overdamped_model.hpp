@@ -27,7 +27,7 @@ class OverdampedModel : public Model {
   void step() override { system_.step(); }
   long steps_done() const override { return system_.steps_done(); }
 
-  int own_swimmers() const override { return last_ - first_; }
+  int own_swimmers() const override;
   SwimmerName own_swimmer(int number) const override;
   std::array<Vec3, 3> bead_positions(int number, double ahead) const override;
   std::vector<SwimmerSight> gather_swimmers() const override;
@@ -49,7 +49,6 @@ class OverdampedModel : public Model {
 
   const OverdampedPlan& plan_;
   OverdampedSystem system_;
-  int first_, last_;  ///< swimmers that this rank samples
 };
 
 }  // namespace beadswim

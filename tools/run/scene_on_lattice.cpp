@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
@@ -29,13 +28,6 @@ void require_box(const Layout& layout, const std::string& source) {
   throw InputError(source + ":/domain",
                    "is null (unbounded fluid), which a lattice cannot hold; make the layout with --box "
                    "X,Y,Z and --boundary, run it with --model rpy, or ask beadswim-theory");
-}
-
-double shortest_period(const Layout& layout) {
-  double shortest = std::numeric_limits<double>::infinity();
-  for (const Swimmer& swimmer : layout.swimmers)
-    shortest = std::min(shortest, layout.resolved_type(swimmer).driving.period);
-  return shortest;
 }
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
@@ -147,22 +139,18 @@ SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattic
   return result;
 }
 
-/// The layout's swimmers in order of their ids, and the types that they share.
+/// The layout's swimmers and their types, in lattice units.
 void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice& lattice,
                   bool corrects_delay) {
-  std::map<std::string, int> shared_types;  // of swimmers that do not override their type's driving
-  for (const Swimmer& swimmer : layout.swimmers) {
-    int type = static_cast<int>(scene.types.size());
-    if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
-    if (type == std::ssize(scene.types)) {
-      scene.types.push_back(type_on_lattice(layout.resolved_type(swimmer), lattice, corrects_delay));
-    }
-    scene.swimmers.push_back({.id = swimmer.id,
+  const TypedSwimmers typed = typed_swimmers(layout);
+  for (const SwimmerType& type : typed.types)
+    scene.types.push_back(type_on_lattice(type, lattice, corrects_delay));
+  for (const auto& [swimmer, type] : typed.members) {
+    scene.swimmers.push_back({.id = swimmer->id,
                               .type = type,
-                              .position = swimmer.position / lattice.scales.cell,
-                              .axis = swimmer.axis});
+                              .position = swimmer->position / lattice.scales.cell,
+                              .axis = swimmer->axis});
   }
-  std::ranges::sort(scene.swimmers, {}, &CoupledScene::Swimmer::id);  // the order of every list of beads
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "beadswim/coupling/coupled_system.hpp"
 
+#include "beadswim/bodies/rest_positions.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,9 +21,8 @@ SwimmerState at_rest(const CoupledScene& scene, const CoupledScene::Swimmer& swi
                      .motion = {},
                      .last_impulse = {},
                      .inner_momentum = {}};
-  state.motion[0].position = swimmer.position - type.springs[0].rest_length * swimmer.axis;
-  state.motion[1].position = swimmer.position;
-  state.motion[2].position = swimmer.position + type.springs[1].rest_length * swimmer.axis;
+  const std::array<Vec3, 3> places = rest_positions(type, swimmer.position, swimmer.axis);
+  for (int b = 0; b < 3; ++b) state.motion[b].position = places[b];
   return state;
 }
 

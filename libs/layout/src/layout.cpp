@@ -1,5 +1,7 @@
 #include "beadswim/layout/layout.hpp"
 
+#include "beadswim/bodies/rest_positions.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -20,8 +22,7 @@ double smallest_radius(const Layout& layout) {
 }
 
 std::array<Vec3, 3> rest_positions(const Swimmer& swimmer, const SwimmerType& type) {
-  return {swimmer.position - type.springs[0].rest_length * swimmer.axis, swimmer.position,
-          swimmer.position + type.springs[1].rest_length * swimmer.axis};
+  return rest_positions(type, swimmer.position, swimmer.axis);
 }
 
 }  // namespace beadswim

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/mobility/bounds.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"
 #include "near_pairs.hpp"
@@ -26,15 +27,6 @@ void check(const MobilityScene& scene) {
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
       throw InputError("mobility", fmt::format("box edge {}", length));
-}
-
-/// The periodic box in which walls are mirrors: twice as long across them.
-std::array<double, 3> mirrored_lengths(const std::optional<Box>& box) {
-  if (!box) return {};
-  std::array<double, 3> lengths = box->lengths;
-  for (int a = 0; a < 3; ++a)
-    if (box->free_slip[a]) lengths[a] *= 2;
-  return lengths;
 }
 
 int mirrors(const std::optional<Box>& box) {
@@ -66,13 +58,8 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
                    .typical_radius = *std::ranges::max_element(scene.radii),
                    .tolerance = scene.tolerance};
   if (scene.box) return ewald;
-  Vec3 low = positions[0], high = positions[0];
-  for (const Vec3& x : positions) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
-  for (int a = 0; a < 3; ++a)
-    ewald.lengths[a] = high[a] - low[a] + 2 * *std::ranges::max_element(scene.radii);
+  const Bounds bounds(positions);
+  for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.high[a] - bounds.low[a] + 2 * ewald.typical_radius;
   return ewald;
 }
 

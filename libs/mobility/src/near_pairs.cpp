@@ -6,17 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/rank_share.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/neighbour_cells.hpp"
 
 namespace beadswim {
 namespace {
-
-/// Rank r's share of n things in a row.
-std::pair<int, int> share(int n, const Communicator& communicator) {
-  const auto at = [&](int rank) { return static_cast<int>(std::int64_t{n} * rank / communicator.size()); };
-  return {at(communicator.rank()), at(communicator.rank() + 1)};
-}
 
 /// Coefficients of the polynomial of degree 5 through values at Chebyshev's points of [0, 1].
 using Fit = Eigen::Matrix<double, PairTable::degree + 1, 1>;
@@ -120,8 +115,8 @@ void NearPairs::add_velocities(std::span<const Vec3> positions, std::span<const 
   SortedSpheres spheres{
       work.places[0].data(), work.places[1].data(), work.places[2].data(), work.is_receiver.data(), {}};
   std::ranges::copy(law_.lengths, spheres.lengths);
-  const auto [first, last] = share(static_cast<int>(order.size()), communicator);
-  for (int s = first; s < last; ++s) {
+  const auto [first, last] = rank_share(std::ssize(order), communicator.rank(), communicator.size());
+  for (int s = static_cast<int>(first); s < last; ++s) {
     work.cells.for_each_stretch_after(s, [&](int begin, int end) {
       while ((begin = kernels.near_spheres(spheres, s, begin, end, law_.cut_off, work.batch)) < end)
         flush(work, s);

@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/mobility/bounds.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "mobility_kernels.hpp"
 
@@ -174,11 +175,7 @@ double share_of(const EwaldPlan& plan, const WindowMesh& mesh, int axis) {
 }  // namespace
 
 void ParticleMesh::Mesh::follow(std::span<const Vec3> positions) {
-  Vec3 low = positions[0], high = positions[0];
-  for (const Vec3& x : positions) {
-    low = low.cwiseMin(x);
-    high = high.cwiseMax(x);
-  }
+  const auto& [low, high] = Bounds(positions);
   constexpr double most_points = 1e10;
   const Vec3 wanted = 2 * ((high - low) / plan.spacing + Vec3::Constant(plan.window));
   if (!(wanted.prod() < most_points)) {

@@ -8,14 +8,6 @@
 namespace beadswim {
 namespace {
 
-/// Of the periodic box; across walls twice as long, so that nothing is nearer through them.
-std::array<double, 3> periods(const std::optional<Box>& box) {
-  std::array<double, 3> lengths{};
-  if (box)
-    for (int a = 0; a < 3; ++a) lengths[a] = box->lengths[a] * (box->free_slip[a] ? 2 : 1);
-  return lengths;
-}
-
 class Finder {
  public:
   Finder(const ContactScale& scale, Contacts& contacts) : scale_(scale), contacts_(contacts) {}
@@ -59,7 +51,7 @@ Contacts find_contacts(const ContactScale& scale, const std::optional<Box>& box,
                        std::span<const double> radii, std::span<const Vec3> positions) {
   Contacts contacts;
   Finder finder(scale, contacts);
-  const std::array<double, 3> lengths = periods(box);
+  const std::array<double, 3> lengths = mirrored_lengths(box);  // so that nothing is nearer through a wall
   const NeighbourCells cells(positions, (2 + scale.share) * scale.largest_radius, lengths);
   const std::vector<int>& order = cells.order();
   for (int s = 0; s < std::ssize(order); ++s) {

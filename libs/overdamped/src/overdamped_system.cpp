@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/bodies/rest_positions.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/rank_share.hpp"
 #include "swimmer_response.hpp"
 
 namespace beadswim {
@@ -27,10 +29,7 @@ std::vector<Vec3> rest_places(const OverdampedScene& scene) {
   std::vector<Vec3> places;
   for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
     const auto& [id, type, position, axis] = scene.swimmers[s];
-    const std::array<Spring, 2>& springs = scene.types[type].springs;
-    places.push_back(position - springs[0].rest_length * axis);
-    places.push_back(position);
-    places.push_back(position + springs[1].rest_length * axis);
+    for (const Vec3& place : rest_positions(scene.types[type], position, axis)) places.push_back(place);
   }
   return places;
 }
@@ -41,11 +40,6 @@ BeadVectors beads_of(const std::vector<Vec3>& all, std::size_t swimmer) {
 
 Vector9 own_of(const std::vector<Vec3>& all, std::size_t swimmer) {
   return Eigen::Map<const Vector9>(all[3 * swimmer].data());
-}
-
-/// Rank r's swimmers, of n.
-std::pair<std::size_t, std::size_t> share_of(std::size_t n, int rank, int ranks) {
-  return {n * rank / ranks, n * (rank + 1) / ranks};
 }
 
 bool are_finite(const std::vector<Vec3>& vectors) {
@@ -75,6 +69,10 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
   contacts_ = contacts_of(state_.positions[0]);
   state_.velocities[0] = velocities_at(state_.positions[0], 0, contacts_);
   note_extremes();
+}
+
+std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
+  return rank_share(std::ssize(scene_.swimmers), communicator_.rank(), communicator_.size());
 }
 
 Contacts OverdampedSystem::contacts_of(const Beads& positions) const {
@@ -217,7 +215,7 @@ struct OverdampedSystem::Implicit {
 
 OverdampedSystem::Implicit OverdampedSystem::implicit_part() const {
   const Beads& now = state_.positions[0];
-  const auto [first, last] = share_of(scene_.swimmers.size(), communicator_.rank(), communicator_.size());
+  const auto [first, last] = own_swimmers();
   Implicit implicit{scene_, contact_scale_, now, std::vector<Matrix9>(last - first, Matrix9::Zero())};
   for (const Contact& c : contacts_.list) {
     if (c.first / 3 == c.second / 3 && !c.is_image) continue;  // g has its own
@@ -238,7 +236,7 @@ OverdampedSystem::Beads OverdampedSystem::multistep() {
   const auto& [x, x1, x2] = state_.positions;
   const auto& [v, v1, v2] = state_.velocities;
   const double h = scene_.step, weight = 11.0 / 6;
-  const auto [first, last] = share_of(scene_.swimmers.size(), communicator_.rank(), communicator_.size());
+  const auto [first, last] = own_swimmers();
   const Implicit g = implicit_part();
   Beads next = x;
   for (std::size_t s = first; s < last; ++s) {
@@ -258,7 +256,7 @@ OverdampedSystem::Beads OverdampedSystem::multistep() {
 OverdampedSystem::Beads OverdampedSystem::deferred_corrections() {
   const Beads x = state_.positions[0], v = state_.velocities[0];
   const double h = scene_.step;
-  const auto [first, last] = share_of(scene_.swimmers.size(), communicator_.rank(), communicator_.size());
+  const auto [first, last] = own_swimmers();
   const Implicit g = implicit_part();
   Beads middle = x, end = x, v_middle = v, v_end = v;
   for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -289,7 +287,7 @@ void OverdampedSystem::share(Beads& positions) const {
   if (ranks == 1) return;
   std::vector<int> counts, starts;
   for (int r = 0; r < ranks; ++r) {
-    const auto [first, last] = share_of(scene_.swimmers.size(), r, ranks);
+    const auto [first, last] = rank_share(std::ssize(scene_.swimmers), r, ranks);
     counts.push_back(static_cast<int>(9 * (last - first)));
     starts.push_back(static_cast<int>(9 * first));
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/mobility/bounds.hpp"
 
 // Beads sorted into cells of at least half a cut-off's edge, so that all neighbours of one are in its cell
 // and two around it.
@@ -18,21 +19,16 @@ class NeighbourCells {
   /// lengths: of the periodic box; 0: open space.
   NeighbourCells(std::span<const Vec3> positions, double cut_off, const std::array<double, 3>& lengths)
       : lengths_(lengths) {
-    Vec3 low = positions[0], high = positions[0];
-    for (const Vec3& x : positions) {
-      low = low.cwiseMin(x);
-      high = high.cwiseMax(x);
-    }
+    const Bounds bounds(positions);
+    if (!is_periodic()) low_ = bounds.low;
     for (int a = 0; a < 3; ++a) {
-      if (is_periodic()) low[a] = 0;
-      const double extent = is_periodic() ? lengths_[a] : high[a] - low[a];
+      const double extent = is_periodic() ? lengths_[a] : bounds.high[a] - bounds.low[a];
       // No more cells than a row of all beads would need: memory stays linear in their number.
       const double most = std::cbrt(8.0 * static_cast<double>(positions.size())) + 1;
       const bool is_finite = std::isfinite(extent);  // of places that are no numbers one cell is left
       counts_[a] = is_finite ? static_cast<int>(std::clamp(std::floor(2 * extent / cut_off), 1.0, most)) : 1;
       inverse_edge_[a] = is_finite && extent > 0 ? counts_[a] / extent : 0;
     }
-    low_ = low;
     sort(positions);
   }
 

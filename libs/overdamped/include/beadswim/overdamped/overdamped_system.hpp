@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "beadswim/overdamped/contacts.hpp"
@@ -73,6 +74,9 @@ class OverdampedSystem {
   /// Of all beads, three a swimmer, in order of the swimmers.
   std::span<const Vec3> positions() const { return state_.positions[0]; }
   std::span<const Vec3> velocities() const { return state_.velocities[0]; }
+
+  /// First and end of the swimmers that this rank moves.
+  std::pair<std::size_t, std::size_t> own_swimmers() const;
 
   const std::optional<OverdampedFault>& fault() const { return fault_; }
 

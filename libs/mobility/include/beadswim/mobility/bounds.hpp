@@ -1,0 +1,21 @@
+#pragma once
+
+#include <span>
+
+#include "beadswim/core/vec3.hpp"
+
+namespace beadswim {
+
+/// The smallest box along the axes that holds some places, one at least.
+struct Bounds {
+  Vec3 low, high;
+
+  explicit Bounds(std::span<const Vec3> places) : low(places[0]), high(places[0]) {
+    for (const Vec3& place : places) {
+      low = low.cwiseMin(place);
+      high = high.cwiseMax(place);
+    }
+  }
+};
+
+}  // namespace beadswim
