@@ -118,6 +118,51 @@ TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
   }
 }
 
+// Neighbours 2.67 radii apart answer to each other's springs more than to their own. Few steps a cycle do,
+// and swimmers that are alike stay so.
+TEST(OverdampedSwarm, BearsDenseSwarmsWithFewSteps) {
+  OverdampedScene scene = scene_of(paper_swimmer(), 50);
+  const double period = scene.types[0].driving.period, gap = 10.67;
+  scene.types[0].driving.amplitude = {1, 1};
+  scene.types[0].springs[0].stiffness = scene.types[0].springs[1].stiffness = 0.2;
+  scene.tolerance = 1e-5;
+  scene.box = Box{{64, 4 * gap, 4 * gap}, {}};
+  scene.swimmers.clear();
+  for (int id = 0; id < 16; ++id)
+    scene.swimmers.push_back({.id = id,
+                              .type = 0,
+                              .position = Vec3(32, gap * (0.5 + id % 4), gap * (0.5 + id / 4)),
+                              .axis = Vec3::UnitX()});
+  const auto start = positions_after(scene, 0), few = positions_after(scene, 50);
+  for (std::size_t b = 3; b < few.size(); ++b)
+    EXPECT_LT((few[b] - start[b] - few[b % 3] + start[b % 3]).norm(), 1e-4) << "bead " << b;
+  scene.step = period / 400;
+  const auto many = positions_after(scene, 400);
+  EXPECT_GT(farthest(start, many), 0.3);
+  EXPECT_LT(farthest(few, many), 2e-3);
+}
+
+// Two swimmers that are driven into each other across a seam of the box do as in its middle.
+TEST(OverdampedSwarm, TouchesAcrossSeamsAsWithin) {
+  OverdampedScene scene = scene_of(paper_swimmer(), 100);
+  scene.types[0].driving.amplitude = {0.5, 0.5};
+  scene.tolerance = 1e-6;
+  scene.box = Box{{80, 40, 40}, {}};
+  scene.swimmers[0].position = {40, 20, 20};
+  scene.swimmers.push_back(
+      {.id = 1, .type = 0, .position = {52, 28.4, 20}, .axis = Vec3(1, -0.3, 0).normalized()});
+  const auto within = positions_after(scene, 80);
+  const Vec3 shift(37, 16, 19);
+  for (auto& swimmer : scene.swimmers) swimmer.position += shift;
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  for (int n = 0; n < 80; ++n) system.step();
+  ASSERT_FALSE(system.fault());
+  EXPECT_LT(system.state().smallest_gap, 0.7);
+  for (std::size_t b = 0; b < within.size(); ++b)
+    EXPECT_LT((system.positions()[b] - shift - within[b]).norm(), 1e-4) << "bead " << b;
+}
+
 /// Means over the third cycle of one swimmer's force dipole along x, sum F_x x, by the forces that its places
 /// and the time imply.
 double mean_dipole(const OverdampedScene& scene, int steps_per_cycle) {

@@ -20,7 +20,7 @@ struct RunOptions {
   std::string output;
   std::string model = "lbm";  ///< lbm, rpy or oseen
   double tolerance = 1e-4;    ///< of mobility sums
-  int steps_per_cycle = 200;  ///< of the mobility models, for the shortest period
+  int steps_per_cycle = 100;  ///< of the mobility models, for the shortest period
   double cycles = 6;
   int frames_per_cycle = 40;
   std::optional<double> cells_per_radius;

@@ -137,19 +137,17 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           fault.bead, place, fault.value);
     case OverdampedFaultKind::speed:
       return fmt::format(
-          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, which crowded "
-          "swarms need, or drive "
-          "it less",
+          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, or drive it less",
           fault.bead, place, fault.value);
     case OverdampedFaultKind::wall:
       return fmt::format(
           "bead {} {} is {:.3g} beyond a wall; take more --steps-per-cycle, drive it less, or enlarge the "
           "box",
           fault.bead, place, fault.value);
-    case OverdampedFaultKind::dashpots:
+    case OverdampedFaultKind::unsolved:
       return fmt::format(
-          "velocities that dashpots hang on were not found in 100 products, and still change by {:.2g}; take "
-          "weaker dashpots{}",
+          "velocities were not found in 100 products, and {:.2g} of them is missing; take more "
+          "--steps-per-cycle or weaker dashpots{}",
           fault.value,
           plan_.scene.model == PointModel::oseen ? ", or --model rpy, which is sound for near beads too"
                                                  : "");
@@ -211,9 +209,9 @@ namespace {
 
 template <class Message, class State>
 void transfer_beads(Message& message, State& state) {
-  for (auto* lists : {&state.positions, &state.velocities})
-    for (auto& list : *lists) message(list);
-  message(state.distant);
+  for (auto& list : state.positions) message(list);
+  for (auto& list : state.velocities) message(list);
+  for (auto& list : state.distant) message(list);
 }
 
 }  // namespace

@@ -10,29 +10,27 @@ namespace {
 
 class Finder {
  public:
-  Finder(const ContactScale& scale, Contacts& contacts) : scale_(scale), contacts_(contacts) {}
+  Finder(const ContactScale& scale, std::vector<Contact>& contacts) : scale_(scale), contacts_(contacts) {}
 
   /// `is_image`: of the second, on the other side of the box.
   void meet(int first, int second, bool is_image, const Vec3& separation, double radii) {
     const double distance = separation.norm(), gap = distance - radii;
     const double reach = scale_.share * radii / 2;
     if (gap >= reach) return;
-    contacts_.smallest_gap = std::min(contacts_.smallest_gap, gap);
     const Vec3 normal = distance > 0 ? Vec3(separation / distance) : Vec3::UnitX();
-    contacts_.list.push_back({first, second, is_image, normal, contact_force(gap, reach, scale_.strength)});
+    contacts_.push_back({first, second, is_image, normal, gap, contact_force(gap, reach, scale_.strength)});
   }
 
   /// A bead and its image behind the wall that is `to_wall` away, below 0 beyond it; `inward`: from the wall.
   void meet_wall(int bead, double to_wall, const Vec3& inward, double radius) {
     const double gap = 2 * (to_wall - radius), reach = scale_.share * radius;
     if (gap >= reach) return;
-    contacts_.smallest_gap = std::min(contacts_.smallest_gap, gap / 2);
-    contacts_.list.push_back({bead, bead, true, inward, contact_force(gap, reach, scale_.strength)});
+    contacts_.push_back({bead, bead, true, inward, gap, contact_force(gap, reach, scale_.strength)});
   }
 
  private:
   const ContactScale& scale_;
-  Contacts& contacts_;
+  std::vector<Contact>& contacts_;
 };
 
 }  // namespace
@@ -47,9 +45,9 @@ ContactScale::ContactScale(const OverdampedScene& scene) {
   if (strength == 0) strength = spring * largest_radius;
 }
 
-Contacts find_contacts(const ContactScale& scale, const std::optional<Box>& box,
-                       std::span<const double> radii, std::span<const Vec3> positions) {
-  Contacts contacts;
+std::vector<Contact> find_contacts(const ContactScale& scale, const std::optional<Box>& box,
+                                   std::span<const double> radii, std::span<const Vec3> positions) {
+  std::vector<Contact> contacts;
   Finder finder(scale, contacts);
   const std::array<double, 3> lengths = mirrored_lengths(box);  // so that nothing is nearer through a wall
   const NeighbourCells cells(positions, (2 + scale.share) * scale.largest_radius, lengths);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,13 +13,8 @@ struct Contact {
   int first = 0, second = 0;   ///< beads; the same: with its image behind a wall
   bool is_image = false;       ///< of the second, in the box
   Vec3 normal = Vec3::Zero();  ///< from the second to the first
+  double gap = 0;              ///< between surfaces, also of bead and image
   ContactForce law;
-};
-
-struct Contacts {
-  std::vector<Contact> list;
-  double smallest_gap =
-      std::numeric_limits<double>::infinity();  ///< of these; to a wall, not to the image behind it
 };
 
 /// Range and strength of the scene's repulsion.
@@ -34,7 +27,7 @@ struct ContactScale {
   explicit ContactScale(const OverdampedScene& scene);
 };
 
-Contacts find_contacts(const ContactScale& scale, const std::optional<Box>& box,
-                       std::span<const double> radii, std::span<const Vec3> positions);
+std::vector<Contact> find_contacts(const ContactScale& scale, const std::optional<Box>& box,
+                                   std::span<const double> radii, std::span<const Vec3> positions);
 
 }  // namespace beadswim

@@ -2,31 +2,32 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "beadswim/overdamped/contacts.hpp"
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
 // Swimmers whose beads have no inertia: each moves at once as the forces on all beads have it,
 //
 //   dx/dt = v,   v = mu(x) F(x, v, t),   F of springs, dashpots, angular springs, driving and contacts
 //
-// Steps are those of the third-order semi-implicit backward differences: what a swimmer's own springs, and
-// contacts among its own beads, do to its own beads, g(x) = 1.3 mu_own F_own, is solved for, all else is
-// carried forward from three steps, and one product mu F is taken a step:
+// Steps are backward differences of third order, of which forces are taken at the step's end,
 //
-//   11/6 x' - h g(x') = 3 x - 3/2 x_1 + 1/3 x_2 + h [ 3 (v - g(x)) - 3 (v_1 - g(x_1)) + (v_2 - g(x_2)) ]
+//   11/6 x' - 3 x + 3/2 x_1 - 1/3 x_2 = h v',   v' = mu(x*) [ F(x*) - K (x' - x*) - C v' ]
 //
-// At any stiffness that is stable as long as all swimmers together answer 0.65 to 1.5 times as much to their
-// springs as each alone. Swarms denser than the paper's ask for more steps a cycle (the page has a table).
-// Contacts with others' beads enter g linearly. Two steps of deferred corrections begin. Dashpots are solved
-// for together with the velocity, by a few products more.
+// x* is carried forward from three steps; where a swimmer's own springs and contacts alone would take it far
+// from there, x* is where they take it. K is the stiffness of springs, angular springs and contacts, C that
+// of dashpots: what is stiff is solved for, of all swimmers together, so that steps need not resolve it
+// however near they are. A product mu F a step suffices where flow changes smoothly, and a few more are taken
+// where it does not (implicit_step.hpp). Two steps of Euler's, extrapolated to third order, begin.
 //
-// References: Ascher, Ruuth and Wetton, SIAM J. Numer. Anal. 32, 797 (1995); Dutt, Greengard and Rokhlin, BIT
-// 40, 241 (2000). Page: docs/method/mobility-swarms.md.
+// References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
+// Page: docs/method/mobility-swarms.md.
 
 namespace beadswim {
 
@@ -35,7 +36,7 @@ enum class OverdampedFaultKind {
   speed,       ///< a bead moved by more than its radius in a step [radius]
   torn_arm,    ///< an arm over twice its rest length [rest length]
   wall,        ///< the centre of a bead beyond a wall [length]
-  dashpots,    ///< velocities that dashpots hang on were not found; of no one bead [relative change]
+  unsolved,    ///< velocities and forces that go together were not found; of no one bead [left of velocities]
 };
 
 struct OverdampedFault {
@@ -53,14 +54,19 @@ struct OverdampedState {
   long products = 0;
   double largest_speed = 0;
   double smallest_gap = std::numeric_limits<double>::infinity();  ///< of beads that repelled each other
-  std::array<std::vector<Vec3>, 3> positions, velocities;  ///< of all beads, now and one and two steps ago
-  std::vector<Vec3> distant;  ///< velocities by all but the own swimmer; where there are dashpots
+  std::array<std::vector<Vec3>, 3> positions;   ///< of all beads, now and one and two steps ago
+  std::array<std::vector<Vec3>, 2> velocities;  ///< now and a step ago
+  std::array<std::vector<Vec3>, 3> distant;     ///< velocities by all but the own swimmer, as positions
 };
+
+class ImplicitStep;
+struct ImplicitStepResult;
 
 class OverdampedSystem {
  public:
   /// Beads at rest positions at time 0. Throws InputError as MobilityProduct does. Collective.
   OverdampedSystem(OverdampedScene scene, const Communicator& communicator);
+  ~OverdampedSystem();
 
   /// Advances by one step; after a fault beads stay where they are. Collective.
   void step();
@@ -86,26 +92,20 @@ class OverdampedSystem {
  private:
   using Beads = std::vector<Vec3>;
 
-  struct Implicit;
-  Contacts contacts_of(const Beads& positions) const;
-  Beads forces(const Beads& positions, double time, const Contacts& contacts) const;
-  Beads velocities_at(const Beads& positions, double time, const Contacts& contacts);
-  Beads velocities_with_dashpots(const Beads& positions, const Beads& forces);
-  Implicit implicit_part() const;
-  Beads multistep();
-  Beads deferred_corrections();
-  void share(Beads& positions) const;
-  void look_for_faults(const Beads& before);
-  void note_extremes();
+  const ImplicitStepResult& noted(const ImplicitStepResult& result);
+  void note_velocities();
+  Beads euler(int parts);
+  void first_steps();
+  void multistep();
+  void move(const Beads& displacements);
+  void look_for_faults();
 
   OverdampedScene scene_;
   const Communicator& communicator_;
   std::vector<double> radii_;  ///< of all beads
-  bool has_dashpots_ = false;
-  ContactScale contact_scale_;
   MobilityProduct mobility_;
+  std::unique_ptr<ImplicitStep> implicit_step_;
   OverdampedState state_;
-  Contacts contacts_;  ///< of the positions now
   std::optional<OverdampedFault> fault_;
 };
 

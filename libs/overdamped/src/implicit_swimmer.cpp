@@ -1,0 +1,66 @@
+#include "implicit_swimmer.hpp"
+
+namespace beadswim {
+namespace {
+
+BeadVectors beads_of(const Vector9& x) {
+  return {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6)};
+}
+
+/// Adds what beads of one swimmer that almost touch do to each other.
+void add_own_contacts(const SwimmerType& type, const ContactScale& scale, const BeadVectors& beads,
+                      Vector9& forces, Matrix9& stiffness) {
+  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+    const Vec3 d = beads[i] - beads[j];
+    const double distance = d.norm(), radii = type.beads[i].radius + type.beads[j].radius;
+    const ContactForce law = contact_force(distance - radii, scale.share * radii / 2, scale.strength);
+    if (!(law.stiffness > 0 && distance > 0)) continue;
+    const Vec3 normal = d / distance;
+    forces.segment<3>(3 * i) += law.force * normal;
+    forces.segment<3>(3 * j) -= law.force * normal;
+    const Eigen::Matrix3d along = law.stiffness * normal * normal.transpose();
+    stiffness.block<3, 3>(3 * i, 3 * i) += along;
+    stiffness.block<3, 3>(3 * j, 3 * j) += along;
+    stiffness.block<3, 3>(3 * i, 3 * j) -= along;
+    stiffness.block<3, 3>(3 * j, 3 * i) -= along;
+  }
+}
+
+/// Forces about u*, and the answer to them if d does not change.
+ImplicitSwimmer about(const Vector9& ahead, const StepRule& rule, const SwimmerSurroundings& s) {
+  const BeadVectors beads = beads_of(s.now + ahead);
+  const double compliance = rule.span / rule.weight;  // du/dv
+  ImplicitSwimmer result;
+  result.ahead = ahead;
+  result.mobility = own_mobility(s.type, beads, s.viscosity);
+  Vector9 forces =
+      own_forces(s.type, beads) + as_vector(driving_forces(s.type.driving, rule.time, beads, s.initial_axis));
+  Matrix9 stiffness = own_stiffness(s.type, beads);
+  add_own_contacts(s.type, s.scale, beads, forces, stiffness);
+  result.drive = forces - stiffness * (s.from / rule.weight - ahead);
+  result.resistance = compliance * stiffness;
+  if (s.type.springs[0].damping > 0 || s.type.springs[1].damping > 0)
+    result.resistance += own_damping(s.type, beads);
+  const Matrix9 resistance = result.resistance + compliance * s.others_stiffness;
+  const Vector9 drive = result.drive + s.others - s.others_stiffness * (s.from / rule.weight - s.guess);
+  result.balance.compute(Matrix9::Identity() + resistance * result.mobility);
+  result.forces = result.balance.solve(drive - resistance * s.distant);
+  return result;
+}
+
+}  // namespace
+
+ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings& s) {
+  constexpr int most = 20;
+  const double enough = 1e-4 * s.type.springs[0].rest_length;  // the rest is linear
+  ImplicitSwimmer result = about(s.guess, rule, s);
+  for (int i = 1; i < most; ++i) {
+    const Vector9 velocity = result.mobility * result.forces + s.distant;
+    const Vector9 end = (s.from + rule.span * velocity) / rule.weight;
+    if (!((end - result.ahead).norm() > enough)) break;  // NaN is a fault, found later
+    result = about(end, rule, s);
+  }
+  return result;
+}
+
+}  // namespace beadswim
