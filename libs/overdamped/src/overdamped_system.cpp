@@ -48,7 +48,7 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
   state_.positions.fill(rest_places(scene_));
   state_.velocities.fill(nowhere);
   state_.distant.fill(nowhere);
-  note_velocities();
+  find_velocities();
 }
 
 OverdampedSystem::~OverdampedSystem() = default;
@@ -57,8 +57,10 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
   return rank_share(std::ssize(scene_.swimmers), communicator_.rank(), communicator_.size());
 }
 
-/// Counts what a step took and met; nothing of it when it was not solved.
-const ImplicitStepResult& OverdampedSystem::noted(const ImplicitStepResult& result) {
+/// From the positions now; counts what it took and met.
+ImplicitStepResult OverdampedSystem::solved(const StepRule& rule, const Beads& from, const Beads& guess,
+                                            const Beads& distant) {
+  ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
   state_.products += result.products;
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
   if (result.unsolved > 0 && !fault_)
@@ -67,12 +69,12 @@ const ImplicitStepResult& OverdampedSystem::noted(const ImplicitStepResult& resu
 }
 
 /// Of the positions now, by a step of no time.
-void OverdampedSystem::note_velocities() {
+void OverdampedSystem::find_velocities() {
   const Beads nowhere(radii_.size(), Vec3::Zero());
-  const ImplicitStepResult result = noted(implicit_step_->solve(
-      {.weight = 1, .span = 0, .time = time()}, state_.positions[0], nowhere, nowhere, state_.distant[0]));
-  state_.velocities[0] = result.velocities;
-  state_.distant[0] = result.distant;
+  const StepRule rule{.weight = 1, .span = 0, .time = time()};
+  ImplicitStepResult result = solved(rule, nowhere, nowhere, state_.distant[0]);
+  state_.velocities[0] = std::move(result.velocities);
+  state_.distant[0] = std::move(result.distant);
 }
 
 /// u over a step by n of Euler's implicit ones: u_k = u_k-1 + h/n v_k.
@@ -80,9 +82,8 @@ Beads OverdampedSystem::euler(int parts) {
   const double span = scene_.step / parts;
   Beads u(radii_.size(), Vec3::Zero()), v = state_.velocities[0], d = state_.distant[0];
   for (int k = 1; k <= parts; ++k) {
-    const Beads guess = combined({{1, &u}, {span, &v}});
-    ImplicitStepResult result = noted(implicit_step_->solve(
-        {.weight = 1, .span = span, .time = time() + k * span}, state_.positions[0], u, guess, d));
+    const StepRule rule{.weight = 1, .span = span, .time = time() + k * span};
+    ImplicitStepResult result = solved(rule, u, combined({{1, &u}, {span, &v}}), d);
     u = std::move(result.displacements);
     v = std::move(result.velocities);
     d = std::move(result.distant);
@@ -94,38 +95,37 @@ Beads OverdampedSystem::euler(int parts) {
 void OverdampedSystem::first_steps() {
   const Beads one = euler(1), two = euler(2), three = euler(3);
   move(combined({{0.5, &one}, {-4, &two}, {4.5, &three}}));
-  ++state_.steps_done;
-  look_for_faults();
-  std::ranges::rotate(state_.velocities, state_.velocities.end() - 1);
-  std::ranges::rotate(state_.distant, state_.distant.end() - 1);
-  state_.distant[0] = state_.distant[1];
-  if (!fault_) note_velocities();
+  if (!fault_) find_velocities();
 }
 
 /// In displacements from the positions now: coordinates may be large.
 void OverdampedSystem::multistep() {
   const auto& [x, x1, x2] = state_.positions;
-  const auto& [d, d1, d2] = state_.distant;
-  const Beads u1 = combined({{1, &x1}, {-1, &x}}), u2 = combined({{1, &x2}, {-1, &x}});
   const auto& [v, v1] = state_.velocities;
+  const auto& [d, d1, d2] = state_.distant;
   const double h = scene_.step;
+  const Beads u1 = combined({{1, &x1}, {-1, &x}}), u2 = combined({{1, &x2}, {-1, &x}});
   const StepRule rule{.weight = 11.0 / 6, .span = h, .time = time() + h};
-  const ImplicitStepResult result = noted(implicit_step_->solve(
-      rule, x, combined({{-1.5, &u1}, {1.0 / 3, &u2}}), combined({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
-      combined({{3, &d}, {-3, &d1}, {1, &d2}})));
+  ImplicitStepResult result =
+      solved(rule, combined({{-1.5, &u1}, {1.0 / 3, &u2}}),
+             combined({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),  // cubic through x, x_1, v and v_1
+             combined({{3, &d}, {-3, &d1}, {1, &d2}}));
   move(result.displacements);
-  ++state_.steps_done;
-  look_for_faults();
-  std::ranges::rotate(state_.velocities, state_.velocities.end() - 1);
-  std::ranges::rotate(state_.distant, state_.distant.end() - 1);
-  state_.velocities[0] = result.velocities;
-  state_.distant[0] = result.distant;
+  state_.velocities[0] = std::move(result.velocities);
+  state_.distant[0] = std::move(result.distant);
 }
 
+/// A step on; velocities now are those before until they are found.
 void OverdampedSystem::move(const Beads& displacements) {
-  const Beads next = combined({{1, &state_.positions[0]}, {1, &displacements}});
-  std::ranges::rotate(state_.positions, state_.positions.end() - 1);
-  state_.positions[0] = next;
+  const auto keep = [](auto& past, const Beads& now) {
+    std::ranges::rotate(past, past.end() - 1);
+    past[0] = now;
+  };
+  keep(state_.positions, combined({{1, &state_.positions[0]}, {1, &displacements}}));
+  keep(state_.velocities, Beads(state_.velocities[0]));
+  keep(state_.distant, Beads(state_.distant[0]));
+  ++state_.steps_done;
+  look_for_faults();
 }
 
 void OverdampedSystem::step() {

@@ -61,6 +61,7 @@ struct OverdampedState {
 
 class ImplicitStep;
 struct ImplicitStepResult;
+struct StepRule;
 
 class OverdampedSystem {
  public:
@@ -92,8 +93,9 @@ class OverdampedSystem {
  private:
   using Beads = std::vector<Vec3>;
 
-  const ImplicitStepResult& noted(const ImplicitStepResult& result);
-  void note_velocities();
+  ImplicitStepResult solved(const StepRule& rule, const Beads& from, const Beads& guess,
+                            const Beads& distant);
+  void find_velocities();
   Beads euler(int parts);
   void first_steps();
   void multistep();
