@@ -17,4 +17,5 @@ pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # its MPI part has no .p
 find_library(FFTW_MPI fftw3_mpi REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
 find_package(GTest REQUIRED CONFIG)
+find_package(SUNDIALS 6.4 REQUIRED CONFIG COMPONENTS cvode nvecserial)  # the tests' independent integrator
 find_package(benchmark REQUIRED CONFIG)

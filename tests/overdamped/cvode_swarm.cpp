@@ -1,0 +1,243 @@
+#include "cvode_swarm.hpp"
+
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
+
+#include <Eigen/Dense>
+#include <memory>
+#include <string>
+
+#include "beadswim/bodies/rest_positions.hpp"
+#include "beadswim/bodies/swimmer_forces.hpp"
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/rotne_prager_tensor.hpp"
+
+namespace beadswim {
+namespace {
+
+using Beads = std::vector<Vec3>;
+using Matrix9 = Eigen::Matrix<double, 9, 9>;
+using Vector9 = Eigen::Matrix<double, 9, 1>;
+
+Vector9 spring_forces_of(const SwimmerType& type, const Vector9& x) {
+  const BeadVectors beads{x.segment<3>(0), x.segment<3>(3), x.segment<3>(6)};
+  const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  const BeadVectors springs = spring_forces(type.springs, beads, at_rest);
+  const BeadVectors bending = angular_spring_forces(type.angular_stiffness, beads);
+  Vector9 forces;
+  for (int b = 0; b < 3; ++b) forces.segment<3>(3 * b) = springs[b] + bending[b];
+  return forces;
+}
+
+/// -dF/dx by central differences.
+Matrix9 stiffness_of(const SwimmerType& type, const Vector9& x) {
+  const double step = 1e-5 * type.springs[0].rest_length;
+  Matrix9 stiffness;
+  for (int c = 0; c < 9; ++c) {
+    const Vector9 aside = step * Vector9::Unit(c);
+    stiffness.col(c) = (spring_forces_of(type, x - aside) - spring_forces_of(type, x + aside)) / (2 * step);
+  }
+  return stiffness;
+}
+
+/// As if the swimmer were alone in open space, whatever the scene's model: it preconditions.
+Matrix9 mobility_of(const SwimmerType& type, const Vector9& x, double viscosity) {
+  Matrix9 mobility;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 d = x.segment<3>(3 * i) - x.segment<3>(3 * j);
+      const double distance = d.norm();
+      const PairTensor tensor =
+          rotne_prager_tensor(type.beads[i].radius, type.beads[j].radius, distance, viscosity);
+      for (int a = 0; a < 3; ++a)
+        mobility.block<3, 1>(3 * i, 3 * j + a) = tensor.apply(d, distance, Vec3::Unit(a));
+    }
+  }
+  return mobility;
+}
+
+Beads rest_places(const OverdampedScene& scene) {
+  Beads places;
+  for (std::size_t s = 0; s < scene.swimmers.size(); ++s)
+    for (const Vec3& place :
+         rest_positions(scene.type_of(s), scene.swimmers[s].position, scene.swimmers[s].axis))
+      places.push_back(place);
+  return places;
+}
+
+std::vector<double> radii_of(const OverdampedScene& scene) {
+  std::vector<double> radii;
+  for (std::size_t s = 0; s < scene.swimmers.size(); ++s)
+    for (const Bead& bead : scene.type_of(s).beads) radii.push_back(bead.radius);
+  return radii;
+}
+
+/// dy/dt of displacements y since the start, and what CVODE asks of it.
+class Swarm {
+ public:
+  explicit Swarm(const OverdampedScene& scene)
+      : scene_(scene),
+        world_(MPI_COMM_WORLD),
+        start_(rest_places(scene)),
+        product_({scene.model, scene.viscosity, scene.box, radii_of(scene), scene.tolerance}, start_, world_),
+        preconditioner_(scene.swimmers.size()) {}
+
+  std::size_t unknowns() const { return 3 * start_.size(); }
+  long products() const { return products_; }
+
+  Beads positions(const double* y) const {
+    Beads places = start_;
+    for (std::size_t b = 0; b < places.size(); ++b) places[b] += Eigen::Map<const Vec3>(y + 3 * b);
+    return places;
+  }
+
+  void velocities(double time, const double* y, double* result) {
+    const Beads places = positions(y);
+    Beads forces(places.size());
+    for (std::size_t s = 0; s < scene_.swimmers.size(); ++s) {
+      const SwimmerType& type = scene_.type_of(s);
+      const Vector9 springs = spring_forces_of(type, own(places, s));
+      const BeadVectors driving = driving_forces(
+          type.driving, time, {places[3 * s], places[3 * s + 1], places[3 * s + 2]}, scene_.swimmers[s].axis);
+      for (int b = 0; b < 3; ++b) forces[3 * s + b] = springs.segment<3>(3 * b) + driving[b];
+    }
+    multiply(places, forces, result);
+  }
+
+  /// -mu K z.
+  void relax(const double* y, const double* z, double* result) {
+    const Beads places = positions(y);
+    Beads forces(places.size());
+    for (std::size_t s = 0; s < scene_.swimmers.size(); ++s)
+      Eigen::Map<Vector9>(forces[3 * s].data()) =
+          -stiffness_of(scene_.type_of(s), own(places, s)) * Eigen::Map<const Vector9>(z + 9 * s);
+    multiply(places, forces, result);
+  }
+
+  void prepare_preconditioner(const double* y, double gamma) {
+    const Beads places = positions(y);
+    for (std::size_t s = 0; s < scene_.swimmers.size(); ++s) {
+      const SwimmerType& type = scene_.type_of(s);
+      const Vector9 x = own(places, s);
+      preconditioner_[s].compute(Matrix9::Identity() +
+                                 gamma * mobility_of(type, x, scene_.viscosity) * stiffness_of(type, x));
+    }
+  }
+
+  void precondition(const double* r, double* z) const {
+    for (std::size_t s = 0; s < preconditioner_.size(); ++s)
+      Eigen::Map<Vector9>(z + 9 * s) = preconditioner_[s].solve(Eigen::Map<const Vector9>(r + 9 * s));
+  }
+
+ private:
+  static Vector9 own(const Beads& places, std::size_t swimmer) {
+    return Eigen::Map<const Vector9>(places[3 * swimmer].data());
+  }
+
+  void multiply(const Beads& places, const Beads& forces, double* result) {
+    Beads velocities(places.size());
+    product_.apply(places, forces, velocities);
+    ++products_;
+    for (std::size_t b = 0; b < places.size(); ++b) Eigen::Map<Vec3>(result + 3 * b) = velocities[b];
+  }
+
+  const OverdampedScene& scene_;
+  Communicator world_;
+  Beads start_;
+  MobilityProduct product_;
+  std::vector<Eigen::PartialPivLU<Matrix9>> preconditioner_;
+  long products_ = 0;
+};
+
+double* data_of(N_Vector vector) {
+  return N_VGetArrayPointer(vector);
+}
+
+int right_hand_side(realtype time, N_Vector y, N_Vector result, void* swarm) {
+  static_cast<Swarm*>(swarm)->velocities(time, data_of(y), data_of(result));
+  return 0;
+}
+
+int jacobian_times(N_Vector z, N_Vector result, realtype, N_Vector y, N_Vector, void* swarm, N_Vector) {
+  static_cast<Swarm*>(swarm)->relax(data_of(y), data_of(z), data_of(result));
+  return 0;
+}
+
+int set_up_preconditioner(realtype, N_Vector y, N_Vector, booleantype, booleantype* is_new, realtype gamma,
+                          void* swarm) {
+  static_cast<Swarm*>(swarm)->prepare_preconditioner(data_of(y), gamma);
+  *is_new = SUNTRUE;
+  return 0;
+}
+
+int solve_preconditioner(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype, realtype, int,
+                         void* swarm) {
+  static_cast<const Swarm*>(swarm)->precondition(data_of(r), data_of(z));
+  return 0;
+}
+
+void require(int flag, const char* what) {
+  if (flag < 0) throw SolverError(std::string(what) + " returned " + std::to_string(flag));
+}
+
+/// What CVODE holds in memory.
+class Solver {
+ public:
+  Solver(Swarm& swarm, const CvodeSettings& settings) {
+    require(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
+    displacements_ = N_VNew_Serial(static_cast<sunindextype>(swarm.unknowns()), context_);
+    N_VConst(0, displacements_);
+    constexpr int krylov_vectors = 30;
+    linear_ = SUNLinSol_SPGMR(displacements_, SUN_PREC_LEFT, krylov_vectors, context_);
+    memory_ = CVodeCreate(CV_BDF, context_);
+    require(CVodeInit(memory_, right_hand_side, 0, displacements_), "CVodeInit");
+    require(CVodeSetUserData(memory_, &swarm), "CVodeSetUserData");
+    require(CVodeSStolerances(memory_, settings.relative, settings.absolute), "CVodeSStolerances");
+    require(CVodeSetMaxNumSteps(memory_, 1'000'000), "CVodeSetMaxNumSteps");
+    require(CVodeSetLinearSolver(memory_, linear_, nullptr), "CVodeSetLinearSolver");
+    require(CVodeSetPreconditioner(memory_, set_up_preconditioner, solve_preconditioner),
+            "CVodeSetPreconditioner");
+    if (settings.jacobian == CvodeJacobian::springs)
+      require(CVodeSetJacTimes(memory_, nullptr, jacobian_times), "CVodeSetJacTimes");
+  }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  ~Solver() {
+    CVodeFree(&memory_);
+    SUNLinSolFree(linear_);
+    N_VDestroy(displacements_);
+    SUNContext_Free(&context_);
+  }
+
+  /// Displacements at the end of the last step, which is `end`.
+  const double* advance(double end) {
+    require(CVodeSetStopTime(memory_, end), "CVodeSetStopTime");
+    double time = 0;
+    require(CVode(memory_, end, displacements_, &time, CV_NORMAL), "CVode");
+    return data_of(displacements_);
+  }
+
+  long steps() const {
+    long steps = 0;
+    CVodeGetNumSteps(memory_, &steps);
+    return steps;
+  }
+
+ private:
+  SUNContext context_ = nullptr;
+  N_Vector displacements_ = nullptr;
+  SUNLinearSolver linear_ = nullptr;
+  void* memory_ = nullptr;
+};
+
+}  // namespace
+
+CvodeResult by_cvode(const OverdampedScene& scene, double end, const CvodeSettings& settings) {
+  Swarm swarm(scene);
+  Solver solver(swarm, settings);
+  const double* displacements = solver.advance(end);
+  return {.positions = swarm.positions(displacements), .products = swarm.products(), .steps = solver.steps()};
+}
+
+}  // namespace beadswim
