@@ -8,8 +8,8 @@
 namespace beadswim {
 namespace {
 
-/// Of the product's tolerance: what may be left of velocities to be answered by swimmers alone.
-constexpr double solver_share = 0.1;
+/// Of the product's tolerance: up to which swimmers alone answer to what is left.
+constexpr double solver_share = 0.3;
 
 constexpr int most_products = 100;
 
@@ -212,8 +212,7 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& now, c
     Beads own = balance.own_forces(residual);
     const Beads answer = balance.own_velocities(own);
     const double speed = flat(velocities).norm(), missing = flat(answer).norm();
-    const double enough = solver_share * scene_.tolerance * speed;
-    std::array<int, 2> decided{missing > enough, result.products < most_products};
+    std::array<int, 2> decided{missing > solver_share * scene_.tolerance * speed, result.products < most_products};
     MPI_Bcast(decided.data(), 2, MPI_INT, 0, communicator_.get());  // whatever ranks' processors
     const auto [is_missing, may_go_on] = decided;
     if (is_missing && may_go_on) {

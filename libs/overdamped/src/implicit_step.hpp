@@ -21,7 +21,7 @@
 //   rho = drive - D v - F
 //
 // which is small where d is smooth. It is answered by each swimmer alone, F += p and v += mu_own p of
-// (1 + D mu_own) p = rho, where that is under a tenth of the product's tolerance, and otherwise reduced by
+// (1 + D mu_own) p = rho, where that is under 0.3 of the product's tolerance, and otherwise reduced by
 // generalised conjugate residuals, preconditioned by the same, a product each.
 //
 // Reference: Eisenstat, Elman and Schultz, SIAM J. Numer. Anal. 20, 345 (1983).
