@@ -35,12 +35,20 @@ Eigen::MatrixXd exact_map(const std::array<double, n>& radii, const std::array<d
 /// Lagrange's polynomials at t, nodes 0 to n - 1.
 template <int n>
 std::array<double, n> lagrange_weights(double t) {
-  std::array<double, n> weights;
-  for (int k = 0; k < n; ++k) {
-    weights[k] = 1;
+  constexpr auto scales = [] {
+    std::array<double, n> result;
+    for (int k = 0; k < n; ++k) {
+      double product = 1;
+      for (int m = 0; m < n; ++m)
+        if (m != k) product *= k - m;
+      result[k] = 1 / product;
+    }
+    return result;
+  }();
+  std::array<double, n> weights = scales;
+  for (int k = 0; k < n; ++k)
     for (int m = 0; m < n; ++m)
-      if (m != k) weights[k] *= (t - m) / (k - m);
-  }
+      if (m != k) weights[k] *= t - m;
   return weights;
 }
 

@@ -12,32 +12,48 @@
 namespace beadswim {
 namespace {
 
-/// A separation's shortest image in the periodic box, and by how many edges it is another one.
-struct Nearest {
-  Vec3 separation, edges = Vec3::Zero();
-
-  Nearest(const Vec3& direct, const std::array<double, 3>& lengths) : separation(direct) {
-    for (int a = 0; a < 3; ++a) {
-      if (lengths[a] == 0) continue;
-      edges[a] = -std::nearbyint(direct[a] / lengths[a]);
-      separation[a] += edges[a] * lengths[a];
+/// Places in the periodic box, in order of their cells: for a first look at distances.
+class Folded {
+ public:
+  Folded(std::span<const Vec3> places, std::span<const int> order, const std::array<double, 3>& lengths) {
+    places_.reserve(order.size());
+    for (int a = 0; a < 3; ++a) lengths_[a] = lengths[a] > 0 ? lengths[a] : INFINITY;
+    for (const int p : order) {
+      places_.push_back(places[p]);
+      for (int a = 0; a < 3; ++a)
+        if (lengths[a] > 0) places_.back()[a] -= lengths[a] * std::floor(places[p][a] / lengths[a]);
     }
   }
+
+  /// Whether the nearest images are, roundoff in their favour.
+  bool are_within(double most, int s, int t) const {
+    const Vec3 direct = (places_[s] - places_[t]).cwiseAbs();
+    return direct.cwiseMin(lengths_ - direct).squaredNorm() < (1 + 1e-9) * most * most;
+  }
+
+ private:
+  Vec3 lengths_;
+  std::vector<Vec3> places_;
 };
 
-/// Calls visit(separation, is_direct) for all images that are shorter than `most`.
+/// Calls visit(separation, is_direct) for all images of a separation in the periodic box shorter than `most`.
 template <class Visitor>
-void for_each_image(const Nearest& nearest, const std::array<double, 3>& lengths, double most,
+void for_each_image(const Vec3& direct, const std::array<double, 3>& lengths, double most,
                     const Visitor& visit) {
+  Vec3 nearest = direct, edges = Vec3::Zero();
   std::array<double, 3> around{};  // images that are this many edges farther may be near too
-  for (int a = 0; a < 3; ++a)
-    if (lengths[a] > 0) around[a] = std::floor(most / lengths[a] + 0.5);
+  for (int a = 0; a < 3; ++a) {
+    if (lengths[a] == 0) continue;
+    edges[a] = -std::nearbyint(direct[a] / lengths[a]);
+    nearest[a] += edges[a] * lengths[a];
+    around[a] = std::floor(most / lengths[a] + 0.5);
+  }
   for (double x = -around[0]; x <= around[0]; ++x)
     for (double y = -around[1]; y <= around[1]; ++y)
       for (double z = -around[2]; z <= around[2]; ++z) {
         const Vec3 farther(x, y, z);
-        const Vec3 separation = nearest.separation + farther.cwiseProduct(Vec3(lengths.data()));
-        if (separation.squaredNorm() < most * most) visit(separation, (nearest.edges + farther).isZero(0));
+        const Vec3 separation = nearest + farther.cwiseProduct(Vec3(lengths.data()));
+        if (separation.squaredNorm() < most * most) visit(separation, (edges + farther).isZero(0));
       }
 }
 
@@ -103,44 +119,41 @@ NearField::Images NearField::images_of(std::span<const Vec3> positions) const {
 
 std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) const {
   std::vector<PairLink> links;
+  links.reserve(positions.size());
   const Images images = images_of(positions);
   const double most = reach * *std::ranges::max_element(radii_);
   const NeighbourCells cells(images.places, most, lengths_);
   const std::vector<int>& order = cells.order();
+  const Folded folded(images.places, order, lengths_);
   const int beads = static_cast<int>(radii_.size());
-  for (int s = 0; s < std::ssize(order); ++s) {
-    const int one = order[s];
-    const Vec3 place = images.places[one];
+  for (int s = 0; s < std::ssize(order); ++s)
     cells.for_each_stretch_after(s, [&](int begin, int end) {
       for (int t = begin; t < end; ++t) {
-        const int other = order[t];
+        if (!folded.are_within(most, s, t)) continue;
+        const int one = order[s], other = order[t];
         if (one >= beads && other >= beads) continue;
-        const Nearest nearest(place - images.places[other], lengths_);
-        if (nearest.separation.squaredNorm() < most * most)
-          for_each_image(nearest, lengths_, most, [&](const Vec3& separation, bool is_direct) {
-            if (!is_direct || one >= beads || other >= beads || one / 3 != other / 3)
-              add_pair(images, one, other, separation, links);
-          });
+        for_each_image(images.places[one] - images.places[other], lengths_, most,
+                       [&](const Vec3& separation, bool is_direct) {
+                         if (!is_direct || one >= beads || other >= beads || one / 3 != other / 3)
+                           add_pair(images, one, other, separation, links);
+                       });
       }
     });
-  }
   return links;
 }
 
-/// `one` and `other`: places of beads or images, of which beads alone are told. Of log S_p of both,
-/// (own, other; -own, -other), the second's row from its own sight is (-other, -own).
+/// `one` and `other`: places of beads or images, one bead at least.
 void NearField::add_pair(const Images& images, int one, int other, const Vec3& separation,
                          std::vector<PairLink>& links) const {
   const int beads = static_cast<int>(radii_.size());
-  const int first = one % beads, second = other % beads;
-  const double sum = radii_[first] + radii_[second], distance = separation.norm();
+  if (one >= beads) return add_pair(images, other, one, -separation, links);
+  const int partner = other % beads;
+  const double sum = radii_[one] + radii_[partner], distance = separation.norm();
   const double weight = pair_weight(2 * distance / sum);
   if (weight == 0) return;
-  const Eigen::RowVector2d row = weight * pair_table(first, second).log_map(distance - sum);
-  const Vec3 mirror = images.mirrors[one / beads].cwiseProduct(images.mirrors[other / beads]);
-  const Vec3 axis = direction(separation);
-  if (one < beads) links.push_back({first, second, mirror, axis, row[0], row[1]});
-  if (other < beads) links.push_back({second, first, mirror, axis, -row[1], -row[0]});
+  const Eigen::RowVector2d row = weight * pair_table(one, partner).log_map(distance - sum);
+  links.push_back(
+      {one, partner, other >= beads, images.mirrors[other / beads], direction(separation), row[0], row[1]});
 }
 
 const PairMapTable& NearField::pair_table(int bead, int partner) const {

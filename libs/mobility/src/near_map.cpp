@@ -7,11 +7,14 @@
 namespace beadswim {
 namespace {
 
-/// Largest sum of a row's absolute values.
+/// No sum of a row's absolute values, of the exponent or its transpose, is larger.
 double norm_bound(std::span<const PairLink> pairs, std::size_t beads) {
   std::vector<double> rows(beads, 0.0);
-  for (const PairLink& pair : pairs)
-    rows[pair.bead] += std::abs(pair.own) + std::max(std::abs(pair.own), std::abs(pair.other));
+  for (const PairLink& pair : pairs) {
+    const double most = 2 * std::max(std::abs(pair.own), std::abs(pair.other));
+    rows[pair.bead] += most;
+    if (!pair.is_image) rows[pair.partner] += most;
+  }
   return beads == 0 ? 0 : *std::ranges::max_element(rows);
 }
 
@@ -47,9 +50,9 @@ NearMap::NearMap(std::vector<SwimmerLink> swimmers, std::vector<PairLink> pairs)
   parts_ = std::max(1, static_cast<int>(std::ceil(norm_bound(pairs_, place.size()))));
 }
 
-/// Taylor's series of exp(L/parts), `parts` times.
-template <class Coefficient>
-void NearMap::exponentiate(std::span<Vec3> vectors, const Coefficient& other) const {
+/// Taylor's series of exp(L/parts), `parts` times. gains(pair, a, b): of the bead and of its partner.
+template <class Gains>
+void NearMap::exponentiate(std::span<Vec3> vectors, const Gains& gains) const {
   if (pairs_.empty()) return;
   constexpr int most_terms = 24;  // 1/24! is below roundoff
   constexpr double enough = 1e-17;
@@ -62,9 +65,11 @@ void NearMap::exponentiate(std::span<Vec3> vectors, const Coefficient& other) co
       for (std::size_t p = 0; p < pairs_.size(); ++p) {
         const PairLink& pair = pairs_[p];
         const auto [bead, partner] = ends_[p];
-        const Vec3 mirrored = pair.mirror.cwiseProduct(term[partner]);
-        next[bead] +=
-            (pair.own * pair.axis.dot(term[bead]) + other(pair) * pair.axis.dot(mirrored)) * pair.axis;
+        const double a = pair.axis.dot(term[bead]);
+        const double b = pair.axis.dot(pair.mirror.cwiseProduct(term[partner]));
+        const auto [gained, partner_gained] = gains(pair, a, b);
+        next[bead] += gained * pair.axis;
+        if (!pair.is_image) next[partner] += partner_gained * pair.axis;
       }
       for (std::size_t b = 0; b < sum.size(); ++b) {
         term[b] = next[b] / (n * parts_);
@@ -78,11 +83,16 @@ void NearMap::exponentiate(std::span<Vec3> vectors, const Coefficient& other) co
 void NearMap::map_forces(std::span<Vec3> forces) const {
   for (std::size_t s = 0; s < swimmers_.size(); ++s)
     add_swimmers_change(swimmers_[s], swimmers_[s].change, &forces[3 * s]);
-  exponentiate(forces, [](const PairLink& pair) { return pair.other; });
+  exponentiate(forces, [](const PairLink& pair, double a, double b) {
+    const double gained = pair.own * a + pair.other * b;
+    return std::pair(gained, -gained);
+  });
 }
 
 void NearMap::map_velocities(std::span<Vec3> velocities) const {
-  exponentiate(velocities, [](const PairLink& pair) { return -pair.own; });
+  exponentiate(velocities, [](const PairLink& pair, double a, double b) {
+    return std::pair(pair.own * (a - b), pair.other * (a - b));
+  });
   for (std::size_t s = 0; s < swimmers_.size(); ++s)
     add_swimmers_change(swimmers_[s], swimmers_[s].change.transpose(), &velocities[3 * s]);
 }

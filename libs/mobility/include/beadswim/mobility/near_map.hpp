@@ -24,11 +24,14 @@ struct SwimmerLink {
   Eigen::Matrix3d change;
 };
 
-/// A bead's row of log S_p of a pair: it gains axis (own axis.f + other axis.f'), f' the force on the other
-/// one, and by the transpose axis (own axis.v - own axis.v').
+/// log S_p of two beads, or of a bead and an image. With a = axis.f of the bead and b = axis.(mirror * f) of
+/// its partner the bead gains own a + other b along the axis, its partner the opposite; by the transpose own
+/// (a - b) and other (a - b).
 struct PairLink {
   int bead = 0, partner = 0;
-  Vec3 mirror = Vec3::Ones();  ///< f' = mirror * f of the partner, by components: -1 across a wall
+  bool is_image =
+      false;  ///< of the partner, behind a wall: the bead's row alone, the partner has one of its own
+  Vec3 mirror = Vec3::Ones();  ///< by components, -1 across a wall
   Vec3 axis = Vec3::UnitX();   ///< unit vector
   double own = 0, other = 0;
 };
@@ -47,8 +50,8 @@ class NearMap {
   std::span<const PairLink> pairs() const { return pairs_; }
 
  private:
-  template <class Coefficient>
-  void exponentiate(std::span<Vec3> vectors, const Coefficient& other) const;
+  template <class Gains>
+  void exponentiate(std::span<Vec3> vectors, const Gains& gains) const;
 
   std::vector<SwimmerLink> swimmers_;
   std::vector<PairLink> pairs_;
