@@ -49,7 +49,7 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const st
                          const Communicator& ranks)
     : communicator(ranks), on_lattice(put_on_lattice(layout, asked, source)) {
   refuse_flags(asked, {"--tolerance", "--steps-per-cycle"},
-               "is of the mobility models; leave it out, or add --model rpy or oseen");
+               "is of the mobility models; leave it out, or add --model rpy, rpy+near or oseen");
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
   options = asked;

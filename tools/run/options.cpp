@@ -55,11 +55,12 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->type_name("FILE.h5md")
       ->default_str("");
   add_word(
-      program, "--model", words.model, CLI::IsMember({"lbm", "rpy", "oseen", "auto"}), "lbm|rpy|oseen|auto",
-      "auto",
+      program, "--model", words.model, CLI::IsMember({"lbm", "rpy", "rpy+near", "oseen", "auto"}),
+      "lbm|rpy|rpy+near|oseen|auto", "auto",
       "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
-      "Prager's "
-      "mobility of all pairs and images; oseen: likewise, by Oseen's. auto: the best model there is, lbm.");
+      "Prager's mobility of all pairs and images; rpy+near: likewise, and exact along the line of a "
+      "swimmer's "
+      "beads and of two that are near each other; oseen: by Oseen's. auto: the best model there is, lbm.");
   program
       .add_option("--cycles", options.cycles,
                   "Length of the run, in periods of the first type's driving; fractions allowed.")

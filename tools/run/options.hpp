@@ -18,7 +18,7 @@ enum class ProgressStyle { automatic, bar, lines, json, none };
 struct RunOptions {
   std::string layout = "-";
   std::string output;
-  std::string model = "lbm";  ///< lbm, rpy or oseen
+  std::string model = "lbm";  ///< lbm, rpy, rpy+near or oseen
   double tolerance = 1e-4;    ///< of mobility sums
   int steps_per_cycle = 100;  ///< of the mobility models, for the shortest period
   double cycles = 6;

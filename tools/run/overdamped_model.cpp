@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
@@ -14,8 +15,13 @@ namespace {
 
 constexpr const char* beads_section = "beads";
 
+const std::map<std::string, PointModel> point_models{{"oseen", PointModel::oseen},
+                                                     {"rpy", PointModel::rotne_prager},
+                                                     {"rpy+near", PointModel::rotne_prager_near}};
+
 std::string name_of(PointModel model) {
-  return model == PointModel::oseen ? "oseen" : "rpy";
+  const auto is_it = [&](const auto& named) { return named.second == model; };
+  return std::ranges::find_if(point_models, is_it)->first;
 }
 
 std::optional<Box> mobility_box(const Layout& layout, const std::string& source) {
@@ -59,7 +65,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
                 "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
                "is of the lattice; leave it out, or run with --model lbm instead of " + asked.model);
   options = asked;
-  scene.model = asked.model == "oseen" ? PointModel::oseen : PointModel::rotne_prager;
+  scene.model = point_models.at(asked.model);
   scene.viscosity = layout.fluid.dynamic_viscosity();
   scene.box = mobility_box(layout, source);
   scene.tolerance = asked.tolerance;
@@ -193,11 +199,12 @@ void OverdampedModel::describe(RunRecord& record) const {
 std::vector<std::string> OverdampedModel::warnings() const {
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return {};
-  return {
-      fmt::format("beads came as near as {:.3g} to each other or a wall and were repelled; point models know "
-                  "nothing of the film "
-                  "between them: check the run against --model lbm",
-                  gap)};
+  const bool knows_films = plan_.scene.model == PointModel::rotne_prager_near;
+  return {fmt::format(
+      "beads came as near as {:.3g} to each other or a wall and were repelled; {}: check the run "
+      "against --model lbm",
+      gap,
+      knows_films ? "the repulsion is no physics" : "point models know nothing of the film between them")};
 }
 
 void OverdampedModel::write_past(OutgoingMessage& past) const {

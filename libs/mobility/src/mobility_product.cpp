@@ -7,6 +7,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/bounds.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
+#include "beadswim/mobility/near_field.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"
 #include "near_pairs.hpp"
 
@@ -88,6 +89,10 @@ struct MobilityProduct::Parts {
   std::unique_ptr<NearPairs> near;  ///< none: pairs are summed whole
   std::unique_ptr<ParticleMesh> mesh;
   std::vector<double> self;  ///< of each sphere, less what the mesh does to itself
+  std::optional<NearField> near_field;
+
+  void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                      std::span<Vec3> velocities) const;
 };
 
 MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> positions,
@@ -96,7 +101,8 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   const std::array<double, 3> lengths = mirrored_lengths(scene.box);
   std::vector<double> radii = scene.radii;
   for (int m = 0; m < mirrors(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
-  parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}});
+  parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}, {}});
+  if (scene.model == PointModel::rotne_prager_near) parts_->near_field.emplace(scene.radii, scene.box);
   if (scene.box || scene.radii.size() >= fewest_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));
@@ -107,7 +113,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   parts_->near = std::make_unique<NearPairs>(
       NearPairs::Law{scene.model, scene.viscosity, radii, lengths, plan.xi, plan.cut_off});
   ParticleMesh::Beads beads{{}, scene.viscosity};
-  const bool is_sphere = scene.model == PointModel::rotne_prager;
+  const bool is_sphere = are_spheres(scene.model);
   if (is_sphere)
     for (const double radius : radii) beads.squared_radii.push_back(radius * radius);
   parts_->mesh = std::make_unique<ParticleMesh>(plan, lengths, beads, communicator);
@@ -121,21 +127,33 @@ const std::optional<EwaldPlan>& MobilityProduct::plan() const {
   return parts_->plan;
 }
 
+/// What pairs and the mesh have: velocities are filled with zeros.
+void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                            std::span<Vec3> velocities) const {
+  std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
+  if (scene.box) add_mirror_images(*scene.box, places, sources);
+  if (mesh) {
+    near->add_velocities(places, sources, velocities, communicator);
+    mesh->add_velocities(places, sources, velocities);
+  } else {
+    add_all_pairs(scene.model, scene.viscosity, scene.radii, places, sources, velocities, communicator);
+  }
+  sum_over_ranks(velocities, communicator);
+  for (std::size_t b = 0; b < velocities.size(); ++b) velocities[b] += self[b] * forces[b];
+}
+
 void MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
                             std::span<Vec3> velocities) const {
-  const Parts& parts = *parts_;
-  std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
-  if (parts.scene.box) add_mirror_images(*parts.scene.box, places, sources);
   std::ranges::fill(velocities, Vec3::Zero());
-  if (parts.mesh) {
-    parts.near->add_velocities(places, sources, velocities, parts.communicator);
-    parts.mesh->add_velocities(places, sources, velocities);
-  } else {
-    add_all_pairs(parts.scene.model, parts.scene.viscosity, parts.scene.radii, places, sources, velocities,
-                  parts.communicator);
-  }
-  sum_over_ranks(velocities, parts.communicator);
-  for (std::size_t b = 0; b < velocities.size(); ++b) velocities[b] += parts.self[b] * forces[b];
+  if (!parts_->near_field) return parts_->add_velocities(positions, forces, velocities);
+  const NearMap map = parts_->near_field->at(positions);
+  std::vector<Vec3> mapped(forces.begin(), forces.end());
+  map.map_forces(mapped);
+  parts_->add_velocities(positions, mapped, velocities);
+  map.map_velocities(velocities);
+  // Of rank 0, should ranks' processors differ in a last digit.
+  MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0,
+            parts_->communicator.get());
 }
 
 }  // namespace beadswim

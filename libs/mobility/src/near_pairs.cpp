@@ -40,7 +40,7 @@ NearPairs::NearPairs(Law law) : law_(std::move(law)) {
 }
 
 PairTensor NearPairs::tensor(double radius_i, double radius_j, double r) const {
-  const bool is_sphere = law_.model == PointModel::rotne_prager;
+  const bool is_sphere = are_spheres(law_.model);
   const double squares = is_sphere ? radius_i * radius_i + radius_j * radius_j : 0;
   if (is_sphere && r < 1e-3 * std::min(radius_i, radius_j)) {  // what follows would cancel
     return rotne_prager_tensor(radius_i, radius_j, r, law_.viscosity) -
@@ -60,7 +60,7 @@ void NearPairs::tabulate() {
   const auto stretch_of = [](double r) { return std::bit_cast<std::int64_t>(r * r) >> PairTable::shift; };
   table_ = {.first = stretch_of(touching_), .functions = is_alike_ ? 2 : 4, .coefficients = nullptr};
   const auto stretches = static_cast<int>(stretch_of(law_.cut_off) - table_.first);
-  const double squares = law_.model == PointModel::oseen ? 0 : 2 * law_.radii.front() * law_.radii.front();
+  const double squares = !are_spheres(law_.model) ? 0 : 2 * law_.radii.front() * law_.radii.front();
   const int functions = table_.functions;
   coefficients_.resize(static_cast<std::size_t>(stretches + 1) * powers * functions);
   for (int s = 0; s <= stretches; ++s) {

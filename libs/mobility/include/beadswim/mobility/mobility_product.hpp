@@ -16,6 +16,9 @@
 //
 //   Oseen         mu_ij of point forces (rotne_prager_tensor.hpp: oseen_tensor)
 //   Rotne-Prager  mu_ij of spheres apart or overlapping, positive definite for any places
+//   near          S^T mu S, mu Rotne and Prager's, S a local map of forces by which spheres that are near
+//   each
+//                 other answer exactly along their lines (near_field.hpp); as definite, at the same cost
 //
 // in open space, or in a box with all images of all spheres: of periodic axes, and of axes with free-slip
 // walls, which are mirrors. The images' sum leaves out k = 0: volume flux is zero. It is meant for forces
@@ -27,7 +30,16 @@
 
 namespace beadswim {
 
-enum class PointModel { oseen, rotne_prager };
+enum class PointModel {
+  oseen,
+  rotne_prager,
+  rotne_prager_near,  ///< spheres 3k, 3k + 1, 3k + 2 are one swimmer
+};
+
+/// Whether points have a size to others.
+inline bool are_spheres(PointModel model) {
+  return model != PointModel::oseen;
+}
 
 struct MobilityScene {
   PointModel model = PointModel::rotne_prager;
@@ -41,7 +53,7 @@ class MobilityProduct {
  public:
   /// `positions`: where spheres are about, by which work is shared between pairs and mesh; the same product
   /// follows from any. Throws InputError if there is no sphere, or a radius, the viscosity, a length or the
-  /// tolerance is not what it should be. Collective.
+  /// tolerance is not what it should be, or spheres are left over from swimmers of three. Collective.
   MobilityProduct(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
   ~MobilityProduct();
   MobilityProduct(const MobilityProduct&) = delete;

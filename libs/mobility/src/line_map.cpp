@@ -1,0 +1,71 @@
+#include "beadswim/mobility/line_map.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+
+#include "beadswim/mobility/rotne_prager.hpp"
+
+namespace beadswim {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Orthonormal columns that sum to zero: column k weighs the first k + 1 against the next one (Helmert).
+MatrixXd zero_sum_basis(Eigen::Index n) {
+  MatrixXd basis = MatrixXd::Zero(n, n - 1);
+  for (Eigen::Index k = 0; k < n - 1; ++k) {
+    basis.col(k).head(k + 1).setOnes();
+    basis(k + 1, k) = -static_cast<double>(k + 1);
+    basis.col(k).normalize();
+  }
+  return basis;
+}
+
+/// Forces, of sum 1, under which all move alike.
+VectorXd towing_forces(const MatrixXd& mobility) {
+  const VectorXd forces = mobility.inverse() * VectorXd::Ones(mobility.rows());
+  return forces / forces.sum();
+}
+
+/// G = A^-1 # X: G A G = X.
+MatrixXd riccati_root(const MatrixXd& a, const MatrixXd& x) {
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_a(a);
+  const MatrixXd root = of_a.operatorSqrt(), inverse_root = of_a.operatorInverseSqrt();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> of_product(root * x * root);
+  return inverse_root * of_product.operatorSqrt() * inverse_root;
+}
+
+}  // namespace
+
+MatrixXd line_map(const MatrixXd& exact, const MatrixXd& approximate) {
+  const Eigen::Index n = exact.rows();
+  const MatrixXd basis = zero_sum_basis(n);
+  const MatrixXd relative =
+      riccati_root(basis.transpose() * approximate * basis, basis.transpose() * exact * basis);
+  const Eigen::RowVectorXd ones = Eigen::RowVectorXd::Ones(n);
+  return basis * relative * basis.transpose() * (MatrixXd::Identity(n, n) - towing_forces(exact) * ones) +
+         towing_forces(approximate) * ones;
+}
+
+Eigen::Matrix2d log_of_pair_map(const Eigen::Matrix2d& map) {
+  const Eigen::Matrix2d change = map - Eigen::Matrix2d::Identity();
+  const double excess = change.trace();  // s - 1
+  return (excess == 0 ? 1 : std::log1p(excess) / excess) * change;
+}
+
+MatrixXd rotne_prager_line(std::span<const double> radii, std::span<const double> positions,
+                           double viscosity) {
+  const auto n = std::ssize(radii);
+  MatrixXd mobility(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    mobility(i, i) = self_mobility(radii[i], viscosity);
+    for (Eigen::Index j = 0; j < i; ++j)
+      mobility(i, j) = mobility(j, i) =
+          rotne_prager(radii[i], radii[j], positions[i] - positions[j], viscosity).value;
+  }
+  return mobility;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,166 @@
+#include "beadswim/mobility/near_field.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/neighbour_cells.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Places in the periodic box, in order of their cells: for a first look at distances.
+class Folded {
+ public:
+  Folded(std::span<const Vec3> places, std::span<const int> order, const std::array<double, 3>& lengths) {
+    places_.reserve(order.size());
+    for (int a = 0; a < 3; ++a) lengths_[a] = lengths[a] > 0 ? lengths[a] : INFINITY;
+    for (const int p : order) {
+      places_.push_back(places[p]);
+      for (int a = 0; a < 3; ++a)
+        if (lengths[a] > 0) places_.back()[a] -= lengths[a] * std::floor(places[p][a] / lengths[a]);
+    }
+  }
+
+  /// Whether the nearest images are, roundoff in their favour.
+  bool are_within(double most, int s, int t) const {
+    const Vec3 direct = (places_[s] - places_[t]).cwiseAbs();
+    return direct.cwiseMin(lengths_ - direct).squaredNorm() < (1 + 1e-9) * most * most;
+  }
+
+ private:
+  Vec3 lengths_;
+  std::vector<Vec3> places_;
+};
+
+/// Calls visit(separation, is_direct) for all images of a separation in the periodic box shorter than `most`.
+template <class Visitor>
+void for_each_image(const Vec3& direct, const std::array<double, 3>& lengths, double most,
+                    const Visitor& visit) {
+  Vec3 nearest = direct, edges = Vec3::Zero();
+  std::array<double, 3> around{};  // images that are this many edges farther may be near too
+  for (int a = 0; a < 3; ++a) {
+    if (lengths[a] == 0) continue;
+    edges[a] = -std::nearbyint(direct[a] / lengths[a]);
+    nearest[a] += edges[a] * lengths[a];
+    around[a] = std::floor(most / lengths[a] + 0.5);
+  }
+  for (double x = -around[0]; x <= around[0]; ++x)
+    for (double y = -around[1]; y <= around[1]; ++y)
+      for (double z = -around[2]; z <= around[2]; ++z) {
+        const Vec3 farther(x, y, z);
+        const Vec3 separation = nearest + farther.cwiseProduct(Vec3(lengths.data()));
+        if (separation.squaredNorm() < most * most) visit(separation, (edges + farther).isZero(0));
+      }
+}
+
+Vec3 direction(const Vec3& separation) {
+  const double length = separation.norm();
+  return length > 0 ? Vec3(separation / length) : Vec3::UnitX();
+}
+
+}  // namespace
+
+double pair_weight(double distance) {
+  if (distance <= full_reach) return 1;
+  if (distance >= reach) return 0;
+  const double t = (distance - full_reach) / (reach - full_reach);
+  return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
+}
+
+NearField::NearField(std::vector<double> radii, std::optional<Box> box)
+    : radii_(std::move(radii)), box_(box), lengths_(mirrored_lengths(box)) {
+  if (radii_.size() % 3 != 0)
+    throw InputError("mobility of near beads",
+                     fmt::format("{} spheres are no swimmers of three", radii_.size()));
+  std::map<std::array<double, 3>, int> tables;
+  for (std::size_t b = 0; b < radii_.size(); b += 3) {
+    const std::array<double, 3> own{radii_[b], radii_[b + 1], radii_[b + 2]};
+    const auto [table, is_new] = tables.try_emplace(own, static_cast<int>(triplet_tables_.size()));
+    if (is_new) triplet_tables_.emplace_back(own);
+    triplet_table_of_.push_back(table->second);
+  }
+}
+
+NearMap NearField::at(std::span<const Vec3> positions) const {
+  std::vector<SwimmerLink> swimmers;
+  swimmers.reserve(triplet_table_of_.size());
+  for (std::size_t s = 0; s < triplet_table_of_.size(); ++s) swimmers.push_back(swimmer_link(s, positions));
+  return {std::move(swimmers), pair_links(positions)};
+}
+
+SwimmerLink NearField::swimmer_link(std::size_t swimmer, std::span<const Vec3> positions) const {
+  const Vec3* x = &positions[3 * swimmer];
+  const double* radius = &radii_[3 * swimmer];
+  const std::array<double, 2> gaps{(x[1] - x[0]).norm() - radius[0] - radius[1],
+                                   (x[2] - x[1]).norm() - radius[1] - radius[2]};
+  return {direction(x[2] - x[0]), triplet_tables_[triplet_table_of_[swimmer]].change(gaps)};
+}
+
+NearField::Images NearField::images_of(std::span<const Vec3> positions) const {
+  Images images{{positions.begin(), positions.end()}, {Vec3::Ones()}};
+  for (int a = 0; a < 3 && box_; ++a) {
+    if (!box_->free_slip[a]) continue;
+    const std::size_t places = images.places.size(), mirrors = images.mirrors.size();
+    for (std::size_t p = 0; p < places; ++p) {
+      images.places.push_back(images.places[p]);
+      images.places.back()[a] *= -1;
+    }
+    for (std::size_t m = 0; m < mirrors; ++m) {
+      images.mirrors.push_back(images.mirrors[m]);
+      images.mirrors.back()[a] *= -1;
+    }
+  }
+  return images;
+}
+
+std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) const {
+  std::vector<PairLink> links;
+  links.reserve(positions.size());
+  const Images images = images_of(positions);
+  const double most = reach * *std::ranges::max_element(radii_);
+  const NeighbourCells cells(images.places, most, lengths_);
+  const std::vector<int>& order = cells.order();
+  const Folded folded(images.places, order, lengths_);
+  const int beads = static_cast<int>(radii_.size());
+  for (int s = 0; s < std::ssize(order); ++s)
+    cells.for_each_stretch_after(s, [&](int begin, int end) {
+      for (int t = begin; t < end; ++t) {
+        if (!folded.are_within(most, s, t)) continue;
+        const int one = order[s], other = order[t];
+        if (one >= beads && other >= beads) continue;
+        for_each_image(images.places[one] - images.places[other], lengths_, most,
+                       [&](const Vec3& separation, bool is_direct) {
+                         if (!is_direct || one >= beads || other >= beads || one / 3 != other / 3)
+                           add_pair(images, one, other, separation, links);
+                       });
+      }
+    });
+  return links;
+}
+
+/// `one` and `other`: places of beads or images, one bead at least.
+void NearField::add_pair(const Images& images, int one, int other, const Vec3& separation,
+                         std::vector<PairLink>& links) const {
+  const int beads = static_cast<int>(radii_.size());
+  if (one >= beads) return add_pair(images, other, one, -separation, links);
+  const int partner = other % beads;
+  const double sum = radii_[one] + radii_[partner], distance = separation.norm();
+  const double weight = pair_weight(2 * distance / sum);
+  if (weight == 0) return;
+  const Eigen::RowVector2d row = weight * pair_table(one, partner).log_map(distance - sum);
+  links.push_back(
+      {one, partner, other >= beads, images.mirrors[other / beads], direction(separation), row[0], row[1]});
+}
+
+const PairMapTable& NearField::pair_table(int bead, int partner) const {
+  const std::array<double, 2> radii{radii_[bead], radii_[partner]};
+  const auto found = pair_tables_.find(radii);
+  return found != pair_tables_.end() ? found->second
+                                     : pair_tables_.try_emplace(radii, PairMapTable(radii)).first->second;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,345 @@
+#include "beadswim/mobility/near_field.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <random>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/line_map.hpp"
+#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/multipole_mobility.hpp"
+
+namespace beadswim {
+namespace {
+
+using Vectors = std::vector<Vec3>;
+using Numbers = std::vector<double>;
+
+constexpr double eta = 1.0 / 3;  // [mass/(length time)]
+
+Vectors velocities(const MobilityScene& scene, const Vectors& places, const Vectors& forces) {
+  const Communicator world(MPI_COMM_WORLD);
+  const MobilityProduct mobility(scene, places, world);
+  Vectors result(places.size());
+  mobility.apply(places, forces, result);
+  return result;
+}
+
+MobilityScene near_scene(const Numbers& radii, const std::optional<Box>& box = {}) {
+  return {PointModel::rotne_prager_near, eta, box, radii, 1e-8};
+}
+
+double largest_difference(const Vectors& a, const Vectors& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, (a[k] - b[k]).norm());
+  return largest;
+}
+
+/// A crowd of straight and bent swimmers, radii from 1 to 1.5, many beads of which overlap.
+struct Crowd {
+  Vectors places, forces;
+  Numbers radii;
+
+  Crowd(unsigned seed, int swimmers, const Vec3& lengths) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto vector = [&] {
+      return Vec3(uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5);
+    };
+    for (int s = 0; s < swimmers; ++s) {
+      const Vec3 middle = lengths.cwiseProduct(vector() + Vec3::Constant(0.5)), axis = vector().normalized();
+      for (int b = -1; b <= 1; ++b) {
+        const Vec3 place = middle + b * (2.8 + uniform(random)) * axis + 0.5 * vector();
+        places.push_back(place.cwiseMax(0.2).cwiseMin(lengths.array().matrix() - Vec3::Constant(0.2)));
+        radii.push_back(1 + 0.5 * static_cast<double>((s + b + 1) % 2));
+        forces.push_back(vector());
+      }
+    }
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& force : forces) sum += force;
+    for (Vec3& force : forces) force -= sum / static_cast<double>(forces.size());
+  }
+};
+
+// Three on a line anywhere: where forces along it sum to zero velocities are the exact ones, those that all
+// share too. Catches a wrong axis, order of the beads, or transposed map.
+TEST(NearField, MovesALoneStraightSwimmerExactly) {
+  constexpr unsigned seed = 11;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal;
+  constexpr double truncation = 1e-7;
+  for (const Numbers& radii : {Numbers{4, 4, 4}, Numbers{3, 4, 5}, Numbers{6, 2, 3}}) {
+    const double film = thinnest_film(radii[0], radii[1], 0.02),
+                 next = thinnest_film(radii[1], radii[2], 0.02);
+    for (const auto& [first, second] :
+         {std::pair{1.01, 3.0}, {2.0, 20.0}, {20.0, 25.0}, {40.0, 60.0}, {90.0, 900.0}}) {
+      const double one = radii[0] + radii[1] + first * film, two = one + radii[1] + radii[2] + second * next;
+      const Numbers line{0, one, two};
+      const Vec3 axis = Vec3(normal(random), normal(random), normal(random)).normalized();
+      const Vec3 strength(normal(random), normal(random), normal(random));
+      const Eigen::Vector3d force = strength.array() - strength.mean();
+      Vectors places, forces;
+      for (int b = 0; b < 3; ++b) {
+        places.push_back(Vec3(7, -3, 2) + line[b] * axis);
+        forces.push_back(force[b] * axis);
+      }
+      const Vectors found = velocities(near_scene(radii), places, forces);
+      const Eigen::Vector3d exact = multipole_mobility(radii, line, eta).value * force;
+      for (int b = 0; b < 3; ++b)
+        EXPECT_LT((found[b] - exact[b] * axis).norm(), truncation * exact.norm())
+            << "bead " << b + 1 << ", radius " << radii[0] << ", gaps " << first << ", " << second;
+    }
+  }
+}
+
+/// Two swimmers far longer than wide; the second bead of one and the third of the other are near.
+struct NearPair {
+  Numbers radii{2, 2, 2, 1, 1, 3};
+  Vec3 axis = Vec3(1, -2, 2) / 3;
+  Vectors places;
+
+  explicit NearPair(double distance) {
+    const Vec3 at(5, 6, 7), along(0, 500, 500), across(700, 0, 0);
+    places = {at + along, at, at - along, at + across, at + across - 0.8 * along, at - distance * axis};
+  }
+};
+
+// Beads of different swimmers, unequal ones: along their line by the exact mobility of two spheres, across it
+// by Rotne and Prager's.
+TEST(NearField, MovesTwoBeadsExactlyAlongTheirLine) {
+  constexpr double others = 3e-6;  // of both, by the swimmers' long arms
+  for (const double gap : {0.08, 0.3, 1.0, 4.9}) {
+    const NearPair pair(5 + gap);
+    Vectors forces(6, Vec3::Zero());
+    forces[1] = pair.axis;
+    forces[5] = -pair.axis;
+    const Vectors found = velocities(near_scene(pair.radii), pair.places, forces);
+    const Eigen::Vector2d exact =
+        multipole_mobility(Numbers{2, 3}, Numbers{0, 5 + gap}, eta).value * Eigen::Vector2d(1, -1);
+    EXPECT_LT((found[1] - exact[0] * pair.axis).norm(), others * exact.norm()) << "gap " << gap;
+    EXPECT_LT((found[5] - exact[1] * pair.axis).norm(), others * exact.norm()) << "gap " << gap;
+    const Vec3 across = pair.axis.unitOrthogonal();
+    forces[1] = across;
+    forces[5] = -across;
+    MobilityScene plain = near_scene(pair.radii);
+    plain.model = PointModel::rotne_prager;
+    EXPECT_LT(largest_difference(velocities(near_scene(pair.radii), pair.places, forces),
+                                 velocities(plain, pair.places, forces)),
+              others * exact.norm())
+        << "gap " << gap;
+  }
+}
+
+// Thinner films are held: beads that touch and overlap still yield to each other.
+TEST(NearField, HoldsFilmsAtTheThinnest) {
+  const auto parting = [](double distance) {
+    const NearPair pair(distance);
+    Vectors forces(6, Vec3::Zero());
+    forces[1] = pair.axis;
+    forces[5] = -pair.axis;
+    const Vectors found = velocities(near_scene(pair.radii), pair.places, forces);
+    return (found[1] - found[5]).dot(pair.axis);
+  };
+  EXPECT_GT(parting(5.0), 0.01 * parting(6.0));
+  EXPECT_GT(parting(4.5), 0.01 * parting(6.0));
+  EXPECT_LT(parting(5.0), 0.2 * parting(6.0));
+}
+
+TEST(NearField, IsRotneAndPragersFarApart) {
+  const NearPair pair(15.1);  // over 6 mean radii
+  Vectors forces(6, Vec3::Zero());
+  forces[1] = Vec3(1, 2, 3);
+  forces[5] = Vec3(-2, 1, 0);
+  MobilityScene plain = near_scene(pair.radii);
+  plain.model = PointModel::rotne_prager;
+  const Vectors expected = velocities(plain, pair.places, forces);
+  constexpr double model = 1e-6;  // 15/4 (a/r)^4 at 64 mean radii, where arms are held
+  EXPECT_LT(largest_difference(velocities(near_scene(pair.radii), pair.places, forces), expected),
+            model * expected[1].norm());
+}
+
+TEST(NearField, FadesOutWithoutAStep) {
+  EXPECT_EQ(pair_weight(full_reach), 1);
+  EXPECT_EQ(pair_weight(reach), 0);
+  EXPECT_NEAR(pair_weight(5), 0.5, 1e-15);
+  EXPECT_NEAR(pair_weight(full_reach + 1e-4), 1, 1e-11);  // third power
+  EXPECT_NEAR(pair_weight(reach - 1e-4), 0, 1e-11);
+}
+
+/// All columns.
+Eigen::MatrixXd matrix_of(const MobilityScene& scene, const Vectors& places) {
+  const Communicator world(MPI_COMM_WORLD);
+  const MobilityProduct mobility(scene, places, world);
+  const auto n = static_cast<Eigen::Index>(3 * places.size());
+  Eigen::MatrixXd matrix(n, n);
+  for (Eigen::Index c = 0; c < n; ++c) {
+    Vectors forces(places.size(), Vec3::Zero()), column(places.size());
+    forces[c / 3][c % 3] = 1;
+    mobility.apply(places, forces, column);
+    matrix.col(c) = Eigen::Map<const Eigen::VectorXd>(column[0].data(), n);
+  }
+  return matrix;
+}
+
+// Crowds of overlapping beads, in which a bead has a dozen near it.
+TEST(NearField, IsSymmetricAndPositiveDefinite) {
+  constexpr double of_sums = 1e-9;  // in boxes; 1e-16 in open space
+  const Vec3 lengths(6, 7, 8);
+  for (const unsigned seed : {1, 2}) {
+    const Crowd crowd(seed, 4, lengths);
+    for (const auto& box : {std::optional<Box>{}, std::optional(Box{{6.6, 7, 8}, {}}),
+                            std::optional(Box{{6.6, 7, 8}, {true, false, true}})}) {
+      MobilityScene scene = near_scene(crowd.radii, box);
+      scene.tolerance = 1e-5;
+      const Eigen::MatrixXd matrix = matrix_of(scene, crowd.places);
+      EXPECT_LT((matrix - matrix.transpose()).norm(), of_sums * matrix.norm()) << "seed " << seed;
+      EXPECT_GT(matrix.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 1e-5 * matrix(0, 0))
+          << "seed " << seed << ", box " << box.has_value();
+    }
+  }
+}
+
+// So that far flows begin as they should, and beads go with a flow that is everywhere alike.
+TEST(NearField, KeepsTheNetForceAndUniformFlow) {
+  const Crowd crowd(4, 6, {7, 8, 9});
+  for (const auto& box : {std::optional<Box>{}, std::optional(Box{{7, 8, 9}, {}})}) {
+    const NearMap map = NearField(crowd.radii, box).at(crowd.places);
+    Vectors forces = crowd.forces;
+    forces[0] += Vec3(1, 2, 3);  // the sum
+    map.map_forces(forces);
+    EXPECT_GT(largest_difference(forces, crowd.forces), 0.1);
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& force : forces) sum += force;
+    constexpr double roundoff = 1e-11;
+    EXPECT_LT((sum - Vec3(1, 2, 3)).norm(), roundoff);
+    Vectors flow(forces.size(), Vec3(3, -1, 2));
+    map.map_velocities(flow);
+    for (const Vec3& v : flow) EXPECT_LT((v - Vec3(3, -1, 2)).norm(), roundoff);
+  }
+}
+
+TEST(NearField, TurnsAndMovesWithTheSwimmers) {
+  const Crowd crowd(5, 6, {9, 9, 9});
+  const Vectors before = velocities(near_scene(crowd.radii), crowd.places, crowd.forces);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1.1, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+  Vectors places, forces, turned;
+  for (std::size_t b = 0; b < before.size(); ++b) {
+    places.push_back(turn * crowd.places[b] + Vec3(30, -20, 11));
+    forces.push_back(turn * crowd.forces[b]);
+    turned.push_back(turn * before[b]);
+  }
+  constexpr double roundoff = 1e-11;
+  EXPECT_LT(largest_difference(velocities(near_scene(crowd.radii), places, forces), turned), roundoff);
+}
+
+TEST(NearField, DoesNotHangOnTheOrderOfSwimmersOrBeads) {
+  Crowd crowd(6, 6, {9, 9, 9});
+  Vectors before = velocities(near_scene(crowd.radii), crowd.places, crowd.forces);
+  const auto reorder = [](auto& list) {
+    std::ranges::rotate(list, list.begin() + 6);
+    for (auto at = list.begin(); at != list.end(); at += 3) std::swap(at[0], at[2]);
+  };
+  reorder(before);
+  reorder(crowd.places);
+  reorder(crowd.forces);
+  reorder(crowd.radii);
+  constexpr double truncation = 1e-7;  // of the tables of arms in reverse
+  EXPECT_LT(largest_difference(velocities(near_scene(crowd.radii), crowd.places, crowd.forces), before),
+            truncation);
+}
+
+// Two cells of the box as one of twice the size, an edge of which two images of a bead are near: all images
+// within reach count, not the nearest alone. A bead on either side of a seam, and whole edges away.
+TEST(NearField, CountsAllImagesInAPeriodicBox) {
+  Crowd crowd(7, 2, {7, 8, 9});
+  const MobilityScene cell = near_scene(crowd.radii, Box{{7, 8, 9}, {}});
+  const Vectors expected = velocities(cell, crowd.places, crowd.forces);
+  Vectors places = crowd.places, forces = crowd.forces;
+  Numbers radii = crowd.radii;
+  for (std::size_t b = 0; b < crowd.places.size(); ++b) {
+    places.push_back(crowd.places[b] + Vec3(7 - (b / 3 % 2 == 0 ? 28 : 0), 0, 0));
+    forces.push_back(crowd.forces[b]);
+    radii.push_back(crowd.radii[b]);
+  }
+  const Vectors found = velocities(near_scene(radii, Box{{14, 8, 9}, {}}), places, forces);
+  constexpr double of_sums = 1e-7;
+  for (std::size_t b = 0; b < places.size(); ++b)
+    EXPECT_LT((found[b] - expected[b % expected.size()]).norm(), of_sums) << "bead " << b;
+  for (Vec3& place : crowd.places) place += Vec3(3.3, 5, 7);
+  EXPECT_LT(largest_difference(velocities(cell, crowd.places, crowd.forces), expected), of_sums);
+}
+
+// Walls are mirrors: the box of beads and their copies, twice as long, has the same velocities.
+TEST(NearField, CountsMirrorImagesBehindWalls) {
+  const Crowd crowd(8, 3, {9, 8, 9});
+  const Vectors expected =
+      velocities(near_scene(crowd.radii, Box{{9, 8, 9}, {true, false, true}}), crowd.places, crowd.forces);
+  Vectors places = crowd.places, forces = crowd.forces;
+  Numbers radii = crowd.radii;
+  for (const int a : {0, 2}) {
+    const std::size_t count = places.size();
+    for (std::size_t b = 0; b < count; ++b) {
+      places.push_back(places[b]);
+      forces.push_back(forces[b]);
+      radii.push_back(radii[b]);
+      places.back()[a] *= -1;
+      forces.back()[a] *= -1;
+    }
+  }
+  const Vectors found = velocities(near_scene(radii, Box{{18, 8, 18}, {}}), places, forces);
+  constexpr double of_sums = 1e-7;
+  for (std::size_t b = 0; b < expected.size(); ++b)
+    EXPECT_LT((found[b] - expected[b]).norm(), of_sums) << "bead " << b;
+}
+
+// A bead driven at a free-slip wall, against the exact mobility of it and its image: over Rotne and Prager's,
+// as the box is far larger than the two, and slows both by the same part.
+TEST(NearField, MovesABeadAtAWallAsItsImageHasIt) {
+  constexpr double truncation = 1e-6;
+  const Numbers radii{1, 1, 1};
+  for (const double gap : {0.05, 0.4, 1.5}) {
+    const double to_wall = 1 + gap / 2;
+    const Vectors places{{to_wall, 100, 100}, {70, 100, 100}, {135, 100, 100}};
+    const Vectors forces{{1, 0, 0}, Vec3::Zero(), Vec3::Zero()};
+    MobilityScene scene = near_scene(radii, Box{{200, 200, 200}, {true, false, false}});
+    const double near = velocities(scene, places, forces)[0][0];
+    scene.model = PointModel::rotne_prager;
+    const double plain = velocities(scene, places, forces)[0][0];
+    const Numbers two{1, 1}, line{0, 2 * to_wall};
+    const Eigen::Vector2d opposite(-1, 1);
+    const double exact = opposite.dot(multipole_mobility(two, line, eta).value * opposite);
+    const double approximate = opposite.dot(rotne_prager_line(two, line, eta) * opposite);
+    EXPECT_NEAR(near / plain / (exact / approximate), 1, truncation) << "gap " << gap;
+    EXPECT_LT(near / plain, 0.99);
+  }
+}
+
+// Tables fill as they are asked for: what was asked before does not matter, to the bit.
+TEST(NearField, KeepsNoMemoryOfEarlierPlaces) {
+  const Crowd crowd(9, 6, {9, 9, 9});
+  const Vectors fresh = velocities(near_scene(crowd.radii), crowd.places, crowd.forces);
+  const Communicator world(MPI_COMM_WORLD);
+  const MobilityProduct used(near_scene(crowd.radii), crowd.places, world);
+  Vectors elsewhere = crowd.places, found(fresh.size());
+  for (std::size_t b = 0; b < elsewhere.size(); ++b) elsewhere[b] *= 1.3;
+  used.apply(elsewhere, crowd.forces, found);
+  used.apply(crowd.places, crowd.forces, found);
+  EXPECT_EQ(found, fresh);
+}
+
+TEST(NearField, BearsPlacesThatAreNoNumbers) {
+  Crowd crowd(10, 4, {9, 9, 9});
+  crowd.places[4] = Vec3::Constant(std::nan(""));
+  EXPECT_FALSE(velocities(near_scene(crowd.radii), crowd.places, crowd.forces)[4].allFinite());
+}
+
+TEST(NearField, RefusesSpheresThatAreNoSwimmers) {
+  EXPECT_THROW(velocities(near_scene({1, 1, 1, 1}), Vectors(4, Vec3::Zero()), Vectors(4, Vec3::Zero())),
+               InputError);
+}
+
+}  // namespace
+}  // namespace beadswim
