@@ -18,7 +18,7 @@ for model in rpy oseen rpy+near; do
   has_status 0
   check "the record names the model" holds ".model == \"$model\" and .momentum == null and .resolution == null and .mobility.products > 4000" out
   cp out $model.json
-  decided "$(sed 's/rpy+near/multipole/' <<<$model)-ode" 2e-6 $model.json theory.json
+  decided "${model/rpy+near/multipole}-ode" 2e-6 $model.json theory.json
 done
 check "the trajectory has frames and axes without a box" test "$(h5dump -H -d /particles/beads/position/value rpy.h5md | grep -c '161, 3, 3')" -eq 1
 
