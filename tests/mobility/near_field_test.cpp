@@ -4,64 +4,13 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <random>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/line_map.hpp"
-#include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/mobility/multipole_mobility.hpp"
+#include "near_scenes.hpp"
 
 namespace beadswim {
 namespace {
-
-using Vectors = std::vector<Vec3>;
-using Numbers = std::vector<double>;
-
-constexpr double eta = 1.0 / 3;  // [mass/(length time)]
-
-Vectors velocities(const MobilityScene& scene, const Vectors& places, const Vectors& forces) {
-  const Communicator world(MPI_COMM_WORLD);
-  const MobilityProduct mobility(scene, places, world);
-  Vectors result(places.size());
-  mobility.apply(places, forces, result);
-  return result;
-}
-
-MobilityScene near_scene(const Numbers& radii, const std::optional<Box>& box = {}) {
-  return {PointModel::rotne_prager_near, eta, box, radii, 1e-8};
-}
-
-double largest_difference(const Vectors& a, const Vectors& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, (a[k] - b[k]).norm());
-  return largest;
-}
-
-/// A crowd of straight and bent swimmers, radii from 1 to 1.5, many beads of which overlap.
-struct Crowd {
-  Vectors places, forces;
-  Numbers radii;
-
-  Crowd(unsigned seed, int swimmers, const Vec3& lengths) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    const auto vector = [&] {
-      return Vec3(uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5);
-    };
-    for (int s = 0; s < swimmers; ++s) {
-      const Vec3 middle = lengths.cwiseProduct(vector() + Vec3::Constant(0.5)), axis = vector().normalized();
-      for (int b = -1; b <= 1; ++b) {
-        const Vec3 place = middle + b * (2.8 + uniform(random)) * axis + 0.5 * vector();
-        places.push_back(place.cwiseMax(0.2).cwiseMin(lengths.array().matrix() - Vec3::Constant(0.2)));
-        radii.push_back(1 + 0.5 * static_cast<double>((s + b + 1) % 2));
-        forces.push_back(vector());
-      }
-    }
-    Vec3 sum = Vec3::Zero();
-    for (const Vec3& force : forces) sum += force;
-    for (Vec3& force : forces) force -= sum / static_cast<double>(forces.size());
-  }
-};
 
 // Three on a line anywhere: where forces along it sum to zero velocities are the exact ones, those that all
 // share too. Catches a wrong axis, order of the beads, or transposed map.
@@ -249,72 +198,6 @@ TEST(NearField, DoesNotHangOnTheOrderOfSwimmersOrBeads) {
   constexpr double truncation = 1e-7;  // of the tables of arms in reverse
   EXPECT_LT(largest_difference(velocities(near_scene(crowd.radii), crowd.places, crowd.forces), before),
             truncation);
-}
-
-// Two cells of the box as one of twice the size, an edge of which two images of a bead are near: all images
-// within reach count, not the nearest alone. A bead on either side of a seam, and whole edges away.
-TEST(NearField, CountsAllImagesInAPeriodicBox) {
-  Crowd crowd(7, 2, {7, 8, 9});
-  const MobilityScene cell = near_scene(crowd.radii, Box{{7, 8, 9}, {}});
-  const Vectors expected = velocities(cell, crowd.places, crowd.forces);
-  Vectors places = crowd.places, forces = crowd.forces;
-  Numbers radii = crowd.radii;
-  for (std::size_t b = 0; b < crowd.places.size(); ++b) {
-    places.push_back(crowd.places[b] + Vec3(7 - (b / 3 % 2 == 0 ? 28 : 0), 0, 0));
-    forces.push_back(crowd.forces[b]);
-    radii.push_back(crowd.radii[b]);
-  }
-  const Vectors found = velocities(near_scene(radii, Box{{14, 8, 9}, {}}), places, forces);
-  constexpr double of_sums = 1e-7;
-  for (std::size_t b = 0; b < places.size(); ++b)
-    EXPECT_LT((found[b] - expected[b % expected.size()]).norm(), of_sums) << "bead " << b;
-  for (Vec3& place : crowd.places) place += Vec3(3.3, 5, 7);
-  EXPECT_LT(largest_difference(velocities(cell, crowd.places, crowd.forces), expected), of_sums);
-}
-
-// Walls are mirrors: the box of beads and their copies, twice as long, has the same velocities.
-TEST(NearField, CountsMirrorImagesBehindWalls) {
-  const Crowd crowd(8, 3, {9, 8, 9});
-  const Vectors expected =
-      velocities(near_scene(crowd.radii, Box{{9, 8, 9}, {true, false, true}}), crowd.places, crowd.forces);
-  Vectors places = crowd.places, forces = crowd.forces;
-  Numbers radii = crowd.radii;
-  for (const int a : {0, 2}) {
-    const std::size_t count = places.size();
-    for (std::size_t b = 0; b < count; ++b) {
-      places.push_back(places[b]);
-      forces.push_back(forces[b]);
-      radii.push_back(radii[b]);
-      places.back()[a] *= -1;
-      forces.back()[a] *= -1;
-    }
-  }
-  const Vectors found = velocities(near_scene(radii, Box{{18, 8, 18}, {}}), places, forces);
-  constexpr double of_sums = 1e-7;
-  for (std::size_t b = 0; b < expected.size(); ++b)
-    EXPECT_LT((found[b] - expected[b]).norm(), of_sums) << "bead " << b;
-}
-
-// A bead driven at a free-slip wall, against the exact mobility of it and its image: over Rotne and Prager's,
-// as the box is far larger than the two, and slows both by the same part.
-TEST(NearField, MovesABeadAtAWallAsItsImageHasIt) {
-  constexpr double truncation = 1e-6;
-  const Numbers radii{1, 1, 1};
-  for (const double gap : {0.05, 0.4, 1.5}) {
-    const double to_wall = 1 + gap / 2;
-    const Vectors places{{to_wall, 100, 100}, {70, 100, 100}, {135, 100, 100}};
-    const Vectors forces{{1, 0, 0}, Vec3::Zero(), Vec3::Zero()};
-    MobilityScene scene = near_scene(radii, Box{{200, 200, 200}, {true, false, false}});
-    const double near = velocities(scene, places, forces)[0][0];
-    scene.model = PointModel::rotne_prager;
-    const double plain = velocities(scene, places, forces)[0][0];
-    const Numbers two{1, 1}, line{0, 2 * to_wall};
-    const Eigen::Vector2d opposite(-1, 1);
-    const double exact = opposite.dot(multipole_mobility(two, line, eta).value * opposite);
-    const double approximate = opposite.dot(rotne_prager_line(two, line, eta) * opposite);
-    EXPECT_NEAR(near / plain / (exact / approximate), 1, truncation) << "gap " << gap;
-    EXPECT_LT(near / plain, 0.99);
-  }
 }
 
 // Tables fill as they are asked for: what was asked before does not matter, to the bit.

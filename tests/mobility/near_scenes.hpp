@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <random>
+#include <vector>
+
+#include "beadswim/mobility/mobility_product.hpp"
+
+namespace beadswim {
+
+using Vectors = std::vector<Vec3>;
+using Numbers = std::vector<double>;
+
+constexpr double eta = 1.0 / 3;  // [mass/(length time)]
+
+inline Vectors velocities(const MobilityScene& scene, const Vectors& places, const Vectors& forces) {
+  const Communicator world(MPI_COMM_WORLD);
+  const MobilityProduct mobility(scene, places, world);
+  Vectors result(places.size());
+  mobility.apply(places, forces, result);
+  return result;
+}
+
+inline MobilityScene near_scene(const Numbers& radii, const std::optional<Box>& box = {}) {
+  return {PointModel::rotne_prager_near, eta, box, radii, 1e-8};
+}
+
+inline double largest_difference(const Vectors& a, const Vectors& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) largest = std::max(largest, (a[k] - b[k]).norm());
+  return largest;
+}
+
+/// A crowd of straight and bent swimmers, radii from 1 to 1.5, many beads of which overlap.
+struct Crowd {
+  Vectors places, forces;
+  Numbers radii;
+
+  Crowd(unsigned seed, int swimmers, const Vec3& lengths) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const auto vector = [&] {
+      return Vec3(uniform(random) - 0.5, uniform(random) - 0.5, uniform(random) - 0.5);
+    };
+    for (int s = 0; s < swimmers; ++s) {
+      const Vec3 middle = lengths.cwiseProduct(vector() + Vec3::Constant(0.5)), axis = vector().normalized();
+      for (int b = -1; b <= 1; ++b) {
+        const Vec3 place = middle + b * (2.8 + uniform(random)) * axis + 0.5 * vector();
+        places.push_back(place.cwiseMax(0.2).cwiseMin(lengths.array().matrix() - Vec3::Constant(0.2)));
+        radii.push_back(1 + 0.5 * static_cast<double>((s + b + 1) % 2));
+        forces.push_back(vector());
+      }
+    }
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& force : forces) sum += force;
+    for (Vec3& force : forces) force -= sum / static_cast<double>(forces.size());
+  }
+};
+
+}  // namespace beadswim
