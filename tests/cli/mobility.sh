@@ -71,7 +71,7 @@ check "the gap stays open" holds '.mobility.smallest_gap | . > 0 and . < 0.8' ou
 
 # --- a torn arm stops the run on all ranks with a message
 beadswim-layout swimmer --preset paper-single --unbounded --amplitude 3 >torn.json
-run small 2 torn.json --model rpy -o torn.h5md
+run small 2 torn.json --model rpy -o torn.h5md --steps-per-cycle 200
 has_status 3
 err_has 'arm . of swimmer 0 .* is torn'
 check "the record reaches up to it" holds '.status == "failed" and .state_sha256 == null' out
