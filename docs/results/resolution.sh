@@ -6,7 +6,7 @@
 set -euo pipefail
 folder=${1:?name a folder for the records}
 mkdir -p "$folder"
-table=$(realpath "$(dirname "$0")")/resolution.jq
+results=$(realpath "$(dirname "$0")")
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
@@ -66,4 +66,4 @@ second_half >second.part
 wait $!
 cat first.part second.part psm-8.part >resolution.jsonl
 rm first.part second.part psm-8.part
-jq -rs --slurpfile reference resolution-reference.json -f "$table" resolution.jsonl >resolution.txt
+jq -rs -L "$results" --slurpfile reference resolution-reference.json -f "$results/resolution.jq" resolution.jsonl >resolution.txt

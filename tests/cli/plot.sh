@@ -168,7 +168,7 @@ check 'a refused figure left a file behind' test ! -e other.png
 refuses '/no/such/folder/x.svg: cannot be created' beadswim-plot stroke run.json -o /no/such/folder/x.svg
 refuses '--output: "x.pdf" is neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
 
-# --- speed against error: rms of errors and median of speeds of runs at one resolution, joined by setting
+# --- speed against error: rms of errors and median of costs of runs at one resolution, joined by setting
 scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so many times as large, and that cost
   jq -c --argjson f "$1" --argjson cells "$2" --argjson seconds "$3" '
     .swimmers[].cycles[] |= (.velocity |= map(. * $f) | .mean_flow |= map(. * $f) | .speed_along_axis *= $f
@@ -180,7 +180,7 @@ scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so m
 accepts beadswim-plot speed-against-error several.jsonl --reference run.json
 well_formed out
 drawn 6 circle     # two resolutions and the legend, in two panels
-drawn 4 polyline   # a line, and its legend
+drawn 8 polyline   # a line, the front, and their legends
 out_has '>error of the velocity \(%\)<'
 out_has '>cli, τ = 1.5, double<'
 out_has 'against lbm, cli, 4 cells a radius'
@@ -191,6 +191,9 @@ same_bytes 'beadswim-plot speed-against-error several.jsonl --reference run.json
 accepts beadswim-plot speed-against-error two_settings.jsonl --reference prediction.json
 out_has '>cli, τ = 1.5, single<'
 out_has 'against multipole-ode'
+accepts beadswim-plot speed-against-error two_settings.jsonl --reference run.json   # 2 cells, double: slower and worse
+out_has '>Front of the velocity: cli, τ = 1.5, single, 2 cells; cli, τ = 1.5, double, 4 cells<'
+check "a run has no uncertainty" bash -c '! grep -q uncertainty out'
 refuses '--reference: none given' beadswim-plot speed-against-error several.jsonl
 refuses 'several.jsonl: holds several' \
   beadswim-plot speed-against-error several.jsonl --reference several.jsonl
@@ -198,6 +201,7 @@ refuses 'draws runs alone; name a prediction with --reference' \
   beadswim-plot speed-against-error run.json prediction.json --reference prediction.json
 accepts beadswim-plot speed-against-error several.jsonl --reference prediction.json --method rpy-perturbation
 out_has 'against rpy-perturbation'
+out_has '>uncertainty of the reference<'
 refuses 'prediction.json: holds several' \
   beadswim-plot speed-against-error run.json --reference prediction.json --method all
 refuses 'prediction_shorter_period.json: predicts for a period of 2000, and run.json has 4800' \
@@ -221,7 +225,7 @@ results=$BEADSWIM_SOURCE/docs/results
 jq -c 'select(.resolution.density_on_lattice != 1)' "$results/resolution.jsonl" >corrected.jsonl
 same_bytes "beadswim-plot speed-against-error corrected.jsonl --reference $results/resolution-reference.json" \
   "cat $BEADSWIM_SOURCE/docs/images/speed-against-error.svg"
-same_bytes "jq -rs --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
+same_bytes "jq -rs -L $results --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
   "grep '^|' $BEADSWIM_SOURCE/docs/resolution.md"
 
 # --- what it refuses

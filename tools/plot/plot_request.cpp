@@ -172,8 +172,9 @@ void add_flags(CLI::App& program, PlotRequest& request) {
           "KIND", request.kind,
           "stroke: arm amplitudes and phase shift. velocity-against-period: velocity along the swimmer's "
           "axis, against the mean flow along periodic axes. separation: the same velocity against l/λ, "
-          "the beads' smallest separation over their radius. speed-against-error: periods that a core does "
-          "in an hour, against the error of velocity and stroke, by setting and resolution. trajectories: a "
+          "the beads' smallest separation over their radius. speed-against-error: errors of velocity and "
+          "stroke against core-seconds a period, by setting and resolution, and the front of those that none "
+          "beats in both. trajectories: a "
           "coordinate of beads against time. swarm: a picture of all beads at one frame. mobility-products: "
           "time "
           "of a product of mobility and forces against the number of beads, by beadswim-bench --beads "

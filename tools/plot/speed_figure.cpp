@@ -17,7 +17,8 @@ namespace {
 /// From which errors are measured: a swimmer by a prediction, or each swimmer by a run.
 struct ErrorReference {
   std::string name;
-  std::vector<Swimming> swimmers;  ///< one for all, or one for each of a run's
+  std::vector<Swimming> swimmers;                  ///< one for all, or one for each of a run's
+  std::map<ComparedQuantity, double> uncertainty;  ///< relative, where it is known
 
   const Swimming& of(std::size_t swimmer) const {
     return swimmers.size() == 1 ? swimmers.front() : swimmers[swimmer];
@@ -42,7 +43,7 @@ void require_one_scene(const PlottedRun& run, const PlottedRun& other) {
 ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, const CycleChoice& cycle) {
   require_one_scene(run, first);
   const RunRecord& record = run.record;
-  ErrorReference reference{.name = record.model, .swimmers = {}};
+  ErrorReference reference{.name = record.model, .swimmers = {}, .uncertainty = {}};
   if (record.resolution) {
     reference.name = fmt::format("{}, {}, {:g} cells a radius", record.model,
                                  record.resolution->bead_boundary, record.resolution->cells_per_radius);
@@ -58,7 +59,15 @@ ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& fir
     throw InputError(best.source, fmt::format("predicts for a period of {:g}, and {} has {:g}", *period,
                                               first.source, first.record.driving_period));
   }
-  return {.name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}};
+  ErrorReference reference{
+      .name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}, .uncertainty = {}};
+  if (const auto& velocity = best.prediction.uncertainty)
+    reference.uncertainty[ComparedQuantity::velocity] = *velocity;
+  if (const auto& stroke = best.prediction.stroke_uncertainty) {
+    const auto& [one, other] = stroke->arm_amplitudes;
+    reference.uncertainty[ComparedQuantity::arm_amplitudes] = std::max(one, other);
+  }
+  return reference;
 }
 
 ErrorReference read_reference(const PlotInputs& inputs, const SpeedFigureOptions& options) {
@@ -84,12 +93,12 @@ double periods_done(const RunRecord& record) {
          (cells * static_cast<double>(record.resolution->steps_per_cycle));
 }
 
-/// [1/hour] of one core
-double speed_of(const PlottedRun& run) {
+/// Core-seconds a period.
+double cost_of(const PlottedRun& run) {
   if (!run.record.cost) {
     throw InputError(run.source, "does not say its cost, as of a run with --no-provenance; leave it out");
   }
-  return 3600 * periods_done(run.record) / run.record.cost->core_seconds;
+  return run.record.cost->core_seconds / periods_done(run.record);
 }
 
 /// What sets runs apart beside the resolution: "mr, τ = 1.5, single".
@@ -114,14 +123,14 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
 /// Runs of one setting at one resolution.
 struct Measured {
   const PlottedRun* first = nullptr;
-  std::vector<double> speeds;
+  std::vector<double> costs;
   std::map<ComparedQuantity, std::vector<double>> errors;  ///< relative
 };
 
 void add(const PlottedRun& run, const ErrorReference& reference, const CycleChoice& cycle,
          Measured& measured) {
   const std::vector<SwimmerRecord>& swimmers = run.record.swimmers;
-  measured.speeds.push_back(speed_of(run));
+  measured.costs.push_back(cost_of(run));
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     const Swimming swimming = swimming_of(run.record, swimmers[s], cycle, run.source);
     for (const auto& [quantity, values] : reference.of(s)) {
@@ -157,34 +166,92 @@ BySetting measured_by_setting(const PlotInputs& inputs, const ErrorReference& re
   return all;
 }
 
-Panel panel_of(const BySetting& all, ComparedQuantity quantity, const std::string& what) {
-  Panel panel{.x_label = {"error of the " + what, "%"},
-              .y_label = {"periods a core does in an hour"},
+struct Point {
+  std::string name;
+  double cost, error;  ///< [s], [%]
+};
+
+Point point_of(const std::string& setting, double cells, const Measured& measured, ComparedQuantity quantity,
+               const std::string& what) {
+  const double error = root_mean_square(measured.errors.at(quantity)), cost = median(measured.costs);
+  if (!(error > 0 && std::isfinite(error) && cost > 0 && std::isfinite(cost))) {
+    throw InputError(measured.first->source,
+                     fmt::format("has an error of {:g} in its {} and takes {:g} core-seconds a period, which "
+                                 "no logarithmic axis holds; is it the reference itself?",
+                                 error, what, cost));
+  }
+  return {cells > 0 ? fmt::format("{}, {:g} cells", setting, cells) : setting, cost, 100 * error};
+}
+
+/// Pareto's front: points than which none that costs less errs less, in order of their costs.
+std::vector<Point> front_of(std::vector<Point> points) {
+  std::ranges::sort(points, {}, [](const Point& p) { return std::pair(p.cost, p.error); });
+  std::vector<Point> front;
+  for (const Point& point : points)
+    if (front.empty() || point.error < front.back().error) front.push_back(point);
+  return front;
+}
+
+Series level(const std::vector<Point>& points, double error) {
+  const auto [least, most] = std::ranges::minmax(points, {}, &Point::cost);
+  return {.label = "uncertainty of the reference",
+          .x = {least.cost, most.cost},
+          .y = {error, error},
+          .mark = Mark::line,
+          .colour = 6,
+          .dash = 1,
+          .emphasis = Emphasis::faint};
+}
+
+struct PanelOfErrors {
+  Panel panel;
+  std::vector<std::string> notes;  ///< that name the points of the front
+};
+
+/// In lines of the figure's width.
+std::vector<std::string> lines_of(const std::string& beginning, const std::vector<Point>& points) {
+  constexpr std::size_t width = 110;
+  std::vector<std::string> lines{beginning};
+  for (const Point& point : points) {
+    const std::string more = point.name + (&point == &points.back() ? "" : ";");
+    if (lines.back().size() + more.size() > width) lines.emplace_back("   ");
+    lines.back() += " " + more;
+  }
+  return lines;
+}
+
+PanelOfErrors panel_of(const BySetting& all, const ErrorReference& reference, ComparedQuantity quantity,
+                       const std::string& what) {
+  Panel panel{.x_label = {"core-seconds a period", "s"},
+              .y_label = {"error of the " + what, "%"},
               .x_scale = ScaleKind::logarithmic,
               .y_scale = ScaleKind::logarithmic};
-  for (const auto& [name, points] : all) {
+  std::vector<Point> points;
+  for (const auto& [name, by_cells] : all) {
     const int position = static_cast<int>(panel.series.size());
     Series series{.label = name,
                   .mark = Mark::line_and_points,
                   .colour = position,
                   .shape = position,
                   .dash = position};
-    for (const auto& [cells, measured] : points) {
+    for (const auto& [cells, measured] : by_cells) {
       if (!measured.errors.contains(quantity)) continue;
-      const double error = root_mean_square(measured.errors.at(quantity)), speed = median(measured.speeds);
-      if (!(error > 0 && std::isfinite(error) && speed > 0 && std::isfinite(speed))) {
-        throw InputError(
-            measured.first->source,
-            fmt::format("has an error of {:g} in its {} and does {:g} periods in an hour, which no "
-                        "logarithmic axis holds; is it the reference itself?",
-                        error, what, speed));
-      }
-      series.x.push_back(100 * error);
-      series.y.push_back(speed);
+      points.push_back(point_of(name, cells, measured, quantity, what));
+      series.x.push_back(points.back().cost);
+      series.y.push_back(points.back().error);
     }
     panel.series.push_back(series);
   }
-  return panel;
+  const std::vector<Point> front = front_of(points);
+  Series line{.label = "front", .mark = Mark::line, .colour = 7, .emphasis = Emphasis::faint};
+  for (const Point& point : front) {
+    line.x.push_back(point.cost);
+    line.y.push_back(point.error);
+  }
+  panel.series.push_back(line);
+  if (reference.uncertainty.contains(quantity))
+    panel.series.push_back(level(points, 100 * reference.uncertainty.at(quantity)));
+  return {panel, lines_of(fmt::format("Front of the {}:", what), front)};
 }
 
 std::string resolutions_note(const BySetting& all) {
@@ -196,7 +263,8 @@ std::string resolutions_note(const BySetting& all) {
   for (const double cells : known) {
     if (cells > 0) text += fmt::format("{}{:g}", text.empty() ? "" : ", ", cells);
   }
-  return text.empty() ? text : "From above along a line: " + text + " cells a radius, as far as it was run";
+  return text.empty() ? text
+                      : "From left to right along a line: " + text + " cells a radius, as far as it was run";
 }
 
 }  // namespace
@@ -207,12 +275,15 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFigureOptions& options)
   }
   const ErrorReference reference = read_reference(inputs, options);
   const BySetting all = measured_by_setting(inputs, reference, options.cycle);
+  const PanelOfErrors velocity = panel_of(all, reference, ComparedQuantity::velocity, "velocity"),
+                      strokes = panel_of(all, reference, ComparedQuantity::arm_amplitudes, "arm amplitudes");
   Figure figure{.title = "Speed against error",
-                .panels = {panel_of(all, ComparedQuantity::velocity, "velocity"),
-                           panel_of(all, ComparedQuantity::arm_amplitudes, "arm amplitudes")},
+                .panels = {velocity.panel, strokes.panel},
                 .notes = {fmt::format("Root mean square of relative errors, against {}", reference.name)}};
   const std::string resolutions = resolutions_note(all);
   if (!resolutions.empty()) figure.notes.push_back(resolutions);
+  for (const PanelOfErrors* panel : {&velocity, &strokes})
+    figure.notes.insert(figure.notes.end(), panel->notes.begin(), panel->notes.end());
   return figure;
 }
 

@@ -11,11 +11,12 @@ struct SpeedFigureOptions {
   CycleChoice cycle;
 };
 
-/// Periods of driving that a core does in an hour, against the error of velocity and of stroke. Runs of one
-/// setting (bead boundary, relaxation time, precision) are joined in order of their resolution; runs of one
-/// resolution too, as at several places within a cell, are one point: rms of their errors, median of their
-/// speeds. Throws InputError for runs and references of different scenes, for runs that
-/// differ in their corrections alone, and for such as do not say their cost.
+/// Errors of velocity and of stroke against core-seconds a period. Runs of one setting (model; bead boundary,
+/// relaxation time, precision) are joined in order of their resolution; runs of one resolution too, as at
+/// several places within a cell, are one point: rms of their errors, median of their costs. A faint line
+/// joins the points than which none is both cheaper and more exact (Pareto's front), and a note names them;
+/// the reference's own uncertainty is a level. Throws InputError for runs and references of different scenes,
+/// for runs that differ in their corrections alone, and for such as do not say their cost.
 Figure speed_figure(const PlotInputs& inputs, const SpeedFigureOptions& options);
 
 }  // namespace beadswim
