@@ -201,6 +201,8 @@ refuses 'draws runs alone; name a prediction with --reference' \
   beadswim-plot speed-against-error run.json prediction.json --reference prediction.json
 accepts beadswim-plot speed-against-error several.jsonl --reference prediction.json --method rpy-perturbation
 out_has 'against rpy-perturbation'
+jq '.predictions |= map(select(.method == "rpy-perturbation") | .uncertainty = 0.1)' prediction.json >uncertain.json
+accepts beadswim-plot speed-against-error several.jsonl --reference uncertain.json
 out_has '>uncertainty of the reference<'
 refuses 'prediction.json: holds several' \
   beadswim-plot speed-against-error run.json --reference prediction.json --method all
