@@ -89,7 +89,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       .add_option(
           "--relaxation-time", options.relaxation_time,
           "tau, in time steps; sets the step: nu_lattice = (tau - 1/2)/3. Adjusted so that a period is a "
-          "whole number of steps [default: the layout's, else 1.5]")
+          "whole number of steps [default: the layout's, else 1]")
       ->check(relaxation_time())
       ->default_str("");
   add_word(
