@@ -111,11 +111,11 @@ TEST(NearField, IsRotneAndPragersFarApart) {
 }
 
 TEST(NearField, FadesOutWithoutAStep) {
-  EXPECT_EQ(pair_weight(full_reach), 1);
-  EXPECT_EQ(pair_weight(reach), 0);
+  EXPECT_EQ(pair_weight(full_pair_reach), 1);
+  EXPECT_EQ(pair_weight(pair_reach), 0);
   EXPECT_NEAR(pair_weight(5), 0.5, 1e-15);
-  EXPECT_NEAR(pair_weight(full_reach + 1e-4), 1, 1e-11);  // third power
-  EXPECT_NEAR(pair_weight(reach - 1e-4), 0, 1e-11);
+  EXPECT_NEAR(pair_weight(full_pair_reach + 1e-4), 1, 1e-11);  // third power
+  EXPECT_NEAR(pair_weight(pair_reach - 1e-4), 0, 1e-11);
 }
 
 /// All columns.

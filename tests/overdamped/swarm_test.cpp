@@ -242,6 +242,55 @@ TEST(OverdampedSwarm, StaysBetweenWalls) {
   }
 }
 
+/// Smallest gap and mean velocity along x of swimmer 0 in the second cycle.
+std::pair<double, double> gap_and_speed(OverdampedScene scene, int steps_per_cycle) {
+  const double period = scene.types[0].driving.period;
+  scene.step = period / steps_per_cycle;
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  double start = 0;
+  for (int n = 0; n < 2 * steps_per_cycle; ++n) {
+    if (n == steps_per_cycle) start = system.positions()[1][0];
+    system.step();
+  }
+  EXPECT_FALSE(system.fault()) << "with " << steps_per_cycle << " steps";
+  return {system.state().smallest_gap, (system.positions()[1][0] - start) / period};
+}
+
+// Contacts with a wall and with another swimmer are found where beads end, not where they were expected.
+TEST(OverdampedSwarm, MeetsWallsAndOthersInFewSteps) {
+  OverdampedScene wall = scene_of(paper_swimmer(), 50);
+  wall.types[0].driving.amplitude = {0.5, 0.5};
+  wall.tolerance = 1e-4;
+  wall.box = Box{{60, 40, 40}, {true, false, false}};
+  wall.swimmers[0].position = {26, 20, 20};
+  OverdampedScene others = scene_of(paper_swimmer(), 50);
+  others.types[0].driving.amplitude = {0.5, 0.5};
+  others.tolerance = 1e-6;
+  others.swimmers.push_back({.id = 1, .type = 0, .position = {109.5, 40, 41}, .axis = Vec3::UnitX()});
+  others.swimmers[0].position = {60, 40, 40};
+  for (const OverdampedScene& scene : {wall, others}) {
+    const auto [gap, speed] = gap_and_speed(scene, 50);
+    const auto [fine_gap, fine_speed] = gap_and_speed(scene, 800);
+    EXPECT_LT(fine_gap, 0.75);  // they did meet
+    EXPECT_NEAR(gap, fine_gap, 0.03);
+    EXPECT_NEAR(speed / fine_speed, 1, 0.02);
+  }
+}
+
+// Places of the first step are extrapolated, which the stiffest of forces must not take for stretch.
+TEST(OverdampedSwarm, BeginsGentlyWithStiffSprings) {
+  OverdampedScene scene = scene_of(paper_swimmer(), 100);
+  scene.swimmers[0].axis = Vec3(1, 1, 0).normalized();
+  for (Spring& spring : scene.types[0].springs) spring.stiffness *= 1e5;
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  const double at_rest = system.state().largest_speed;
+  for (int n = 0; n < 4; ++n) system.step();
+  ASSERT_FALSE(system.fault());
+  EXPECT_LT(system.state().largest_speed, 1.5 * std::max(at_rest, system.velocities()[0].norm()));
+}
+
 // Numbers that are none are told of, in the first steps too.
 TEST(OverdampedSwarm, StopsAtNumbersThatAreNone) {
   OverdampedScene scene = scene_of(paper_swimmer(), 100);

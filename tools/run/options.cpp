@@ -73,12 +73,12 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->check(CLI::Range(4, 1000000).description(""));
   program
       .add_option("--tolerance", options.tolerance,
-                  "rpy and oseen: error of bead velocities by the sum over pairs and images, relative to "
+                  "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
                   "their root mean square.")
       ->check(CLI::Range(1e-12, 1e-2).description(""));
   program
       .add_option("--steps-per-cycle", options.steps_per_cycle,
-                  "rpy and oseen: time steps in the shortest period of any swimmer's driving.")
+                  "rpy, rpy+near, oseen: time steps in the shortest period of any swimmer's driving.")
       ->check(CLI::Range(20, 1000000).description(""));
   program
       .add_option("--cells-per-radius", options.cells_per_radius,

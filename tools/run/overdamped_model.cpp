@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* beads_section = "beads";
+constexpr const char* beads_section = "overdamped beads";
 
 const std::map<std::string, PointModel> point_models{{"oseen", PointModel::oseen},
                                                      {"rpy", PointModel::rotne_prager},
@@ -135,6 +135,8 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
   const Vec3& p = fault.position;
   const std::string place =
       fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
+  const std::string other_model =
+      plan_.scene.model == PointModel::oseen ? ", or --model rpy, which is sound for near beads too" : "";
   switch (fault.kind) {
     case OverdampedFaultKind::torn_arm:
       return fmt::format(
@@ -143,24 +145,21 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           fault.bead, place, fault.value);
     case OverdampedFaultKind::speed:
       return fmt::format(
-          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, or drive it less",
-          fault.bead, place, fault.value);
+          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, or drive it less{}",
+          fault.bead, place, fault.value, other_model);
     case OverdampedFaultKind::wall:
       return fmt::format(
           "bead {} {} is {:.3g} beyond a wall; take more --steps-per-cycle, drive it less, or enlarge the "
           "box",
           fault.bead, place, fault.value);
     case OverdampedFaultKind::unsolved:
-      return fmt::format(
-          "velocities were not found in 100 products, and {:.2g} of them is missing; take more "
-          "--steps-per-cycle or weaker dashpots{}",
-          fault.value,
-          plan_.scene.model == PointModel::oseen ? ", or --model rpy, which is sound for near beads too"
-                                                 : "");
+      return "velocities and forces that go together were not found; take more --steps-per-cycle, drive it "
+             "less, or take weaker dashpots" +
+             other_model;
     case OverdampedFaultKind::not_finite:
       return fmt::format(
-          "bead {} {} has no finite place any more; take more --steps-per-cycle, or drive it less",
-          fault.bead, place);
+          "bead {} {} has no finite place any more; take more --steps-per-cycle, or drive it less{}",
+          fault.bead, place, other_model);
   }
   return "unknown fault";
 }
@@ -235,6 +234,7 @@ void OverdampedModel::restore(long steps_done, IncomingMessage& past, const Chec
   past(state.products, state.largest_speed, state.smallest_gap);
   IncomingMessage message(checkpoint.bytes(beads_section, 0, checkpoint.size(beads_section)));
   transfer_beads(message, state);
+  if (!message.is_at_end()) throw SolverError("the checkpoint's beads are of another version of the program");
   system_.restore(std::move(state));
 }
 

@@ -90,7 +90,10 @@ struct MobilityProduct::Parts {
   std::unique_ptr<ParticleMesh> mesh;
   std::vector<double> self;  ///< of each sphere, less what the mesh does to itself
   std::optional<NearField> near_field;
+  std::optional<NearMap> near_map;  ///< at mapped_places
+  std::vector<Vec3> mapped_places;
 
+  const NearMap& near_map_at(std::span<const Vec3> positions);
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities) const;
 };
@@ -101,7 +104,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   const std::array<double, 3> lengths = mirrored_lengths(scene.box);
   std::vector<double> radii = scene.radii;
   for (int m = 0; m < mirrors(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
-  parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}, {}});
+  parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}, {}, {}, {}});
   if (scene.model == PointModel::rotne_prager_near) parts_->near_field.emplace(scene.radii, scene.box);
   if (scene.box || scene.radii.size() >= fewest_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
@@ -127,6 +130,15 @@ const std::optional<EwaldPlan>& MobilityProduct::plan() const {
   return parts_->plan;
 }
 
+/// That of the last product where places are the same, as in the products of one step.
+const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positions) {
+  if (!near_map || !std::ranges::equal(positions, mapped_places)) {
+    near_map = near_field->at(positions);
+    mapped_places.assign(positions.begin(), positions.end());
+  }
+  return *near_map;
+}
+
 /// What pairs and the mesh have: velocities are filled with zeros.
 void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                             std::span<Vec3> velocities) const {
@@ -146,7 +158,7 @@ void MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec
                             std::span<Vec3> velocities) const {
   std::ranges::fill(velocities, Vec3::Zero());
   if (!parts_->near_field) return parts_->add_velocities(positions, forces, velocities);
-  const NearMap map = parts_->near_field->at(positions);
+  const NearMap& map = parts_->near_map_at(positions);
   std::vector<Vec3> mapped(forces.begin(), forces.end());
   map.map_forces(mapped);
   parts_->add_velocities(positions, mapped, velocities);

@@ -65,9 +65,9 @@ Vec3 direction(const Vec3& separation) {
 }  // namespace
 
 double pair_weight(double distance) {
-  if (distance <= full_reach) return 1;
-  if (distance >= reach) return 0;
-  const double t = (distance - full_reach) / (reach - full_reach);
+  if (distance <= full_pair_reach) return 1;
+  if (distance >= pair_reach) return 0;
+  const double t = (distance - full_pair_reach) / (pair_reach - full_pair_reach);
   return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
 }
 
@@ -121,7 +121,7 @@ std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) con
   std::vector<PairLink> links;
   links.reserve(positions.size());
   const Images images = images_of(positions);
-  const double most = reach * *std::ranges::max_element(radii_);
+  const double most = pair_reach * *std::ranges::max_element(radii_);
   const NeighbourCells cells(images.places, most, lengths_);
   const std::vector<int>& order = cells.order();
   const Folded folded(images.places, order, lengths_);

@@ -7,7 +7,7 @@
 namespace beadswim {
 namespace {
 
-/// No sum of a row's absolute values, of the exponent or its transpose, is larger.
+/// No sum over a row's 3 x 3 blocks of their norms, of the exponent or its transpose, is larger.
 double norm_bound(std::span<const PairLink> pairs, std::size_t beads) {
   std::vector<double> rows(beads, 0.0);
   for (const PairLink& pair : pairs) {

@@ -18,14 +18,15 @@ class Finder {
     const double reach = scale_.share * radii / 2;
     if (gap >= reach) return;
     const Vec3 normal = distance > 0 ? Vec3(separation / distance) : Vec3::UnitX();
-    contacts_.push_back({first, second, is_image, normal, gap, contact_force(gap, reach, scale_.strength)});
+    contacts_.push_back(
+        {first, second, is_image, normal, gap, reach, contact_force(gap, reach, scale_.strength)});
   }
 
   /// A bead and its image behind the wall that is `to_wall` away, below 0 beyond it; `inward`: from the wall.
   void meet_wall(int bead, double to_wall, const Vec3& inward, double radius) {
     const double gap = 2 * (to_wall - radius), reach = scale_.share * radius;
     if (gap >= reach) return;
-    contacts_.push_back({bead, bead, true, inward, gap, contact_force(gap, reach, scale_.strength)});
+    contacts_.push_back({bead, bead, true, inward, gap, reach, contact_force(gap, reach, scale_.strength)});
   }
 
  private:

@@ -26,40 +26,27 @@ void add_own_contacts(const SwimmerType& type, const ContactScale& scale, const 
   }
 }
 
-/// Forces about u*, and the answer to them if d does not change.
-ImplicitSwimmer about(const Vector9& ahead, const StepRule& rule, const SwimmerSurroundings& s) {
-  const BeadVectors beads = beads_of(s.now + ahead);
+}  // namespace
+
+ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings& s) {
+  const BeadVectors beads = beads_of(s.now + s.about);
   const double compliance = rule.span / rule.weight;  // du/dv
   ImplicitSwimmer result;
-  result.ahead = ahead;
   result.mobility = own_mobility(s.type, beads, s.viscosity);
   Vector9 forces =
       own_forces(s.type, beads) + as_vector(driving_forces(s.type.driving, rule.time, beads, s.initial_axis));
   Matrix9 stiffness = own_stiffness(s.type, beads);
   add_own_contacts(s.type, s.scale, beads, forces, stiffness);
-  result.drive = forces - stiffness * (s.from / rule.weight - ahead);
+  const Vector9 still = s.from / rule.weight - s.about;  // u - u* at v = 0
+  result.drive = forces - stiffness * still;
   result.resistance = compliance * stiffness;
   if (s.type.springs[0].damping > 0 || s.type.springs[1].damping > 0)
     result.resistance += own_damping(s.type, beads);
   const Matrix9 resistance = result.resistance + compliance * s.others_stiffness;
-  const Vector9 drive = result.drive + s.others - s.others_stiffness * (s.from / rule.weight - s.guess);
+  const Vector9 drive = result.drive + s.others - s.others_stiffness * still;
   result.balance.compute(Matrix9::Identity() + resistance * result.mobility);
   result.forces = result.balance.solve(drive - resistance * s.distant);
-  return result;
-}
-
-}  // namespace
-
-ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings& s) {
-  constexpr int most = 20;
-  const double enough = 1e-4 * s.type.springs[0].rest_length;  // the rest is linear
-  ImplicitSwimmer result = about(s.guess, rule, s);
-  for (int i = 1; i < most; ++i) {
-    const Vector9 velocity = result.mobility * result.forces + s.distant;
-    const Vector9 end = (s.from + rule.span * velocity) / rule.weight;
-    if (!((end - result.ahead).norm() > enough)) break;  // NaN is a fault, found later
-    result = about(end, rule, s);
-  }
+  result.end = (s.from + rule.span * (result.mobility * result.forces + s.distant)) / rule.weight;
   return result;
 }
 

@@ -29,24 +29,23 @@ struct SwimmerSurroundings {
   const SwimmerType& type;
   Vec3 initial_axis;
   Vector9 now;               ///< places of its beads
-  Vector9 from, guess;       ///< r; a first u*
+  Vector9 from, about;       ///< r, u*
   Vector9 distant;           ///< d
-  Vector9 others;            ///< forces by contacts with others at the guess
+  Vector9 others;            ///< forces by contacts with others at u*
   Matrix9 others_stiffness;  ///< of these: against its own beads' displacements
   double viscosity = 0;      ///< dynamic
   const ContactScale& scale;
 };
 
 struct ImplicitSwimmer {
-  Vector9 ahead;                         ///< u*
   Vector9 drive;                         ///< without contacts with others
   Matrix9 resistance;                    ///< D, without contacts with others
   Matrix9 mobility;                      ///< mu_own, in open space
   Eigen::PartialPivLU<Matrix9> balance;  ///< of 1 + D mu_own, contacts with others in D
   Vector9 forces;                        ///< F if d does not change
+  Vector9 end;                           ///< u if d does not change
 };
 
-/// u* is the guess, or, where that is far off, what Newton's method finds.
 ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings& surroundings);
 
 }  // namespace beadswim

@@ -57,45 +57,45 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
   return rank_share(std::ssize(scene_.swimmers), communicator_.rank(), communicator_.size());
 }
 
-/// From the positions now; counts what it took and met.
+/// From the positions now; counts what it took.
 ImplicitStepResult OverdampedSystem::solved(const StepRule& rule, const Beads& from, const Beads& guess,
                                             const Beads& distant) {
   ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
   state_.products += result.products;
-  state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
-  if (result.unsolved > 0 && !fault_)
-    fault_ = {.kind = OverdampedFaultKind::unsolved, .step = state_.steps_done, .value = result.unsolved};
+  is_solved_ = is_solved_ && result.is_solved;
   return result;
 }
 
-/// Of the positions now, by a step of no time.
+/// Of the positions at the start, by a step of no time.
 void OverdampedSystem::find_velocities() {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
   ImplicitStepResult result = solved(rule, nowhere, nowhere, state_.distant[0]);
+  state_.smallest_gap = result.smallest_gap;
   state_.velocities[0] = std::move(result.velocities);
   state_.distant[0] = std::move(result.distant);
 }
 
-/// u over a step by n of Euler's implicit ones: u_k = u_k-1 + h/n v_k.
-Beads OverdampedSystem::euler(int parts) {
+/// A step by n of Euler's implicit ones: u_k = u_k-1 + h/n v_k.
+OverdampedSystem::Step OverdampedSystem::euler(int parts) {
   const double span = scene_.step / parts;
-  Beads u(radii_.size(), Vec3::Zero()), v = state_.velocities[0], d = state_.distant[0];
+  Step step{Beads(radii_.size(), Vec3::Zero()), state_.velocities[0], state_.distant[0]};
   for (int k = 1; k <= parts; ++k) {
     const StepRule rule{.weight = 1, .span = span, .time = time() + k * span};
-    ImplicitStepResult result = solved(rule, u, combined({{1, &u}, {span, &v}}), d);
-    u = std::move(result.displacements);
-    v = std::move(result.velocities);
-    d = std::move(result.distant);
+    const Beads guess = combined({{1, &step.displacements}, {span, &step.velocities}});
+    ImplicitStepResult result = solved(rule, step.displacements, guess, step.distant);
+    step = {std::move(result.displacements), std::move(result.velocities), std::move(result.distant)};
   }
-  return u;
+  return step;
 }
 
 /// Third order by 1, 2 and 3 Euler steps: what is of h and h^2 in their errors cancels.
-void OverdampedSystem::first_steps() {
-  const Beads one = euler(1), two = euler(2), three = euler(3);
-  move(combined({{0.5, &one}, {-4, &two}, {4.5, &three}}));
-  if (!fault_) find_velocities();
+void OverdampedSystem::first_step() {
+  const Step one = euler(1), two = euler(2), three = euler(3);
+  const auto extrapolated = [&](Beads Step::*part) {
+    return combined({{0.5, &(one.*part)}, {-4, &(two.*part)}, {4.5, &(three.*part)}});
+  };
+  accept({extrapolated(&Step::displacements), extrapolated(&Step::velocities), extrapolated(&Step::distant)});
 }
 
 /// In displacements from the positions now: coordinates may be large.
@@ -110,22 +110,21 @@ void OverdampedSystem::multistep() {
       solved(rule, combined({{-1.5, &u1}, {1.0 / 3, &u2}}),
              combined({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),  // cubic through x, x_1, v and v_1
              combined({{3, &d}, {-3, &d1}, {1, &d2}}));
-  move(result.displacements);
-  state_.velocities[0] = std::move(result.velocities);
-  state_.distant[0] = std::move(result.distant);
+  state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
+  accept({std::move(result.displacements), std::move(result.velocities), std::move(result.distant)});
 }
 
-/// A step on; velocities now are those before until they are found.
-void OverdampedSystem::move(const Beads& displacements) {
-  const auto keep = [](auto& past, const Beads& now) {
+void OverdampedSystem::accept(Step step) {
+  const auto keep = [](auto& past, Beads now) {
     std::ranges::rotate(past, past.end() - 1);
-    past[0] = now;
+    past[0] = std::move(now);
   };
-  keep(state_.positions, combined({{1, &state_.positions[0]}, {1, &displacements}}));
-  keep(state_.velocities, Beads(state_.velocities[0]));
-  keep(state_.distant, Beads(state_.distant[0]));
+  keep(state_.positions, combined({{1, &state_.positions[0]}, {1, &step.displacements}}));
+  keep(state_.velocities, std::move(step.velocities));
+  keep(state_.distant, std::move(step.distant));
   ++state_.steps_done;
   look_for_faults();
+  if (!is_solved_ && !fault_) fault_ = {.kind = OverdampedFaultKind::unsolved, .step = state_.steps_done};
 }
 
 void OverdampedSystem::step() {
@@ -133,7 +132,7 @@ void OverdampedSystem::step() {
     ++state_.steps_done;
     return;
   }
-  state_.steps_done < 2 ? first_steps() : multistep();
+  state_.steps_done < 2 ? first_step() : multistep();
   for (const Vec3& v : state_.velocities[0]) state_.largest_speed = std::max(state_.largest_speed, v.norm());
 }
 

@@ -16,9 +16,6 @@ using Vector9 = Eigen::Matrix<double, 9, 1>;
 inline Vector9 as_vector(std::span<const Vec3> beads) {
   return Eigen::Map<const Vector9>(beads[0].data());
 }
-inline void add_to(std::span<Vec3> beads, const Vector9& vector) {
-  Eigen::Map<Vector9>(beads[0].data()) += vector;
-}
 
 /// Rotne-Prager mobility of the swimmer alone in open space.
 Matrix9 own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity);

@@ -23,7 +23,7 @@
 
 namespace beadswim {
 
-/// S. Both mobilities are symmetric and positive definite, N x N.
+/// S. Both mobilities [of one unit] are symmetric and positive definite, N x N; not finite if they are not.
 Eigen::MatrixXd line_map(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& approximate);
 
 /// log S of two spheres, from S. As S - I takes its first column from the second, both of rank one,

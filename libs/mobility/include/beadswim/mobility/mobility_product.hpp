@@ -16,9 +16,8 @@
 //
 //   Oseen         mu_ij of point forces (rotne_prager_tensor.hpp: oseen_tensor)
 //   Rotne-Prager  mu_ij of spheres apart or overlapping, positive definite for any places
-//   near          S^T mu S, mu Rotne and Prager's, S a local map of forces by which spheres that are near
-//   each
-//                 other answer exactly along their lines (near_field.hpp); as definite, at the same cost
+//   near          S^T mu S, mu Rotne and Prager's, S a local map of forces by which near spheres answer
+//                 exactly along their lines (near_field.hpp); as definite, at hardly more cost
 //
 // in open space, or in a box with all images of all spheres: of periodic axes, and of axes with free-slip
 // walls, which are mirrors. The images' sum leaves out k = 0: volume flux is zero. It is meant for forces

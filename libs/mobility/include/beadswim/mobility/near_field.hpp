@@ -15,16 +15,17 @@
 // own three as if straight, of its two arms' lengths along the line from bead 1 to bead 3; any other two,
 // periodic copies and mirror images behind free-slip walls among them, along their line of centres.
 //
-// Pairs count in full up to 4 mean radii between centres and fade out up to 6, where they would change by 0.4
-// % how fast two equal beads part by opposite forces, 0.1 % at 8: what a third bead does is as large.
+// Pairs count in full up to 4 mean radii between centres and fade out up to 6, where they would change how
+// fast two equal beads part by opposite forces by 0.4 %, at 8 by 0.1 %: what a third bead does is as large.
 //
 // Page: docs/method/near-field.md.
 
 namespace beadswim {
 
-constexpr double full_reach = 4, reach = 6;  ///< between centres [mean radius of the two]
+constexpr double full_pair_reach = 4, pair_reach = 6;  ///< between centres [mean radius of the two]
 
-/// Weight of a pair by its distance in mean radii: 1 within full_reach, 0 beyond reach, twice differentiable.
+/// Weight of a pair by its distance in mean radii: 1 within full_pair_reach, 0 beyond pair_reach, twice
+/// differentiable.
 double pair_weight(double distance);
 
 class NearField {
@@ -32,7 +33,8 @@ class NearField {
   /// radii: of spheres 3k, 3k + 1, 3k + 2 of swimmer k. Throws InputError if there is one left over.
   NearField(std::vector<double> radii, std::optional<Box> box);
 
-  /// S for spheres at these places. Tables fill as they are asked for: not for threads side by side.
+  /// S for spheres at these places. Throws NotFiniteError as multipole_mobility does. Tables fill as they are
+  /// asked for: not for threads side by side.
   NearMap at(std::span<const Vec3> positions) const;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,8 @@ struct Contact {
   int first = 0, second = 0;   ///< beads; the same: with its image behind a wall
   bool is_image = false;       ///< of the second, in the box
   Vec3 normal = Vec3::Zero();  ///< from the second to the first
-  double gap = 0;              ///< between surfaces, also of bead and image
+  double gap = 0;              ///< between surfaces, also of bead and image [length]
+  double reach = 0;            ///< of the repulsion [length]
   ContactForce law;
 };
 
@@ -22,11 +24,12 @@ struct ContactScale {
   double share = 0.2;  ///< reach over the mean radius
   double strength =
       0;  ///< largest driving force; where there is none, that which stretches a spring by a radius
-  double largest_radius = 0;
+  double largest_radius = 0;  ///< [length]
 
   explicit ContactScale(const OverdampedScene& scene);
 };
 
+/// All at these places, of each pair once: the nearest image, and a bead's own behind each wall.
 std::vector<Contact> find_contacts(const ContactScale& scale, const std::optional<Box>& box,
                                    std::span<const double> radii, std::span<const Vec3> positions);
 

@@ -24,7 +24,7 @@ struct OverdampedScene {
   std::vector<SwimmerType> types;
   std::vector<Swimmer> swimmers;  ///< in order of their ids
   double step = 0;                ///< [time]
-  double tolerance = 1e-4;        ///< of the mobility product, and of what dashpots hang on
+  double tolerance = 1e-4;        ///< of the mobility product; a third of it of the step's solution
 
   const SwimmerType& type_of(std::size_t swimmer) const { return types[swimmers[swimmer].type]; }
 };

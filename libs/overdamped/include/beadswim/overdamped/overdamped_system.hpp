@@ -20,11 +20,11 @@
 //
 //   11/6 x' - 3 x + 3/2 x_1 - 1/3 x_2 = h v',   v' = mu(x*) [ F(x*) - K (x' - x*) - C v' ]
 //
-// x* is carried forward from three steps; where a swimmer's own springs and contacts alone would take it far
-// from there, x* is where they take it. K is the stiffness of springs, angular springs and contacts, C that
-// of dashpots: what is stiff is solved for, of all swimmers together, so that steps need not resolve it
-// however near they are. A product mu F a step suffices where flow changes smoothly, and a few more are taken
-// where it does not (implicit_step.hpp). Two steps of Euler's, extrapolated to third order, begin.
+// x* is carried forward from the steps before, and is found anew where a step ends far from it. K is the
+// stiffness of springs, angular springs and contacts, C that of dashpots: what is stiff is solved for, of all
+// swimmers together, so that steps need not resolve it however near they are. A product mu F a step suffices
+// where flow changes smoothly, and a few more are taken where it does not (implicit_step.hpp). Two steps of
+// Euler's, extrapolated to third order, begin.
 //
 // References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
 // Page: docs/method/mobility-swarms.md.
@@ -36,7 +36,7 @@ enum class OverdampedFaultKind {
   speed,       ///< a bead moved by more than its radius in a step [radius]
   torn_arm,    ///< an arm over twice its rest length [rest length]
   wall,        ///< the centre of a bead beyond a wall [length]
-  unsolved,    ///< velocities and forces that go together were not found; of no one bead [left of velocities]
+  unsolved,    ///< velocities and forces that go together were not found; of no one bead
 };
 
 struct OverdampedFault {
@@ -87,19 +87,22 @@ class OverdampedSystem {
 
   const std::optional<OverdampedFault>& fault() const { return fault_; }
 
-  /// Goes on from a state of the same scene.
+  /// Goes on from a state of the same scene. Throws SolverError if it is of another number of beads.
   void restore(OverdampedState state);
 
  private:
   using Beads = std::vector<Vec3>;
+  struct Step {
+    Beads displacements, velocities, distant;
+  };
 
   ImplicitStepResult solved(const StepRule& rule, const Beads& from, const Beads& guess,
                             const Beads& distant);
   void find_velocities();
-  Beads euler(int parts);
-  void first_steps();
+  Step euler(int parts);
+  void first_step();
   void multistep();
-  void move(const Beads& displacements);
+  void accept(Step step);
   void look_for_faults();
 
   OverdampedScene scene_;
@@ -108,6 +111,7 @@ class OverdampedSystem {
   MobilityProduct mobility_;
   std::unique_ptr<ImplicitStep> implicit_step_;
   OverdampedState state_;
+  bool is_solved_ = true;  ///< by all steps so far
   std::optional<OverdampedFault> fault_;
 };
 
