@@ -1,11 +1,12 @@
 #!/bin/bash
 # The run records behind docs/speed-against-error.md: the paper's swimmer and its uniform swarm's cell through models,
 # resolutions, bead boundaries, precisions and relaxation times, one run at a time on one rank.
-#   docs/results/speed-against-error.sh FOLDER     (quarter of an hour; the programs on PATH)
-# Writes FOLDER/swarm.jsonl and swimmer.jsonl, one record a line, its last cycle alone, and swarm-reference.jsonl. The
-# swimmer's runs on lattices of usual relaxation times are those of resolution.sh.
+#   docs/results/speed-against-error.sh FOLDER     (half an hour; the programs on PATH)
+# Writes FOLDER/swarm.jsonl and swimmer.jsonl, one record a line, its last cycle alone, and the references, swarm- and
+# swimmer-reference.json. More runs of the swimmer, with relaxation times of 0.8 to 1.5, are those of resolution.sh.
 set -euo pipefail
 folder=${1:?name a folder for the records}
+results=$(realpath "$(dirname "$0")")
 mkdir -p "$folder"
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -72,3 +73,12 @@ done >swarm-reference.jsonl
     on_lattice swimmer 4 3 6 --relaxation-time $time
   done
 } >swimmer.jsonl
+
+jq -sc -f "$results/extrapolated.jq" swarm-reference.jsonl >swarm-reference.json
+{
+  jq -c 'select(.resolution.bead_boundary == "mr" and .resolution.cells_per_radius == 6)' "$results/resolution.jsonl" | head -1
+  cat "$results/resolution-reference.json"
+  jq -c '.resolution as $r | select($r.bead_boundary == "psm" and $r.density_on_lattice != 1 and $r.precision == "double"
+    and $r.cells_per_radius == 4 and $r.relaxation_time == 1.5)' "$results/resolution.jsonl" | head -1
+  jq -c 'select(.resolution.bead_boundary == "psm" and .resolution.cells_per_radius == 8)' "$results/resolution.jsonl"
+} | jq -sc -f "$results/extrapolated.jq" >swimmer-reference.json

@@ -222,11 +222,25 @@ refuses '--reference: has no meaning for stroke' beadswim-plot stroke run.json -
 refuses '--axes: has no meaning for speed-against-error' \
   beadswim-plot speed-against-error run.json --reference run.json --axes linear
 
-# --- the figure and the table of docs/resolution.md are those of the records
+# --- the figures and tables of docs/resolution.md and docs/speed-against-error.md are those of the records
 results=$BEADSWIM_SOURCE/docs/results
 jq -c 'select(.resolution.density_on_lattice != 1)' "$results/resolution.jsonl" >corrected.jsonl
 same_bytes "beadswim-plot speed-against-error corrected.jsonl --reference $results/resolution-reference.json" \
   "cat $BEADSWIM_SOURCE/docs/images/speed-against-error.svg"
+records=$results/speed-against-error
+same_bytes "beadswim-plot speed-against-error $records/swarm.jsonl --reference $records/swarm-reference.json" \
+  "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-swarm.svg"
+same_bytes "beadswim-plot speed-against-error $records/swimmer.jsonl corrected.jsonl --reference $records/swimmer-reference.json" \
+  "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-swimmer.svg"
+same_bytes "jq -sc -f $results/extrapolated.jq $records/swarm-reference.jsonl" "cat $records/swarm-reference.json"
+tables() {
+  jq -rs -L "$results" --slurpfile reference "$records/swarm-reference.json" -f "$results/speed-against-error.jq" "$records/swarm.jsonl"
+  jq -rs -L "$results" --slurpfile reference "$records/swimmer-reference.json" -f "$results/speed-against-error.jq" \
+    "$records/swimmer.jsonl" corrected.jsonl
+}
+tables >tables
+check "the tables of docs/speed-against-error.md are those of the records" \
+  cmp -s tables <(sed -n '/^## The swarm.s cell$/,$p' "$BEADSWIM_SOURCE/docs/speed-against-error.md" | grep '^|')
 same_bytes "jq -rs -L $results --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
   "grep '^|' $BEADSWIM_SOURCE/docs/resolution.md"
 
