@@ -2,13 +2,12 @@
 
 #include <limits>
 #include <span>
-#include <vector>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/overdamped/contacts.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
-#include "implicit_swimmer.hpp"
+#include "implicit_balance.hpp"
 
 // An implicit step of all swimmers: displacements u with w u - r = h v, velocities v and forces F of
 //
@@ -29,8 +28,6 @@
 // Reference: Eisenstat, Elman and Schultz, SIAM J. Numer. Anal. 20, 345 (1983).
 
 namespace beadswim {
-
-using Beads = std::vector<Vec3>;
 
 struct ImplicitStepResult {
   Beads displacements;  ///< u
@@ -54,8 +51,7 @@ class ImplicitStep {
                            const Beads& distant) const;
 
  private:
-  class Balance;
-  ImplicitStepResult solve_about(const Balance& balance, const Beads& about, const Beads& now) const;
+  ImplicitStepResult solve_about(const ImplicitBalance& balance, const Beads& about, const Beads& now) const;
   double farthest_move(const Beads& from, const Beads& to) const;
 
   const OverdampedScene& scene_;
