@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* beads_section = "overdamped beads";
+constexpr const char* beads_section = "overdamped";
 
 const std::map<std::string, PointModel> point_models{{"oseen", PointModel::oseen},
                                                      {"rpy", PointModel::rotne_prager},
