@@ -44,15 +44,17 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       ->check(CLI::IsMember(bead_scheme_names()))
       ->capture_default_str()
       ->type_name("NAME");
-  program
-      ->add_option("--beads", options.products.beads,
-                   "Instead of the lattice: products of a mobility and forces, of so many beads.")
-      ->delimiter(',')
-      ->check(CLI::Range(2, 100000000).description(""))
-      ->default_str("")
-      ->type_name("N,...");
+  auto* beads =
+      program
+          ->add_option("--beads", options.products.beads,
+                       "Instead of the lattice: products of a mobility and forces, of so many beads.")
+          ->delimiter(',')
+          ->check(CLI::Range(2, 100000000).description(""))
+          ->default_str("")
+          ->type_name("N,...");
   program->add_option("--tolerance", options.products.tolerance, "Of these products, as of beadswim-run.")
-      ->check(CLI::Range(1e-12, 1e-2).description(""))
+      ->needs(beads)
+      ->check(product_tolerance())
       ->capture_default_str();
   program
       ->add_option("--rounds", options.request.rounds,

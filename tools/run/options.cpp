@@ -25,7 +25,7 @@ CLI::Validator relaxation_time() {
                                               ? std::string{}
                                               : text +
                                                     " is not above 0.5, where the viscosity "
-                                                    "(tau - 1/2)/3 vanishes; 0.6 to 3 work well";
+                                                    "(tau - 1/2)/3 vanishes; 0.6 to 1.5 work well";
                                  },
                                  "", "");
 }
@@ -72,10 +72,11 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
                   "of each swimmer's own period.")
       ->check(CLI::Range(4, 1000000).description(""));
   program
-      .add_option("--tolerance", options.tolerance,
-                  "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
-                  "their root mean square.")
-      ->check(CLI::Range(1e-12, 1e-2).description(""));
+      .add_option(
+          "--tolerance", options.tolerance,
+          "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
+          "their root mean square.")
+      ->check(product_tolerance());
   program
       .add_option("--steps-per-cycle", options.steps_per_cycle,
                   "rpy, rpy+near, oseen: time steps in the shortest period of any swimmer's driving.")

@@ -61,6 +61,10 @@ CLI::Validator whole_positive() {
                      "a whole number from 1 to 1000000");
 }
 
+CLI::Validator product_tolerance() {
+  return number_that([](double x) { return x >= 1e-12 && x <= 1e-2; }, "a number from 1e-12 to 0.01");
+}
+
 CLI::Validator finite_non_negative() {
   return number_that([](double x) { return x >= 0; }, "a finite number, 0 or greater");
 }

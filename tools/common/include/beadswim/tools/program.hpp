@@ -36,7 +36,8 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
 CLI::Validator finite();
 CLI::Validator finite_positive();
 CLI::Validator finite_non_negative();
-CLI::Validator whole_positive();  ///< up to a million
+CLI::Validator whole_positive();     ///< up to a million
+CLI::Validator product_tolerance();  ///< of mobility products
 
 /// For a flag, held as text, of several numbers joined by commas, such as "4" or "3,4,5": how many it may
 /// have, and what each must be.
