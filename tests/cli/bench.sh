@@ -45,6 +45,7 @@ run beadswim-bench --beads 90 --rounds 1
 has_status 0
 out_has 'open'
 
+refuses 'tolerance requires --beads' beadswim-bench --tolerance 1e-3
 refuses 'edge: is of the lattice' beadswim-bench --beads 90 --edge 64
 refuses 'edge: Value 16 not in range 32 to 4096' beadswim-bench --edge 16
 refuses 'bead-boundary: sphere' beadswim-bench --bead-boundary sphere
