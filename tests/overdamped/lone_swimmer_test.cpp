@@ -2,67 +2,10 @@
 
 #include <cmath>
 
-#include "beadswim/mobility/oseen.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
-#include "beadswim/theory/box_mobility.hpp"
-#include "beadswim/theory/periodic_motion.hpp"
-#include "beadswim/theory/question.hpp"
-#include "scenes.hpp"
+#include "swimming.hpp"
 
 namespace beadswim {
 namespace {
-
-struct Swimming {
-  double velocity;
-  std::array<double, 2> arm_means;
-};
-
-/// Of the last of some cycles, at which strokes are periodic.
-Swimming swimming_of(const OverdampedScene& scene, int steps_per_cycle, int cycles) {
-  const Communicator world(MPI_COMM_WORLD);
-  OverdampedSystem system(scene, world);
-  const auto centre = [&] {
-    return (system.positions()[0] + system.positions()[1] + system.positions()[2])[0] / 3;
-  };
-  Swimming result{};
-  for (int n = 0; n < cycles * steps_per_cycle; ++n) {
-    if (n >= (cycles - 1) * steps_per_cycle)
-      for (int arm = 0; arm < 2; ++arm)
-        result.arm_means[arm] +=
-            (system.positions()[arm + 1] - system.positions()[arm]).norm() / steps_per_cycle;
-    if (n == (cycles - 1) * steps_per_cycle) result.velocity = -centre();
-    system.step();
-  }
-  result.velocity = (result.velocity + centre()) / scene.types[0].driving.period;
-  return result;
-}
-
-PeriodicMotion theory_of(const OverdampedScene& scene) {
-  const CollinearSwimmer swimmer = collinear_swimmer(scene.types[0], Vec3::UnitX(), scene.viscosity);
-  if (scene.model == PointModel::rotne_prager_near)
-    return periodic_motion(swimmer, rest_positions(swimmer),
-                           [&](const LinePositions& x) { return exact_mobility(swimmer, x, 1e-9); });
-  const PairLaw law = scene.model == PointModel::oseen ? oseen : rotne_prager;
-  if (!scene.box) {
-    return periodic_motion(swimmer, rest_positions(swimmer), [&](const LinePositions& x) {
-      return pairwise_mobility(law, swimmer.radius, x, scene.viscosity);
-    });
-  }
-  const LineFlow flow(scene.viscosity, *scene.box, scene.swimmers[0].position[1],
-                      scene.swimmers[0].position[2]);
-  LinePositions rest = rest_positions(swimmer);
-  for (double& x : rest) x += scene.swimmers[0].position[0];
-  return periodic_motion(swimmer, rest,
-                         [&](const LinePositions& x) { return rotne_prager_in(flow, swimmer, x); });
-}
-
-void expect_theory(const OverdampedScene& scene, int steps_per_cycle, int cycles, double truncation) {
-  const Swimming run = swimming_of(scene, steps_per_cycle, cycles);
-  const PeriodicMotion theory = theory_of(scene);
-  EXPECT_NEAR(run.velocity / theory.velocity, 1, truncation);
-  for (int arm = 0; arm < 2; ++arm)
-    EXPECT_NEAR(run.arm_means[arm] / theory.arm_means[arm], 1, truncation) << "arm " << arm + 1;
-}
 
 // Harmonic balance knows no steps, and has its own mobilities along a line.
 TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInOpenSpace) {
@@ -91,42 +34,6 @@ TEST(OverdampedSwimmer, SwimsAsExactStokesFlowSaysWithNearFields) {
       SCOPED_TRACE(testing::Message() << "arm " << arm << ", radius " << type.beads[0].radius);
       expect_theory(scene, steps, 8, truncation);
     }
-  }
-}
-
-// Ewald's sum along the line against that in space; a swimmer between walls across its axis feels their
-// images.
-TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInBoxes) {
-  constexpr int steps = 300;
-  constexpr double truncation = 5e-5;
-  OverdampedScene scene = scene_of(paper_swimmer(), steps);
-  scene.tolerance = 1e-6;
-  scene.box = Box{{120, 80, 80}, {}};
-  expect_theory(scene, steps, 3, truncation);
-  scene.box = Box{{100, 40, 40}, {false, true, false}};
-  scene.swimmers[0].position = {50, 20, 20};
-  expect_theory(scene, steps, 3, truncation);
-}
-
-// Quasi-static v/v_free of the paper's swimmer at small amplitude, by sums along a line.
-TEST(OverdampedSwimmer, HasTheBoxFactorsOnRecord) {
-  struct Case {
-    Vec3 lengths;
-    bool has_walls;
-    double factor, printed_digits;
-  };
-  constexpr int steps = 100;
-  SwimmerType type = paper_swimmer();
-  type.driving.amplitude = {0.01, 0.01};
-  OverdampedScene scene = scene_of(type, steps);
-  scene.tolerance = 1e-8;  // the swimmer is a thousandth as fast as its beads
-  const double open = swimming_of(scene, steps, 3).velocity;
-  for (const auto& [lengths, has_walls, factor, printed_digits] :
-       {Case{{60, 60, 60}, false, 1.3228, 1e-4}, Case{{100, 100, 100}, false, 1.0287, 1e-4},
-        Case{{100, 40, 40}, false, 0.768, 1e-3}, Case{{160, 80, 80}, true, 0.99226, 1e-4}}) {
-    scene.box = Box{{lengths[0], lengths[1], lengths[2]}, {has_walls, has_walls, has_walls}};
-    scene.swimmers[0].position = lengths / 2;
-    EXPECT_NEAR(swimming_of(scene, steps, 3).velocity / open, factor, printed_digits) << lengths.transpose();
   }
 }
 

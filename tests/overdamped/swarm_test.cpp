@@ -91,33 +91,6 @@ TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInABoxWithWalls) {
   EXPECT_LT(farthest(positions_after(scene, 30), by_runge_kutta(scene, start, end, 40)), truncation);
 }
 
-// A cell that repeats: what one swimmer does in it each of eight does in a box of 2 x 2 x 2 cells, to
-// roundoff where the product is as exact.
-TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
-  constexpr int steps = 40;
-  OverdampedScene one = scene_of(paper_swimmer(), steps);
-  one.types[0].driving.amplitude = {1, 1};
-  one.types[0].springs[0].stiffness = one.types[0].springs[1].stiffness = 0.2;
-  one.box = Box{{64, 32, 32}, {}};
-  one.swimmers[0].position = {32, 16, 16};
-  one.tolerance = 1e-12;
-  OverdampedScene eight = one;
-  eight.box = Box{{128, 64, 64}, {}};
-  eight.swimmers.clear();
-  for (int id = 0; id < 8; ++id)
-    eight.swimmers.push_back(
-        {.id = id,
-         .type = 0,
-         .position = Vec3(32 + 64 * (id & 1), 16 + 32 * (id >> 1 & 1), 16 + 32 * (id >> 2)),
-         .axis = Vec3::UnitX()});
-  const auto cell = positions_after(one, 10), swarm = positions_after(eight, 10);
-  EXPECT_GT(std::abs(cell[0][0] - 12), 0.02);
-  for (std::size_t b = 0; b < swarm.size(); ++b) {
-    const Vec3 offset = eight.swimmers[b / 3].position - one.swimmers[0].position;
-    EXPECT_LT((swarm[b] - offset - cell[b % 3]).norm(), 5e-12) << "bead " << b;
-  }
-}
-
 // Neighbours 2.67 radii apart answer to each other's springs more than to their own. Few steps a cycle do,
 // and swimmers that are alike stay so.
 TEST(OverdampedSwarm, BearsDenseSwarmsWithFewSteps) {

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "swimming.hpp"
+
+// Products to many digits take their time.
+
+namespace beadswim {
+namespace {
+
+// Ewald's sum along the line against that in space; a swimmer between walls across its axis feels their
+// images.
+TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInBoxes) {
+  constexpr int steps = 300;
+  constexpr double truncation = 5e-5;
+  OverdampedScene scene = scene_of(paper_swimmer(), steps);
+  scene.tolerance = 1e-6;
+  scene.box = Box{{120, 80, 80}, {}};
+  expect_theory(scene, steps, 3, truncation);
+  scene.box = Box{{100, 40, 40}, {false, true, false}};
+  scene.swimmers[0].position = {50, 20, 20};
+  expect_theory(scene, steps, 3, truncation);
+}
+
+// Quasi-static v/v_free of the paper's swimmer at small amplitude, by sums along a line.
+TEST(OverdampedSwimmer, HasTheBoxFactorsOnRecord) {
+  struct Case {
+    Vec3 lengths;
+    bool has_walls;
+    double factor, printed_digits;
+  };
+  constexpr int steps = 100;
+  SwimmerType type = paper_swimmer();
+  type.driving.amplitude = {0.01, 0.01};
+  OverdampedScene scene = scene_of(type, steps);
+  scene.tolerance = 1e-8;  // the swimmer is a thousandth as fast as its beads
+  const double open = swimming_of(scene, steps, 3).velocity;
+  for (const auto& [lengths, has_walls, factor, printed_digits] :
+       {Case{{60, 60, 60}, false, 1.3228, 1e-4}, Case{{100, 100, 100}, false, 1.0287, 1e-4},
+        Case{{100, 40, 40}, false, 0.768, 1e-3}, Case{{160, 80, 80}, true, 0.99226, 1e-4}}) {
+    scene.box = Box{{lengths[0], lengths[1], lengths[2]}, {has_walls, has_walls, has_walls}};
+    scene.swimmers[0].position = lengths / 2;
+    EXPECT_NEAR(swimming_of(scene, steps, 3).velocity / open, factor, printed_digits) << lengths.transpose();
+  }
+}
+
+// A cell that repeats: what one swimmer does in it each of eight does in a box of 2 x 2 x 2 cells, to
+// roundoff where the product is as exact.
+TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
+  constexpr int steps = 40;
+  OverdampedScene one = scene_of(paper_swimmer(), steps);
+  one.types[0].driving.amplitude = {1, 1};
+  one.types[0].springs[0].stiffness = one.types[0].springs[1].stiffness = 0.2;
+  one.box = Box{{64, 32, 32}, {}};
+  one.swimmers[0].position = {32, 16, 16};
+  one.tolerance = 1e-12;
+  OverdampedScene eight = one;
+  eight.box = Box{{128, 64, 64}, {}};
+  eight.swimmers.clear();
+  for (int id = 0; id < 8; ++id)
+    eight.swimmers.push_back(
+        {.id = id,
+         .type = 0,
+         .position = Vec3(32 + 64 * (id & 1), 16 + 32 * (id >> 1 & 1), 16 + 32 * (id >> 2)),
+         .axis = Vec3::UnitX()});
+  const auto cell = positions_after(one, 10), swarm = positions_after(eight, 10);
+  EXPECT_GT(std::abs(cell[0][0] - 12), 0.02);
+  for (std::size_t b = 0; b < swarm.size(); ++b) {
+    const Vec3 offset = eight.swimmers[b / 3].position - one.swimmers[0].position;
+    EXPECT_LT((swarm[b] - offset - cell[b % 3]).norm(), 5e-12) << "bead " << b;
+  }
+}
+
+}  // namespace
+}  // namespace beadswim
