@@ -32,12 +32,6 @@ std::vector<Vec3> steps_after(OverdampedScene scene, double end, int steps) {
   return {system.positions().begin(), system.positions().end()};
 }
 
-double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
-  return most;
-}
-
 /// Third order: halved steps have an eighth of the error, a sixth where it is not yet all of it.
 void expect_third_order(const OverdampedScene& scene, double end, int steps, double truncation) {
   const auto start = steps_after(scene, end, 0), exact = cvode_after(scene, end);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -94,6 +95,13 @@ inline std::vector<Vec3> positions_after(const OverdampedScene& scene, int steps
   OverdampedSystem system(scene, world);
   for (int n = 0; n < steps; ++n) system.step();
   return {system.positions().begin(), system.positions().end()};
+}
+
+/// Largest distance between places of the same beads.
+inline double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
+  return most;
 }
 
 }  // namespace beadswim

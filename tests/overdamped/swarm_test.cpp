@@ -62,12 +62,6 @@ direct::Vectors by_runge_kutta(const OverdampedScene& scene, direct::Vectors x, 
   return x;
 }
 
-double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
-  double most = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());
-  return most;
-}
-
 // Swimmers that turn, bend and drag each other: another integrator, and every pair written out.
 TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInOpenSpace) {
   constexpr int steps = 1200;
@@ -89,30 +83,6 @@ TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInABoxWithWalls) {
   const auto start = positions_after(scene, 0);
   const double end = scene.step * 30;
   EXPECT_LT(farthest(positions_after(scene, 30), by_runge_kutta(scene, start, end, 40)), truncation);
-}
-
-// Neighbours 2.67 radii apart answer to each other's springs more than to their own. Few steps a cycle do,
-// and swimmers that are alike stay so.
-TEST(OverdampedSwarm, BearsDenseSwarmsWithFewSteps) {
-  OverdampedScene scene = scene_of(paper_swimmer(), 50);
-  const double period = scene.types[0].driving.period, gap = 10.67;
-  scene.types[0].driving.amplitude = {1, 1};
-  scene.types[0].springs[0].stiffness = scene.types[0].springs[1].stiffness = 0.2;
-  scene.tolerance = 1e-5;
-  scene.box = Box{{64, 4 * gap, 4 * gap}, {}};
-  scene.swimmers.clear();
-  for (int id = 0; id < 16; ++id)
-    scene.swimmers.push_back({.id = id,
-                              .type = 0,
-                              .position = Vec3(32, gap * (0.5 + id % 4), gap * (0.5 + id / 4)),
-                              .axis = Vec3::UnitX()});
-  const auto start = positions_after(scene, 0), few = positions_after(scene, 50);
-  for (std::size_t b = 3; b < few.size(); ++b)
-    EXPECT_LT((few[b] - start[b] - few[b % 3] + start[b % 3]).norm(), 1e-4) << "bead " << b;
-  scene.step = period / 400;
-  const auto many = positions_after(scene, 400);
-  EXPECT_GT(farthest(start, many), 0.3);
-  EXPECT_LT(farthest(few, many), 2e-3);
 }
 
 // Two swimmers that are driven into each other across a seam of the box do as in its middle.
