@@ -37,21 +37,6 @@ int mirrors(const std::optional<Box>& box) {
   return count;
 }
 
-/// Adds the copies behind walls, of each axis in turn: a mirror reverses a vector's part across it.
-void add_mirror_images(const Box& box, std::vector<Vec3>& positions, std::vector<Vec3>& forces) {
-  for (int a = 0; a < 3; ++a) {
-    if (!box.free_slip[a]) continue;
-    const std::size_t count = positions.size();
-    for (std::size_t b = 0; b < count; ++b) {
-      Vec3 place = positions[b], force = forces[b];
-      place[a] = -place[a];
-      force[a] = -force[a];
-      positions.push_back(place);
-      forces.push_back(force);
-    }
-  }
-}
-
 EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {
   EwaldScene ewald{.lengths = mirrored_lengths(scene.box),
                    .is_periodic = scene.box.has_value(),
@@ -143,7 +128,7 @@ const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positio
 void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                             std::span<Vec3> velocities) const {
   std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
-  if (scene.box) add_mirror_images(*scene.box, places, sources);
+  for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
   if (mesh) {
     near->add_velocities(places, sources, velocities, communicator);
     mesh->add_velocities(places, sources, velocities);

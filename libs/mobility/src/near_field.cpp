@@ -102,18 +102,7 @@ SwimmerLink NearField::swimmer_link(std::size_t swimmer, std::span<const Vec3> p
 
 NearField::Images NearField::images_of(std::span<const Vec3> positions) const {
   Images images{{positions.begin(), positions.end()}, {Vec3::Ones()}};
-  for (int a = 0; a < 3 && box_; ++a) {
-    if (!box_->free_slip[a]) continue;
-    const std::size_t places = images.places.size(), mirrors = images.mirrors.size();
-    for (std::size_t p = 0; p < places; ++p) {
-      images.places.push_back(images.places[p]);
-      images.places.back()[a] *= -1;
-    }
-    for (std::size_t m = 0; m < mirrors; ++m) {
-      images.mirrors.push_back(images.mirrors[m]);
-      images.mirrors.back()[a] *= -1;
-    }
-  }
+  for (auto* vectors : {&images.places, &images.mirrors}) add_mirror_images(box_, *vectors);
   return images;
 }
 

@@ -60,7 +60,7 @@ void NearPairs::tabulate() {
   const auto stretch_of = [](double r) { return std::bit_cast<std::int64_t>(r * r) >> PairTable::shift; };
   table_ = {.first = stretch_of(touching_), .functions = is_alike_ ? 2 : 4, .coefficients = nullptr};
   const auto stretches = static_cast<int>(stretch_of(law_.cut_off) - table_.first);
-  const double squares = !are_spheres(law_.model) ? 0 : 2 * law_.radii.front() * law_.radii.front();
+  const double squares = are_spheres(law_.model) ? 2 * law_.radii.front() * law_.radii.front() : 0;
   const int functions = table_.functions;
   coefficients_.resize(static_cast<std::size_t>(stretches + 1) * powers * functions);
   for (int s = 0; s <= stretches; ++s) {
