@@ -8,7 +8,6 @@
 #include <memory>
 #include <string>
 
-#include "beadswim/bodies/rest_positions.hpp"
 #include "beadswim/bodies/swimmer_forces.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/rotne_prager_tensor.hpp"
@@ -16,7 +15,6 @@
 namespace beadswim {
 namespace {
 
-using Beads = std::vector<Vec3>;
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 using Vector9 = Eigen::Matrix<double, 9, 1>;
 
@@ -55,22 +53,6 @@ Matrix9 mobility_of(const SwimmerType& type, const Vector9& x, double viscosity)
     }
   }
   return mobility;
-}
-
-Beads rest_places(const OverdampedScene& scene) {
-  Beads places;
-  for (std::size_t s = 0; s < scene.swimmers.size(); ++s)
-    for (const Vec3& place :
-         rest_positions(scene.type_of(s), scene.swimmers[s].position, scene.swimmers[s].axis))
-      places.push_back(place);
-  return places;
-}
-
-std::vector<double> radii_of(const OverdampedScene& scene) {
-  std::vector<double> radii;
-  for (std::size_t s = 0; s < scene.swimmers.size(); ++s)
-    for (const Bead& bead : scene.type_of(s).beads) radii.push_back(bead.radius);
-  return radii;
 }
 
 /// dy/dt of displacements y since the start, and what CVODE asks of it.

@@ -20,8 +20,6 @@
 namespace beadswim {
 namespace {
 
-using Beads = std::vector<Vec3>;
-
 struct NamedScene {
   std::string name, description;
   OverdampedScene scene;
@@ -95,7 +93,7 @@ Run by_cvode_at(const OverdampedScene& scene, int cycles, double tolerance, Cvod
     return Run{.name = fmt::format("CVODE, {}, {:.0e}", how, tolerance),
                .products = result.products,
                .steps = result.steps,
-               .displacements = difference(result.positions, positions_after(scene, 0))};
+               .displacements = difference(result.positions, rest_places(scene))};
   });
 }
 

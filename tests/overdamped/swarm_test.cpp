@@ -11,20 +11,19 @@ namespace {
 
 /// Three swimmers, turned and near each other, one of another type.
 OverdampedScene three_swimmers(int steps_per_cycle) {
-  OverdampedScene scene = scene_of(paper_swimmer(), steps_per_cycle);
+  OverdampedScene scene = turned_swimmers();
+  scene.step /= steps_per_cycle;
+  scene.swimmers[0].axis = Vec3::UnitX();
+  scene.swimmers[1].type = 1;
   scene.types.push_back(odd_swimmer());
   scene.types[1].springs[0].damping = scene.types[1].springs[1].damping = 0;
   scene.types[0].angular_stiffness = scene.types[1].angular_stiffness =
       2;  // bends, and Runge and Kutta bear it
-  scene.swimmers.push_back(
-      {.id = 1, .type = 1, .position = {62, 54, 44}, .axis = Vec3(1, 0.5, -0.2).normalized()});
-  scene.swimmers.push_back(
-      {.id = 2, .type = 0, .position = {40, 45, 58}, .axis = Vec3(-0.3, 1, 0.4).normalized()});
   return scene;
 }
 
 direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& places, double time) {
-  direct::Spheres spheres{places, {}, {}};
+  direct::Spheres spheres{places, radii_of(scene), {}};
   const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
     const SwimmerType& type = scene.type_of(s);
@@ -32,10 +31,7 @@ direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& 
     const BeadVectors springs = spring_forces(type.springs, beads, at_rest);
     const BeadVectors bending = angular_spring_forces(type.angular_stiffness, beads);
     const BeadVectors driving = driving_forces(type.driving, time, beads, scene.swimmers[s].axis);
-    for (int b = 0; b < 3; ++b) {
-      spheres.radii.push_back(type.beads[b].radius);
-      spheres.forces.push_back(springs[b] + bending[b] + driving[b]);
-    }
+    for (int b = 0; b < 3; ++b) spheres.forces.push_back(springs[b] + bending[b] + driving[b]);
   }
   return spheres;
 }

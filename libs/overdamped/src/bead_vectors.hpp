@@ -1,14 +1,11 @@
 #pragma once
 
-#include <vector>
-
+#include "beadswim/overdamped/overdamped_scene.hpp"
 #include "swimmer_response.hpp"
 
-// Numbers of all beads, three vectors a swimmer.
+// Vectors of all beads as Eigen has them.
 
 namespace beadswim {
-
-using Beads = std::vector<Vec3>;
 
 /// The nine numbers of a swimmer.
 inline auto nine(const Beads& beads, std::size_t swimmer) {

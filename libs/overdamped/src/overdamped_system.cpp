@@ -3,29 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/bodies/rest_positions.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_share.hpp"
 #include "implicit_step.hpp"
 
 namespace beadswim {
 namespace {
-
-std::vector<double> radii_of(const OverdampedScene& scene) {
-  std::vector<double> radii;
-  for (std::size_t s = 0; s < scene.swimmers.size(); ++s)
-    for (const Bead& bead : scene.type_of(s).beads) radii.push_back(bead.radius);
-  return radii;
-}
-
-std::vector<Vec3> rest_places(const OverdampedScene& scene) {
-  std::vector<Vec3> places;
-  for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
-    const auto& [id, type, position, axis] = scene.swimmers[s];
-    for (const Vec3& place : rest_positions(scene.types[type], position, axis)) places.push_back(place);
-  }
-  return places;
-}
 
 /// sum_i factor_i beads_i.
 Beads combined(std::initializer_list<std::pair<double, const Beads*>> terms) {

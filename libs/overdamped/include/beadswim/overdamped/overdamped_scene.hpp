@@ -9,6 +9,9 @@
 
 namespace beadswim {
 
+/// Vectors of all beads, three a swimmer, in order of the swimmers.
+using Beads = std::vector<Vec3>;
+
 /// A swarm without inertia. Any coherent unit system.
 struct OverdampedScene {
   struct Swimmer {
@@ -28,5 +31,11 @@ struct OverdampedScene {
 
   const SwimmerType& type_of(std::size_t swimmer) const { return types[swimmers[swimmer].type]; }
 };
+
+/// Radii of all beads.
+std::vector<double> radii_of(const OverdampedScene& scene);
+
+/// Where they are at time 0.
+Beads rest_places(const OverdampedScene& scene);
 
 }  // namespace beadswim

@@ -54,9 +54,9 @@ struct OverdampedState {
   long products = 0;
   double largest_speed = 0;
   double smallest_gap = std::numeric_limits<double>::infinity();  ///< of beads that repelled each other
-  std::array<std::vector<Vec3>, 3> positions;   ///< of all beads, now and one and two steps ago
-  std::array<std::vector<Vec3>, 2> velocities;  ///< now and a step ago
-  std::array<std::vector<Vec3>, 3> distant;     ///< velocities by all but the own swimmer, as positions
+  std::array<Beads, 3> positions;   ///< of all beads, now and one and two steps ago
+  std::array<Beads, 2> velocities;  ///< now and a step ago
+  std::array<Beads, 3> distant;     ///< velocities by all but the own swimmer, as positions
 };
 
 class ImplicitStep;
@@ -91,7 +91,6 @@ class OverdampedSystem {
   void restore(OverdampedState state);
 
  private:
-  using Beads = std::vector<Vec3>;
   struct Step {
     Beads displacements, velocities, distant;
   };
