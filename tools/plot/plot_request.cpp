@@ -174,10 +174,10 @@ void add_flags(CLI::App& program, PlotRequest& request) {
           "axis, against the mean flow along periodic axes. separation: the same velocity against l/λ, "
           "the beads' smallest separation over their radius. speed-against-error: errors of velocity and "
           "stroke against core-seconds a period, by setting and resolution, and the front of those that none "
-          "beats in both. trajectories: a "
-          "coordinate of beads against time. swarm: a picture of all beads at one frame. mobility-products: "
-          "time "
-          "of a product of mobility and forces against the number of beads, by beadswim-bench --beads "
+          "beats in both. trajectories: a coordinate of beads against time. swarm: a picture of all beads at "
+          "one "
+          "frame. mobility-products: time of a product of mobility and forces against the number of beads, "
+          "by beadswim-bench --beads "
           "--json.")
       ->type_name(
           "stroke|velocity-against-period|separation|speed-against-error|trajectories|swarm|mobility-"

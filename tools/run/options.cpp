@@ -59,8 +59,8 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       "lbm|rpy|rpy+near|oseen|auto", "auto",
       "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
       "Prager's mobility of all pairs and images; rpy+near: likewise, and exact along the line of a "
-      "swimmer's "
-      "beads and of two that are near each other; oseen: by Oseen's. auto: the best model there is, lbm.");
+      "swimmer's beads and of two that are near each other; oseen: by Oseen's. auto: the best model there "
+      "is, lbm.");
   program
       .add_option("--cycles", options.cycles,
                   "Length of the run, in periods of the first type's driving; fractions allowed.")

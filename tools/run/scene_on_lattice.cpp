@@ -17,7 +17,7 @@
 namespace beadswim {
 namespace {
 
-/// What a run uses if neither the command line nor the layout says otherwise: the paper's.
+/// What a run uses if neither the command line nor the layout says otherwise: docs/speed-against-error.md.
 constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time = 1};
 
 /// A smaller bead can slip between the centres of cells and cover none [cell].
