@@ -2,23 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-
+#include "beadswim/core/processor.hpp"
 #include "beadswim/lattice/sweep.hpp"
 #include "scenes.hpp"
 
 namespace beadswim {
 namespace {
-
-/// As the system names it; "unknown" where it does not.
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    const std::size_t name = line.find(": ");
-    if (line.starts_with("model name") && name != std::string::npos) return line.substr(name + 2);
-  }
-  return "unknown";
-}
 
 Json row_to_json(const BenchRow& row) {
   Json json{{"case", row.name},

@@ -8,8 +8,8 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/scene/surroundings.hpp"
 #include "beadswim/theory/methods.hpp"
-#include "surroundings.hpp"
 
 namespace beadswim {
 namespace {

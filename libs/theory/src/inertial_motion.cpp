@@ -32,7 +32,22 @@ Complex steady_size(double radius, Complex kappa) {
   return radius * radius * (1.0 + kappa + kappa * kappa / 5.0) / induced_force_factor(kappa);
 }
 
-/// M of the induced forces: U = M f.
+}  // namespace
+
+InertialScene unbounded_scene(const Question& question) {
+  return {question.swimmer, question.fluid_density, LineFlow(question.swimmer.viscosity),
+          rest_positions(question.swimmer)};
+}
+
+InertialScene inertial_scene(const Question& question) {
+  InertialScene scene = unbounded_scene(question);
+  if (!question.box) return scene;
+  const auto& [box, middle] = *question.box;
+  scene.flow = LineFlow(question.swimmer.viscosity, box, middle[1], middle[2]);
+  for (double& x : scene.positions) x += middle[0];
+  return scene;
+}
+
 Eigen::Matrix3cd induced_mobility(const InertialScene& scene) {
   const CollinearSwimmer& swimmer = scene.swimmer;
   const Complex alpha = inverse_penetration_depth(swimmer, scene.fluid_density);
@@ -51,22 +66,6 @@ Eigen::Matrix3cd induced_mobility(const InertialScene& scene) {
   return mobility;
 }
 
-}  // namespace
-
-InertialScene unbounded_scene(const Question& question) {
-  return {question.swimmer, question.fluid_density, LineFlow(question.swimmer.viscosity),
-          rest_positions(question.swimmer)};
-}
-
-InertialScene inertial_scene(const Question& question) {
-  InertialScene scene = unbounded_scene(question);
-  if (!question.box) return scene;
-  const auto& [box, middle] = *question.box;
-  scene.flow = LineFlow(question.swimmer.viscosity, box, middle[1], middle[2]);
-  for (double& x : scene.positions) x += middle[0];
-  return scene;
-}
-
 Eigen::Matrix3cd unsteady_mobility(const InertialScene& scene) {
   const Eigen::Matrix3cd induced = induced_mobility(scene);
   const Complex i_omega = i_unit * scene.swimmer.angular_frequency();
@@ -82,13 +81,11 @@ Eigen::Vector3cd induced_forces(const InertialScene& scene, const LinearResponse
          omega * omega * excess_masses(scene).cast<Complex>().cwiseProduct(response.displacement);
 }
 
-double lagrangian_drift(const InertialScene& scene, const LinearResponse& response) {
+DriftForm drift_form(const InertialScene& scene) {
   const CollinearSwimmer& swimmer = scene.swimmer;
   const Complex alpha = inverse_penetration_depth(swimmer, scene.fluid_density);
-  const Eigen::Vector3cd force = induced_forces(scene, response);
-  const Eigen::Vector3d w =
-      rigid_force_distribution(rotne_prager_in(scene.flow, swimmer, scene.positions).value);
-  double drift = 0;
+  DriftForm form;
+  form.towing = rigid_force_distribution(rotne_prager_in(scene.flow, swimmer, scene.positions).value);
   for (int j = 0; j < 3; ++j) {
     const double x_j = scene.positions[j], a_j = swimmer.radius[j];
     for (int i = 0; i < 3; ++i) {
@@ -97,16 +94,30 @@ double lagrangian_drift(const InertialScene& scene, const LinearResponse& respon
       const UnsteadyFlow unsteady =
           i == j ? scene.flow.unsteady_images(alpha, x_j) : scene.flow.unsteady(alpha, x_j, x_i);
       const SteadyFlow steady = i == j ? scene.flow.steady_images(x_j) : scene.flow.steady(x_j, x_i);
-      const Complex R_slope =
+      form.by_receiver(j, i) =
           combined(unsteady, surface_mean_factor(alpha * a_j) * sphere_factor(kappa_i)).by_receiver;
-      const Complex S_slope = steady.oseen.by_source + (a_j * a_j + steady_size(swimmer.radius[i], kappa_i)) *
-                                                           steady.laplacian.by_source;
-      const Complex by_place = std::conj(response.displacement[j]) * R_slope * force[i];
-      const Complex by_source = std::conj(response.displacement[i]) * S_slope * force[i];
-      drift += w[j] * (by_place + by_source).real() / 2;
+      form.by_source(j, i) = steady.oseen.by_source + (a_j * a_j + steady_size(swimmer.radius[i], kappa_i)) *
+                                                          steady.laplacian.by_source;
+    }
+  }
+  return form;
+}
+
+double lagrangian_drift(const DriftForm& form, const Eigen::Vector3cd& displacement,
+                        const Eigen::Vector3cd& force) {
+  double drift = 0;
+  for (int j = 0; j < 3; ++j) {
+    for (int i = 0; i < 3; ++i) {
+      const Complex by_place = std::conj(displacement[j]) * form.by_receiver(j, i) * force[i];
+      const Complex by_source = std::conj(displacement[i]) * form.by_source(j, i) * force[i];
+      drift += form.towing[j] * (by_place + by_source).real() / 2;
     }
   }
   return drift;
+}
+
+double lagrangian_drift(const InertialScene& scene, const LinearResponse& response) {
+  return lagrangian_drift(drift_form(scene), response.displacement, induced_forces(scene, response));
 }
 
 ReynoldsForm reynolds_form(const InertialScene& scene) {

@@ -39,13 +39,26 @@ struct InertialScene {
 InertialScene inertial_scene(const Question& question);
 InertialScene unbounded_scene(const Question& question);
 
-/// U = M F of the beads at the driving's frequency [time/mass].
+/// M of U = M f at the driving's frequency, f what the beads push the fluid with [time/mass].
+Eigen::Matrix3cd induced_mobility(const InertialScene& scene);
+
+/// U = M F of the beads at the driving's frequency, F the forces on them [time/mass].
 Eigen::Matrix3cd unsteady_mobility(const InertialScene& scene);
 
 /// What the beads push the fluid with, where they move as in `response`.
 Eigen::Vector3cd induced_forces(const InertialScene& scene, const LinearResponse& response);
 
+/// w, dR_ji/dx_j and dS_ji/dx_i of the first sum of V.
+struct DriftForm {
+  Eigen::Vector3d towing;
+  Eigen::Matrix3cd by_receiver;  ///< [1/(mass/time length)]
+  Eigen::Matrix3cd by_source;    ///< [1/(mass/time length)]
+};
+DriftForm drift_form(const InertialScene& scene);
+
 /// The first sum of V: by the beads' and forces' own displacement [length/time].
+double lagrangian_drift(const DriftForm& form, const Eigen::Vector3cd& displacement,
+                        const Eigen::Vector3cd& force);
 double lagrangian_drift(const InertialScene& scene, const LinearResponse& response);
 
 /// Q of V_R (reynolds_stress.hpp) for the swimmer in open space.

@@ -1,4 +1,4 @@
-#include "scene_numbers.hpp"
+#include "beadswim/scene/scene_numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

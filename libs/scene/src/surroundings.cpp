@@ -1,4 +1,4 @@
-#include "surroundings.hpp"
+#include "beadswim/scene/surroundings.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,105 @@
+#include "beadswim/plan/sound_flow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace beadswim {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr Complex i_unit{0, 1};
+constexpr double pi = std::numbers::pi;
+
+double shell(double wave_times_radius) {
+  return wave_times_radius == 0 ? 1 : std::sin(wave_times_radius) / wave_times_radius;
+}
+
+/// Integral of shell(ka)^2 over k from `first` on: pi/(2a) in all.
+double shell_integral_from(double first, double radius) {
+  constexpr int points = 400;
+  double below = 0;
+  for (int n = 0; n < points; ++n) {
+    const double wave = (n + 0.5) * first / points;
+    below += std::pow(shell(wave * radius), 2) * first / points;
+  }
+  return pi / (2 * radius) - below;
+}
+
+/// The box with walls mirrored away, and its waves.
+struct Waves {
+  Waves(const BoxPlace& place, double shortest_radius) : place(place) {
+    for (int a = 0; a < 3; ++a) lengths[a] = (place.box.free_slip[a] ? 2 : 1) * place.box.lengths[a];
+    const double volume = lengths[0] * lengths[1] * lengths[2];
+    constexpr double most = 2e5, shells = 6;
+    cut = std::min(shells / shortest_radius, std::cbrt(6 * pi * pi * most / volume));
+  }
+
+  int count(int axis) const { return static_cast<int>(cut * lengths[axis] / (2 * pi)); }
+  double wave(int axis, int n) const { return 2 * pi * n / lengths[axis]; }
+  double volume() const { return lengths[0] * lengths[1] * lengths[2]; }
+
+  /// Of the copies behind walls across y and z, at their distance from the line.
+  double copies(int axis, double wave) const {
+    return place.box.free_slip[axis] ? 1 + std::cos(2 * wave * place.middle_bead[axis]) : 1;
+  }
+
+  const BoxPlace& place;
+  std::array<double, 3> lengths{};
+  double cut = 0;  ///< largest wavenumber [1/length]
+};
+
+}  // namespace
+
+SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& place, double sound_speed) {
+  const auto& radius = scene.swimmer.radius;
+  const double omega = scene.swimmer.angular_frequency(), rho = scene.fluid_density;
+  const double nu = scene.swimmer.viscosity / rho;
+  SoundFlow flow{.value = Eigen::Matrix3cd::Zero(), .by_receiver = Eigen::Matrix3cd::Zero()};
+  const auto add_own = [&](double from_wave) {
+    for (int i = 0; i < 3; ++i) {
+      flow.value(i, i) += i_unit * omega * shell_integral_from(from_wave, radius[i]) /
+                          (6 * pi * pi * rho * sound_speed * sound_speed);
+    }
+  };
+  if (!place) {
+    add_own(0);
+    return flow;
+  }
+  const Waves waves(*place, *std::ranges::min_element(radius));
+  const bool walls_across = place->box.free_slip[0];
+  for (int nx = 1; nx <= waves.count(0); ++nx) {
+    const double kx = waves.wave(0, nx);
+    // Complex amplitude of all waves with this k_x, for each size of bead: shells depend on |k|.
+    Eigen::Matrix3cd amplitude = Eigen::Matrix3cd::Zero();
+    for (int ny = 0; ny <= waves.count(1); ++ny) {
+      const double ky = waves.wave(1, ny);
+      for (int nz = 0; nz <= waves.count(2); ++nz) {
+        const double kz = waves.wave(2, nz);
+        const double k2 = kx * kx + ky * ky + kz * kz, k = std::sqrt(k2);
+        if (k > waves.cut) break;
+        const double many = 2 * (ny > 0 ? 2 : 1) * (nz > 0 ? 2 : 1);  // signs of k
+        const Complex stiff = sound_speed * sound_speed * k2 - omega * omega + 2.0 * i_unit * omega * nu * k2;
+        const Complex one = many / waves.volume() * waves.copies(1, ky) * waves.copies(2, kz) *
+                            (kx * kx / k2) * i_unit * omega / (rho * stiff);
+        for (int j = 0; j < 3; ++j)
+          for (int i = 0; i < 3; ++i) amplitude(j, i) += one * shell(k * radius[j]) * shell(k * radius[i]);
+      }
+    }
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        const double apart = scene.positions[j] - scene.positions[i];
+        const double mirrored = scene.positions[j] + scene.positions[i];
+        flow.value(j, i) +=
+            amplitude(j, i) * (std::cos(kx * apart) - (walls_across ? std::cos(kx * mirrored) : 0));
+        flow.by_receiver(j, i) -=
+            kx * amplitude(j, i) * (std::sin(kx * apart) - (walls_across ? std::sin(kx * mirrored) : 0));
+      }
+    }
+  }
+  add_own(waves.cut);
+  return flow;
+}
+
+}  // namespace beadswim
