@@ -1,9 +1,9 @@
-# A prediction from runs of two bead boundaries, each at two resolutions: jq -s -f extrapolated.jq RUNS
+# A prediction from runs of two bead boundaries, each at two resolutions: jq -s -L docs/results -f extrapolated.jq RUNS
 # Errors fall with the square of the cells a radius; what the two boundaries then differ by, and what the finest run is
 # off, bounds how uncertain the mean of both is.
-def numbers: .swimmers[0].cycles[-1] as $c
-  | [$c.velocity[0] - ($c.mean_flow[0] // 0)] + $c.arm_amplitudes + $c.arm_phases + $c.arm_means
-    + [($c.arm_phases[0] - $c.arm_phases[1] | sin)];
+include "percentages";
+def numbers: seen as {$v, $sine} | .swimmers[0].cycles[-1]
+  | [$v] + .arm_amplitudes + .arm_phases + .arm_means + [$sine];
 def to_no_cell: sort_by(.resolution.cells_per_radius) | (map(.resolution.cells_per_radius) | .[-1] / .[-2] | . * .) as $square
   | [map(numbers)[-2:] | transpose[] | .[1] + (.[1] - .[0]) / ($square - 1)];
 

@@ -14,7 +14,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 layout() { # CELLS-PER-RADIUS N
   beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --period 2000 --amplitude 0.2 \
     --position "$(jq -nr --argjson cell "$((12000 / $1))e-3" --argjson n "$2" \
-      '[[30, 0.8191725], [20, 0.6710436], [20, 0.5497005]] | map(.[0] + $cell / 3 * (.[1] * $n | . - floor)) | join(",")')"
+      '[[30, 0.8191725], [20, 0.6710436], [20, 0.5497005]] | map(.[0] + $cell * (.[1] * $n | . - floor)) | join(",")')"
 }
 
 measure() { # SCHEME CELLS-PER-RADIUS PLACES [FLAGS...]   one line a place

@@ -14,7 +14,7 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 # Moves a layout's swimmer to the N-th place of a sequence that fills a cell evenly.
 placed() { # CELL N
   jq --argjson cell "$1" --argjson n "$2" '.swimmers[0].position |= (. as $p | [0.8191725, 0.6710436, 0.5497005]
-    | to_entries | map($p[.key] + $cell / 3 * (.value * $n | . - floor)))'
+    | to_entries | map($p[.key] + $cell * (.value * $n | . - floor)))'
 }
 
 swimmer() { # CELLS-PER-RADIUS N
@@ -60,6 +60,10 @@ times() { # SCENE CYCLES COARSE FINE   relaxation times from small steps to larg
   for cells in 2.25 3 4.5; do on_lattice swarm 6 $cells 4 --precision single; done
   on_lattice swarm 6 6 2 --precision single
   times swarm 6 3 4.5
+  for scheme in staircase cli psm; do
+    on_lattice swarm 6 3 4 --bead-boundary $scheme --relaxation-time 1
+    on_lattice swarm 6 4.5 2 --bead-boundary $scheme --relaxation-time 1
+  done
 } >swarm.jsonl
 
 for scheme in mr psm; do
@@ -74,11 +78,11 @@ done >swarm-reference.jsonl
   done
 } >swimmer.jsonl
 
-jq -sc -f "$results/extrapolated.jq" swarm-reference.jsonl >swarm-reference.json
+jq -sc -L "$results" -f "$results/extrapolated.jq" swarm-reference.jsonl >swarm-reference.json
 {
   jq -c 'select(.resolution.bead_boundary == "mr" and .resolution.cells_per_radius == 6)' "$results/resolution.jsonl" | head -1
   cat "$results/resolution-reference.json"
   jq -c '.resolution as $r | select($r.bead_boundary == "psm" and $r.density_on_lattice != 1 and $r.precision == "double"
     and $r.cells_per_radius == 4 and $r.relaxation_time == 1.5)' "$results/resolution.jsonl" | head -1
   jq -c 'select(.resolution.bead_boundary == "psm" and .resolution.cells_per_radius == 8)' "$results/resolution.jsonl"
-} | jq -sc -f "$results/extrapolated.jq" >swimmer-reference.json
+} | jq -sc -L "$results" -f "$results/extrapolated.jq" >swimmer-reference.json

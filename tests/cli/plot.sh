@@ -232,7 +232,7 @@ same_bytes "beadswim-plot speed-against-error $records/swarm.jsonl --reference $
   "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-swarm.svg"
 same_bytes "beadswim-plot speed-against-error $records/swimmer.jsonl corrected.jsonl --reference $records/swimmer-reference.json" \
   "cat $BEADSWIM_SOURCE/docs/images/speed-against-error-swimmer.svg"
-same_bytes "jq -sc -f $results/extrapolated.jq $records/swarm-reference.jsonl" "cat $records/swarm-reference.json"
+same_bytes "jq -sc -L $results -f $results/extrapolated.jq $records/swarm-reference.jsonl" "cat $records/swarm-reference.json"
 tables() {
   jq -rs -L "$results" --slurpfile reference "$records/swarm-reference.json" -f "$results/speed-against-error.jq" "$records/swarm.jsonl"
   jq -rs -L "$results" --slurpfile reference "$records/swimmer-reference.json" -f "$results/speed-against-error.jq" \

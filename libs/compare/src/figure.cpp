@@ -179,6 +179,12 @@ std::string draw_series(const PlotArea& area, const Series& series) {
   return elements + draw_points(series, inside);
 }
 
+/// From a panel's top to the next one's: its plot with labels, or its legend if that is longer.
+double pitch(const Panel& panel) {
+  const auto entries = std::ranges::count_if(panel.series, [](const Series& s) { return !s.label.empty(); });
+  return std::max(panel_pitch, line_pitch * static_cast<double>(entries + 1));
+}
+
 std::string draw_legend(const PlotArea& area, const std::vector<Series>& all_series) {
   std::string elements;
   double y = area.top + 10;
@@ -227,7 +233,7 @@ std::string figure_to_svg(const Figure& figure) {
   double top = first_plot_top;
   for (const Panel& panel : figure.panels) {
     elements += draw_panel(panel, top);
-    top += panel_pitch;
+    top += pitch(panel);
   }
   for (const std::string& note : figure.notes) {
     elements += svg::text({plot_left, top}, note, {note_size});
