@@ -34,12 +34,22 @@ simulate() { # FLAGS...
       state: $run[0].state_sha256, seconds: $run[0].cost.core_seconds}'
 }
 
+# What a plan says of the run that `simulate` makes: refused and why, or the errors to expect.
+planned() { # FLAGS...
+  local time=(--relaxation-time 1.5) flags=()
+  [[ " $* " == *" --relaxation-time "* ]] && time=()
+  [[ " $* " == *" --cycles "* ]] || flags+=(--cycles 2)
+  beadswim-run "$work/layout.json" --plan --model lbm --precision double "${time[@]}" "${flags[@]}" "$@" 2>/dev/null |
+    jq -c '.runs[0] | {refused, error}'
+}
+
 # A line of results. $work/reference: a run or a prediction to compare with, or null.
 row() { # GROUP CASE FLAGS...
   local group=$1 name=$2
   shift 2
-  simulate "$@" | jq -c --arg group "$group" --arg case "$name" --slurpfile reference "$work/reference" \
-    '{group: $group, case: $case} + . + {reference: $reference[0]}'
+  (planned "$@" || true) >"$work/plan"
+  simulate "$@" | jq -c --arg group "$group" --arg case "$name" --slurpfile reference "$work/reference" --slurpfile plan "$work/plan" \
+    '{group: $group, case: $case} + . + {reference: $reference[0], plan: $plan[0]}'
 }
 no_reference() { echo null >"$work/reference"; }
 reference_run() { # FLAGS...

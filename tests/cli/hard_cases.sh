@@ -26,6 +26,15 @@ check "every stop has its reason" \
 check "every run conserves momentum" holds 'map(select(.status == "finished") | .momentum < 1e-9) | all' records.json
 check "no beads are deep in each other" holds 'map(.gap // 0 | . > -0.8) | all' records.json
 
+# The plan knows them beforehand: it refuses whatever stops or is refused, and what it lets run is as wrong as it says,
+# or by twice that, in nine of ten.
+check "the plan refuses what stops" holds 'map(select(.status | IN("stopped-speed", "refused", "failed")) | .plan.refused) | length > 8 and all(. != null)' records.json
+jq '[.[] | select(.status == "finished" and .plan.refused == null and .plan.error and .cycle and .reference.cycle)
+  | {case: "\(.group), \(.case)", ratios: ([[([.plan.error.velocity] + .plan.error.arm_amplitudes),
+      ([.cycle.speed_along_axis] + .cycle.arm_amplitudes), ([.reference.cycle.speed_along_axis] + .reference.cycle.arm_amplitudes)]
+      | transpose[] | ((.[1] / .[2] - 1 | fabs) / .[0])])}]' records.json >foretold.json
+check "errors are as foretold, or less" holds 'length > 50 and ([.[].ratios | max] | map(select(. > 2)) | length) <= 0.1 * length' foretold.json
+
 check "the page has the records' table" cmp -s <(jq -rs -f "$results/hard-cases.jq" "$results/hard-cases.jsonl") \
   <(sed -n '/^<!-- from hard-cases.jsonl -->$/,$p' "$page" | sed 1d)
 

@@ -79,7 +79,7 @@ check "the record reaches up to it" holds '.status == "failed" and .state_sha256
 # --- what the model cannot do
 refuses '^beadswim-run: --cells-per-radius: is of the lattice' beadswim-run open.json --model rpy -o x.h5md --cells-per-radius 3
 refuses '^beadswim-run: --flow-every: is of the lattice' beadswim-run open.json --model oseen -o x.h5md --flow-every 1
-refuses '^beadswim-run: --tolerance: is of the mobility models' beadswim-run box.json -o x.h5md --tolerance 1e-3
+refuses '^beadswim-run: --tolerance: is of the mobility models' beadswim-run box.json --model lbm -o x.h5md --tolerance 1e-3
 refuses '^beadswim-run: --tolerance: .*0.5.* a number from 1e-12 to 0.01' beadswim-run open.json --model rpy -o x.h5md --tolerance 0.5
 beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary no-slip >walls.json
 refuses 'walls.json:/domain/boundary/0: is no-slip' beadswim-run walls.json --model rpy -o x.h5md

@@ -11,10 +11,12 @@
 #include "checkpoints.hpp"
 #include "lattice_model.hpp"
 #include "overdamped_model.hpp"
+#include "plan_report.hpp"
 #include "record.hpp"
 #include "request.hpp"
 #include "run_length.hpp"
 #include "run_loop.hpp"
+#include "run_plan.hpp"
 #include "scene_facts.hpp"
 #include "stop_signal.hpp"
 
@@ -114,6 +116,29 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
   }
 }
 
+/// --plan: prints it, and throws InputError if no run is within the tolerance.
+int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
+  const RunPlan plan = plan_run(document.layout, request.options, request.source(), communicator);
+  if (communicator.is_root()) {
+    tell(plan_table(plan, communicator));
+    write_text("-", dump_json(plan_to_json(plan, request.options, communicator)));
+  }
+  chosen(plan);
+  return static_cast<int>(ExitStatus::fine);
+}
+
+/// --model auto --tolerance E: the options of the cheapest run within the tolerance. Throws InputError if
+/// there is none.
+void take_planned(const LayoutDocument& document, Request& request, const Communicator& communicator) {
+  const RunPlan plan = plan_run(document.layout, request.options, request.source(), communicator);
+  const PlannedRun& planned = chosen(plan);
+  request.options = planned.options;
+  request.options.given.erase("--tolerance");  // it was of the plan
+  if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
+  tell(fmt::format("{}: planned: {}, with errors of {:.2g} % expected, at {:.3g} core-seconds\n",
+                   program_name, flags_of(planned), 100 * planned.error.largest(), planned.core_seconds));
+}
+
 /// Throws InputError alike on all ranks while nothing has begun.
 int run(int argc, char** argv, const Communicator& communicator) {
   const double start = MPI_Wtime();
@@ -121,6 +146,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
   if (const int* status = std::get_if<int>(&read)) return *status;
   Request& request = std::get<Request>(read);
   const LayoutDocument document = read_layout(request, communicator);
+  if (request.options.plan) return report_plan(document, request, communicator);
+  if (request.options.model == "auto") take_planned(document, request, communicator);
   const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
   const ModelPlan& plan = *planned;
   const RunOptions& options = plan.options;

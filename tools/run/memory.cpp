@@ -10,13 +10,9 @@
 #include "beadswim/lattice/d3q19.hpp"
 
 namespace beadswim {
-namespace {
-
 double installed_bytes() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
-
-}  // namespace
 
 double lattice_bytes(const CoupledScene& scene) {
   constexpr double padding = 1.04;  // halo

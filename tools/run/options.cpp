@@ -59,8 +59,14 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       "lbm|rpy|rpy+near|oseen|auto", "auto",
       "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
       "Prager's mobility of all pairs and images; rpy+near: likewise, and exact along the line of a "
-      "swimmer's beads and of two that are near each other; oseen: by Oseen's. auto: the best model there "
-      "is, lbm.");
+      "swimmer's beads and of two that are near each other; oseen: by Oseen's. auto: with --tolerance the "
+      "model and resolution that --plan finds cheapest within it; without, lbm.");
+  program.add_flag(
+      "--plan", options.plan,
+      "Run nothing; say of every model and resolution that the flags leave open what error and "
+      "cost to expect, which is the cheapest within --tolerance (3 % if left out), and which "
+      "smaller scene would do: a table on standard error, JSON on standard output. Exit status 2 "
+      "if none is within it.");
   program
       .add_option("--cycles", options.cycles,
                   "Length of the run, in periods of the first type's driving; fractions allowed.")
@@ -74,9 +80,10 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
   program
       .add_option(
           "--tolerance", options.tolerance,
-          "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
-          "their root mean square.")
-      ->check(product_tolerance());
+          "auto: largest error of velocity and arms' amplitudes that the run may have, relative. rpy, "
+          "rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to their "
+          "root mean square.")
+      ->check(finite_positive());
   program
       .add_option("--steps-per-cycle", options.steps_per_cycle,
                   "rpy, rpy+near, oseen: time steps in the shortest period of any swimmer's driving.")
@@ -158,6 +165,13 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
                    "Leave cost and provenance out of the run record, so that equal runs give equal bytes.");
 }
 
+/// Of what it is depends on the model.
+void require_fitting_tolerance(const RunOptions& options) {
+  if (!options.given.contains("--tolerance") || options.model == "lbm" || options.model == "auto") return;
+  if (const std::string why = product_tolerance()(fmt::format("{}", options.tolerance)); !why.empty())
+    throw InputError("--tolerance", why);
+}
+
 }  // namespace
 
 std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv,
@@ -180,9 +194,14 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
     option->default_val(value);
   }
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
-  if (options.output.empty() && options.restart.empty())
+  for (const CLI::Option* option : program->get_options()) {
+    if (option->count() > 0) options.given.insert(option->get_name());
+  }
+  if (options.output.empty() && options.restart.empty() && !options.plan)
     throw InputError("--output", "is missing; name the trajectory to write, -o FILE.h5md");
-  options.model = words.model == "auto" ? "lbm" : words.model;
+  const bool is_to_be_planned = options.plan || options.given.contains("--tolerance");
+  options.model = words.model == "auto" && !is_to_be_planned ? "lbm" : words.model;
+  require_fitting_tolerance(options);
   options.bead_boundary = bead_scheme_named(words.bead_boundary);
   options.delay_correction = words.delay_correction == "on";
   options.radius_correction = words.radius_correction == "on";
@@ -190,9 +209,6 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   options.precision = precisions.at(words.precision);
   options.progress = progress_styles.at(words.progress);
   options.provenance = provenance_record(*program);
-  for (const CLI::Option* option : program->get_options()) {
-    if (option->count() > 0) options.given.insert(option->get_name());
-  }
   return options;
 }
 

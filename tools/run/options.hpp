@@ -18,8 +18,9 @@ enum class ProgressStyle { automatic, bar, lines, json, none };
 struct RunOptions {
   std::string layout = "-";
   std::string output;
-  std::string model = "lbm";  ///< lbm, rpy, rpy+near or oseen
-  double tolerance = 1e-4;    ///< of mobility sums
+  std::string model = "lbm";  ///< lbm, rpy, rpy+near or oseen; auto: what a plan finds (run_plan.hpp)
+  bool plan = false;          ///< say what runs could be, and run none
+  double tolerance = 1e-4;    ///< of mobility sums; with model auto of the run
   int steps_per_cycle = 100;  ///< of the mobility models, for the shortest period
   double cycles = 6;
   int frames_per_cycle = 40;

@@ -1,0 +1,141 @@
+#!/bin/bash
+# beadswim-run --plan and --model auto: what is expected of runs, which is chosen, and whether it keeps what it promises.
+source "$(dirname "$0")/harness.sh"
+
+export XDG_CACHE_HOME=$PWD/cache
+beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce >cell.json 2>/dev/null
+beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --period 2000 --amplitude 0.2 >single.json
+
+# --- a plan: a table for people, JSON for programs, nothing run
+run beadswim-run cell.json --plan
+has_status 0
+err_has 'measuring how fast this machine steps a lattice'
+err_has '<- cheapest'
+err_has '^hard: swimmer 0: inertia'
+cp out plan.json
+check "no run was made" test "$(echo *.h5md*)" = '*.h5md*'
+check "all models are in it" holds '[.runs[].model] | unique == ["lbm", "oseen", "rpy", "rpy+near"]' plan.json
+check "many resolutions are" holds '[.runs[] | .resolution // empty] | length > 40 and (map(.cells_per_radius * 16 | . % 3 == 0) | all)' plan.json
+check "more cells cost more and err less" holds '[.runs[] | select(.resolution.relaxation_time == 1 and .resolution.precision == "double")]
+  | (map(.cost.core_seconds) | . == sort) and (map(.error.velocity) | . == (sort | reverse))' plan.json
+check "shorter steps cost more and err less" holds '[.runs[] | select(.resolution.cells_per_radius == 3 and .resolution.precision == "double")]
+  | (map(.cost.core_seconds) | . == (sort | reverse)) and (map(.error.velocity) | . == sort)' plan.json
+check "the choice is the cheapest within 3 %" holds '.tolerance == 0.03 and (.choice as $choice
+  | [.runs[] | select(.refused == null and ([.error.velocity] + .error.arm_amplitudes | max) <= 0.03)]
+  | min_by(.cost.core_seconds).flags == $choice)' plan.json
+if /usr/bin/python3 -c 'import jsonschema' 2>/dev/null; then
+  check "the plan is one by its schema" /usr/bin/python3 -W ignore -m jsonschema -i plan.json "$BEADSWIM_SOURCE/schemas/plan.schema.json"
+fi
+
+# --- the machine's speed is kept, and measured again where the file is none
+run beadswim-run cell.json --plan
+check "it is not measured twice" test -z "$(grep measuring err)"
+for broken in '{}' 'no JSON' '{"schema": "beadswim/lattice-speed/1"}' "$(jq -c '.precisions[0].cells = []' cache/beadswim/lattice-speed-1.json)"; do
+  echo "$broken" >cache/beadswim/lattice-speed-1.json
+  run beadswim-run cell.json --plan
+  has_status 0
+  err_has 'measuring how fast'
+done
+
+# --- flags close what they name
+run beadswim-run cell.json --plan --cells-per-radius 3 --relaxation-time 0.8 --bead-boundary psm --precision single
+check "one lattice is left" holds '[.runs[] | select(.model == "lbm")] | length == 1 and (.[0].flags
+  == "--model lbm --cells-per-radius 3 --relaxation-time 0.8 --precision single --bead-boundary psm")' out
+check "mobility models are refused" holds '[.runs[] | select(.model != "lbm") | .refused] | length == 3 and all(test("is of the lattice"))' out
+run beadswim-run cell.json --plan --model rpy
+check "one model is left" holds '[.runs[].model] == ["rpy"]' out
+
+# --- more is asked than can be had
+run beadswim-run cell.json --plan --tolerance 1e-4
+has_status 2
+err_has '^beadswim-run: --tolerance: no run is expected to be within 0.01 %; the best, --model lbm --cells-per-radius 8.* is within'
+check "the plan is there" holds '.choice == null and .best != null' out
+refuses '^beadswim-run: --tolerance: no run is expected' beadswim-run cell.json -o x.h5md --model auto --tolerance 1e-4
+refuses '^beadswim-run: --tolerance: ' beadswim-run cell.json -o x.h5md --model auto --tolerance -1
+check "no file is left" test ! -e x.h5md
+
+# --- what is chosen keeps it: the swarm within 3 %, the swimmer within 10 and 3 %, of references that took hours
+within() { # LAYOUT TOLERANCE CYCLES REFERENCE
+  run beadswim-run "$1" -o run.h5md --model auto --tolerance "$2" --cycles "$3" --progress lines
+  has_status 0
+  err_has '^beadswim-run: planned: --model '
+  check "it is within $2" holds "$(jq -c '.predictions[0] | [.velocity] + .arm_amplitudes' "$BEADSWIM_SOURCE/docs/results/speed-against-error/$4") as \$r
+    | .swimmers[0].cycles[-1] | [[.velocity[0] - .mean_flow[0]] + .arm_amplitudes, \$r] | transpose | all((.[0] / .[1] - 1 | fabs) < $2)" out
+}
+within cell.json 0.03 6 swarm-reference.json
+within single.json 0.1 4 swimmer-reference.json
+within single.json 0.03 4 swimmer-reference.json
+run beadswim-run --restart run.h5md --cycles 5 --progress none
+has_status 2 # it kept no checkpoint
+
+# --- a small driving, slowly: a mobility model does, and its sums keep a tolerance of their own
+beadswim-layout swimmer --preset paper-single --unbounded --period 100000 --amplitude 0.05 >slow.json
+run beadswim-run slow.json -o slow.h5md --model auto --tolerance 0.02 --cycles 2
+has_status 0
+check "the model is one without inertia" holds '.model == "rpy+near" and .mobility.tolerance == 0.0001' out
+
+# --- proposals
+beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 >swarm.json
+run beadswim-run swarm.json --plan
+check "the cell is proposed" holds '.proposals[0] | .command == "beadswim-layout reduce" and (.what | test("18 times a cell of 96 x 32 x 32"))' out
+run beadswim-run slow.json --plan
+check "a lattice is refused in open space" holds '[.runs[] | select(.model == "lbm") | .refused] | length > 0 and all(test("unbounded"))' out
+beadswim-layout swimmer --preset paper-single >large.json
+run beadswim-run large.json --plan
+check "a smaller box is proposed" holds '.proposals[0].command | test("--box [0-9]+,[0-9]+,[0-9]+ --boundary periodic")' out
+check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("needs more than"))' out
+
+# --- hard cases are recognised
+plan_of() { # LAYOUT-FLAGS...
+  local usual=()
+  [[ " $* " == *" --box "* ]] || usual+=(--box 60,40,40)
+  [[ " $* " == *" --period "* ]] || usual+=(--period 2000)
+  [[ " $* " == *" --amplitude "* ]] || usual+=(--amplitude 0.2)
+  beadswim-layout swimmer --preset paper-single --boundary periodic "${usual[@]}" "$@" >hard.json
+}
+plan_of --amplitude 1.2
+run beadswim-run hard.json --plan --model rpy
+check "beads that touch are not for points" holds '.runs[0].refused | test("films|meet")' out
+plan_of --arm 9
+run beadswim-run hard.json --plan --model lbm --cells-per-radius 4 --relaxation-time 1
+check "films that cells do not resolve are priced" holds '.runs[0].error.velocity > 0.1' out
+plan_of --box 60,12,12
+run beadswim-run hard.json --plan
+err_has 'its velocity is a small difference'
+plan_of
+run beadswim-run hard.json --plan --model lbm --cells-per-radius 4 --relaxation-time 0.51
+check "tau near one half is refused" holds '.runs[0].refused | test("near 1/2")' out
+run beadswim-run hard.json --plan --model lbm --cells-per-radius 1 --relaxation-time 1
+check "beads of two cells are priced" holds '.runs[0].error.velocity > 0.2' out
+plan_of --period 300
+run beadswim-run hard.json --plan --model rpy+near
+check "inertia is priced" holds '.runs[0].error.arm_amplitudes | max > 0.1' out
+plan_of --amplitude 20 --period 200
+run beadswim-run hard.json --plan --model lbm --cells-per-radius 2 --relaxation-time 1.5
+check "fast beads are refused" holds '.runs[0].refused | test("Mach|radians|contact")' out
+plan_of --amplitude 0.6 --stiffness 0.2 --phase 3.14159265358979 --period 40000
+run beadswim-run hard.json --plan
+err_has '^hard: driving along fixed axes presses swimmers together'
+plan_of --amplitude 0
+run beadswim-run hard.json --plan
+check "at rest there is nothing to be wrong about" holds '[.runs[] | select(.refused == null) | .error // empty] == []' out
+plan_of --arm 8.0001
+run beadswim-run hard.json --plan
+has_status 2
+check "beads that touch at rest are refused" holds '.best == null and .choice == null' out
+plan_of --stiffness 1e9
+run beadswim-run hard.json --plan --model lbm --cells-per-radius 2 --relaxation-time 1.5
+check "stiff springs are refused as by the run" holds '.runs[0].refused | test("sub-steps")' out
+beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,1 --stiffness 0.0347 | beadswim-layout defect jitter --sigma 0.01 --seed 1 >swarm.json
+run beadswim-run swarm.json --plan --cycles 60
+err_has '^hard: swimmers that differ part from their order'
+check "its swimmers cannot be foretold" holds '.choice == null' out
+
+# --- the same on any number of ranks but for costs
+run mpirun -n 2 beadswim-run cell.json --plan
+has_status 0
+check "errors are the same on two ranks" cmp -s <(jq '[.runs[] | [.flags, .error]]' out) <(jq '[.runs[] | [.flags, .error]]' plan.json)
+run mpirun -n 2 beadswim-run cell.json -o two.h5md --model auto --tolerance 0.1 --cycles 1
+has_status 0
+
+finish

@@ -1,0 +1,165 @@
+#include "beadswim/plan/model_errors.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/layout/presets.hpp"
+#include "beadswim/plan/representatives.hpp"
+#include "beadswim/plan/sufficient_box.hpp"
+#include "beadswim/theory/methods.hpp"
+
+namespace beadswim {
+namespace {
+
+/// The paper's swimmer in the middle of a periodic box.
+Layout single(const Vec3& box, double period = 2000) {
+  Layout layout = paper_single();
+  layout.domain = Domain{.lengths = box, .boundary = {}};
+  SwimmerType& type = layout.types.at("a");
+  type.driving.period = period;
+  layout.swimmers.front().position = box / 2;
+  return layout;
+}
+
+/// One swimmer of the paper's swarm, `count` abreast along y, 32 apart.
+Layout swarm(int count) {
+  Layout layout = paper_swarm();
+  const SwimmerType& type = layout.types.begin()->second;
+  const SwarmPlan plan{.block_swimmers = {1, count, 1},
+                       .blocks = {1, 1, 1},
+                       .core_gap = Vec3::Constant(32),
+                       .block_gap = Vec3::Constant(32)};
+  layout.domain = swarm_box(plan, type);
+  layout.swimmers = swarm_swimmers(plan, type, layout.types.begin()->first);
+  return layout;
+}
+
+Question only_question(const Layout& layout) {
+  return representatives(layout).front().question;
+}
+
+TEST(Representatives, AreOneOfEachType) {
+  Layout layout = swarm(2);
+  EXPECT_EQ(representatives(layout).size(), 1u);
+  layout.types["other"] = layout.types.begin()->second;
+  layout.swimmers[1].type = "other";
+  EXPECT_EQ(representatives(layout).size(), 2u);
+}
+
+TEST(Representatives, AreExactAloneAndOtherwiseInTheirShareOfTheBox) {
+  const Representative alone = representatives(swarm(1)).front();
+  EXPECT_TRUE(alone.is_exact);
+  const Representative abreast = representatives(swarm(3)).front();
+  EXPECT_FALSE(abreast.is_exact);
+  // In such a swarm the share is the cell of one.
+  for (int a = 0; a < 3; ++a)
+    EXPECT_NEAR(abreast.question.box->box.lengths[a], alone.question.box->box.lengths[a], 1e-9) << a;
+}
+
+TEST(Representatives, TakeSlantedSwimmersAlongTheirOwnLine) {
+  Layout layout = single(Vec3(60, 60, 60));
+  layout.swimmers.front().axis = Vec3(1, 1, 0).normalized();
+  const Representative slanted = representatives(layout).front();
+  EXPECT_FALSE(slanted.is_exact);
+  EXPECT_EQ(slanted.question.swimmer.amplitude, only_question(single(Vec3(60, 60, 60))).swimmer.amplitude);
+}
+
+// With little inertia in a large box: rpy's distance from exact Stokes flow, and no more.
+TEST(MobilityError, IsWhatTheModelMisses) {
+  const Question question = only_question(single(Vec3(4000, 4000, 4000), 1e6));
+  const BestKnown best = best_known(question);
+  const double exact = predict(find_method("multipole-ode"), question).velocity;
+  const double pairs = predict(find_method("rpy-ode"), question).velocity;
+  EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy).velocity, pairs / exact - 1, 0.01);
+  EXPECT_LT(mobility_error(question, best, MobilityModel::rpy_near).velocity, 0.01);
+  EXPECT_GT(mobility_error(question, best, MobilityModel::oseen).velocity, 0.2);
+}
+
+TEST(MobilityError, GrowsWithInertia) {
+  double before = 0;
+  for (const double period : {20000.0, 5000.0, 1500.0}) {
+    const Question question = only_question(single(Vec3(60, 40, 40), period));
+    const double error =
+        mobility_error(question, best_known(question), MobilityModel::rpy_near).arm_amplitudes[1];
+    EXPECT_GT(error, 1.5 * before);
+    before = error;
+  }
+}
+
+ResolvedRun resolved(double cells_per_radius, double relaxation_time) {
+  constexpr double radius = 4, nu = 1.0 / 3;
+  const double cell = radius / cells_per_radius, step = (relaxation_time - 0.5) / 3 * cell * cell / nu;
+  return {.cells_per_radius = cells_per_radius,
+          .scheme = BeadScheme::mr,
+          .smallest_gap = 12 / cell,
+          .cell = cell,
+          .mach = 0,
+          .timing = {.step = step, .sound_speed = cell / step / std::numbers::sqrt3, .corrects_delay = true}};
+}
+
+// docs/speed-against-error.md, the swimmer by mr, root mean squares: velocities to a factor of 2, strokes of 1.7.
+TEST(LatticeError, IsThatOfRunsOnRecord) {
+  const Question question = only_question(single(Vec3(60, 40, 40)));
+  Question driven = question;
+  driven.swimmer.amplitude = {0.2, 0.2};
+  const BestKnown best = best_known(driven);
+  struct Measured {
+    double cells, relaxation_time, velocity, d2;
+  };
+  for (const auto& [cells, time, velocity, d2] : {Measured{2, 1.5, 0.0227, 0.0163},
+                                                  {2, 3, 0.0565, 0.0257},
+                                                  {3, 1.5, 0.0110, 0.0062},
+                                                  {3, 2, 0.0163, 0.0093},
+                                                  {4, 1.5, 0.0053, 0.0033}}) {
+    const ErrorEstimate error = lattice_error(driven, best, resolved(cells, time));
+    EXPECT_LT(std::abs(std::log(error.velocity / velocity)), std::log(2.0)) << cells << " " << time;
+    EXPECT_LT(std::abs(std::log(error.arm_amplitudes[1] / d2)), std::log(1.7)) << cells << " " << time;
+  }
+}
+
+TEST(LatticeError, KnowsGapsThatCellsDoNotResolve) {
+  const Question question = only_question(single(Vec3(60, 40, 40)));
+  const BestKnown best = best_known(question);
+  ResolvedRun run = resolved(4, 1);
+  const double wide = lattice_error(question, best, run).velocity;
+  run.smallest_gap = 0.5;
+  EXPECT_GT(lattice_error(question, best, run).velocity, wide + 0.2);
+}
+
+TEST(LatticeError, HasNoneAtRest) {
+  Question question = only_question(single(Vec3(60, 40, 40)));
+  question.swimmer.amplitude = {0, 0};
+  question = with_exact_reference(question);
+  const BestKnown best = best_known(question);
+  EXPECT_FALSE(best.swims);
+  EXPECT_EQ(lattice_error(question, best, resolved(2, 1)).largest(), 0);
+}
+
+TEST(LatticeError, IsLargeWhereTheVelocityIsASmallDifference) {
+  const BestKnown wide = best_known(only_question(single(Vec3(60, 40, 40))));
+  const BestKnown narrow = best_known(only_question(single(Vec3(60, 12, 12))));
+  EXPECT_LT(wide.cancellation, 1.5);
+  EXPECT_GT(narrow.cancellation, 20);
+}
+
+// The box of the paper's single swimmer, 1200 x 800 x 800: a hundredth of it does.
+TEST(SufficientBox, IsTheSmallestThatChangesLittle) {
+  const Question question = only_question(paper_single());
+  const std::optional<SufficientBox> loose = sufficient_box(question, 0.05),
+                                     tight = sufficient_box(question, 0.005);
+  ASSERT_TRUE(loose && tight);
+  EXPECT_LT(loose->lengths.prod(), tight->lengths.prod());
+  EXPECT_LT(tight->lengths.prod(), 0.01 * Vec3(1200, 800, 800).prod());
+  EXPECT_LE(tight->change, 0.005);
+  Question boxed = question;
+  const Vec3& lengths = tight->lengths;
+  boxed.box = BoxPlace{.box = {.lengths = {lengths[0], lengths[1], lengths[2]}, .free_slip = {}},
+                       .middle_bead = {lengths[0] / 2, lengths[1] / 2, lengths[2] / 2}};
+  EXPECT_NEAR(best_known(boxed).velocity / best_known(question).velocity, 1, 0.005);
+  for (int a = 0; a < 3; ++a) EXPECT_NEAR(std::fmod(lengths[a], 4), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace beadswim

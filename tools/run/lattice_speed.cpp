@@ -1,0 +1,216 @@
+#include "lattice_speed.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numbers>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/median.hpp"
+#include "beadswim/core/processor.hpp"
+#include "beadswim/core/version.hpp"
+#include "beadswim/coupling/coupled_system.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr std::array precisions{Precision::fp64, Precision::fp32};
+constexpr std::array edges{12, 24, 48, 96};  // of a rank's block: in cache, and far out of it
+constexpr double stretch = 0.06;             // one timed stretch [s]
+constexpr int rounds = 3;
+
+CoupledScene fluid_alone(int edge, Precision precision, int ranks) {
+  CoupledScene scene;
+  scene.cells = {edge, edge, edge * ranks};
+  scene.walls.fill(Wall::periodic);
+  scene.precision = precision;
+  scene.bead_boundary = BeadScheme::mr;
+  return scene;
+}
+
+/// Beads of radius 4 abreast, as dense as the paper's swarm, at rest.
+CoupledScene with_beads(Precision precision, BeadScheme scheme, int ranks) {
+  CoupledScene scene = fluid_alone(64, precision, ranks);
+  scene.bead_boundary = scheme;
+  SwimmerType type;
+  type.beads.fill({.radius = 4, .density = 1});
+  type.springs.fill({.stiffness = 0.05, .rest_length = 21, .damping = 0});
+  type.angular_stiffness = 200;
+  type.driving = {.amplitude = {0, 0}, .phase = 0, .period = 2000, .frame = DrivingFrame::lab};
+  scene.types = {type};
+  for (int z = 0; z < 3 * ranks; ++z) {
+    for (int y = 0; y < 3; ++y) {
+      const Vec3 place(32.3, 21.3 * y + 10.1, 21.3 * z + 10.2);
+      scene.swimmers.push_back({.id = static_cast<int>(scene.swimmers.size()), .type = 0, .position = place});
+    }
+  }
+  return scene;
+}
+
+double surface(const CoupledScene& scene) {
+  double area = 0;
+  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
+    for (const Bead& bead : scene.types[swimmer.type].beads)
+      area += 4 * std::numbers::pi * bead.radius * bead.radius;
+  }
+  return area;
+}
+
+/// Seconds of one step until the last rank is through: the median of some stretches.
+double seconds_of_step(const CoupledScene& scene, const Communicator& communicator) {
+  CoupledSystem system(scene, communicator);
+  const auto seconds_of = [&](int steps) {
+    MPI_Barrier(communicator.get());
+    const double start = MPI_Wtime();
+    for (int n = 0; n < steps; ++n) system.step();
+    MPI_Barrier(communicator.get());
+    return MPI_Wtime() - start;
+  };
+  seconds_of(2);
+  int steps = 2 * std::max(1, static_cast<int>(stretch / 2 / std::max(seconds_of(2) / 2, 1e-7)));
+  MPI_Bcast(&steps, 1, MPI_INT, 0, communicator.get());
+  std::vector<double> seconds;
+  for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(steps) / steps);
+  double result = median(seconds);
+  MPI_Bcast(&result, 1, MPI_DOUBLE, 0, communicator.get());
+  return result;
+}
+
+/// Straight lines between logarithms; level beyond the ends.
+double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  if (at <= x.front()) return y.front();
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (at > x[i]) continue;
+    const double share = std::log(at / x[i - 1]) / std::log(x[i] / x[i - 1]);
+    return y[i - 1] * std::pow(y[i] / y[i - 1], share);
+  }
+  return y.back();
+}
+
+/// What makes an old measurement this machine's.
+Json key(int ranks) {
+  return {{"schema", "beadswim/lattice-speed/1"},
+          {"version", version() + " (" + revision() + ")"},
+          {"processor", processor_name()},
+          {"ranks", ranks}};
+}
+
+/// Best effort: without it the next plan measures again.
+void keep(const Json& document, int ranks) {
+  const std::string path = speed_cache(ranks);
+  if (path.empty()) return;
+  try {
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+    write_text(path, dump_json(document));
+  } catch (const std::exception&) {
+  }
+}
+
+}  // namespace
+
+std::string speed_cache(int ranks) {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  std::string folder = variable("XDG_CACHE_HOME");
+  if (folder.empty() && !variable("HOME").empty()) folder = variable("HOME") + "/.cache";
+  return folder.empty() ? "" : fmt::format("{}/beadswim/lattice-speed-{}.json", folder, ranks);
+}
+
+LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
+  LatticeSpeed speed;
+  speed.ranks_ = communicator.size();
+  for (const Precision precision : precisions) {
+    OfPrecision& own = speed.precisions_.emplace_back();
+    const auto cost_of = [&](const CoupledScene& scene) {
+      return communicator.size() * seconds_of_step(scene, communicator);
+    };
+    for (const int edge : edges) {
+      const CoupledScene scene = fluid_alone(edge, precision, communicator.size());
+      own.cells.push_back(std::pow(edge, 3));
+      own.seconds_per_cell.push_back(cost_of(scene) / scene.cells.cast<double>().prod());
+    }
+    for (const BeadScheme scheme : all_bead_schemes) {
+      const CoupledScene scene = with_beads(precision, scheme, communicator.size());
+      const double cells = scene.cells.cast<double>().prod();
+      const double of_fluid = cells * interpolated(own.cells, own.seconds_per_cell, cells / speed.ranks_);
+      own.seconds_per_area.push_back(std::max(0.0, cost_of(scene) - of_fluid) / surface(scene));
+    }
+  }
+  return speed;
+}
+
+std::optional<LatticeSpeed> LatticeSpeed::cached(int ranks) {
+  const std::string path = speed_cache(ranks);
+  if (path.empty() || !std::filesystem::exists(path)) return std::nullopt;
+  try {
+    const Json document = parse_json(read_text(path), path);
+    const Json wanted = key(ranks);
+    for (const auto& [name, value] : wanted.items())
+      if (document.at(name) != value) return std::nullopt;
+    return from_json(document);
+  } catch (const std::exception&) {  // whatever it is, it is measured anew
+    return std::nullopt;
+  }
+}
+
+LatticeSpeed LatticeSpeed::of_this_machine(const Communicator& communicator) {
+  std::string text;
+  if (communicator.is_root()) {
+    if (const auto known = cached(communicator.size())) text = known->to_json().dump();
+  }
+  std::int64_t size = std::ssize(text);
+  MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
+  if (size == 0) {
+    if (communicator.is_root())
+      tell("beadswim-run: measuring how fast this machine steps a lattice, once, some seconds\n");
+    const LatticeSpeed speed = measured(communicator);
+    if (communicator.is_root()) keep(speed.to_json(), communicator.size());
+    return speed;
+  }
+  text.resize(size);
+  MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
+  return from_json(Json::parse(text));
+}
+
+double LatticeSpeed::step(const CoupledScene& scene) const {
+  const OfPrecision& own = precisions_.at(static_cast<std::size_t>(scene.precision));
+  const double cells = scene.cells.cast<double>().prod();
+  return cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks_) +
+         own.seconds_per_area.at(static_cast<std::size_t>(scene.bead_boundary)) * surface(scene);
+}
+
+Json LatticeSpeed::to_json() const {
+  Json json = key(ranks_);
+  for (const Precision precision : precisions) {
+    const OfPrecision& own = precisions_.at(static_cast<std::size_t>(precision));
+    json["precisions"].push_back({{"cells", own.cells},
+                                  {"seconds_per_cell", own.seconds_per_cell},
+                                  {"seconds_per_area", own.seconds_per_area}});
+  }
+  return json;
+}
+
+LatticeSpeed LatticeSpeed::from_json(const Json& json) {
+  LatticeSpeed speed;
+  speed.ranks_ = json.at("ranks").get<int>();
+  for (const Json& own : json.at("precisions")) {
+    const auto numbers = [&](const char* name, std::size_t size) {
+      const auto list = own.at(name).get<std::vector<double>>();
+      if (list.size() != size)
+        throw InputError(name, "has another number of entries than this version writes");
+      return list;
+    };
+    speed.precisions_.push_back({.cells = numbers("cells", edges.size()),
+                                 .seconds_per_cell = numbers("seconds_per_cell", edges.size()),
+                                 .seconds_per_area = numbers("seconds_per_area", all_bead_schemes.size())});
+  }
+  if (speed.precisions_.size() != precisions.size()) throw InputError("precisions", "are not two");
+  return speed;
+}
+
+}  // namespace beadswim

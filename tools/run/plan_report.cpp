@@ -1,0 +1,101 @@
+#include "plan_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+namespace beadswim {
+namespace {
+
+std::string percent(double share) {
+  return share < 10 ? fmt::format("{:.2g}", 100 * share) : "> 1000";
+}
+
+std::string size_text(double bytes) {
+  return bytes < 1e9 ? fmt::format("{:.3g} MB", 1e-6 * bytes) : fmt::format("{:.3g} GB", 1e-9 * bytes);
+}
+
+std::string row(const PlannedRun& run, const Communicator& communicator, const std::string& remark) {
+  return fmt::format("  {:<74} {:>7} {:>7} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", flags_of(run),
+                     percent(run.error.velocity),
+                     percent(std::max(run.error.arm_amplitudes[0], run.error.arm_amplitudes[1])),
+                     run.core_seconds, run.core_seconds / communicator.size(), size_text(run.memory_bytes),
+                     size_text(run.output_bytes), remark);
+}
+
+/// Whether none that can be run costs less and errs no more, or hardly.
+bool is_on_front(const RunPlan& plan, const PlannedRun& run) {
+  constexpr double hardly = 1.05;
+  return std::ranges::none_of(plan.runs, [&](const PlannedRun& other) {
+    return other.refused.empty() && other.core_seconds < run.core_seconds &&
+           other.error.largest() <= hardly * run.error.largest();
+  });
+}
+
+Json json_of(const PlannedRun& run, const Communicator& communicator) {
+  const RunOptions& o = run.options;
+  Json json{{"model", o.model}, {"flags", flags_of(run)}};
+  if (o.model == "lbm") {
+    json["resolution"] = {{"cells_per_radius", *o.cells_per_radius},
+                          {"relaxation_time", *o.relaxation_time},
+                          {"bead_boundary", name_of(o.bead_boundary)},
+                          {"precision", name_of(o.precision)}};
+  }
+  if (!run.refused.empty()) json["refused"] = run.refused;
+  if (run.core_seconds > 0) {
+    json["cost"] = {{"core_seconds", run.core_seconds},
+                    {"wall_seconds", run.core_seconds / communicator.size()},
+                    {"memory_bytes", run.memory_bytes},
+                    {"output_bytes", run.output_bytes}};
+  }
+  if (run.error.largest() > 0)
+    json["error"] = {{"velocity", run.error.velocity}, {"arm_amplitudes", run.error.arm_amplitudes}};
+  return json;
+}
+
+}  // namespace
+
+std::string plan_table(const RunPlan& plan, const Communicator& communicator) {
+  std::string text = fmt::format(
+      "  {:<74} {:>15} {:>9} {:>9} {:>8} {:>8}\n  {:<74} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8}\n", "",
+      "error [%]", "cost", "time", "memory", "output", "run", "v", "arms", "core s", "s", "", "");
+  std::vector<const PlannedRun*> front;
+  std::map<std::string, std::vector<const PlannedRun*>> refused;
+  for (const PlannedRun& run : plan.runs) {
+    if (!run.refused.empty()) {
+      refused[run.refused].push_back(&run);
+    } else if (run.options.model != "lbm" || is_on_front(plan, run)) {
+      front.push_back(&run);
+    }
+  }
+  std::ranges::sort(front, {}, &PlannedRun::core_seconds);
+  const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
+  for (const PlannedRun* run : front) text += row(*run, communicator, run == choice ? "<- cheapest" : "");
+  for (const auto& [reason, runs] : refused)
+    text += fmt::format("refused: {}{}: {}\n", flags_of(*runs.front()),
+                        runs.size() > 1 ? fmt::format(", and {} like it", runs.size() - 1) : "", reason);
+  for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);
+  for (const Proposal& proposal : plan.proposals)
+    text += fmt::format("propose: {}: {}\n", proposal.command, proposal.what);
+  return text;
+}
+
+Json plan_to_json(const RunPlan& plan, const RunOptions& asked, const Communicator& communicator) {
+  Json json{{"schema", "beadswim/plan/1"},
+            {"tolerance", plan.tolerance},
+            {"cycles", asked.cycles},
+            {"ranks", communicator.size()},
+            {"choice", plan.choice ? Json(flags_of(plan.runs[*plan.choice])) : Json()},
+            {"best", plan.best ? Json(flags_of(plan.runs[*plan.best])) : Json()},
+            {"runs", Json::array()},
+            {"hard", plan.hard},
+            {"proposals", Json::array()}};
+  for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, communicator));
+  for (const Proposal& proposal : plan.proposals)
+    json["proposals"].push_back({{"command", proposal.command}, {"what", proposal.what}});
+  if (asked.with_provenance) json["provenance"] = Json::array({asked.provenance});
+  return json;
+}
+
+}  // namespace beadswim

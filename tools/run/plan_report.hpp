@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "beadswim/io/json.hpp"
+#include "run_plan.hpp"
+
+namespace beadswim {
+
+/// For people: the cheapest runs for their error, and every model or resolution that is refused with its
+/// reason.
+std::string plan_table(const RunPlan& plan, const Communicator& communicator);
+
+/// schemas/plan.schema.json: every run.
+Json plan_to_json(const RunPlan& plan, const RunOptions& asked, const Communicator& communicator);
+
+}  // namespace beadswim

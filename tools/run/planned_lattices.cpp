@@ -1,0 +1,151 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/linear_response.hpp"
+#include "lattice_speed.hpp"
+#include "memory.hpp"
+#include "planned_scene.hpp"
+#include "run_length.hpp"
+#include "scene_on_lattice.hpp"
+#include "velocity_roundoff.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr std::array usual_cells{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
+constexpr std::array usual_times{0.6, 0.8, 1.0, 1.5, 2.0};
+
+/// Cells a radius near the usual ones for which all edges of the box are whole numbers of cells; quarters
+/// rather than odd fractions.
+std::vector<double> whole_resolutions(const Layout& layout) {
+  if (!layout.domain) return {};
+  const Vec3 edges = layout.domain->lengths / smallest_radius(layout);
+  const auto is_whole = [&](double cells) {
+    constexpr double roundoff = 1e-7;
+    return (cells * edges.array() - (cells * edges.array()).round()).abs().maxCoeff() <
+           roundoff * cells * edges.maxCoeff();
+  };
+  std::vector<double> result;
+  for (const double usual : usual_cells) {
+    constexpr double within = 0.13, odd = 0.1;
+    const auto badness = [&](double cells) {
+      const bool is_quarter = std::abs(4 * cells - std::round(4 * cells)) < 1e-9;
+      return std::abs(cells / usual - 1) + (is_quarter ? 0 : odd);
+    };
+    double nearest = 0;
+    const long first = std::lround(std::ceil(usual * (1 - within) * edges[0] - 1e-9));
+    for (long n = first; static_cast<double>(n) <= usual * (1 + within) * edges[0]; ++n) {
+      const double cells = static_cast<double>(n) / edges[0];
+      if (is_whole(cells) && badness(cells) < badness(nearest)) nearest = cells;
+    }
+    if (nearest > 0 && (result.empty() || nearest > result.back())) result.push_back(nearest);
+  }
+  return result;
+}
+
+/// What is wrong in kind with a run that put_on_lattice allows; empty if nothing is.
+std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double roundoff) {
+  if (mach > fast_bead)
+    return fmt::format("beads would reach Mach {:.2g}, where the fluid is compressible", mach);
+  if (on_lattice.density_on_lattice() < light_bead)
+    return fmt::format("beads of {:.2g} times the fluid's density on the lattice may be shaken",
+                       on_lattice.density_on_lattice());
+  if (on_lattice.lattice.relaxation_time < least_viscous)
+    return fmt::format("tau {:.4g} is too near 1/2", on_lattice.lattice.relaxation_time);
+  constexpr double contact = 0.1;  // [cell]
+  if (on_lattice.smallest_gap < contact)
+    return "beads touch at rest, or all but touch, and a stroke would be the contact's own give";
+  if (!std::isfinite(roundoff)) return "its velocity would be the roundoff of single precision";
+  return {};
+}
+
+/// Of the fastest bead, to first order in the driving [length/time].
+double largest_speed(const SceneFacts& facts) {
+  double speed = 0;
+  for (const Asked& asked : facts.asked) {
+    const CollinearSwimmer& swimmer = asked.representative.question.swimmer;
+    const LinearResponse response = linear_response(swimmer, rest_mobility(swimmer, rotne_prager).value);
+    speed = std::max(speed, swimmer.angular_frequency() * response.displacement.cwiseAbs().maxCoeff());
+  }
+  return speed;
+}
+
+PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, RunOptions options,
+                       const std::string& source, const LatticeSpeed& speed,
+                       const Communicator& communicator) {
+  PlannedRun run;
+  options.model = "lbm";
+  run.options = options;
+  SceneOnLattice on_lattice;
+  try {
+    refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models");
+    on_lattice = put_on_lattice(layout, options, source);
+    for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);  // throws if too many
+  } catch (const InputError& error) {
+    run.refused = error.what();
+    return run;
+  }
+  const LatticeScales& scales = on_lattice.lattice.scales;
+  const LatticeTiming timing{.step = scales.step,
+                             .sound_speed = scales.velocity() / std::numbers::sqrt3,
+                             .corrects_delay = options.delay_correction};
+  const double mach = largest_speed(facts) / timing.sound_speed;
+  run.error = scene_error(facts, [&](const Asked& asked) {
+    const ResolvedRun resolution{.cells_per_radius = on_lattice.cells_per_radius,
+                                 .scheme = options.bead_boundary,
+                                 .smallest_gap = on_lattice.smallest_gap,
+                                 .cell = scales.cell,
+                                 .mach = mach,
+                                 .timing = timing};
+    return lattice_error(asked.representative.question, asked.best, resolution);
+  });
+  const long steps_per_cycle = on_lattice.lattice.steps_per_period;
+  const long steps = total_steps(options.cycles, steps_per_cycle);
+  const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
+  if (std::isfinite(roundoff) && run.error.velocity > 0) run.error.velocity += roundoff;
+  const double cells = on_lattice.scene.cells.cast<double>().prod();
+  run.core_seconds =
+      start_seconds * communicator.size() + static_cast<double>(steps) * speed.step(on_lattice.scene);
+  run.memory_bytes = lattice_bytes(on_lattice.scene) + program_bytes * communicator.size();
+  run.output_bytes =
+      output_bytes(options, layout.swimmers.size(), cells, lattice_bytes(on_lattice.scene) / cells);
+  run.refused = wrong_in_kind(on_lattice, mach, roundoff);
+  return run;
+}
+
+}  // namespace
+
+std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts, const RunOptions& options,
+                                     const std::string& source, const Communicator& communicator) {
+  std::vector<double> cells = whole_resolutions(layout);
+  if (options.cells_per_radius) cells = {*options.cells_per_radius};
+  if (cells.empty() && layout.resolution) cells = {layout.resolution->cells_per_radius};
+  if (cells.empty()) cells = {4};
+  std::vector<double> times(usual_times.begin(), usual_times.end());
+  if (options.relaxation_time) times = {*options.relaxation_time};
+  std::vector<Precision> precisions{Precision::fp64, Precision::fp32};
+  if (options.given.contains("--precision")) precisions = {options.precision};
+  const LatticeSpeed speed = LatticeSpeed::of_this_machine(communicator);
+  std::vector<PlannedRun> runs;
+  for (const double cell : cells) {
+    for (const double time : times) {
+      for (const Precision precision : precisions) {
+        RunOptions own = options;
+        own.cells_per_radius = cell;
+        own.relaxation_time = time;
+        own.precision = precision;
+        runs.push_back(lattice_run(layout, facts, own, source, speed, communicator));
+      }
+    }
+  }
+  return runs;
+}
+
+}  // namespace beadswim

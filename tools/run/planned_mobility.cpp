@@ -1,0 +1,98 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "beadswim/core/error.hpp"
+#include "overdamped_model.hpp"
+#include "planned_scene.hpp"
+#include "run_length.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr std::array models{std::pair{MobilityModel::oseen, "oseen"}, std::pair{MobilityModel::rpy, "rpy"},
+                            std::pair{MobilityModel::rpy_near, "rpy+near"}};
+
+/// Core-seconds of a product, timed.
+double product_seconds(const OverdampedScene& scene, const Communicator& communicator) {
+  const Beads places = rest_places(scene);
+  Beads forces(places.size()), velocities(places.size());
+  for (std::size_t b = 0; b < forces.size(); ++b) forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2.0 : 1.0);
+  const MobilityProduct product({.model = scene.model,
+                                 .viscosity = scene.viscosity,
+                                 .box = scene.box,
+                                 .radii = radii_of(scene),
+                                 .tolerance = scene.tolerance},
+                                places, communicator);
+  product.apply(places, forces, velocities);  // makes its plans and tables
+  const auto seconds_of = [&](int products) {
+    MPI_Barrier(communicator.get());
+    const double begin = MPI_Wtime();
+    for (int n = 0; n < products; ++n) product.apply(places, forces, velocities);
+    MPI_Barrier(communicator.get());
+    double seconds = (MPI_Wtime() - begin) / products;
+    MPI_Bcast(&seconds, 1, MPI_DOUBLE, 0, communicator.get());
+    return seconds;
+  };
+  const double once = seconds_of(1);
+  constexpr double stretch = 0.02;
+  return communicator.size() * (once > stretch ? once : seconds_of(static_cast<int>(stretch / once) + 1));
+}
+
+/// Why no mobility model can stand for the beads of this scene; empty if one can.
+std::string films_matter(const SceneFacts& facts) {
+  for (const Asked& asked : facts.asked)
+    if (const std::string film = film_between_beads(asked); !film.empty()) return film;
+  return {};
+}
+
+PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, RunOptions options,
+                        MobilityModel model, const std::string& source, const Communicator& communicator) {
+  PlannedRun run;
+  run.options = options;
+  try {
+    const OverdampedPlan plan(layout, options, source, communicator);
+    run.refused = films_matter(facts);
+    if (run.refused.empty()) {
+      run.error = scene_error(facts, [&](const Asked& asked) {
+        return mobility_error(asked.representative.question, *asked.best, model);
+      });
+    }
+    const double swimmers = static_cast<double>(layout.swimmers.size());
+    const double steps = static_cast<double>(total_steps(options.cycles, plan.steps_per_cycle));
+    const bool has_dashpots = std::ranges::any_of(plan.scene.types, [](const SwimmerType& type) {
+      return type.springs[0].damping > 0 || type.springs[1].damping > 0;
+    });
+    // Products a step: docs/method/mobility-swarms.md; the rest of a swimmer's step, and products to begin
+    // with.
+    const double products = swimmers == 1 && !layout.domain ? 1 : has_dashpots ? 2.1 : 1.6;
+    constexpr double rest = 1e-5, first_products = 13;
+    run.core_seconds = start_seconds * communicator.size() + rest * swimmers * steps +
+                       (products * steps + first_products) * product_seconds(plan.scene, communicator);
+    run.memory_bytes = 3 * swimmers * (layout.domain ? 700 : 2700) + program_bytes * communicator.size();
+    run.output_bytes = output_bytes(options, layout.swimmers.size(), 0, 0);
+  } catch (const InputError& error) {
+    run.refused = error.what();
+  }
+  return run;
+}
+
+}  // namespace
+
+std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,
+                                      const RunOptions& options, const std::string& source,
+                                      const Communicator& communicator) {
+  std::vector<PlannedRun> runs;
+  for (const auto& [model, name] : models) {
+    if (options.model != "auto" && options.model != name) continue;
+    RunOptions own = options;
+    own.model = name;
+    if (options.model == "auto") own.tolerance = RunOptions{}.tolerance;  // of its sums
+    runs.push_back(mobility_run(layout, facts, own, model, source, communicator));
+  }
+  return runs;
+}
+
+}  // namespace beadswim
