@@ -41,6 +41,10 @@ Question lone_swimmer() {
   return question_in(swimmer(4, 20, 0.0347, 0.2, 2000), {60, 40, 40});
 }
 
+LagErrors errors_of(const Question& question, const LatticeTiming& timing) {
+  return LatticeLag(question).errors(timing);
+}
+
 /// With viscosity 1/3 and beads of that radius.
 LatticeTiming timing(double radius, double cells_per_radius, double relaxation_time) {
   const double cell = radius / cells_per_radius, step = (relaxation_time - 0.5) * cell * cell;
@@ -65,7 +69,7 @@ TEST(LatticeLag, IsWhatRunsWithLongStepsAreWrongBy) {
       {lone_swimmer(), 4, 4, 1.5, -0.0022, -0.0032},
   });
   for (const Measured& run : runs) {
-    const LagErrors lag = lag_errors(run.question, timing(run.radius, run.cells, run.relaxation_time));
+    const LagErrors lag = errors_of(run.question, timing(run.radius, run.cells, run.relaxation_time));
     constexpr double by_cells = 0.001, share = 1.0 / 15;
     EXPECT_NEAR(lag.arm_amplitudes[0], run.d1, by_cells + share * std::abs(run.d1)) << run.relaxation_time;
     EXPECT_NEAR(lag.arm_amplitudes[1], run.d2, by_cells + share * std::abs(run.d2)) << run.relaxation_time;
@@ -74,10 +78,10 @@ TEST(LatticeLag, IsWhatRunsWithLongStepsAreWrongBy) {
 
 // Velocities, which are second order: to a factor of two.
 TEST(LatticeLag, BoundsWhatItDoesToTheVelocity) {
-  const double swarm = lag_errors(swarm_cell(), timing(6, 4.5, 1.5)).velocity;
+  const double swarm = errors_of(swarm_cell(), timing(6, 4.5, 1.5)).velocity;
   EXPECT_GT(swarm, 0.0356 / 2);
   EXPECT_LT(swarm, 0.0356 * 2);
-  const double lone = lag_errors(lone_swimmer(), timing(4, 3, 3)).velocity;
+  const double lone = errors_of(lone_swimmer(), timing(4, 3, 3)).velocity;
   EXPECT_GT(lone, 0.0364 / 2);
   EXPECT_LT(lone, 0.0364 * 2);
 }
@@ -85,8 +89,8 @@ TEST(LatticeLag, BoundsWhatItDoesToTheVelocity) {
 TEST(LatticeLag, FallsWithTheSquareOfTheResolution) {
   for (const Question& question : {swarm_cell(), lone_swimmer()}) {
     const double radius = question.swimmer.radius[0];
-    const double coarse = lag_errors(question, timing(radius, 12, 1)).velocity;
-    const double fine = lag_errors(question, timing(radius, 24, 1)).velocity;
+    const double coarse = errors_of(question, timing(radius, 12, 1)).velocity;
+    const double fine = errors_of(question, timing(radius, 24, 1)).velocity;
     EXPECT_NEAR(coarse / fine, 4, 0.05);
   }
 }
@@ -94,9 +98,9 @@ TEST(LatticeLag, FallsWithTheSquareOfTheResolution) {
 // docs/method/force-delay.md: what the correction is for.
 TEST(LatticeLag, IsLargerWithoutTheDelaysCorrection) {
   LatticeTiming plain = timing(4, 2, 1.5);
-  const double with = lag_errors(lone_swimmer(), plain).arm_amplitudes[1];
+  const double with = errors_of(lone_swimmer(), plain).arm_amplitudes[1];
   plain.corrects_delay = false;
-  EXPECT_LT(lag_errors(lone_swimmer(), plain).arm_amplitudes[1], with - 0.008);
+  EXPECT_LT(errors_of(lone_swimmer(), plain).arm_amplitudes[1], with - 0.008);
 }
 
 constexpr double sound_speed = 0.3;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
@@ -146,7 +147,8 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
 
 std::optional<LatticeSpeed> LatticeSpeed::cached(int ranks) {
   const std::string path = speed_cache(ranks);
-  if (path.empty() || !std::filesystem::exists(path)) return std::nullopt;
+  std::error_code unknown;
+  if (path.empty() || !std::filesystem::exists(path, unknown)) return std::nullopt;
   try {
     const Json document = parse_json(read_text(path), path);
     const Json wanted = key(ranks);
@@ -209,7 +211,12 @@ LatticeSpeed LatticeSpeed::from_json(const Json& json) {
                                  .seconds_per_cell = numbers("seconds_per_cell", edges.size()),
                                  .seconds_per_area = numbers("seconds_per_area", all_bead_schemes.size())});
   }
-  if (speed.precisions_.size() != precisions.size()) throw InputError("precisions", "are not two");
+  const auto is_sound = [](const OfPrecision& own) {
+    return own.cells.front() > 0 && std::ranges::is_sorted(own.cells) &&
+           std::ranges::min(own.seconds_per_cell) > 0;
+  };
+  if (speed.precisions_.size() != precisions.size() || !std::ranges::all_of(speed.precisions_, is_sound))
+    throw InputError("precisions", "are not what this version writes");
   return speed;
 }
 

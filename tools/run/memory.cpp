@@ -10,6 +10,7 @@
 #include "beadswim/lattice/d3q19.hpp"
 
 namespace beadswim {
+
 double installed_bytes() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }

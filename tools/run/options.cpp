@@ -80,8 +80,9 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
   program
       .add_option(
           "--tolerance", options.tolerance,
-          "auto: largest error of velocity and arms' amplitudes that the run may have, relative. rpy, "
-          "rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to their "
+          "auto, and --plan: largest error of velocity and arms' amplitudes that the run may have, relative. "
+          "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
+          "their "
           "root mean square.")
       ->check(finite_positive());
   program
@@ -165,9 +166,11 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
                    "Leave cost and provenance out of the run record, so that equal runs give equal bytes.");
 }
 
-/// Of what it is depends on the model.
+/// What it is of, and how large it may be, depends on the model.
 void require_fitting_tolerance(const RunOptions& options) {
-  if (!options.given.contains("--tolerance") || options.model == "lbm" || options.model == "auto") return;
+  if (!options.given.contains("--tolerance") || options.plan || options.model == "lbm" ||
+      options.model == "auto")
+    return;
   if (const std::string why = product_tolerance()(fmt::format("{}", options.tolerance)); !why.empty())
     throw InputError("--tolerance", why);
 }

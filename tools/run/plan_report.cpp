@@ -3,12 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <regex>
 
 namespace beadswim {
 namespace {
 
 std::string percent(double share) {
+  if (share == 0) return "-";
   return share < 10 ? fmt::format("{:.2g}", 100 * share) : "> 1000";
 }
 
@@ -22,6 +25,11 @@ std::string row(const PlannedRun& run, const Communicator& communicator, const s
                      percent(std::max(run.error.arm_amplitudes[0], run.error.arm_amplitudes[1])),
                      run.core_seconds, run.core_seconds / communicator.size(), size_text(run.memory_bytes),
                      size_text(run.output_bytes), remark);
+}
+
+/// A reason without its numbers, by which reasons of one kind are alike.
+std::string kind_of(std::string reason) {
+  return std::regex_replace(reason, std::regex("[0-9][0-9.e+-]*"), "#");
 }
 
 /// Whether none that can be run costs less and errs no more, or hardly.
@@ -49,8 +57,10 @@ Json json_of(const PlannedRun& run, const Communicator& communicator) {
                     {"memory_bytes", run.memory_bytes},
                     {"output_bytes", run.output_bytes}};
   }
-  if (run.error.largest() > 0)
-    json["error"] = {{"velocity", run.error.velocity}, {"arm_amplitudes", run.error.arm_amplitudes}};
+  if (run.error.largest() > 0 && std::isfinite(run.error.largest())) {
+    if (run.error.velocity > 0) json["error"]["velocity"] = run.error.velocity;
+    json["error"]["arm_amplitudes"] = run.error.arm_amplitudes;
+  }
   return json;
 }
 
@@ -64,7 +74,7 @@ std::string plan_table(const RunPlan& plan, const Communicator& communicator) {
   std::map<std::string, std::vector<const PlannedRun*>> refused;
   for (const PlannedRun& run : plan.runs) {
     if (!run.refused.empty()) {
-      refused[run.refused].push_back(&run);
+      refused[kind_of(run.refused)].push_back(&run);
     } else if (run.options.model != "lbm" || is_on_front(plan, run)) {
       front.push_back(&run);
     }
@@ -72,9 +82,10 @@ std::string plan_table(const RunPlan& plan, const Communicator& communicator) {
   std::ranges::sort(front, {}, &PlannedRun::core_seconds);
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front) text += row(*run, communicator, run == choice ? "<- cheapest" : "");
-  for (const auto& [reason, runs] : refused)
-    text += fmt::format("refused: {}{}: {}\n", flags_of(*runs.front()),
-                        runs.size() > 1 ? fmt::format(", and {} like it", runs.size() - 1) : "", reason);
+  for (const auto& [kind, runs] : refused) {
+    const std::string others = runs.size() > 1 ? fmt::format(", and {} like it", runs.size() - 1) : "";
+    text += fmt::format("refused: {}{}: {}\n", flags_of(*runs.front()), others, runs.front()->refused);
+  }
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);
   for (const Proposal& proposal : plan.proposals)
     text += fmt::format("propose: {}: {}\n", proposal.command, proposal.what);

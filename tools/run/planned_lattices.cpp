@@ -28,12 +28,14 @@ std::vector<double> whole_resolutions(const Layout& layout) {
   if (!layout.domain) return {};
   const Vec3 edges = layout.domain->lengths / smallest_radius(layout);
   const auto is_whole = [&](double cells) {
-    constexpr double roundoff = 1e-7;
+    constexpr double roundoff = 1e-9;  // as put_on_lattice has it
     return (cells * edges.array() - (cells * edges.array()).round()).abs().maxCoeff() <
            roundoff * cells * edges.maxCoeff();
   };
   std::vector<double> result;
+  constexpr double most = 1e6;  // cells along an edge, as put_on_lattice has it
   for (const double usual : usual_cells) {
+    if (usual * edges.maxCoeff() > most) break;
     constexpr double within = 0.13, odd = 0.1;
     const auto badness = [&](double cells) {
       const bool is_quarter = std::abs(4 * cells - std::round(4 * cells)) < 1e-9;
@@ -53,16 +55,26 @@ std::vector<double> whole_resolutions(const Layout& layout) {
 /// What is wrong in kind with a run that put_on_lattice allows; empty if nothing is.
 std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double roundoff) {
   if (mach > fast_bead)
-    return fmt::format("beads would reach Mach {:.2g}, where the fluid is compressible", mach);
+    return fmt::format(
+        "beads would reach Mach {:.2g}, where the fluid is compressible; take a smaller --relaxation-time, "
+        "more "
+        "--cells-per-radius, or drive them less",
+        mach);
   if (on_lattice.density_on_lattice() < light_bead)
-    return fmt::format("beads of {:.2g} times the fluid's density on the lattice may be shaken",
-                       on_lattice.density_on_lattice());
+    return fmt::format(
+        "beads of {:.2g} times the fluid's density on the lattice may be shaken; take a larger "
+        "--relaxation-time or "
+        "--bead-boundary psm",
+        on_lattice.density_on_lattice());
   if (on_lattice.lattice.relaxation_time < least_viscous)
-    return fmt::format("tau {:.4g} is too near 1/2", on_lattice.lattice.relaxation_time);
-  constexpr double contact = 0.1;  // [cell]
+    return fmt::format("tau {:.4g} is too near 1/2; take {} or more", on_lattice.lattice.relaxation_time,
+                       least_viscous);
+  constexpr double contact = 0.1;  // [cell]: below it strokes of docs/hard-cases.md are off by their size
   if (on_lattice.smallest_gap < contact)
-    return "beads touch at rest, or all but touch, and a stroke would be the contact's own give";
-  if (!std::isfinite(roundoff)) return "its velocity would be the roundoff of single precision";
+    return "beads touch at rest, or all but touch, and a stroke would be the contact's own give; move them "
+           "apart";
+  if (!std::isfinite(roundoff))
+    return "its velocity would be the roundoff of single precision; take --precision double";
   return {};
 }
 
@@ -77,46 +89,56 @@ double largest_speed(const SceneFacts& facts) {
   return speed;
 }
 
+ErrorEstimate error_of(const SceneOnLattice& on_lattice, const SceneFacts& facts, double mach,
+                       double roundoff) {
+  const LatticeScales& scales = on_lattice.lattice.scales;
+  const ResolvedRun run{.cells_per_radius = on_lattice.cells_per_radius,
+                        .scheme = on_lattice.scene.bead_boundary,
+                        .smallest_gap = on_lattice.smallest_gap,
+                        .cell = scales.cell,
+                        .mach = mach,
+                        .timing = {.step = scales.step,
+                                   .sound_speed = scales.velocity() / std::numbers::sqrt3,
+                                   .corrects_delay = on_lattice.corrects_delay}};
+  ErrorEstimate error =
+      scene_error(facts, [&](const Asked& asked) { return lattice_error(*asked.lag, asked.best, run); });
+  if (std::isfinite(roundoff) && error.velocity > 0) error.velocity += roundoff;
+  return error;
+}
+
+void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSpeed& speed, long steps,
+              const Communicator& communicator) {
+  const double cells = on_lattice.scene.cells.cast<double>().prod(), bytes = lattice_bytes(on_lattice.scene);
+  run.core_seconds =
+      start_seconds * communicator.size() + static_cast<double>(steps) * speed.step(on_lattice.scene);
+  run.memory_bytes = bytes + program_bytes * communicator.size();
+  run.output_bytes = output_bytes(run.options, on_lattice.scene.swimmers.size(), cells, bytes / cells);
+}
+
+/// `speed` is measured when the first lattice that can run asks for it.
 PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, RunOptions options,
-                       const std::string& source, const LatticeSpeed& speed,
+                       const std::string& source, std::optional<LatticeSpeed>& speed,
                        const Communicator& communicator) {
   PlannedRun run;
   options.model = "lbm";
   run.options = options;
-  SceneOnLattice on_lattice;
   try {
-    refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models");
-    on_lattice = put_on_lattice(layout, options, source);
+    refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models; leave it out");
+    const SceneOnLattice on_lattice = put_on_lattice(layout, options, source);
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);  // throws if too many
+    const long steps_per_cycle = on_lattice.lattice.steps_per_period;
+    const long steps = total_steps(options.cycles, steps_per_cycle);
+    const double mach = largest_speed(facts) * std::numbers::sqrt3 / on_lattice.lattice.scales.velocity();
+    const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
+    if (!speed) speed = LatticeSpeed::of_this_machine(communicator);
+    run.error = error_of(on_lattice, facts, mach, roundoff);
+    add_cost(run, on_lattice, *speed, steps, communicator);
+    run.refused = wrong_in_kind(on_lattice, mach, roundoff);
   } catch (const InputError& error) {
     run.refused = error.what();
-    return run;
+  } catch (const SolverError& error) {
+    run.refused = error.what();
   }
-  const LatticeScales& scales = on_lattice.lattice.scales;
-  const LatticeTiming timing{.step = scales.step,
-                             .sound_speed = scales.velocity() / std::numbers::sqrt3,
-                             .corrects_delay = options.delay_correction};
-  const double mach = largest_speed(facts) / timing.sound_speed;
-  run.error = scene_error(facts, [&](const Asked& asked) {
-    const ResolvedRun resolution{.cells_per_radius = on_lattice.cells_per_radius,
-                                 .scheme = options.bead_boundary,
-                                 .smallest_gap = on_lattice.smallest_gap,
-                                 .cell = scales.cell,
-                                 .mach = mach,
-                                 .timing = timing};
-    return lattice_error(asked.representative.question, asked.best, resolution);
-  });
-  const long steps_per_cycle = on_lattice.lattice.steps_per_period;
-  const long steps = total_steps(options.cycles, steps_per_cycle);
-  const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
-  if (std::isfinite(roundoff) && run.error.velocity > 0) run.error.velocity += roundoff;
-  const double cells = on_lattice.scene.cells.cast<double>().prod();
-  run.core_seconds =
-      start_seconds * communicator.size() + static_cast<double>(steps) * speed.step(on_lattice.scene);
-  run.memory_bytes = lattice_bytes(on_lattice.scene) + program_bytes * communicator.size();
-  run.output_bytes =
-      output_bytes(options, layout.swimmers.size(), cells, lattice_bytes(on_lattice.scene) / cells);
-  run.refused = wrong_in_kind(on_lattice, mach, roundoff);
   return run;
 }
 
@@ -132,7 +154,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
   if (options.relaxation_time) times = {*options.relaxation_time};
   std::vector<Precision> precisions{Precision::fp64, Precision::fp32};
   if (options.given.contains("--precision")) precisions = {options.precision};
-  const LatticeSpeed speed = LatticeSpeed::of_this_machine(communicator);
+  std::optional<LatticeSpeed> speed;
   std::vector<PlannedRun> runs;
   for (const double cell : cells) {
     for (const double time : times) {

@@ -48,32 +48,39 @@ std::string films_matter(const SceneFacts& facts) {
   return {};
 }
 
-PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, RunOptions options,
+/// Products of a run, and the rest of it: docs/method/mobility-swarms.md, docs/performance.md.
+void add_cost(PlannedRun& run, const OverdampedPlan& plan, const Communicator& communicator) {
+  const bool has_dashpots = std::ranges::any_of(plan.scene.types, [](const SwimmerType& type) {
+    return type.springs[0].damping > 0 || type.springs[1].damping > 0;
+  });
+  const bool is_alone = plan.swimmers.size() == 1 && !plan.scene.box;
+  const double products_a_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
+  constexpr double first_products = 13, rest_of_step = 1e-5;  // of a swimmer [s]
+  constexpr double bytes_in_box = 700, bytes_in_open = 2700;  // of a bead, the mesh's too
+  const double swimmers = static_cast<double>(plan.swimmers.size());
+  const double steps = static_cast<double>(total_steps(plan.options.cycles, plan.steps_per_cycle));
+  run.core_seconds = start_seconds * communicator.size() + rest_of_step * swimmers * steps +
+                     (products_a_step * steps + first_products) * product_seconds(plan.scene, communicator);
+  run.memory_bytes =
+      3 * swimmers * (plan.scene.box ? bytes_in_box : bytes_in_open) + program_bytes * communicator.size();
+  run.output_bytes = output_bytes(plan.options, plan.swimmers.size(), 0, 0);
+}
+
+PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const RunOptions& options,
                         MobilityModel model, const std::string& source, const Communicator& communicator) {
   PlannedRun run;
   run.options = options;
   try {
     const OverdampedPlan plan(layout, options, source, communicator);
     run.refused = films_matter(facts);
-    if (run.refused.empty()) {
-      run.error = scene_error(facts, [&](const Asked& asked) {
-        return mobility_error(asked.representative.question, *asked.best, model);
-      });
-    }
-    const double swimmers = static_cast<double>(layout.swimmers.size());
-    const double steps = static_cast<double>(total_steps(options.cycles, plan.steps_per_cycle));
-    const bool has_dashpots = std::ranges::any_of(plan.scene.types, [](const SwimmerType& type) {
-      return type.springs[0].damping > 0 || type.springs[1].damping > 0;
+    if (!run.refused.empty()) return run;
+    run.error = scene_error(facts, [&](const Asked& asked) {
+      return mobility_error(asked.representative.question, *asked.best, model, options.steps_per_cycle);
     });
-    // Products a step: docs/method/mobility-swarms.md; the rest of a swimmer's step, and products to begin
-    // with.
-    const double products = swimmers == 1 && !layout.domain ? 1 : has_dashpots ? 2.1 : 1.6;
-    constexpr double rest = 1e-5, first_products = 13;
-    run.core_seconds = start_seconds * communicator.size() + rest * swimmers * steps +
-                       (products * steps + first_products) * product_seconds(plan.scene, communicator);
-    run.memory_bytes = 3 * swimmers * (layout.domain ? 700 : 2700) + program_bytes * communicator.size();
-    run.output_bytes = output_bytes(options, layout.swimmers.size(), 0, 0);
+    add_cost(run, plan, communicator);
   } catch (const InputError& error) {
+    run.refused = error.what();
+  } catch (const SolverError& error) {
     run.refused = error.what();
   }
   return run;
@@ -89,7 +96,7 @@ std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& fa
     if (options.model != "auto" && options.model != name) continue;
     RunOptions own = options;
     own.model = name;
-    if (options.model == "auto") own.tolerance = RunOptions{}.tolerance;  // of its sums
+    if (options.model == "auto" || options.plan) own.tolerance = RunOptions{}.tolerance;  // of its sums
     runs.push_back(mobility_run(layout, facts, own, model, source, communicator));
   }
   return runs;

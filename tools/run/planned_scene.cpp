@@ -12,10 +12,21 @@
 namespace beadswim {
 namespace {
 
+constexpr double most_growth = 50;  // as an exponent: e^50, no number to speak of
+
 Asked ask(Representative representative) {
-  Asked asked{.representative = std::move(representative), .best = {}, .why_not = {}};
+  Asked asked{.representative = std::move(representative), .best = {}, .why_not = {}, .lag = {}};
+  const Question& question = asked.representative.question;
+  asked.lag.emplace(question);
+  const auto& [driven, seen] =
+      std::pair(asked.representative.type.driving.amplitude, question.swimmer.amplitude);
+  constexpr double none = 1e-9;
+  if (std::hypot(seen[0], seen[1]) < none * std::hypot(driven[0], driven[1])) {
+    asked.why_not = "it is driven across its line alone, which bends it";
+    return asked;
+  }
   try {
-    asked.best = best_known(asked.representative.question);
+    asked.best = best_known(question);
   } catch (const InputError& error) {
     asked.why_not = error.what();
   } catch (const SolverError& error) {
@@ -31,7 +42,7 @@ double growth_of_disorder(const CollinearSwimmer& swimmer, double cycles) {
   const double softness =
       drag * swimmer.angular_frequency() / std::min(swimmer.stiffness[0], swimmer.stiffness[1]);
   const double rate = 0.011 * std::pow(softness / 0.592, 1.26);
-  return std::exp(rate * cycles);
+  return std::exp(std::min(most_growth, rate * cycles));
 }
 
 /// Forces F along the lab's axes that press a swimmer together turn it, at F sin(tilt)/(6 pi eta a l): over
@@ -39,11 +50,11 @@ double growth_of_disorder(const CollinearSwimmer& swimmer, double cycles) {
 /// T/2 / (6 pi eta a l). The other half takes it back.
 double growth_of_tilt(const SwimmerType& type, double viscosity) {
   if (type.driving.frame == DrivingFrame::body) return 1;
-  constexpr double pi = std::numbers::pi, most = 50;  // e^50: no number to speak of
+  constexpr double pi = std::numbers::pi;
   const double force = std::max(std::abs(type.driving.amplitude[0]), std::abs(type.driving.amplitude[1]));
   const double length = (type.springs[0].rest_length + type.springs[1].rest_length) / 2;
   const double drag = 6 * pi * viscosity * type.beads[1].radius;
-  return std::exp(std::min(most, 2 / pi * force * type.driving.period / 2 / (drag * length)));
+  return std::exp(std::min(most_growth, 2 / pi * force * type.driving.period / 2 / (drag * length)));
 }
 
 }  // namespace
@@ -60,8 +71,9 @@ SceneFacts facts_of(const Layout& layout, double cycles) {
   }
   for (Representative& representative : representatives(facts.cell))
     facts.asked.push_back(ask(std::move(representative)));
-  for (const auto& [name, type] : facts.cell.types)
-    facts.turning = std::max(facts.turning, growth_of_tilt(type, layout.fluid.dynamic_viscosity()));
+  for (const Asked& asked : facts.asked)
+    facts.turning =
+        std::max(facts.turning, growth_of_tilt(asked.representative.type, layout.fluid.dynamic_viscosity()));
   if (facts.cell.swimmers.size() > 1) {
     for (const Asked& asked : facts.asked)
       facts.disorder =
@@ -71,7 +83,7 @@ SceneFacts facts_of(const Layout& layout, double cycles) {
 }
 
 std::string film_between_beads(const Asked& asked) {
-  if (!asked.best) return "beads meet, or all but meet, where theory has no motion (" + asked.why_not + ")";
+  if (!asked.best) return "theory has no motion for it: " + asked.why_not;
   constexpr double thin = 0.5;  // [radius]
   if (asked.best->nearest >= thin * *std::ranges::min_element(asked.representative.question.swimmer.radius))
     return {};

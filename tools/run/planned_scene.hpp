@@ -17,6 +17,7 @@ struct Asked {
   Representative representative;
   std::optional<BestKnown> best;  ///< none: theory has no motion for it
   std::string why_not;            ///< if there is none
+  std::optional<LatticeLag> lag;  ///< always
 };
 
 struct SceneFacts {
@@ -45,12 +46,14 @@ template <class ErrorOf>
 ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
   ErrorEstimate error;
   for (const Asked& asked : facts.asked)
-    error = worst(error, times(asked.representative.is_exact ? 1 : rough * facts.turning, error_of(asked)));
+    error = worst(error, times(asked.representative.approximation.empty() ? 1 : rough * facts.turning,
+                               error_of(asked)));
   error.velocity *= facts.disorder;
   return error;
 }
 
-/// Core-seconds of a rank before the first step, and what it takes without a scene.
+/// Core-seconds of a rank before the first step, and what it takes without a scene [byte], as short runs have
+/// them.
 constexpr double start_seconds = 0.05, program_bytes = 6e7;
 
 /// Of trajectory, flow and checkpoints; `bytes_of_cell`: of a lattice's state.

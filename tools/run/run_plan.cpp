@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 
 #include "beadswim/core/error.hpp"
@@ -22,22 +24,33 @@ void refuse_what_does_not_fit(std::vector<PlannedRun>& runs, const Communicator&
   for (PlannedRun& run : runs) {
     const double needed = run.memory_bytes / communicator.size();
     if (run.refused.empty() && needed > bytes_of_rank)
-      run.refused =
-          fmt::format("needs more than the {:.3g} GB that there are for a rank", 1e-9 * bytes_of_rank);
+      run.refused = fmt::format(
+          "needs {:.3g} GB a rank, of which there are {:.3g}; take more machines, --precision single, fewer "
+          "--cells-per-radius, or a smaller scene",
+          1e-9 * needed, 1e-9 * bytes_of_rank);
   }
 }
 
-void choose(RunPlan& plan) {
-  for (std::size_t r = 0; r < plan.runs.size(); ++r) {
-    const PlannedRun& run = plan.runs[r];
+/// Of those that can be and have numbers; rank 0 decides for all. Collective.
+void choose(RunPlan& plan, const Communicator& communicator) {
+  constexpr int none = -1;
+  std::array<int, 2> found{none, none};  // choice, best
+  auto& [choice, best] = found;
+  for (int r = 0; r < std::ssize(plan.runs); ++r) {
+    PlannedRun& run = plan.runs[r];
+    if (run.refused.empty() && !std::isfinite(run.error.largest() + run.core_seconds))
+      run.refused = "its error is beyond reckoning";
     if (!run.refused.empty()) continue;
-    if (!plan.best || run.error.largest() < plan.runs[*plan.best].error.largest()) plan.best = r;
+    if (best == none || run.error.largest() < plan.runs[best].error.largest()) best = r;
     if (run.error.largest() > plan.tolerance) continue;
-    if (!plan.choice || run.core_seconds < plan.runs[*plan.choice].core_seconds) plan.choice = r;
+    if (choice == none || run.core_seconds < plan.runs[choice].core_seconds) choice = r;
   }
+  MPI_Bcast(found.data(), found.size(), MPI_INT, 0, communicator.get());
+  if (choice != none) plan.choice = choice;
+  if (best != none) plan.best = best;
 }
 
-std::string percent(double share) {
+std::string in_percent(double share) {
   return fmt::format("{:.2g} %", 100 * share);
 }
 
@@ -57,17 +70,17 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
                     "of it are large",
                     best.cancellation));
   }
-  if (!asked.representative.is_exact)
-    add("estimated as one swimmer in its share of the box, along its own line, and doubled: theory does not "
-        "know "
-        "neighbours that differ, slant or no-slip walls");
+  if (!asked.representative.approximation.empty())
+    add("errors are of a swimmer " + asked.representative.approximation + ", doubled");
   try {
-    const ErrorEstimate stokes = mobility_error(question, best, MobilityModel::rpy_near);
+    const ErrorEstimate stokes =
+        mobility_error(question, best, MobilityModel::rpy_near, RunOptions{}.steps_per_cycle);
     const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
       add(fmt::format("inertia, and what no mobility model knows, change v by up to {} and arms by up to {}",
-                      percent(stokes.velocity), percent(std::max(first, second))));
+                      in_percent(stokes.velocity), in_percent(std::max(first, second))));
   } catch (const InputError&) {  // no motion of the model: its row says so
+  } catch (const SolverError&) {
   }
 }
 
@@ -103,44 +116,55 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
          "beadswim-layout reduce"});
   }
   const Asked& asked = facts.asked.front();
-  if (layout.swimmers.size() != 1 || !asked.representative.is_exact || !asked.best) return;
-  const double third = plan.tolerance / 3;
-  const std::optional<SufficientBox> box = sufficient_box(asked.representative.question, third);
-  constexpr double worthwhile = 0.7;
+  if (layout.swimmers.size() != 1 || !asked.representative.approximation.empty() || !asked.best) return;
+  const std::optional<SufficientBox> box = sufficient_box(asked.representative.question, plan.tolerance / 3);
+  constexpr double worthwhile = 0.7;  // of the volume
   if (!box || (layout.domain && box->lengths.prod() > worthwhile * layout.domain->lengths.prod())) return;
-  plan.proposals.push_back(
-      {fmt::format("alone, the swimmer needs no larger box than {:g} x {:g} x {:g}, along it and across: "
-                   "theory finds {} of "
-                   "change in velocity and strokes",
-                   box->lengths[0], box->lengths[1], box->lengths[2], percent(box->change)),
-       fmt::format("beadswim-layout swimmer --box {:g},{:g},{:g} --boundary periodic", box->lengths[0],
-                   box->lengths[1], box->lengths[2])});
+  int along = 0;
+  layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);
+  Vec3 lengths;
+  for (int a = 0; a < 3; ++a) lengths[(along + a) % 3] = box->lengths[a];
+  plan.proposals.push_back({fmt::format("the layout made anew with this box: alone, the swimmer needs no "
+                                        "larger one; theory finds {} of change in "
+                                        "velocity and strokes",
+                                        in_percent(box->change)),
+                            fmt::format("beadswim-layout swimmer --box {},{},{} --boundary periodic",
+                                        lengths[0], lengths[1], lengths[2])});
 }
 
 }  // namespace
 
 std::string flags_of(const PlannedRun& run) {
   const RunOptions& o = run.options;
-  if (o.model != "lbm") return "--model " + o.model;
   const RunOptions usual;
-  return fmt::format("--model lbm --cells-per-radius {} --relaxation-time {}", *o.cells_per_radius,
-                     *o.relaxation_time) +
-         (o.precision != usual.precision ? " --precision " + name_of(o.precision) : "") +
-         (o.bead_boundary != usual.bead_boundary ? " --bead-boundary " + name_of(o.bead_boundary) : "");
+  std::string flags = "--model " + o.model;
+  if (o.model == "lbm") {
+    flags +=
+        fmt::format(" --cells-per-radius {} --relaxation-time {}", *o.cells_per_radius, *o.relaxation_time);
+    if (o.precision != usual.precision) flags += " --precision " + name_of(o.precision);
+    if (o.bead_boundary != usual.bead_boundary) flags += " --bead-boundary " + name_of(o.bead_boundary);
+  }
+  for (const char* asked :
+       {"--delay-correction", "--radius-correction", "--lubrication", "--friction", "--steps-per-cycle"}) {
+    const FlagValues course = course_of(o);
+    if (const auto flag = course.find(asked); flag != course.end() && o.given.contains(asked))
+      flags += fmt::format(" {} {}", asked, flag->second);
+  }
+  return flags;
 }
 
 RunPlan plan_run(const Layout& layout, const RunOptions& options, const std::string& source,
                  const Communicator& communicator) {
   RunPlan plan;
-  plan.tolerance =
-      options.given.contains("--tolerance") && options.model == "auto" ? options.tolerance : usual_tolerance;
+  plan.tolerance = options.given.contains("--tolerance") ? options.tolerance : usual_tolerance;
   const SceneFacts facts = facts_of(layout, options.cycles);
   plan.runs = mobility_runs(layout, facts, options, source, communicator);
   if (options.model == "auto" || options.model == "lbm")
     std::ranges::move(lattice_runs(layout, facts, options, source, communicator),
                       std::back_inserter(plan.runs));
   refuse_what_does_not_fit(plan.runs, communicator);
-  choose(plan);
+  choose(plan, communicator);
+  if (!options.plan) return plan;
   add_hard_cases(plan, facts);
   add_proposals(plan, layout, facts);
   return plan;
@@ -149,14 +173,14 @@ RunPlan plan_run(const Layout& layout, const RunOptions& options, const std::str
 const PlannedRun& chosen(const RunPlan& plan) {
   if (plan.choice) return plan.runs[*plan.choice];
   if (!plan.best)
-    throw InputError("--tolerance",
-                     "no model can run this scene; beadswim-run --plan says why not, one by one");
+    throw InputError("--plan", "no model can run this scene with these flags; " + flags_of(plan.runs.back()) +
+                                   ": " + plan.runs.back().refused);
   const PlannedRun& best = plan.runs[*plan.best];
-  throw InputError(
-      "--tolerance",
-      fmt::format("no run is expected to be within {}; the best, {}, is within {}: allow that, or change "
-                  "the scene as beadswim-run --plan proposes",
-                  percent(plan.tolerance), flags_of(best), percent(best.error.largest())));
+  throw InputError("--tolerance",
+                   fmt::format("no run is expected to be within {}; the best, {}, is within {}: allow that, "
+                               "leave out flags that close "
+                               "others, or change the scene as --plan proposes",
+                               in_percent(plan.tolerance), flags_of(best), in_percent(best.error.largest())));
 }
 
 }  // namespace beadswim

@@ -34,8 +34,8 @@ struct RunPlan {
   std::vector<PlannedRun> runs;
   std::optional<std::size_t> choice;  ///< the cheapest within the tolerance; none if none is
   std::optional<std::size_t> best;    ///< the smallest error; none if all are refused
-  std::vector<std::string> hard;      ///< what is hard about the scene, each a line
-  std::vector<Proposal> proposals;
+  std::vector<std::string> hard;      ///< what is hard about the scene, each a line; with --plan
+  std::vector<Proposal> proposals;    ///< with --plan
 };
 
 /// The flags that make a planned run: "--model lbm --cells-per-radius 3 ...".

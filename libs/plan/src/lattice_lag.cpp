@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "beadswim/plan/sound_flow.hpp"
-#include "beadswim/theory/inertial_motion.hpp"
 #include "beadswim/theory/reynolds_stress.hpp"
 
 namespace beadswim {
@@ -13,97 +12,87 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
+constexpr double apart = 0.02;  // of neighbouring frequencies, relative
 
-/// What a flow that is a function of omega rho/eta, over eta, becomes with eta (1 - eps): from its values
-/// with frequencies a little lower and higher.
-struct Neighbours {
-  static constexpr double apart = 0.02;
-
-  Eigen::Matrix3cd at, below, above;
-
-  Eigen::Matrix3cd with_late_stress(Complex eps) const {
-    return (at + eps * (above - below) / (2 * apart)) / (1.0 - eps);
-  }
-};
-
-template <class Flow>
-Neighbours neighbours(const InertialScene& scene, const Flow& flow) {
-  const auto at = [&](double factor) {
-    InertialScene other = scene;
-    other.swimmer.period = scene.swimmer.period / factor;
-    return flow(other);
-  };
-  return {.at = flow(scene), .below = at(1 - Neighbours::apart), .above = at(1 + Neighbours::apart)};
-}
-
-/// Mass of fluid that a bead displaces, or of the bead itself [mass].
-double sphere_mass(double radius, double density) {
+/// Of a sphere [mass].
+double mass(double radius, double density) {
   return 4 * std::numbers::pi / 3 * std::pow(radius, 3) * density;
 }
 
-/// U = M F on the lattice, `induced` being what the fluid does without delay of links.
-Eigen::Matrix3cd with_late_links(const InertialScene& scene, const Eigen::Matrix3cd& induced,
-                                 const LatticeTiming& timing) {
-  const CollinearSwimmer& swimmer = scene.swimmer;
+}  // namespace
+
+// d/d ln omega by the difference of the two: M(omega rho/(eta (1 - eps)))/(1 - eps) to first order in eps.
+Eigen::Matrix3cd LatticeLag::Neighbours::with_late_stress(Complex eps) const {
+  return (at + eps * (above - below) / (2 * apart)) / (1.0 - eps);
+}
+
+template <class Flow>
+LatticeLag::Neighbours LatticeLag::neighbours(const Flow& flow) const {
+  const auto at = [&](double factor) {
+    InertialScene other = scene_;
+    other.swimmer.period = scene_.swimmer.period / factor;
+    return flow(other);
+  };
+  return {.at = flow(scene_), .below = at(1 - apart), .above = at(1 + apart)};
+}
+
+LatticeLag::LatticeLag(const Question& question)
+    : scene_(inertial_scene(question)),
+      box_(question.box),
+      induced_(neighbours(induced_mobility)),
+      slopes_(neighbours([](const InertialScene& scene) { return drift_form(scene).by_receiver; })),
+      form_(drift_form(scene_)),
+      reynolds_(reynolds_form(scene_).whole),
+      exact_(motion(unsteady_mobility(scene_), induced_.at, form_)) {}
+
+/// mobility: of forces on beads; induced: of what beads push the fluid with.
+LatticeLag::Motion LatticeLag::motion(const Eigen::Matrix3cd& mobility, const Eigen::Matrix3cd& induced,
+                                      const DriftForm& form) const {
+  const LinearResponse response = linear_response(scene_.swimmer, mobility);
+  const Eigen::Vector3cd velocity = i_unit * scene_.swimmer.angular_frequency() * response.displacement;
+  const Eigen::Vector3cd force = induced.partialPivLu().solve(velocity);
+  return {.arm = response.arm,
+          .drift = lagrangian_drift(form, response.displacement, force),
+          .reynolds = reynolds_stress_velocity(reynolds_, force)};
+}
+
+// F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U, solved for U.
+Eigen::Matrix3cd LatticeLag::with_late_links(const Eigen::Matrix3cd& induced,
+                                             const LatticeTiming& timing) const {
+  const CollinearSwimmer& swimmer = scene_.swimmer;
   const Complex i_omega = i_unit * swimmer.angular_frequency();
-  const double nu = swimmer.viscosity / scene.fluid_density;
+  const double nu = swimmer.viscosity / scene_.fluid_density;
   const double delay = 1.5 * nu / (timing.sound_speed * timing.sound_speed) + timing.step;
   Eigen::Matrix3cd impedance = induced.inverse();
-  for (int b = 0; b < 3; ++b)
-    impedance(b, b) -= i_omega * sphere_mass(swimmer.radius[b], scene.fluid_density);
+  for (int b = 0; b < 3; ++b) impedance(b, b) -= i_omega * mass(swimmer.radius[b], scene_.fluid_density);
   impedance *= std::exp(-i_omega * timing.step);
   for (int b = 0; b < 3; ++b) {
     const double friction = 6 * std::numbers::pi * swimmer.viscosity * swimmer.radius[b];
-    impedance(b, b) += i_omega * (sphere_mass(swimmer.radius[b], swimmer.density[b]) +
+    impedance(b, b) += i_omega * (mass(swimmer.radius[b], swimmer.density[b]) +
                                   (timing.corrects_delay ? friction * delay : 0));
   }
   return impedance.inverse();
 }
 
-/// Stroke and velocity.
-struct Motion {
-  Eigen::Vector2cd arm;
-  double drift = 0, reynolds = 0;
-};
-
-/// mobility: of forces on beads; induced: of what beads push the fluid with.
-Motion motion(const InertialScene& scene, const Eigen::Matrix3cd& mobility, const Eigen::Matrix3cd& induced,
-              const DriftForm& form) {
-  const LinearResponse response = linear_response(scene.swimmer, mobility);
-  const Eigen::Vector3cd velocity = i_unit * scene.swimmer.angular_frequency() * response.displacement;
-  const Eigen::Vector3cd force = induced.partialPivLu().solve(velocity);
-  return {.arm = response.arm,
-          .drift = lagrangian_drift(form, response.displacement, force),
-          .reynolds = reynolds_stress_velocity(reynolds_form(scene).whole, force)};
-}
-
-}  // namespace
-
-LagErrors lag_errors(const Question& question, const LatticeTiming& timing) {
-  const InertialScene scene = inertial_scene(question);
-  const double nu = scene.swimmer.viscosity / scene.fluid_density;
+LagErrors LatticeLag::errors(const LatticeTiming& timing) const {
+  const double nu = scene_.swimmer.viscosity / scene_.fluid_density;
   const Complex eps =
-      i_unit * scene.swimmer.angular_frequency() * nu / (timing.sound_speed * timing.sound_speed);
-  const Neighbours induced = neighbours(scene, induced_mobility);
-  const Neighbours slopes =
-      neighbours(scene, [](const InertialScene& s) { return drift_form(s).by_receiver; });
-  const SoundFlow sound = sound_flow(scene, question.box, timing.sound_speed);
-
-  DriftForm form = drift_form(scene);
-  const Motion exact = motion(scene, unsteady_mobility(scene), induced.at, form);
-  form.by_receiver = slopes.with_late_stress(eps) + sound.by_receiver;
-  const Eigen::Matrix3cd late = induced.with_late_stress(eps) + sound.value;
-  const Motion lattice = motion(scene, with_late_links(scene, late, timing), late, form);
+      i_unit * scene_.swimmer.angular_frequency() * nu / (timing.sound_speed * timing.sound_speed);
+  const SoundFlow sound = sound_flow(scene_, box_, timing.sound_speed);
+  DriftForm form = form_;
+  form.by_receiver = slopes_.with_late_stress(eps) + sound.by_receiver;
+  const Eigen::Matrix3cd late = induced_.with_late_stress(eps) + sound.value;
+  const Motion lattice = motion(with_late_links(late, timing), late, form);
 
   LagErrors errors;
   for (int arm = 0; arm < 2; ++arm) {
-    const double size = std::abs(exact.arm[arm]);
+    const double size = std::abs(exact_.arm[arm]);
     if (size > 0) errors.arm_amplitudes[arm] = std::abs(lattice.arm[arm]) / size - 1;
   }
-  const double velocity = std::abs(exact.drift + exact.reynolds);
+  const double velocity = std::abs(exact_.drift + exact_.reynolds);
   if (velocity > 0)
     errors.velocity =
-        (std::abs(lattice.drift - exact.drift) + std::abs(lattice.reynolds - exact.reynolds)) / velocity;
+        (std::abs(lattice.drift - exact_.drift) + std::abs(lattice.reynolds - exact_.reynolds)) / velocity;
   return errors;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/theory/methods.hpp"
 
 namespace beadswim {
@@ -11,11 +10,6 @@ namespace {
 
 Prediction predicted(const char* method, const Question& question) {
   return predict(find_method(method), question);
-}
-
-/// d1 d2 sin(delta_1 - delta_2): what a velocity without inertia is proportional to [length^2].
-double stroke_area(const Prediction& prediction) {
-  return prediction.stroke.area();
 }
 
 /// Numbers of a model without inertia in the question's surroundings.
@@ -33,7 +27,7 @@ Numbers numbers_of(const Prediction& prediction) {
 Numbers in_box(const Question& question, const char* method_in_open_space) {
   const Prediction pairs_in_box = predicted("rpy-box-ode", question);
   const Prediction pairs = predicted("rpy-ode", question), model = predicted(method_in_open_space, question);
-  const double area = stroke_area(pairs) != 0 ? stroke_area(pairs_in_box) / stroke_area(pairs) : 1;
+  const double area = pairs.stroke.area() != 0 ? pairs_in_box.stroke.area() / pairs.stroke.area() : 1;
   Numbers numbers = numbers_of(pairs_in_box);
   numbers.velocity += (model.velocity - pairs.velocity) * area;
   for (int arm = 0; arm < 2; ++arm) {
@@ -112,26 +106,29 @@ BestKnown best_known(const Question& question) {
   if (!known.swims) return known;
   known.uncertainty.velocity = *best.uncertainty;
   const Prediction open = predicted("multipole-perturbation", question);
-  if (stroke_area(open) != 0) {
-    const double as_open = open.velocity * stroke_area(best) / stroke_area(open);
+  if (open.stroke.area() != 0) {
+    const double as_open = open.velocity * best.stroke.area() / open.stroke.area();
     known.cancellation = std::max(1.0, std::abs(as_open / best.velocity) * (1 + known.uncertainty.velocity));
   }
   return known;
 }
 
-ErrorEstimate mobility_error(const Question& question, const BestKnown& best, MobilityModel model) {
+// Steps: docs/method/mobility-swarms.md, 3.3e-5 of the velocity with 100 a cycle, of third order.
+ErrorEstimate mobility_error(const Question& question, const BestKnown& best, MobilityModel model,
+                             int steps_per_cycle) {
   const Numbers numbers =
       question.box ? in_box(question, method_of(model)) : numbers_of(predicted(method_of(model), question));
   ErrorEstimate error = best.uncertainty;
-  if (best.swims) error.velocity += relative(numbers.velocity, best.velocity);
+  const double by_steps = 3.3e-5 * std::pow(100.0 / steps_per_cycle, 3);
+  if (best.swims) error.velocity += relative(numbers.velocity, best.velocity) + by_steps;
   for (int arm = 0; arm < 2; ++arm)
     error.arm_amplitudes[arm] += relative(numbers.arm_amplitudes[arm], best.arm_amplitudes[arm]);
   return error;
 }
 
-ErrorEstimate lattice_error(const Question& question, const std::optional<BestKnown>& best,
+ErrorEstimate lattice_error(const LatticeLag& lattice, const std::optional<BestKnown>& best,
                             const ResolvedRun& run) {
-  const LagErrors lag = lag_errors(question, run.timing);
+  const LagErrors lag = lattice.errors(run.timing);
   const double swing =
       best ? std::min(best->arm_amplitudes[0], best->arm_amplitudes[1]) / run.cell : INFINITY;
   const ErrorEstimate cells = error_of_cells(run.cells_per_radius, run.scheme, swing);

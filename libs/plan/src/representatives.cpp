@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
+#include <tuple>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/scene/surroundings.hpp"
 
 namespace beadswim {
@@ -16,53 +17,97 @@ double length_of(const CollinearSwimmer& swimmer) {
   return swimmer.radius[0] + swimmer.arm[0] + swimmer.arm[1] + swimmer.radius[2];
 }
 
-/// A box of one swimmer's share of the whole, along x as long as the box is along the swimmer, or shorter
-/// where swimmers stand one behind the other.
+/// About a box of one swimmer's share of the whole: along x as long as the box is along the swimmer, or a
+/// whole part of that where swimmers stand one behind the other; periodic. Larger than the share where that
+/// would leave no room for a swimmer, or for four radii across.
 BoxPlace share_of(const Domain& domain, std::size_t swimmers, const CollinearSwimmer& swimmer,
                   const Vec3& axis) {
+  constexpr double room = 1.2, radii_across = 4;
   int along = 0;
   axis.cwiseAbs().maxCoeff(&along);
   const double whole = domain.lengths[along], share = domain.lengths.prod() / static_cast<double>(swimmers);
-  const double least = 1.2 * length_of(swimmer);
+  const double least = room * length_of(swimmer);
   const double blocks = std::max(1.0, std::floor(whole / std::max(least, std::cbrt(share))));
-  const double x = std::max(whole / blocks, least), y = std::sqrt(share / x);
-  const double widest = std::max(y, 4 * *std::ranges::max_element(swimmer.radius));
-  return {.box = {.lengths = {x, widest, widest}, .free_slip = {}},
-          .middle_bead = {x / 2, widest / 2, widest / 2}};
+  const double x = std::max(whole / blocks, least);
+  const double y = std::max(std::sqrt(share / x), radii_across * *std::ranges::max_element(swimmer.radius));
+  return {.box = {.lengths = {x, y, y}, .free_slip = {}}, .middle_bead = {x / 2, y / 2, y / 2}};
 }
 
-/// Along its own line, whatever its driving's frame.
-CollinearSwimmer along_own_line(const SwimmerType& type, const Vec3& axis, double viscosity) {
-  try {
-    return collinear_swimmer(type, axis, viscosity);
-  } catch (const InputError&) {
-    return collinear_swimmer(type, Vec3::UnitX(), viscosity);
-  }
+/// What theory takes of a swimmer that lies aslant to its driving: the part of it along its line.
+SwimmerType driven_along_its_line(SwimmerType type, const Vec3& axis) {
+  for (double& amplitude : type.driving.amplitude) amplitude *= axis.x();
+  type.driving.frame = DrivingFrame::body;
+  return type;
+}
+
+/// Whether its driving acts across its line too.
+bool is_driven_across(const SwimmerType& type, const Vec3& axis) {
+  constexpr double largest_sine = 1e-9;
+  return type.driving.frame == DrivingFrame::lab && axis.cross(Vec3::UnitX()).norm() > largest_sine;
 }
 
 Representative representative(const Layout& cell, const Swimmer& swimmer) {
-  const SwimmerType type = cell.resolved_type(swimmer);
+  Representative result;
+  result.swimmer = swimmer.id;
+  result.type = cell.resolved_type(swimmer);
+  const bool across = is_driven_across(result.type, swimmer.axis);
+  const SwimmerType seen = across ? driven_along_its_line(result.type, swimmer.axis) : result.type;
   const Surroundings surroundings = surroundings_of(cell, swimmer);
-  Representative result{.swimmer = swimmer.id, .question = {}, .is_exact = surroundings.obstacle.empty()};
-  result.question.swimmer = along_own_line(type, swimmer.axis, cell.fluid.dynamic_viscosity());
-  result.question.fluid_density = cell.fluid.density;
-  result.question.box = surroundings.box;
-  if (!cell.domain) {
-    result.is_exact = cell.swimmers.size() == 1;
-  } else if (!result.is_exact) {
-    result.question.box = share_of(*cell.domain, cell.swimmers.size(), result.question.swimmer, swimmer.axis);
+  Question& question = result.question;
+  question.swimmer =
+      collinear_swimmer(seen, across ? Vec3::UnitX() : swimmer.axis, cell.fluid.dynamic_viscosity());
+  question.fluid_density = cell.fluid.density;
+  question.box = surroundings.box;
+  if (!cell.domain && cell.swimmers.size() > 1) {
+    result.approximation = "alone in open space, without its neighbours";
+  } else if (!surroundings.obstacle.empty()) {
+    question.box = share_of(*cell.domain, cell.swimmers.size(), question.swimmer, swimmer.axis);
+    result.approximation = "alone in its share of the box, as " + surroundings.obstacle;
   }
-  result.question = with_exact_reference(std::move(result.question));
+  if (across) {
+    if (!result.approximation.empty()) result.approximation += "; ";
+    result.approximation += "driven along its own line, by that part of forces along x";
+  }
+  question = with_exact_reference(std::move(question));
   return result;
+}
+
+/// Type and driving, but for its phase offset.
+using Kind = std::tuple<std::string, DrivingFrame, double, double, double, double>;
+
+Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
+  const Driving& driving = swimmer.driving ? *swimmer.driving : cell.types.at(swimmer.type).driving;
+  return {swimmer.type,         driving.frame, driving.amplitude[0],
+          driving.amplitude[1], driving.phase, driving.period};
+}
+
+/// Of many drivings: the first, and the extremes of force and period.
+std::vector<const Swimmer*> extremes(const Layout& cell, const std::vector<const Swimmer*>& all) {
+  const auto force = [&](const Swimmer* swimmer) {
+    const auto& [a, b] = cell.resolved_type(*swimmer).driving.amplitude;
+    return std::abs(a) + std::abs(b);
+  };
+  const auto period = [&](const Swimmer* swimmer) { return cell.resolved_type(*swimmer).driving.period; };
+  std::vector<const Swimmer*> few{all.front()};
+  for (const Swimmer* extreme :
+       {*std::ranges::max_element(all, {}, force), *std::ranges::min_element(all, {}, force),
+        *std::ranges::max_element(all, {}, period), *std::ranges::min_element(all, {}, period)})
+    if (std::ranges::find(few, extreme) == few.end()) few.push_back(extreme);
+  return few;
 }
 
 }  // namespace
 
 std::vector<Representative> representatives(const Layout& cell) {
+  constexpr std::size_t many = 8;
+  std::map<std::string, std::vector<const Swimmer*>> of_type;
+  std::set<Kind> kinds;
+  for (const Swimmer& swimmer : cell.swimmers)
+    if (kinds.insert(kind_of(cell, swimmer)).second) of_type[swimmer.type].push_back(&swimmer);
   std::vector<Representative> result;
-  std::set<std::string> types;
-  for (const Swimmer& swimmer : cell.swimmers) {
-    if (types.insert(swimmer.type).second) result.push_back(representative(cell, swimmer));
+  for (const auto& [type, swimmers] : of_type) {
+    for (const Swimmer* swimmer : swimmers.size() > many ? extremes(cell, swimmers) : swimmers)
+      result.push_back(representative(cell, *swimmer));
   }
   return result;
 }

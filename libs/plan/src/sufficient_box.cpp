@@ -41,6 +41,7 @@ std::optional<SufficientBox> sufficient_box(const Question& question, double tol
       const double change = change_between(best_known(boxed), here);
       if (change <= tolerance) return SufficientBox{.lengths = lengths, .change = change};
     } catch (const InputError&) {  // too narrow for theory: a larger one
+    } catch (const SolverError&) {
     }
   }
   return std::nullopt;

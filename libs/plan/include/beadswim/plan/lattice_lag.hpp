@@ -1,7 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <complex>
+#include <optional>
 
+#include "beadswim/theory/inertial_motion.hpp"
 #include "beadswim/theory/question.hpp"
 
 // What finite steps do to a swimmer in a lattice-Boltzmann fluid, however fine its cells: answers come late,
@@ -30,7 +34,40 @@ struct LagErrors {
   double velocity = 0;  ///< relative: those of drift and of Reynolds stress, not set off against each other
 };
 
-/// In the question's box, or open space, where beads feel no sound of each other.
-LagErrors lag_errors(const Question& question, const LatticeTiming& timing);
+/// What does not depend on the steps, of one swimmer: in the question's box, or in open space, where beads
+/// feel no sound of each other.
+class LatticeLag {
+ public:
+  explicit LatticeLag(const Question& question);
+
+  LagErrors errors(const LatticeTiming& timing) const;
+
+ private:
+  /// What a flow that is a function of omega rho/eta, over eta, is with frequencies a little lower and
+  /// higher.
+  struct Neighbours {
+    Eigen::Matrix3cd at, below, above;
+
+    /// With eta (1 - eps) in place of eta.
+    Eigen::Matrix3cd with_late_stress(std::complex<double> eps) const;
+  };
+  struct Motion {
+    Eigen::Vector2cd arm;
+    double drift = 0, reynolds = 0;
+  };
+
+  template <class Flow>
+  Neighbours neighbours(const Flow& flow) const;
+  Motion motion(const Eigen::Matrix3cd& mobility, const Eigen::Matrix3cd& induced,
+                const DriftForm& form) const;
+  Eigen::Matrix3cd with_late_links(const Eigen::Matrix3cd& induced, const LatticeTiming& timing) const;
+
+  InertialScene scene_;
+  std::optional<BoxPlace> box_;
+  Neighbours induced_, slopes_;
+  DriftForm form_;
+  Eigen::Matrix3cd reynolds_;
+  Motion exact_;
+};
 
 }  // namespace beadswim

@@ -25,8 +25,8 @@ struct BestKnown {
   double velocity = 0;                     ///< [length/time]
   std::array<double, 2> arm_amplitudes{};  ///< [length]
   ErrorEstimate uncertainty;
-  /// Velocity that the same stroke would make in open space without inertia, over the least that the velocity
-  /// may be: how far parts cancel, at least 1.
+  /// How far parts of the velocity cancel: what the same stroke would make in open space without inertia,
+  /// over the velocity, times 1 + uncertainty of that; at least 1.
   double cancellation = 1;
   bool swims = true;   ///< false: the velocity is zero by symmetry, and has no relative error
   double nearest = 0;  ///< gap to which an arm's beads come in the stroke [length]
@@ -37,9 +37,10 @@ BestKnown best_known(const Question& question);
 
 enum class MobilityModel { oseen, rpy, rpy_near };
 
-/// Of a run without inertia: its distance from the best theory, and what that does not know.
-/// Throws InputError where the model's own motion is none, as beads meet.
-ErrorEstimate mobility_error(const Question& question, const BestKnown& best, MobilityModel model);
+/// Of a run without inertia: its distance from the best theory, what that does not know, and what steps
+/// leave. Throws InputError where the model's own motion is none, as beads meet.
+ErrorEstimate mobility_error(const Question& question, const BestKnown& best, MobilityModel model,
+                             int steps_per_cycle);
 
 /// How a lattice resolves a scene.
 struct ResolvedRun {
@@ -51,9 +52,9 @@ struct ResolvedRun {
   LatticeTiming timing;
 };
 
-/// Of a resolved run: by lag of its steps (lattice_lag.hpp), and by its cells, as measured. Without a best
-/// theory beads are taken to touch in their stroke.
-ErrorEstimate lattice_error(const Question& question, const std::optional<BestKnown>& best,
+/// Of a resolved run: by lag of its steps, and by its cells, as measured. Without a best theory beads are
+/// taken to touch in their stroke.
+ErrorEstimate lattice_error(const LatticeLag& lag, const std::optional<BestKnown>& best,
                             const ResolvedRun& run);
 
 }  // namespace beadswim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "beadswim/layout/layout.hpp"
@@ -9,15 +10,16 @@ namespace beadswim {
 
 /// A swimmer that stands for those like it, as theory is asked about it.
 struct Representative {
-  int swimmer = 0;  ///< its id
+  int swimmer = 0;   ///< its id
+  SwimmerType type;  ///< with its own driving
   Question question;
-  /// False: it is asked about as one swimmer in its share of the box, along its own line, while its
-  /// neighbours differ, it lies aslant, or its walls are not of those that theory knows.
-  bool is_exact = true;
+  /// What theory cannot know of it, and what stands in its place; empty if nothing.
+  std::string approximation;
 };
 
-/// One of each type, by the first swimmer of it; `cell`: a scene's smallest cell. Throws InputError where a
-/// swimmer is none to theory, without springs for one.
+/// One for each type and driving (whatever its phase offset); of more than eight drivings of a type the
+/// first, those of the largest and smallest force and of the longest and shortest period. `cell`: a scene's
+/// smallest cell. Throws InputError where a swimmer is none to theory, without springs for one.
 std::vector<Representative> representatives(const Layout& cell);
 
 }  // namespace beadswim

@@ -10,8 +10,8 @@
 //
 //   u(k) = (k_x/k)^2 i omega / (rho (c^2 k^2 - omega^2 + 2 i omega nu k^2)) f(k)      c: speed of sound
 //
-// summed over the waves of the box, the beads seen as shells, sin(ka)/(ka). Walls are mirrors, no-slip ones
-// too. As c grows it vanishes, like 1/c^2. Page: docs/method/lattice-lag.md.
+// summed over the waves of the box, the beads seen as shells, sin(ka)/(ka). Free-slip walls are mirrors.
+// As c grows it vanishes, like 1/c^2. Page: docs/method/lattice-lag.md.
 
 namespace beadswim {
 
@@ -20,8 +20,8 @@ struct SoundFlow {
   Eigen::Matrix3cd by_receiver;  ///< its slope in the place of bead j [time/(mass length)]
 };
 
-/// In the box of the scene; zero off the diagonal in open space. Waves shorter than three radii, or more than
-/// 2 10^5, are left out but for a bead's own.
+/// In the box of the scene; zero off the diagonal in open space. Waves with k over 6 by the smallest radius
+/// are left out, and all but the longest 2 10^5, except of a bead's own flow.
 SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& place, double sound_speed);
 
 }  // namespace beadswim
