@@ -170,4 +170,13 @@ check "errors are the same on two ranks" cmp -s <(jq '[.runs[] | [.flags, .error
 run mpirun -n 2 beadswim-run cell.json -o two.h5md --model auto --tolerance 0.1 --cycles 1
 has_status 0
 
+# --- the page has the table of what was planned and measured, and its claims are the records'
+results=$BEADSWIM_SOURCE/docs/results
+page=$BEADSWIM_SOURCE/docs/choosing-a-model.md
+jq -rs -f "$results/plan-check.jq" "$results/plan-check.jsonl" >table.md
+check "the page has the records' table" cmp -s table.md <(sed -n '/^<!-- from plan-check.jsonl -->$/,/^<!-- end -->$/p' "$page" | sed '1d;$d')
+check "no choice was wrong" test -z "$(grep -c 'wrong:' table.md | grep -v '^0$')"
+check "no estimate was below half" test "$(grep -c 'below half: 0' table.md)" = 4
+check "scenes are twelve and more" test "$(wc -l <"$results/plan-check.jsonl")" -ge 12
+
 finish
