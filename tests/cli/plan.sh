@@ -68,6 +68,14 @@ within single.json 0.03 4 swimmer-reference.json
 run beadswim-run --restart run.h5md --cycles 5 --progress none
 has_status 2 # it kept no checkpoint
 
+# --- memory and files are as large as it says
+run beadswim-run cell.json --plan --model lbm --cells-per-radius 3 --relaxation-time 1 --precision double --cycles 2
+cp out expected.json
+run beadswim-run cell.json --model lbm --cells-per-radius 3 --relaxation-time 1 --precision double --cycles 2 -o sized.h5md --progress none
+jq --slurpfile plan expected.json --argjson size "$(stat -c %s sized.h5md)" \
+  '[.cost.peak_memory_bytes / $plan[0].runs[0].cost.memory_bytes, $size / $plan[0].runs[0].cost.output_bytes]' out >sizes.json
+check "memory and output are within a third" holds 'all(. > 0.67 and . < 1.5)' sizes.json
+
 # --- a small driving, slowly: a mobility model does, and its sums keep a tolerance of their own
 beadswim-layout swimmer --preset paper-single --unbounded --period 100000 --amplitude 0.05 >slow.json
 run beadswim-run slow.json -o slow.h5md --model auto --tolerance 0.02 --cycles 2
@@ -115,7 +123,7 @@ run beadswim-run hard.json --plan --model lbm --cells-per-radius 2 --relaxation-
 check "fast beads are refused" holds '.runs[0].refused | test("Mach|radians|contact")' out
 plan_of --amplitude 0.6 --stiffness 0.2 --phase 3.14159265358979 --period 40000
 run beadswim-run hard.json --plan
-err_has '^hard: driving along fixed axes presses swimmers together'
+err_has '^hard: swimmer 0: driving along fixed axes presses it together'
 plan_of --amplitude 0
 run beadswim-run hard.json --plan
 check "at rest there is nothing to be wrong about" holds '[.runs[] | select(.refused == null) | .error // empty] == []' out

@@ -71,9 +71,8 @@ SceneFacts facts_of(const Layout& layout, double cycles) {
   }
   for (Representative& representative : representatives(facts.cell))
     facts.asked.push_back(ask(std::move(representative)));
-  for (const Asked& asked : facts.asked)
-    facts.turning =
-        std::max(facts.turning, growth_of_tilt(asked.representative.type, layout.fluid.dynamic_viscosity()));
+  for (Asked& asked : facts.asked)
+    asked.turning = growth_of_tilt(asked.representative.type, layout.fluid.dynamic_viscosity());
   if (facts.cell.swimmers.size() > 1) {
     for (const Asked& asked : facts.asked)
       facts.disorder =
@@ -106,7 +105,7 @@ ErrorEstimate times(double factor, ErrorEstimate error) {
 }
 
 double output_bytes(const RunOptions& options, std::size_t swimmers, double cells, double bytes_of_cell) {
-  constexpr double empty = 3.3e5, of_frame = 60, of_bead = 40,
+  constexpr double empty = 3.3e5, of_frame = 60, of_bead = 34,
                    of_flow_cell = 20;  // as files have them [byte]
   const double frames = 1 + options.cycles * options.frames_per_cycle;
   double bytes = empty + frames * (of_frame + of_bead * 3 * static_cast<double>(swimmers));

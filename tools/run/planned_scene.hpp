@@ -18,6 +18,7 @@ struct Asked {
   std::optional<BestKnown> best;  ///< none: theory has no motion for it
   std::string why_not;            ///< if there is none
   std::optional<LatticeLag> lag;  ///< always
+  double turning = 1;             ///< by which a tilt can grow while driving presses it together
 };
 
 struct SceneFacts {
@@ -25,7 +26,6 @@ struct SceneFacts {
   Index3 cells{1, 1, 1};
   std::vector<Asked> asked;
   double disorder = 1;  ///< by which departures of swimmers from their order grow in the run
-  double turning = 1;   ///< by which a tilt can grow while driving presses a swimmer together
 };
 
 /// What a plan asks of a layout, for a run of `cycles`.
@@ -45,16 +45,18 @@ constexpr double rough = 2;
 template <class ErrorOf>
 ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
   ErrorEstimate error;
-  for (const Asked& asked : facts.asked)
-    error = worst(error, times(asked.representative.approximation.empty() ? 1 : rough * facts.turning,
-                               error_of(asked)));
+  for (const Asked& asked : facts.asked) {
+    const double factor = (asked.representative.approximation.empty() ? 1 : rough) *
+                          (asked.representative.is_slanted ? asked.turning : 1);
+    error = worst(error, times(factor, error_of(asked)));
+  }
   error.velocity *= facts.disorder;
   return error;
 }
 
 /// Core-seconds of a rank before the first step, and what it takes without a scene [byte], as short runs have
 /// them.
-constexpr double start_seconds = 0.05, program_bytes = 6e7;
+constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
 
 /// Of trajectory, flow and checkpoints; `bytes_of_cell`: of a lattice's state.
 double output_bytes(const RunOptions& options, std::size_t swimmers, double cells, double bytes_of_cell);

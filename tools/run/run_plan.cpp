@@ -72,6 +72,12 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
   }
   if (!asked.representative.approximation.empty())
     add("errors are of a swimmer " + asked.representative.approximation + ", doubled");
+  if (constexpr double tips_over = 20; asked.turning > tips_over)
+    add(
+        fmt::format("driving along fixed axes presses it together for so long that a tilt grows {:.2g} "
+                    "times, and it turns "
+                    "over; straight it stays so until something disturbs it",
+                    asked.turning));
   try {
     const ErrorEstimate stokes =
         mobility_error(question, best, MobilityModel::rpy_near, RunOptions{}.steps_per_cycle);
@@ -94,11 +100,6 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
                       asked.representative.swimmer, film_between_beads(asked)));
     }
   }
-  if (constexpr double tips_over = 20; facts.turning > tips_over)
-    plan.hard.push_back(fmt::format(
-        "driving along fixed axes presses swimmers together for so long that a tilt grows {:.2g} times, and "
-        "they turn over; a straight one stays so until something disturbs it",
-        facts.turning));
   if (constexpr double much = 1.5; facts.disorder > much)
     plan.hard.push_back(fmt::format(
         "swimmers that differ part from their order: departures grow {:.2g} times in the run, and "

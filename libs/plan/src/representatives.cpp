@@ -50,7 +50,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
   Representative result;
   result.swimmer = swimmer.id;
   result.type = cell.resolved_type(swimmer);
-  const bool across = is_driven_across(result.type, swimmer.axis);
+  const bool across = result.is_slanted = is_driven_across(result.type, swimmer.axis);
   const SwimmerType seen = across ? driven_along_its_line(result.type, swimmer.axis) : result.type;
   const Surroundings surroundings = surroundings_of(cell, swimmer);
   Question& question = result.question;

@@ -15,6 +15,7 @@ struct Representative {
   Question question;
   /// What theory cannot know of it, and what stands in its place; empty if nothing.
   std::string approximation;
+  bool is_slanted = false;  ///< driven across its line too
 };
 
 /// One for each type and driving (whatever its phase offset); of more than eight drivings of a type the
