@@ -104,6 +104,9 @@ plan_of() { # LAYOUT-FLAGS...
 plan_of --amplitude 1.2
 run beadswim-run hard.json --plan --model rpy
 check "beads that touch are not for points" holds '.runs[0].refused | test("contact|films")' out
+plan_of --amplitude 0.8
+run beadswim-run hard.json --plan --model rpy
+check "beads that all but touch are not for points" holds '.runs[0].refused | test("films")' out
 plan_of --arm 9
 run beadswim-run hard.json --plan --model lbm --cells-per-radius 4 --relaxation-time 1
 check "films that cells do not resolve are priced" holds '.runs[0].error.velocity > 0.1' out
@@ -118,9 +121,9 @@ check "beads of two cells are priced" holds '.runs[0].error.velocity > 0.2' out
 plan_of --period 300
 run beadswim-run hard.json --plan --model rpy+near
 check "inertia is priced" holds '.runs[0].error.arm_amplitudes | max > 0.1' out
-plan_of --amplitude 20 --period 200
-run beadswim-run hard.json --plan --model lbm --cells-per-radius 2 --relaxation-time 1.5
-check "fast beads are refused" holds '.runs[0].refused | test("Mach|radians|contact")' out
+plan_of --amplitude 40 --period 200
+run beadswim-run hard.json --plan --model lbm --cells-per-radius 4 --relaxation-time 1.5
+check "fast beads are refused" holds '.runs[0].refused | test("would reach Mach")' out
 plan_of --amplitude 0.6 --stiffness 0.2 --phase 3.14159265358979 --period 40000
 run beadswim-run hard.json --plan
 err_has '^hard: swimmer 0: driving along fixed axes presses it together'
