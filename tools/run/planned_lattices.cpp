@@ -57,14 +57,12 @@ std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double 
   if (mach > fast_bead)
     return fmt::format(
         "beads would reach Mach {:.2g}, where the fluid is compressible; take a smaller --relaxation-time, "
-        "more "
-        "--cells-per-radius, or drive them less",
+        "more --cells-per-radius, or drive them less",
         mach);
   if (on_lattice.density_on_lattice() < light_bead)
     return fmt::format(
         "beads of {:.2g} times the fluid's density on the lattice may be shaken; take a larger "
-        "--relaxation-time or "
-        "--bead-boundary psm",
+        "--relaxation-time or --bead-boundary psm",
         on_lattice.density_on_lattice());
   if (on_lattice.lattice.relaxation_time < least_viscous)
     return fmt::format("tau {:.4g} is too near 1/2; take {} or more", on_lattice.lattice.relaxation_time,
@@ -100,8 +98,10 @@ ErrorEstimate error_of(const SceneOnLattice& on_lattice, const SceneFacts& facts
                         .timing = {.step = scales.step,
                                    .sound_speed = scales.velocity() / std::numbers::sqrt3,
                                    .corrects_delay = on_lattice.corrects_delay}};
-  ErrorEstimate error =
-      scene_error(facts, [&](const Asked& asked) { return lattice_error(*asked.lag, asked.best, run); });
+  ErrorEstimate error = scene_error(facts, [&](const Asked& asked) {
+    if (!asked.lag) throw InputError("theory has no motion for a swimmer: " + asked.why_not);
+    return lattice_error(*asked.lag, asked.best, run);
+  });
   if (std::isfinite(roundoff) && error.velocity > 0) error.velocity += roundoff;
   return error;
 }

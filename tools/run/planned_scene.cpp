@@ -17,16 +17,16 @@ constexpr double most_growth = 50;  // as an exponent: e^50, no number to speak 
 Asked ask(Representative representative) {
   Asked asked{.representative = std::move(representative), .best = {}, .why_not = {}, .lag = {}};
   const Question& question = asked.representative.question;
-  asked.lag.emplace(question);
   const auto& [driven, seen] =
       std::pair(asked.representative.type.driving.amplitude, question.swimmer.amplitude);
   constexpr double none = 1e-9;
-  if (std::hypot(seen[0], seen[1]) < none * std::hypot(driven[0], driven[1])) {
-    asked.why_not = "it is driven across its line alone, which bends it";
-    return asked;
-  }
   try {
-    asked.best = best_known(question);
+    asked.lag.emplace(question);
+    if (std::hypot(seen[0], seen[1]) < none * std::hypot(driven[0], driven[1])) {
+      asked.why_not = "it is driven across its line alone, which bends it";
+    } else {
+      asked.best = best_known(question);
+    }
   } catch (const InputError& error) {
     asked.why_not = error.what();
   } catch (const SolverError& error) {

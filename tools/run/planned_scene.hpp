@@ -17,7 +17,7 @@ struct Asked {
   Representative representative;
   std::optional<BestKnown> best;  ///< none: theory has no motion for it
   std::string why_not;            ///< if there is none
-  std::optional<LatticeLag> lag;  ///< always
+  std::optional<LatticeLag> lag;  ///< none: nor for what steps do to it
   double turning = 1;             ///< by which a tilt can grow while driving presses it together
 };
 
