@@ -32,12 +32,12 @@ tiny_scene() { # RANKS BEAD-BOUNDARY
     >"ranks$1.json"
 }
 
-# The commands of README.md that follow the comment <!-- tested -->, as one script.
-readme_commands() {
+# The commands of a page that follow the comment <!-- tested -->, as one script.
+tested_commands() { # PAGE
   awk '/<!-- tested -->/ { armed = 1; next }
        armed && /^```sh$/ { inside = 1; armed = 0; next }
        /^```$/ { inside = 0 }
-       inside' "$root/README.md"
+       inside' "$1"
 }
 
 .ci/install-packages.sh --with-readers
@@ -61,14 +61,16 @@ for reader in "$root"/tests/readers/*.py; do
   timeout 300 /usr/bin/python3 "$reader" ranks1.h5md ranks1.json
 done
 
-section "The README's commands"
+section "The commands of README and tutorial"
 cd "$root"
 build ci
-mkdir "$scratch/readme"
-cd "$scratch/readme"
-readme_commands >commands.sh
-[ -s commands.sh ] || { echo "README.md holds no block after <!-- tested -->" >&2; exit 1; }
-cat commands.sh
-PATH=$root/build/ci/bin:$PATH timeout 900 bash -euo pipefail commands.sh
+for page in README.md docs/tutorial.md; do
+  mkdir -p "$scratch/commands/$page"
+  cd "$scratch/commands/$page"
+  tested_commands "$root/$page" >commands.sh
+  [ -s commands.sh ] || { echo "$page holds no block after <!-- tested -->" >&2; exit 1; }
+  cat commands.sh
+  PATH=$root/build/ci/bin:$PATH timeout 900 bash -euo pipefail commands.sh
+done
 
 section "All extended checks passed"

@@ -62,7 +62,8 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
     result.approximation = "alone in open space, without its neighbours";
   } else if (!surroundings.obstacle.empty()) {
     question.box = share_of(*cell.domain, cell.swimmers.size(), question.swimmer, swimmer.axis);
-    result.approximation = "alone in its share of the box, as " + surroundings.obstacle;
+    const std::string& why = surroundings.obstacle;  // and what to do about it, after a semicolon
+    result.approximation = "alone in its share of the box (" + why.substr(0, why.find(';')) + ")";
   }
   if (across) {
     if (!result.approximation.empty()) result.approximation += "; ";
