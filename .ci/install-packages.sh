@@ -12,6 +12,7 @@ packages=(
   libgtest-dev libgmock-dev libsundials-dev                              # tests
   libbenchmark-dev                                                       # beadswim-bench
   librsvg2-bin fonts-dejavu-core                                         # figures as PNG
+  help2man dpkg-dev                                                      # manual pages, Debian package
   jq python3                                                             # scripts
 )
 readers=(python3-h5py python3-mdanalysis python3-jsonschema)

@@ -1,3 +1,4 @@
+# External libraries of the libraries and programs: here, and where find_package(Beadswim) finds them.
 find_package(MPI REQUIRED COMPONENTS C)
 add_compile_definitions(OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)  # the C interface alone
 
@@ -16,6 +17,3 @@ find_package(PkgConfig REQUIRED)
 pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # its MPI part has no .pc file
 find_library(FFTW_MPI fftw3_mpi REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)
-find_package(GTest REQUIRED CONFIG)
-find_package(SUNDIALS 6.4 REQUIRED CONFIG COMPONENTS cvode nvecserial)  # the tests' independent integrator
-find_package(benchmark REQUIRED CONFIG)

@@ -1,13 +1,22 @@
 include(GoogleTest)
 
 # beadswim_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE target...])
-# Target Beadswim::NAME of the folder's src/ files, with its public headers under include/beadswim/NAME.
+# Target Beadswim::NAME of the folder's src/ files, with its public headers under include/beadswim/NAME; installed, and
+# found by find_package(Beadswim), but for those of the programs in tools/.
 function(beadswim_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   add_library(beadswim_${name} STATIC ${arg_SOURCES})
   add_library(Beadswim::${name} ALIAS beadswim_${name})
-  target_include_directories(beadswim_${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR}/include)
+  target_include_directories(beadswim_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+                                                     $<INSTALL_INTERFACE:include>)
   target_link_libraries(beadswim_${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
+  target_compile_features(beadswim_${name} PUBLIC cxx_std_20)
+  string(FIND ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/libs/ place)
+  if(place EQUAL 0)
+    set_target_properties(beadswim_${name} PROPERTIES EXPORT_NAME ${name})
+    install(TARGETS beadswim_${name} EXPORT BeadswimTargets ARCHIVE COMPONENT development)
+    install(DIRECTORY include/ DESTINATION include COMPONENT development)
+  endif()
 endfunction()
 
 # beadswim_kernels(TARGET SOURCE...): compiles files of kernels of a library or program once for each instruction set, with

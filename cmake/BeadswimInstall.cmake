@@ -1,0 +1,67 @@
+# What `cmake --install` puts where, and the Debian package that `cpack` makes of it.
+set(CMAKE_INSTALL_DOCDIR share/doc/beadswim)
+include(GNUInstallDirs)
+
+set(programs layout run theory compare plot bench)
+foreach(program ${programs})
+  install(TARGETS beadswim-${program} RUNTIME)
+  # Bash looks for completions by the name of the program.
+  install(FILES ${PROJECT_SOURCE_DIR}/tools/completion/beadswim.bash
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME beadswim-${program})
+endforeach()
+
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs PATTERN results EXCLUDE)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS)
+install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/beadswim)
+
+# The libraries, for find_package(Beadswim): examples/library.
+include(CMakePackageConfigHelpers)
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Beadswim)
+install(EXPORT BeadswimTargets NAMESPACE Beadswim:: DESTINATION ${package_folder} COMPONENT development)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/BeadswimConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES cmake/BeadswimConfig.cmake cmake/BeadswimDependencies.cmake ${CMAKE_BINARY_DIR}/BeadswimConfigVersion.cmake
+        DESTINATION ${package_folder} COMPONENT development)
+
+# Manual pages are the programs' own help.
+find_program(HELP2MAN help2man)
+set(name_of_layout "make, disturb, reduce and check layouts of bead-spring microswimmers")
+set(name_of_run "run a layout of bead-spring microswimmers in a viscous fluid")
+set(name_of_theory "predict velocity and stroke of a bead-spring microswimmer")
+set(name_of_compare "hold runs of microswimmers against predictions or other runs")
+set(name_of_plot "draw runs, predictions and trajectories of microswimmers")
+set(name_of_bench "measure the speed of Beadswim's solvers on this machine")
+if(HELP2MAN AND NOT BEADSWIM_SANITIZE)
+  foreach(program ${programs})
+    set(page ${CMAKE_BINARY_DIR}/man/beadswim-${program}.1)
+    add_custom_command(
+      OUTPUT ${page}
+      COMMAND ${CMAKE_COMMAND} -E env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 LC_ALL=C.UTF-8
+              ${HELP2MAN} --no-info --locale=C.UTF-8 --output=${page} --include=${PROJECT_SOURCE_DIR}/cmake/man.h2m
+              --version-string=${PROJECT_VERSION} --name=${name_of_${program}} $<TARGET_FILE:beadswim-${program}>
+      DEPENDS beadswim-${program} ${PROJECT_SOURCE_DIR}/cmake/man.h2m
+      VERBATIM)
+    list(APPEND pages ${page})
+  endforeach()
+  file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/man)
+  add_custom_target(manual_pages ALL DEPENDS ${pages})
+  install(FILES ${pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+else()
+  message(STATUS "No manual pages: help2man is not there, or the build is for tests")
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_CONTACT "Beadswim developers <beadswim@example.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL Unspecified)      # programs and documents; libraries to build with come by cmake --install
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME beadswim)
+set(CPACK_DEBIAN_UNSPECIFIED_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)                       # the libraries that programs are linked with
+set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)                # Open MPI starts its daemon for one rank too
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin, jq")      # figures as PNG, the pages' pipelines
+include(CPack)

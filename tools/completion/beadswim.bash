@@ -1,0 +1,37 @@
+# Bash completion of Beadswim's programs: subcommands, flags and the words that flags take, as --help says them.
+
+# The help of the program and subcommands before the cursor.
+_beadswim_help() {
+  local -a command=("${COMP_WORDS[0]}")
+  local word
+  for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
+    [[ $word == [a-z]* ]] && "${command[@]}" --help 2>/dev/null | grep -qx "  $word" && command+=("$word")
+  done
+  "${command[@]}" --help 2>/dev/null
+}
+
+_beadswim() {
+  local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} help flag words
+  # Bash takes the = of --flag=value for a word of its own.
+  [[ $current == = ]] && current=
+  [[ $previous == = ]] && previous=${COMP_WORDS[COMP_CWORD - 2]}
+  help=$(_beadswim_help)
+  flag=$(grep -E "^  ([^ ]+,)?${previous}( |$)" <<<"$help" 2>/dev/null)
+  if [[ $previous == -* && $flag == *" "*[A-Za-z]* && ${flag##* } != "$flag" && ${flag##* } != -* ]]; then
+    words=${flag##* } # what the flag takes: a|b|c, perhaps with a check after a colon, or a name in capitals
+    words=${words%%:*}
+    if [[ $words == *"|"* && $words != *[A-Z]* ]]; then
+      mapfile -t COMPREPLY < <(compgen -W "${words//|/ }" -- "$current")
+    else
+      mapfile -t COMPREPLY < <(compgen -f -- "$current")
+    fi
+  elif [[ $current == -* ]]; then
+    words=$(grep -oE '^  (-[a-zA-Z],)?--[a-z-]+' <<<"$help" | grep -oE -- '--[a-z-]+')
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current")
+  else
+    words=$(sed -n '/^Subcommands:/,$p' <<<"$help" | grep -oE '^  [a-z-]+$')
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$current"; compgen -f -- "$current")
+  fi
+}
+
+complete -o filenames -F _beadswim beadswim-layout beadswim-run beadswim-theory beadswim-compare beadswim-plot beadswim-bench
