@@ -30,7 +30,7 @@ fi
 # --- the machine's speed is kept, and measured again where the file is none
 run beadswim-run cell.json --plan
 check "it is not measured twice" test -z "$(grep measuring err)"
-for broken in '{}' "$(jq -c '.precisions[1].seconds_per_cell[2] = 0' cache/beadswim/lattice-speed-1.json)" 'no JSON' '{"schema": "beadswim/lattice-speed/1"}' "$(jq -c '.precisions[0].cells = []' cache/beadswim/lattice-speed-1.json)"; do
+for broken in 'no JSON' "$(jq -c '.precisions[1].seconds_per_cell[2] = 0' cache/beadswim/lattice-speed-1.json)"; do
   echo "$broken" >cache/beadswim/lattice-speed-1.json
   run beadswim-run cell.json --plan
   has_status 0
