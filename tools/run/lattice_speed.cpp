@@ -7,13 +7,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <numbers>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
 #include "beadswim/core/processor.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
+#include "broadcast.hpp"
+#include "memory.hpp"
 
 namespace beadswim {
 namespace {
@@ -49,15 +50,6 @@ CoupledScene with_beads(Precision precision, BeadScheme scheme, int ranks) {
     }
   }
   return scene;
-}
-
-double surface(const CoupledScene& scene) {
-  double area = 0;
-  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
-    for (const Bead& bead : scene.types[swimmer.type].beads)
-      area += 4 * std::numbers::pi * bead.radius * bead.radius;
-  }
-  return area;
 }
 
 /// Seconds of one step until the last rank is through: the median of some stretches.
@@ -139,7 +131,7 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
       const CoupledScene scene = with_beads(precision, scheme, communicator.size());
       const double cells = scene.cells.cast<double>().prod();
       const double of_fluid = cells * interpolated(own.cells, own.seconds_per_cell, cells / speed.ranks_);
-      own.seconds_per_area.push_back(std::max(0.0, cost_of(scene) - of_fluid) / surface(scene));
+      own.seconds_per_area.push_back(std::max(0.0, cost_of(scene) - of_fluid) / bead_surface(scene));
     }
   }
   return speed;
@@ -165,17 +157,14 @@ LatticeSpeed LatticeSpeed::of_this_machine(const Communicator& communicator) {
   if (communicator.is_root()) {
     if (const auto known = cached(communicator.size())) text = known->to_json().dump();
   }
-  std::int64_t size = std::ssize(text);
-  MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
-  if (size == 0) {
+  broadcast(text, communicator);
+  if (text.empty()) {
     if (communicator.is_root())
       tell("beadswim-run: measuring how fast this machine steps a lattice, once, some seconds\n");
     const LatticeSpeed speed = measured(communicator);
     if (communicator.is_root()) keep(speed.to_json(), communicator.size());
     return speed;
   }
-  text.resize(size);
-  MPI_Bcast(text.data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
   return from_json(Json::parse(text));
 }
 
@@ -183,7 +172,7 @@ double LatticeSpeed::step(const CoupledScene& scene) const {
   const OfPrecision& own = precisions_.at(static_cast<std::size_t>(scene.precision));
   const double cells = scene.cells.cast<double>().prod();
   return cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks_) +
-         own.seconds_per_area.at(static_cast<std::size_t>(scene.bead_boundary)) * surface(scene);
+         own.seconds_per_area.at(static_cast<std::size_t>(scene.bead_boundary)) * bead_surface(scene);
 }
 
 Json LatticeSpeed::to_json() const {

@@ -15,19 +15,22 @@ double installed_bytes() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
+double bead_surface(const CoupledScene& scene) {
+  double area = 0;
+  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
+    for (const Bead& bead : scene.types[swimmer.type].beads)
+      area += 4 * std::numbers::pi * bead.radius * bead.radius;
+  }
+  return area;
+}
+
 double lattice_bytes(const CoupledScene& scene) {
   constexpr double padding = 1.04;  // halo
   const double number = static_cast<double>(bytes_of_number(scene.precision));
   const double cells = padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
   constexpr double links_of_area = 5.74;  // sum of |c_i.n| over half the directions, mean over n
   constexpr double lists = 1.2;           // of rows and segments, beside the links
-  double links = 0;
-  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
-    for (const Bead& bead : scene.types[swimmer.type].beads) {
-      links += links_of_area * 4 * std::numbers::pi * bead.radius * bead.radius;
-    }
-  }
-  return cells + lists * sizeof(BeadLink) * links;
+  return cells + lists * sizeof(BeadLink) * links_of_area * bead_surface(scene);
 }
 
 void require_memory(const CoupledScene& scene, const Communicator& communicator) {

@@ -5,6 +5,9 @@
 
 namespace beadswim {
 
+/// Of all beads [cell^2].
+double bead_surface(const CoupledScene& scene);
+
 /// Bytes that the whole lattice takes: populations, which cells are covered, and links at beads.
 double lattice_bytes(const CoupledScene& scene);
 

@@ -7,8 +7,8 @@
 
 #include "beadswim/bodies/swimmer_dynamics.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/rotne_prager.hpp"
-#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/plan/reason_against.hpp"
+#include "beadswim/scene/scene_numbers.hpp"
 #include "lattice_speed.hpp"
 #include "memory.hpp"
 #include "planned_scene.hpp"
@@ -79,11 +79,8 @@ std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double 
 /// Of the fastest bead, to first order in the driving [length/time].
 double largest_speed(const SceneFacts& facts) {
   double speed = 0;
-  for (const Asked& asked : facts.asked) {
-    const CollinearSwimmer& swimmer = asked.representative.question.swimmer;
-    const LinearResponse response = linear_response(swimmer, rest_mobility(swimmer, rotne_prager).value);
-    speed = std::max(speed, swimmer.angular_frequency() * response.displacement.cwiseAbs().maxCoeff());
-  }
+  for (const Asked& asked : facts.asked)
+    speed = std::max(speed, std::ranges::max(bead_speeds(asked.representative.question.swimmer)));
   return speed;
 }
 
@@ -122,7 +119,8 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, RunOptions
   PlannedRun run;
   options.model = "lbm";
   run.options = options;
-  try {
+  std::string wrong;
+  run.refused = reason_against([&] {
     refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models; leave it out");
     const SceneOnLattice on_lattice = put_on_lattice(layout, options, source);
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);  // throws if too many
@@ -133,12 +131,9 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, RunOptions
     if (!speed) speed = LatticeSpeed::of_this_machine(communicator);
     run.error = error_of(on_lattice, facts, mach, roundoff);
     add_cost(run, on_lattice, *speed, steps, communicator);
-    run.refused = wrong_in_kind(on_lattice, mach, roundoff);
-  } catch (const InputError& error) {
-    run.refused = error.what();
-  } catch (const SolverError& error) {
-    run.refused = error.what();
-  }
+    wrong = wrong_in_kind(on_lattice, mach, roundoff);
+  });
+  if (run.refused.empty()) run.refused = wrong;
   return run;
 }
 

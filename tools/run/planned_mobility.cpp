@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/plan/reason_against.hpp"
 #include "overdamped_model.hpp"
 #include "planned_scene.hpp"
 #include "run_length.hpp"
@@ -70,19 +71,14 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Run
                         MobilityModel model, const std::string& source, const Communicator& communicator) {
   PlannedRun run;
   run.options = options;
-  try {
+  run.refused = reason_against([&] {
     const OverdampedPlan plan(layout, options, source, communicator);
-    run.refused = films_matter(facts);
-    if (!run.refused.empty()) return run;
+    if (const std::string film = films_matter(facts); !film.empty()) throw InputError(film);
     run.error = scene_error(facts, [&](const Asked& asked) {
       return mobility_error(asked.representative.question, *asked.best, model, options.steps_per_cycle);
     });
     add_cost(run, plan, communicator);
-  } catch (const InputError& error) {
-    run.refused = error.what();
-  } catch (const SolverError& error) {
-    run.refused = error.what();
-  }
+  });
   return run;
 }
 

@@ -8,6 +8,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/layout/reduce.hpp"
+#include "beadswim/plan/reason_against.hpp"
 
 namespace beadswim {
 namespace {
@@ -20,18 +21,12 @@ Asked ask(Representative representative) {
   const auto& [driven, seen] =
       std::pair(asked.representative.type.driving.amplitude, question.swimmer.amplitude);
   constexpr double none = 1e-9;
-  try {
+  asked.why_not = reason_against([&] {
     asked.lag.emplace(question);
-    if (std::hypot(seen[0], seen[1]) < none * std::hypot(driven[0], driven[1])) {
-      asked.why_not = "it is driven across its line alone, which bends it";
-    } else {
-      asked.best = best_known(question);
-    }
-  } catch (const InputError& error) {
-    asked.why_not = error.what();
-  } catch (const SolverError& error) {
-    asked.why_not = error.what();
-  }
+    if (std::hypot(seen[0], seen[1]) < none * std::hypot(driven[0], driven[1]))
+      throw InputError("it is driven across its line alone, which bends it");
+    asked.best = best_known(question);
+  });
   return asked;
 }
 

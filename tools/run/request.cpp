@@ -2,6 +2,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/program.hpp"
+#include "broadcast.hpp"
 #include "checkpoints.hpp"
 
 namespace beadswim {
@@ -17,12 +18,7 @@ std::string read_text_once(const std::string& path, const Communicator& communic
       failure = error.what();
     }
   }
-  for (std::string* shared : {&text, &failure}) {
-    std::int64_t size = std::ssize(*shared);
-    MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
-    shared->resize(size);
-    MPI_Bcast(shared->data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
-  }
+  for (std::string* shared : {&text, &failure}) broadcast(*shared, communicator);
   if (!failure.empty()) throw InputError(failure);
   return text;
 }

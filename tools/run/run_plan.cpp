@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/plan/reason_against.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
 #include "memory.hpp"
 #include "planned_scene.hpp"
@@ -78,16 +79,14 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
                     "times, and it turns "
                     "over; straight it stays so until something disturbs it",
                     asked.turning));
-  try {
+  reason_against([&] {  // that the model has no motion its row says
     const ErrorEstimate stokes =
         mobility_error(question, best, MobilityModel::rpy_near, RunOptions{}.steps_per_cycle);
     const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
       add(fmt::format("inertia, and what no mobility model knows, change v by up to {} and arms by up to {}",
                       in_percent(stokes.velocity), in_percent(std::max(first, second))));
-  } catch (const InputError&) {  // no motion of the model: its row says so
-  } catch (const SolverError&) {
-  }
+  });
 }
 
 void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {

@@ -8,14 +8,10 @@
 #include <tuple>
 
 #include "beadswim/scene/surroundings.hpp"
+#include "swimmer_in_box.hpp"
 
 namespace beadswim {
 namespace {
-
-/// From the far side of bead 1 to that of bead 3, at rest [length].
-double length_of(const CollinearSwimmer& swimmer) {
-  return swimmer.radius[0] + swimmer.arm[0] + swimmer.arm[1] + swimmer.radius[2];
-}
 
 /// About a box of one swimmer's share of the whole: along x as long as the box is along the swimmer, or a
 /// whole part of that where swimmers stand one behind the other; periodic. Larger than the share where that
@@ -30,7 +26,7 @@ BoxPlace share_of(const Domain& domain, std::size_t swimmers, const CollinearSwi
   const double blocks = std::max(1.0, std::floor(whole / std::max(least, std::cbrt(share))));
   const double x = std::max(whole / blocks, least);
   const double y = std::max(std::sqrt(share / x), radii_across * *std::ranges::max_element(swimmer.radius));
-  return {.box = {.lengths = {x, y, y}, .free_slip = {}}, .middle_bead = {x / 2, y / 2, y / 2}};
+  return in_the_middle({x, y, y});
 }
 
 /// What theory takes of a swimmer that lies aslant to its driving: the part of it along its line.
@@ -77,7 +73,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
 using Kind = std::tuple<std::string, DrivingFrame, double, double, double, double>;
 
 Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
-  const Driving& driving = swimmer.driving ? *swimmer.driving : cell.types.at(swimmer.type).driving;
+  const Driving driving = cell.resolved_type(swimmer).driving;
   return {swimmer.type,         driving.frame, driving.amplitude[0],
           driving.amplitude[1], driving.phase, driving.period};
 }

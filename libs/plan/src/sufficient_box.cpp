@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/core/error.hpp"
 #include "beadswim/plan/model_errors.hpp"
+#include "beadswim/plan/reason_against.hpp"
+#include "swimmer_in_box.hpp"
 
 namespace beadswim {
 namespace {
@@ -20,9 +21,8 @@ double change_between(const BestKnown& a, const BestKnown& b) {
 
 Vec3 box_around(const CollinearSwimmer& swimmer, double free_length) {
   const double radius = *std::ranges::min_element(swimmer.radius);
-  const double length = swimmer.radius[0] + swimmer.arm[0] + swimmer.arm[1] + swimmer.radius[2];
   const auto whole = [&](double edge) { return radius * std::ceil(edge / radius - 1e-9); };
-  return {whole(length + free_length), whole(free_length), whole(free_length)};
+  return {whole(length_of(swimmer) + free_length), whole(free_length), whole(free_length)};
 }
 
 }  // namespace
@@ -35,14 +35,10 @@ std::optional<SufficientBox> sufficient_box(const Question& question, double tol
   for (double free_length = 0.5 * length; free_length < longest * length; free_length *= factor) {
     const Vec3 lengths = box_around(swimmer, free_length);
     Question boxed = question;
-    boxed.box = BoxPlace{.box = {.lengths = {lengths[0], lengths[1], lengths[2]}, .free_slip = {}},
-                         .middle_bead = {lengths[0] / 2, lengths[1] / 2, lengths[2] / 2}};
-    try {
-      const double change = change_between(best_known(boxed), here);
-      if (change <= tolerance) return SufficientBox{.lengths = lengths, .change = change};
-    } catch (const InputError&) {  // too narrow for theory: a larger one
-    } catch (const SolverError&) {
-    }
+    boxed.box = in_the_middle(lengths);
+    double change = INFINITY;  // where it is too narrow for theory
+    reason_against([&] { change = change_between(best_known(boxed), here); });
+    if (change <= tolerance) return SufficientBox{.lengths = lengths, .change = change};
   }
   return std::nullopt;
 }

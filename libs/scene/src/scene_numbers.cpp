@@ -17,14 +17,6 @@ CollinearSwimmer along_own_axis(const SwimmerType& type, const Fluid& fluid) {
   return collinear_swimmer(type, Vec3::UnitX(), fluid.dynamic_viscosity());
 }
 
-/// Amplitudes of the three beads' velocities to first order, v = mu F [length/time].
-std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
-  const Eigen::Matrix3d mobility = rest_mobility(swimmer, rotne_prager).value;
-  const Eigen::Vector3cd force = linear_response(swimmer, mobility).force;
-  const Eigen::Vector3cd velocity = mobility.cast<std::complex<double>>() * force;
-  return {std::abs(velocity[0]), std::abs(velocity[1]), std::abs(velocity[2])};
-}
-
 std::array<double, 3> box_over_length(const Domain& domain, const SwimmerType& type) {
   const double length =
       type.beads[0].radius + type.springs[0].rest_length + type.springs[1].rest_length + type.beads[2].radius;
@@ -73,6 +65,13 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
 }
 
 }  // namespace
+
+std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
+  const Eigen::Matrix3d mobility = rest_mobility(swimmer, rotne_prager).value;
+  const Eigen::Vector3cd force = linear_response(swimmer, mobility).force;
+  const Eigen::Vector3cd velocity = mobility.cast<std::complex<double>>() * force;
+  return {std::abs(velocity[0]), std::abs(velocity[1]), std::abs(velocity[2])};
+}
 
 SceneNumbers scene_numbers(const Layout& layout) {
   SceneNumbers numbers;

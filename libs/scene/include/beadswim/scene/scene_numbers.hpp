@@ -6,6 +6,7 @@
 #include <string>
 
 #include "beadswim/layout/layout.hpp"
+#include "beadswim/theory/collinear_swimmer.hpp"
 
 // The dimensionless numbers of a scene, and first-order estimates of what its swimmers will do.
 
@@ -37,6 +38,9 @@ struct SceneNumbers {
   double smallest_gap = 0;  ///< between any two surfaces at rest: beads, images, walls [length]
   std::optional<ResolutionNumbers> resolution;
 };
+
+/// Amplitudes of the three beads' velocities to first order, v = mu F, by Rotne-Prager pairs [length/time].
+std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer);
 
 /// The numbers of a layout that check_layout finds no fault with.
 SceneNumbers scene_numbers(const Layout& layout);
