@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs what is missing of the Debian packages that Beadswim is built, tested and drawn with.
 #   .ci/install-packages.sh [--with-readers]
-# --with-readers adds the Python readers that tests/extended.sh opens the results with.
+# --with-readers adds the readers and the browser that tests/extended.sh opens the results with.
 set -euo pipefail
 
 packages=(
@@ -16,6 +16,9 @@ packages=(
   jq python3                                                             # scripts
 )
 readers=(python3-h5py python3-mdanalysis python3-jsonschema)
+readers+=(chromium)                                                      # the page of beadswim-view
+# Node.js makes that page; one that did not come as a package will do.
+command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)
 
 case "${1:-}" in
   "") ;;

@@ -2,7 +2,7 @@
 set(CMAKE_INSTALL_DOCDIR share/doc/beadswim)
 include(GNUInstallDirs)
 
-set(programs layout run theory compare plot bench)
+set(programs layout run theory compare plot view bench)
 foreach(program ${programs})
   install(TARGETS beadswim-${program} RUNTIME)
   # Bash looks for completions by the name of the program.
@@ -30,6 +30,7 @@ set(name_of_run "run a layout of bead-spring microswimmers in a viscous fluid")
 set(name_of_theory "predict velocity and stroke of a bead-spring microswimmer")
 set(name_of_compare "hold runs of microswimmers against predictions or other runs")
 set(name_of_plot "draw runs, predictions and trajectories of microswimmers")
+set(name_of_view "make a trajectory of microswimmers a web page of one file")
 set(name_of_bench "measure the speed of Beadswim's solvers on this machine")
 if(HELP2MAN AND NOT BEADSWIM_SANITIZE)
   foreach(program ${programs})

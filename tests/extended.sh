@@ -61,9 +61,12 @@ for reader in "$root"/tests/readers/*.py; do
   timeout 300 /usr/bin/python3 "$reader" ranks1.h5md ranks1.json
 done
 
-section "The commands of README and tutorial"
+section "The page of beadswim-view in a browser"
 cd "$root"
 build ci
+PATH=$root/build/ci/bin:$PATH timeout 600 tests/view/run.sh "$root/build/ci/tools/view/page" --none-skipped
+
+section "The commands of README and tutorial"
 for page in README.md docs/tutorial.md; do
   mkdir -p "$scratch/commands/$page"
   cd "$scratch/commands/$page"

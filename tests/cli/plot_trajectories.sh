@@ -58,6 +58,14 @@ sys.exit(len(lines) != 3 or abs(mean - float(sys.argv[1])) > 0.01 * (v1 - v0))
 PYTHON
 check "the figure's displacement is not the record's" test $? -eq 0
 
+# Open space, which has no box.
+beadswim-layout swimmer --preset paper-single --unbounded --period 300 | beadswim-run - --model rpy --cycles 0.5 -o open.h5md >open.record 2>err
+accepts beadswim-plot trajectories open.h5md
+out_has 'open: 1 swimmer, T = 300, open space; 0.5 cycles'
+accepts beadswim-plot swarm open.h5md
+out_has '>1 swimmer in open space, a box drawn around<'
+drawn 3 '<circle class="b0"'
+
 # --- swarm
 accepts beadswim-plot swarm cell.h5md
 well_formed out

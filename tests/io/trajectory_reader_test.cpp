@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -86,6 +87,50 @@ void expect_equal(const TrajectoryFrame& read, const TrajectoryFrame& written) {
   EXPECT_EQ(read.velocities, written.velocities);
   EXPECT_EQ(read.mean_flow, written.mean_flow);
   EXPECT_EQ(read.momentum, written.momentum);
+}
+
+TEST(TrajectoryReader, ReadsOpenSpaceWhichHasNoBox) {
+  const Folder folder;
+  TrajectoryHeader open_space = two_swimmers();
+  open_space.box_lengths = Vec3::Zero();
+  open_space.periodic = {};
+  write(folder.file("open.h5md"), 2, open_space);
+  const TrajectoryReader reader(folder.file("open.h5md"));
+  EXPECT_EQ(reader.header().box_lengths, Vec3(0, 0, 0));
+  EXPECT_EQ(reader.frame(1).positions, frame_number(1).positions);
+}
+
+/// NaN is what a swimmer has that has ended no cycle of its own.
+TEST(TrajectoryReader, ReadsWhatEachSwimmerDidInEachCycle) {
+  const Folder folder;
+  const std::string path = folder.file("cycles.h5md");
+  {
+    const Communicator communicator(MPI_COMM_SELF);
+    TrajectoryWriter writer(path, two_swimmers(), communicator);
+    writer.append(frame_number(0));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    writer.append(TrajectoryCycle{.step = 40,
+                                  .time = 10,
+                                  .velocity = {1, 2, 3, none, none, none},
+                                  .axis = {1, 0, 0, none, none, none},
+                                  .mean_flow = {4, 5, 6, none, none, none},
+                                  .arm_amplitudes = {7, 8, none, none},
+                                  .arm_phases = {0.5, -0.5, none, none},
+                                  .arm_means = {9, 10, none, none}});
+    writer.finish();
+  }
+  const std::vector<TrajectoryCycle> cycles = TrajectoryReader(path).cycles();
+  ASSERT_EQ(cycles.size(), 1);
+  EXPECT_EQ(cycles[0].step, 40);
+  EXPECT_EQ(cycles[0].time, 10);
+  EXPECT_EQ(cycles[0].velocity[2], 3);
+  EXPECT_TRUE(std::isnan(cycles[0].velocity[3]));
+  EXPECT_EQ(cycles[0].mean_flow[0], 4);
+  EXPECT_EQ(cycles[0].axis[0], 1);
+  EXPECT_EQ(cycles[0].arm_amplitudes[1], 8);
+  EXPECT_EQ(cycles[0].arm_phases[1], -0.5);
+  EXPECT_EQ(cycles[0].arm_means[0], 9);
+  EXPECT_EQ(cycles[0].arm_means.size(), 4);
 }
 
 TEST(TrajectoryReader, GivesBackWhatWasWritten) {

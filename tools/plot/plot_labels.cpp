@@ -88,14 +88,6 @@ std::string note_on(const std::string& label, const std::vector<const PlottedRun
 
 }  // namespace
 
-std::string length_unit(const Units& units) {
-  return units.lattice ? "lattice units" : units.length.name;
-}
-
-std::string velocity_unit(const Units& units) {
-  return units.lattice ? "lattice units" : units.length.name + "/" + units.time.name;
-}
-
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
   if (inputs.runs.size() == 1) return run.record.model;
   return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());

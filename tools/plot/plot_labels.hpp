@@ -10,10 +10,6 @@
 
 namespace beadswim {
 
-/// "um" and "um/s"; "lattice units" in lattice units.
-std::string length_unit(const Units& units);
-std::string velocity_unit(const Units& units);
-
 /// "lbm", or "lbm FILE" where several runs must be told apart.
 std::string run_label(const PlotInputs& inputs, const PlottedRun& run);
 

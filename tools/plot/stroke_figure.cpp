@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/layout/units.hpp"
 #include "curves.hpp"
 #include "plot_labels.hpp"
 

@@ -2,12 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "beadswim/core/error.hpp"
-#include "trajectory_file.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
+#include "beadswim/layout/layers.hpp"
 
 namespace beadswim {
 namespace {
@@ -20,64 +19,30 @@ constexpr std::size_t most_swimmers = 200000;  // that a page has room for
 struct Place {
   int id = 0;
   int type = 0;   ///< index among the layout's
-  Three layer{};  ///< in which its middle bead stands in the layout
+  Layer layer{};  ///< in which its middle bead stands in the layout
 };
-
-/// Coordinates less than a smallest radius from one another are of one layer. Which layer each is in.
-std::vector<int> layers(const std::vector<double>& coordinates, double thickness) {
-  std::vector<double> sorted = coordinates;
-  std::ranges::sort(sorted);
-  std::vector<double> starts{sorted.front()};
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i] - sorted[i - 1] > thickness) starts.push_back(sorted[i]);
-  }
-  std::vector<int> result;
-  for (const double x : coordinates) {
-    result.push_back(static_cast<int>(std::ranges::upper_bound(starts, x) - starts.begin()) - 1);
-  }
-  return result;
-}
 
 /// Of the swimmers in the order of the file.
 std::vector<Place> places(const TrajectoryFile& file) {
   const Layout& layout = file.layout;
-  std::map<int, const Swimmer*> by_id;
-  for (const Swimmer& swimmer : layout.swimmers) by_id[swimmer.id] = &swimmer;
+  const std::vector<Layer> layers = swimmer_layers(layout);
   std::vector<Place> result;
-  for (const int id : file.swimmers()) {
-    const auto found = by_id.find(id);
-    if (found == by_id.end()) {
-      throw InputError(
-          file.source + ":/particles/beads/swimmer",
-          fmt::format("{} is not in the layout; give a trajectory as beadswim-run wrote it", id));
-    }
-    const auto type = layout.types.find(found->second->type);
-    result.push_back({id, static_cast<int>(std::distance(layout.types.begin(), type)), {}});
-  }
-  for (int a = 0; a < 3; ++a) {
-    std::vector<double> coordinates;
-    for (const Place& place : result) coordinates.push_back(by_id[place.id]->position[a]);
-    const std::vector<int> layer = layers(coordinates, smallest_radius(layout));
-    for (std::size_t s = 0; s < result.size(); ++s) result[s].layer[a] = layer[s];
+  for (const std::size_t index : file.in_layout) {
+    const Swimmer& swimmer = layout.swimmers[index];
+    const auto type = layout.types.find(swimmer.type);
+    result.push_back(
+        {swimmer.id, static_cast<int>(std::distance(layout.types.begin(), type)), layers[index]});
   }
   return result;
 }
 
-/// How many layers the box has along each axis.
-Three layer_count(const std::vector<Place>& places) {
-  Three count{};
-  for (const Place& place : places) {
-    for (int a = 0; a < 3; ++a) count[a] = std::max(count[a], place.layer[a] + 1);
-  }
-  return count;
-}
-
-int block_colour(const Place& place, const Three& copy, const Three& layer_count,
+/// In a periodic copy of the box, of which it has so many layers.
+int block_colour(const Place& place, const Three& copy, const Layer& layers,
                  const std::vector<int>& block_swimmers) {
-  if (block_swimmers.size() == 1) return place.id / block_swimmers[0] + copy[0] + copy[1] + copy[2];
-  int sum = 0;
-  for (int a = 0; a < 3; ++a) sum += (copy[a] * layer_count[a] + place.layer[a]) / block_swimmers[a];
-  return sum % 2;
+  Layer layer = place.layer;
+  for (int a = 0; a < 3; ++a) layer[a] += copy[a] * layers[a];
+  const int by_id = block_swimmers.size() == 1 ? copy[0] + copy[1] + copy[2] : 0;
+  return block_number(place.id, layer, block_swimmers) + by_id;
 }
 
 std::size_t chosen_frame(const TrajectoryFile& file, const SwarmFigureOptions& options) {
@@ -116,7 +81,7 @@ PicturedSwimmer in_the_box(const TrajectoryHeader& header, const TrajectoryFrame
   return swimmer;
 }
 
-int colour_of(const Place& place, std::size_t order, const Three& copy, const Three& layers,
+int colour_of(const Place& place, std::size_t order, const Three& copy, const Layer& layers,
               const SwarmFigureOptions& options) {
   switch (options.colours) {
     case SwarmColours::blocks:
@@ -134,25 +99,41 @@ struct Cell {
   Vec3 box;
   std::vector<PicturedSwimmer> swimmers;
   std::vector<Place> places;  ///< of the swimmers
+  Layer layers{};             ///< how many it has
 };
+
+/// In open space: a box around the swimmers, which begins at the origin.
+void put_in_box(Cell& cell) {
+  Vec3 low = Vec3::Constant(INFINITY), high = -low;
+  for (const PicturedSwimmer& swimmer : cell.swimmers) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      low = low.cwiseMin((swimmer.beads[b].array() - 2 * swimmer.radii[b]).matrix());
+      high = high.cwiseMax((swimmer.beads[b].array() + 2 * swimmer.radii[b]).matrix());
+    }
+  }
+  cell.box = high - low;
+  for (PicturedSwimmer& swimmer : cell.swimmers) {
+    for (Vec3& bead : swimmer.beads) bead -= low;
+  }
+}
 
 Cell cell_of(const TrajectoryFile& file, const TrajectoryFrame& frame) {
   const TrajectoryHeader& header = file.reader.header();
-  Cell cell{header.box_lengths, {}, places(file)};
+  Cell cell{header.box_lengths, {}, places(file), layer_count(swimmer_layers(file.layout))};
   for (std::size_t bead = 0; bead < frame.positions.size(); bead += 3) {
     cell.swimmers.push_back(in_the_box(header, frame, bead));
   }
+  if (!file.layout.domain) put_in_box(cell);
   return cell;
 }
 
 void add_copy(const Cell& cell, const Three& copy, const SwarmFigureOptions& options,
               std::vector<PicturedSwimmer>& swimmers) {
   const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(cell.box);
-  const Three layers = layer_count(cell.places);
   for (std::size_t s = 0; s < cell.swimmers.size(); ++s) {
     PicturedSwimmer swimmer = cell.swimmers[s];
     for (Vec3& bead : swimmer.beads) bead += shift;
-    swimmer.colour = colour_of(cell.places[s], s, copy, layers, options);
+    swimmer.colour = colour_of(cell.places[s], s, copy, cell.layers, options);
     swimmers.push_back(swimmer);
   }
 }
@@ -167,8 +148,9 @@ std::vector<PictureKey> keys(const TrajectoryFile& file, SwarmColours colours) {
 std::string note_on(const TrajectoryFile& file, const Three& repeat) {
   const Vec3& box = file.reader.header().box_lengths;
   const std::size_t swimmers = file.swimmers().size();
-  std::string note = fmt::format("{} swimmer{} in a box of {:g} × {:g} × {:g}", swimmers,
-                                 swimmers == 1 ? "" : "s", box.x(), box.y(), box.z());
+  std::string note = fmt::format("{} swimmer{} in ", swimmers, swimmers == 1 ? "" : "s");
+  if (!file.layout.domain) return note + "open space, a box drawn around";
+  note += fmt::format("a box of {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
   if (repeat != Three{1, 1, 1}) {
     note += fmt::format(", its periodic copies drawn {} × {} × {}", repeat[0], repeat[1], repeat[2]);
   }

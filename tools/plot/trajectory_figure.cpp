@@ -9,8 +9,9 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
+#include "beadswim/layout/units.hpp"
 #include "plot_labels.hpp"
-#include "trajectory_file.hpp"
 
 namespace beadswim {
 namespace {
@@ -96,12 +97,17 @@ void require_few(std::size_t curves) {
                                curves, most_curves));
 }
 
-std::string note_on(const TrajectoryFile& file) {
+std::string space_of(const TrajectoryFile& file) {
   const Vec3& box = file.reader.header().box_lengths;
+  if (!file.layout.domain) return "open space";
+  return fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
+}
+
+std::string note_on(const TrajectoryFile& file) {
   const double end = file.reader.frame(file.reader.frames() - 1).time / file.period();
-  return fmt::format("{}: {} swimmer{}, T = {:g}, box {:g} × {:g} × {:g}; {:.4g} cycles",
+  return fmt::format("{}: {} swimmer{}, T = {:g}, {}; {:.4g} cycles",
                      std::filesystem::path(file.source).stem().string(), file.swimmers().size(),
-                     file.swimmers().size() == 1 ? "" : "s", file.period(), box.x(), box.y(), box.z(), end);
+                     file.swimmers().size() == 1 ? "" : "s", file.period(), space_of(file), end);
 }
 
 std::string title_of(const TrajectoryFigureOptions& options) {

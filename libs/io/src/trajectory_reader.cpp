@@ -140,7 +140,7 @@ TrajectoryReader::Table TrajectoryReader::open_series(const std::string& name, s
 }
 
 template <typename Number>
-std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t first, hsize_t count) {
+std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t first, hsize_t count) {
   std::vector<hsize_t> start(table.extents.size(), 0), size = table.extents;
   start[0] = first;
   size[0] = count;
@@ -154,6 +154,12 @@ std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t firs
   if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
     refuse(table.place, "cannot be read as numbers");
   }
+  return values;
+}
+
+template <typename Number>
+std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t first, hsize_t count) {
+  std::vector<Number> values = read_raw_rows<Number>(table, first, count);
   const auto is_number = [](Number value) { return std::isfinite(static_cast<double>(value)); };
   if (!std::all_of(values.begin(), values.end(), is_number)) {
     refuse(table.place, "holds a number that is not finite");
@@ -217,13 +223,17 @@ std::array<bool, 3> TrajectoryReader::periodic_axes() const {
 Vec3 TrajectoryReader::box_lengths(std::size_t frame) const {
   const std::vector<double> edges = read_rows<double>(edges_, frame, 1);
   const Vec3 lengths(edges[0], edges[4], edges[8]);
-  if (!(lengths.array() > 0).all()) refuse(edges_.place, "holds a box without volume");
+  for (int a = 0; a < 3; ++a) {
+    if (!(lengths[a] > 0) && (header_.periodic[a] || lengths[a] != 0)) {
+      refuse(edges_.place, "holds a box without volume");
+    }
+  }
   return lengths;
 }
 
 void TrajectoryReader::read_header() {
-  header_.box_lengths = box_lengths(0);
   header_.periodic = periodic_axes();
+  header_.box_lengths = box_lengths(0);
   header_.swimmer = read_all<int>("particles/beads/swimmer");
   header_.bead = read_all<int>("particles/beads/species");
   header_.radius = read_all<double>("particles/beads/radius");
@@ -253,6 +263,36 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   frame.mean_flow = vectors(mean_flow_, index)[0];
   frame.momentum = vectors(momentum_, index)[0];
   return frame;
+}
+
+std::vector<TrajectoryCycle> TrajectoryReader::cycles() const {
+  std::vector<TrajectoryCycle> cycles;
+  if (H5Lexists(file_, "swimmers", H5P_DEFAULT) <= 0) return cycles;
+  const Table step = open_table("swimmers/velocity/step", {}),
+              time = open_table("swimmers/velocity/time", {});
+  hsize_t count = std::min(step.extents[0], time.extents[0]);
+  struct Quantity {
+    Table table;
+    std::vector<double> TrajectoryCycle::*numbers;
+  };
+  std::vector<Quantity> quantities;
+  const auto add = [&](const std::string& name, hsize_t numbers, std::vector<double> TrajectoryCycle::*of) {
+    quantities.push_back({open_table("swimmers/" + name + "/value", {beads_ / 3, numbers}), of});
+    count = std::min(count, quantities.back().table.extents[0]);  // a killed run may have grown some of them
+  };
+  add("velocity", 3, &TrajectoryCycle::velocity);
+  add("axis", 3, &TrajectoryCycle::axis);
+  add("mean_flow", 3, &TrajectoryCycle::mean_flow);
+  add("arm_amplitudes", 2, &TrajectoryCycle::arm_amplitudes);
+  add("arm_phases", 2, &TrajectoryCycle::arm_phases);
+  add("arm_means", 2, &TrajectoryCycle::arm_means);
+  for (hsize_t c = 0; c < count; ++c) {
+    TrajectoryCycle& cycle = cycles.emplace_back();
+    cycle.step = read_rows<std::int64_t>(step, c, 1)[0];
+    cycle.time = read_rows<double>(time, c, 1)[0];
+    for (const auto& [table, numbers] : quantities) cycle.*numbers = read_raw_rows<double>(table, c, 1);
+  }
+  return cycles;
 }
 
 }  // namespace beadswim

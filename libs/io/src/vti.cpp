@@ -9,50 +9,13 @@
 #include <span>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/io/base64.hpp"
 #include "beadswim/io/json.hpp"
 
 namespace beadswim {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "the header below says LittleEndian");
-
-/// Base64 of a stream of bytes that comes in pieces.
-class Base64 {
- public:
-  explicit Base64(std::string& text) : text_(text) {}
-
-  void append(std::span<const char> bytes) {
-    for (const char byte : bytes) {
-      group_ = group_ << 8 | static_cast<unsigned char>(byte);
-      if (++held_ == 3) flush(4);
-    }
-  }
-
-  void finish() {
-    if (held_ == 0) return;
-    const int digits = held_ + 1;
-    for (; held_ < 3; ++held_) group_ <<= 8;
-    flush(digits);
-    text_.append(4 - digits, '=');
-  }
-
- private:
-  void flush(int digits) {
-    constexpr char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    for (int d = 0; d < digits; ++d) text_ += alphabet[group_ >> (18 - 6 * d) & 63];
-    group_ = 0;
-    held_ = 0;
-  }
-
-  std::string& text_;
-  std::uint32_t group_ = 0;
-  int held_ = 0;
-};
-
-template <class T>
-std::span<const char> bytes_of(const T* values, std::size_t count) {
-  return {reinterpret_cast<const char*>(values), count * sizeof(T)};
-}
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -65,10 +28,10 @@ void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
   const std::uint64_t size = cells.cast<std::uint64_t>().prod() * field.components * sizeof(float);
   std::string text;
   Base64 encoded(text);  // the size and the data in one stream
-  encoded.append(bytes_of(&size, 1));
+  encoded.append(bytes_of(std::span(&size, 1)));
   for (int z = 0; z < cells[2]; ++z) {
     const std::vector<float> plane = field.plane(z);
-    encoded.append(bytes_of(plane.data(), plane.size()));
+    encoded.append(bytes_of(std::span(plane)));
     fmt::print(file, "{}", text);
     text.clear();
   }

@@ -27,4 +27,12 @@ const Units::Unit* find_known_unit(Quantity quantity, const std::string& name) {
   return unit == units.end() ? nullptr : &*unit;
 }
 
+std::string length_unit(const Units& units) {
+  return units.lattice ? "lattice units" : units.length.name;
+}
+
+std::string velocity_unit(const Units& units) {
+  return units.lattice ? "lattice units" : units.length.name + "/" + units.time.name;
+}
+
 }  // namespace beadswim

@@ -20,7 +20,7 @@ namespace beadswim {
 
 /// What does not change in a trajectory.
 struct TrajectoryHeader {
-  Vec3 box_lengths = Vec3::Zero();
+  Vec3 box_lengths = Vec3::Zero();  ///< zero in open space
   std::array<bool, 3> periodic{};
   std::vector<int> swimmer;    ///< id of the swimmer of each bead
   std::vector<int> bead;       ///< 1, 2 or 3 within the swimmer, of each bead

@@ -18,6 +18,9 @@ class TrajectoryReader {
   /// Frame `index` < frames(), positions unwrapped.
   TrajectoryFrame frame(std::size_t index) const;
 
+  /// What each swimmer did, base cycle by base cycle; none for files from before they held it.
+  std::vector<TrajectoryCycle> cycles() const;
+
  private:
   /// A dataset of numbers, a row a frame or a bead.
   struct Table {
@@ -28,6 +31,8 @@ class TrajectoryReader {
 
   Table open_table(const std::string& name, std::vector<hsize_t> row) const;
   Table open_series(const std::string& name, std::vector<hsize_t> row);
+  template <typename Number>
+  static std::vector<Number> read_raw_rows(const Table& table, hsize_t first, hsize_t count);
   template <typename Number>
   static std::vector<Number> read_rows(const Table& table, hsize_t first, hsize_t count);
   template <typename Number>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "beadswim/layout/layout.hpp"
@@ -13,5 +14,9 @@ const std::vector<Units::Unit>& known_units(Quantity quantity);
 
 /// The known unit of that name, or nullptr.
 const Units::Unit* find_known_unit(Quantity quantity, const std::string& name);
+
+/// As figures call them: "um" and "um/s"; "lattice units" in lattice units.
+std::string length_unit(const Units& units);
+std::string velocity_unit(const Units& units);
 
 }  // namespace beadswim

@@ -13,6 +13,7 @@ struct TrajectoryFile {
   std::string source;
   TrajectoryReader reader;
   Layout layout;
+  std::vector<std::size_t> in_layout;  ///< index among the layout's swimmers of each of the file's
 
   double period() const;              ///< of the driving of all swimmers [time]
   std::vector<int> swimmers() const;  ///< their ids, in the order of the file

@@ -1,9 +1,10 @@
-#include "trajectory_file.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <map>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
@@ -27,6 +28,25 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   return layout;
 }
 
+/// Index among the layout's swimmers of each of the file's.
+std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader& reader,
+                                    const std::string& path) {
+  std::map<int, std::size_t> index_of;
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) index_of[layout.swimmers[s].id] = s;
+  std::vector<std::size_t> indices;
+  const std::vector<int>& of_bead = reader.header().swimmer;
+  for (std::size_t bead = 0; bead < of_bead.size(); bead += 3) {
+    const auto found = index_of.find(of_bead[bead]);
+    if (found == index_of.end()) {
+      throw InputError(
+          path + ":/particles/beads/swimmer",
+          fmt::format("{} is not in the layout; give a trajectory as beadswim-run wrote it", of_bead[bead]));
+    }
+    indices.push_back(found->second);
+  }
+  return indices;
+}
+
 }  // namespace
 
 double TrajectoryFile::period() const {
@@ -43,7 +63,8 @@ std::vector<int> TrajectoryFile::swimmers() const {
 TrajectoryFile open_trajectory(const std::string& path) {
   TrajectoryReader reader(path);
   Layout layout = layout_of(reader, path);
-  return {path, std::move(reader), std::move(layout)};
+  std::vector<std::size_t> in_layout = indices_in(layout, reader, path);
+  return {path, std::move(reader), std::move(layout), std::move(in_layout)};
 }
 
 void refuse_swimmer(const std::string& flag, int id, const TrajectoryFile& file) {

@@ -1,0 +1,33 @@
+# Builds the page of beadswim-view: SOURCE, copied to FOLDER, by NODE and NPM into the C++ file OUTPUT. If that cannot be, OUTPUT
+# holds the reason, which the program then tells, and the next build tries again.
+function(give_up reason)
+  message(WARNING "beadswim-view will have no page: ${reason}")
+  string(REPLACE "\\" "\\\\" reason "${reason}")
+  string(REPLACE "\"" "\\\"" reason "${reason}")
+  file(WRITE ${OUTPUT} "#include \"page.hpp\"\n\nconst beadswim::Page beadswim::page{nullptr, nullptr, \"${reason}\"};\n")
+  execute_process(COMMAND touch -d 1970-01-02 ${OUTPUT})
+endfunction()
+
+if(NOT NODE OR NOT NPM)
+  give_up("Beadswim was built without Node.js, which makes the page; install nodejs (18 or later) and npm, run cmake --fresh and build again")
+  return()
+endif()
+
+file(MAKE_DIRECTORY ${FOLDER})
+file(COPY ${SOURCE}/ DESTINATION ${FOLDER} PATTERN node_modules EXCLUDE)
+set(installed ${FOLDER}/node_modules/.package-lock.json)
+if(NOT EXISTS ${installed} OR ${FOLDER}/package-lock.json IS_NEWER_THAN ${installed})
+  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error WORKING_DIRECTORY ${FOLDER}
+                  RESULT_VARIABLE failed ERROR_VARIABLE errors OUTPUT_QUIET TIMEOUT 300)
+  if(failed)
+    message("${errors}")
+    give_up("when Beadswim was built, npm could not install what the page is made with (${failed}); see that npm reaches its registry, and build again")
+    return()
+  endif()
+  file(TOUCH ${installed})
+endif()
+execute_process(COMMAND ${NODE} build.mjs ${OUTPUT} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE failed)
+if(failed)
+  file(REMOVE ${OUTPUT})
+  message(FATAL_ERROR "build.mjs failed (${failed})")
+endif()

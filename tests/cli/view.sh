@@ -1,0 +1,87 @@
+#!/bin/bash
+# beadswim-view: pages that hold the trajectory. What browsers make of them is tests/view's.
+source "$(dirname "$0")/harness.sh"
+
+beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,1,1 | beadswim-layout defect jitter --sigma 0.5 --seed 1 >swarm.json 2>err
+beadswim-run swarm.json --model rpy -o swarm.h5md --cycles 1.5 --progress none >swarm.record 2>err
+run beadswim-view swarm.h5md -o swarm.html
+if [ "$status" -eq 2 ] && grep -q 'npm\|Node.js' err; then skip "$(cat err)"; fi
+has_status 0
+err_empty
+out_empty
+
+# --- what the page holds is what h5dump reads of the file, to half a step of its 16 bits
+for name in position image; do
+  h5dump -d "/particles/beads/$name/value" -b LE -o $name.bin swarm.h5md >/dev/null
+done
+cat >hold.py <<'PYTHON'
+import array, base64, json, re, sys
+page, swimmers, box = open("swarm.html").read(), 4, (96, 64, 64)
+kinds = {"float": "f", "int": "h"}
+def block(name, kind):
+    numbers = array.array(kinds[kind])
+    numbers.frombytes(base64.b64decode(re.search(f'<script type="text/plain" id="{name}">([^<]*)</script>', page)[1], validate=True))
+    return numbers
+def raw(name, kind):
+    numbers = array.array(kind)
+    numbers.frombytes(open(name, "rb").read())
+    return numbers
+wrapped, image = raw("position.bin", "f"), raw("image.bin", "i")
+truth = [x + n * box[i % 3] for i, (x, n) in enumerate(zip(wrapped, image))]
+scene = json.loads(re.search('id="scene">([^<]*)</script>', page)[1])
+start, step, row = block("start", "float"), block("step", "float"), 9 * swimmers
+worst = 0
+for frame in range(len(scene["times"])):
+    for i, steps in enumerate(block(f"frame-{frame}", "int")):
+        quantum = step[i // 9]
+        worst = max(worst, abs(start[i] + steps * quantum - truth[frame * row + i]) / (0.5 * quantum + 2e-5))
+print(len(scene["times"]), worst)
+record = json.load(open("swarm.record"))
+v_step, v = block("cycle-velocity-step", "float"), block("cycle-velocity", "int")
+for s, swimmer in enumerate(record["swimmers"]):
+    cycle = swimmer["cycles"][0]
+    expected = cycle["velocity"][0] - cycle["mean_flow"][0]
+    worst = max(worst, 0 if abs(v[s] * v_step[s] - expected) < 1e-3 * abs(expected) else 99)
+sys.exit(worst > 1 or len(scene["times"]) != 61 or len(truth) != 61 * row)
+PYTHON
+run python3 hold.py
+has_status 0
+check "the page's policy lets scripts of others run" \
+  grep -qE "content=\"default-src 'none'; script-src 'sha256-[A-Za-z0-9+/=]+'; style-src 'sha256-[A-Za-z0-9+/=]+'; img-src data:; base-uri 'none'" swarm.html
+check "the page names a place in the network" test "$(grep -oE '(src|href)="?https?:' swarm.html | wc -l)" -eq 0
+
+# --- the same bytes, to a file and to standard output; a part of a run; every so many frames
+same_bytes 'cat swarm.html' 'beadswim-view swarm.h5md -o -'
+cp swarm.h5md going.h5md.part
+same_bytes 'beadswim-view going.h5md.part -o - | sed s/going.h5md.part/X/' 'beadswim-view swarm.h5md -o - | sed s/swarm.h5md/X/'
+accepts beadswim-view swarm.h5md -o few.html --every 25
+check "frames 0, 25, 50 and the last are not those shown" holds '[.times[] | . * 1e6 | round] == [0, 630000, 1250000, 1500000]' \
+  <(grep -oE 'id="scene">[^<]*' few.html | sed 's/^[^>]*>//')
+accepts beadswim-view swarm.h5md -o ids.html --block-swimmers 2
+check "blocks are not by id" holds '.blocks == [0, 0, 1, 1]' <(grep -oE 'id="scene">[^<]*' ids.html | sed 's/^[^>]*>//')
+
+# --- a run shorter than a cycle, one frame alone, and names that HTML could take for its own
+beadswim-run swarm.json --model rpy -o '<b>&.h5md' --cycles 0.1 --progress none >short.record 2>err
+accepts beadswim-view '<b>&.h5md' -o short.html --every 100
+check "the name is not kept" holds '.file == "<b>&.h5md" and .cycle_times == []' <(grep -oE 'id="scene">[^<]*' short.html | sed 's/^[^>]*>//')
+
+# --- what cannot be shown
+echo kept >kept.html
+refuses 'absent.h5md: cannot be read' beadswim-view absent.h5md -o kept.html
+refuses 'swarm.json: is no HDF5 file' beadswim-view swarm.json -o kept.html
+refuses '--output: "page.svg" is no .html; name a file that ends so' beadswim-view swarm.h5md -o page.svg
+refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0
+refuses '--block-swimmers' beadswim-view swarm.h5md -o kept.html --block-swimmers 1,2
+refuses '--evry: unknown flag; did you mean --every' beadswim-view swarm.h5md -o kept.html --evry 2
+refuses 'required' beadswim-view swarm.h5md
+refuses 'no/such/folder' beadswim-view swarm.h5md -o no/such/folder/page.html
+check "what was there is gone" test "$(cat kept.html)" = kept
+
+# --- a build without Node.js has a program that says so; the next build tries again
+run cmake -DNODE= -DNPM= -DSOURCE="$BEADSWIM_SOURCE/tools/view/page" -DFOLDER="$PWD/page" -DOUTPUT="$PWD/page.cpp" -P "$BEADSWIM_SOURCE/cmake/BuildPage.cmake"
+has_status 0
+err_has 'beadswim-view will have no page: Beadswim was built without Node.js'
+check "the page's absence does not compile" ${CXX:-c++} -std=c++20 -fsyntax-only -I "$BEADSWIM_SOURCE/tools/view" page.cpp
+check "the page's absence is not older than its sources" test "$BEADSWIM_SOURCE/tools/view/page/build.mjs" -nt page.cpp
+
+finish

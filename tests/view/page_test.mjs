@@ -1,0 +1,256 @@
+// Pages of beadswim-view in headless Chromium: they load, play and pick, and the picture holds what must be in it.
+//   node page_test.mjs FOLDER MODULES CHROMIUM
+// FOLDER holds alone.html, swarm.html, outside.html and alone.json, swarm.json, the run records (run.sh makes them); MODULES is a
+// folder with playwright-core in node_modules.
+
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { after, test } from "node:test";
+import { decoded, isOf, patches } from "./picture.mjs";
+
+const [folder, modules, chromiumPath] = process.argv.slice(2);
+const { chromium } = createRequire(modules + "/")("playwright-core");
+const launch = (...flags) => chromium.launch({ executablePath: chromiumPath,
+  args: ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...flags] });
+const browser = await launch();
+after(() => browser.close());
+
+const blue = isOf([0, 114, 178]), orange = isOf([230, 159, 0]), rim = ([r, g, b]) => r > 190 && g < 40 && b > 90 && b < 160;
+const addressOf = (name) => `file://${folder}/${name}`;
+
+/** A page that has loaded; faults are what went wrong in it, requests what it asked for beside itself. */
+async function opened(name, { viewport = { width: 1280, height: 800 }, from = browser } = {}) {
+  const page = await from.newPage({ viewport });
+  page.setDefaultTimeout(60000);
+  const faults = [], requests = [];
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+  page.on("request", (request) => requests.push(request.url()));
+  await page.goto(addressOf(name), { timeout: 60000 });
+  await page.waitForFunction(() => document.getElementById("message").textContent !== "Loading …");
+  return { page, faults, requests, message: await page.textContent("#message") };
+}
+
+/** The canvas alone, without what lies over it, when it has been drawn. */
+async function picture(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return decoded(browser, await page.locator("#canvas").screenshot({ style: "#legend { visibility: hidden }" }));
+}
+
+const frameShown = async (page) => Number(/frame (\d+)/.exec(await page.textContent("#clock"))[1]);
+const record = (name) => JSON.parse(readFileSync(`${folder}/${name}`, "utf8"));
+const close = (a, b, tolerance, what) => assert.ok(Math.abs(a - b) <= tolerance * Math.abs(b), `${what}: ${a}, not ${b}`);
+
+test("loads without faults, and asks for nothing", async () => {
+  const { page, faults, requests, message } = await opened("swarm.html");
+  assert.equal(message, "");
+  assert.deepEqual(faults, []);
+  assert.deepEqual(requests, [addressOf("swarm.html")]);
+  assert.match(await page.title(), /^swarm\.h5md/);
+  assert.match(await page.textContent("#facts"), /^4 swimmers, box 96 × 64 × 64 lattice units, period 2000, 41 frames over 1 cycles$/);
+  await page.close();
+});
+
+test("the picture has a swimmer's beads in their sizes and places", async () => {
+  const { page } = await opened("alone.html");
+  await page.click('[data-view="y"]');
+  const beads = patches(await picture(page), blue);
+  assert.equal(beads.length, 3);
+  const [one, two, three] = beads; // radii 3, 4, 5 and arms 18, 27, all as far from the eye
+  const scale = (three.x - one.x) / 45;
+  close((two.x - one.x) / scale, 18, 0.03, "arm 1");
+  close((three.x - two.x) / scale, 27, 0.03, "arm 2");
+  beads.forEach((bead, i) => {
+    close(bead.width / scale, 2 * (3 + i), 0.08, `width of bead ${i + 1}`);
+    close(bead.height / scale, 2 * (3 + i), 0.08, `height of bead ${i + 1}`);
+    close(bead.y, two.y, 0.02, "height in the picture");
+  });
+  await page.close();
+});
+
+test("blocks have their colours", async () => {
+  const { page } = await opened("swarm.html");
+  await page.click('[data-view="y"]');
+  const seen = await picture(page); // blocks of one swimmer: the two in front, one over the other, are of two colours
+  const [blues, oranges] = [patches(seen, blue), patches(seen, orange)];
+  assert.ok(blues.length >= 3 && oranges.length >= 3, `${blues.length} blue and ${oranges.length} orange beads`);
+  assert.deepEqual(await page.locator(".key").allTextContents(), ["block 0", "block 1"]);
+  await page.close();
+});
+
+test("plays, pauses and scrubs", async () => {
+  const { page } = await opened("alone.html");
+  await page.click('[data-view="y"]');
+  const before = patches(await picture(page), blue);
+  await page.click("#play");
+  await page.waitForFunction(() => Number(document.getElementById("time").value) > 5);
+  assert.equal(await page.textContent("#play"), "Pause");
+  await page.click("#play");
+  const paused = await frameShown(page);
+  await page.waitForTimeout(300);
+  assert.equal(await frameShown(page), paused);
+  await page.locator("#time").fill("10");
+  assert.equal(await frameShown(page), 10);
+  await page.locator("#time").press("ArrowRight");
+  assert.equal(await frameShown(page), 11);
+  const later = patches(await picture(page), blue);
+  assert.ok(Math.abs(later[0].x - before[0].x) > 1, "bead 1 has moved");
+  await page.close();
+});
+
+test("picks the swimmer under the pointer, and lets it go", async () => {
+  const { page } = await opened("alone.html");
+  await page.click('[data-view="y"]');
+  const seen = await picture(page), middle = patches(seen, blue)[1];
+  assert.equal(patches(seen, rim, 5).length, 0);
+  await page.locator("#canvas").click({ position: { x: middle.x, y: middle.y } });
+  assert.equal(await page.textContent("#picked"), "Swimmer 7, block 0");
+  assert.equal(await page.inputValue("#swimmer"), "7");
+  const titles = await page.locator(".u-title").allTextContents();
+  assert.deepEqual(titles.map((title) => title.split(" (")[0]), ["Stroke: arm lengths", "Displacement", "Turning",
+    "Velocity along the axis, by cycle", "Arm amplitudes, by cycle"]);
+  assert.ok(patches(await picture(page), rim, 5).length >= 3, "rims of the beads");
+  await page.locator("#canvas").click({ position: { x: middle.x, y: 20 } });
+  assert.match(await page.textContent("#picked"), /^Click/);
+  await page.close();
+});
+
+test("plots the stroke and the velocity of the record", async () => {
+  const { page } = await opened("alone.html");
+  await page.locator("#swimmer").fill("7");
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Escape"); // out of the number, and of the swimmer
+  await page.locator("#canvas").focus();
+  await page.keyboard.press("n");
+  await page.locator("#time").fill("80"); // the end of the second cycle
+  const numbers = (await page.locator(".u-legend .u-value").allTextContents()).map(Number);
+  const cycle = record("alone.json").swimmers[0].cycles[1];
+  const [, arm1, arm2, , along, , , , , , velocity, , d1, d2] = numbers;
+  close(velocity, cycle.speed_along_axis, 1e-3, "velocity");
+  close(d1, cycle.arm_amplitudes[0], 1e-3, "d1");
+  close(d2, cycle.arm_amplitudes[1], 1e-3, "d2");
+  const lengthAtEnd = (n) => cycle.arm_means[n] + cycle.arm_amplitudes[n] * Math.cos(cycle.arm_phases[n]);
+  close(arm1, lengthAtEnd(0), 0.01, "arm 1"); // the fit has the first harmonic alone
+  close(arm2, lengthAtEnd(1), 0.01, "arm 2");
+  const moved = record("alone.json").swimmers[0].cycles.reduce((sum, { speed_along_axis }) => sum + 300 * speed_along_axis, 0);
+  close(along, moved, 2e-3, "displacement");
+  await page.close();
+});
+
+test("says which ids there are", async () => {
+  const { page } = await opened("swarm.html");
+  await page.locator("#swimmer").fill("99");
+  await page.locator("#swimmer").press("Enter");
+  assert.equal(await page.textContent("#picked"), "There is no swimmer 99; ids are 0 to 3.");
+  await page.close();
+});
+
+test("works by keyboard", async () => {
+  const { page } = await opened("swarm.html");
+  const value = (id) => page.inputValue(`#${id}`);
+  await page.keyboard.press("n");
+  await page.keyboard.press("n");
+  assert.equal(await value("swimmer"), "1");
+  await page.keyboard.press("p");
+  assert.equal(await value("swimmer"), "0");
+  await page.keyboard.press("f");
+  assert.ok(await page.isChecked("#follow"));
+  await page.keyboard.press("Escape");
+  assert.equal(await value("swimmer"), "");
+  await page.keyboard.press("c");
+  assert.equal(await value("colours"), "velocity");
+  await page.keyboard.press(".");
+  await page.keyboard.press(".");
+  await page.keyboard.press(",");
+  assert.equal(await frameShown(page), 1);
+  await page.keyboard.press("]");
+  assert.equal(await value("speed"), "1");
+  await page.keyboard.press("w");
+  assert.equal(await page.isChecked("#wrap"), false);
+  await page.keyboard.press("Space");
+  assert.equal(await page.textContent("#play"), "Pause");
+  await page.keyboard.press("Space");
+  await page.locator("#canvas").focus();
+  const before = patches(await picture(page), blue, 10).length + (await page.locator("#canvas").screenshot()).toString("base64");
+  await page.keyboard.press("ArrowLeft");
+  await page.keyboard.press("+");
+  assert.notEqual(patches(await picture(page), blue, 10).length + (await page.locator("#canvas").screenshot()).toString("base64"), before);
+  await page.close();
+});
+
+test("wraps swimmers into the box", async () => {
+  const { page } = await opened("outside.html"); // its middle bead starts on the face of the box, 60 long, and goes to and fro
+  await page.click('[data-view="y"]');
+  const moved = [];
+  for (const frame of ["10", "30"]) {
+    await page.locator("#time").fill(frame);
+    await page.locator("#wrap").check();
+    const inside = patches(await picture(page), blue, 10);
+    await page.locator("#wrap").uncheck();
+    const outside = patches(await picture(page), blue, 10);
+    moved.push((4 * (inside[0].x - outside[0].x)) / inside[0].width); // beads are 4 wide; bead 1 no edge of the box hides
+  }
+  moved.sort((a, b) => a - b);
+  assert.equal(moved[0], 0);
+  close(moved[1], 60, 0.05, "moved by a box");
+  await page.close();
+});
+
+test("colours by velocity go from the least to the greatest of the record", async () => {
+  const { page } = await opened("swarm.html");
+  await page.selectOption("#colours", "velocity");
+  const speeds = record("swarm.json").swimmers.flatMap(({ cycles }) => cycles).map(({ velocity, mean_flow }) => velocity[0] - mean_flow[0]);
+  const ends = (await page.locator("#legend-ends span").allTextContents()).map(Number);
+  close(ends[0], Math.min(...speeds), 5e-3, "least");
+  close(ends[1], Math.max(...speeds), 5e-3, "greatest");
+  for (const colours of ["orientation", "phase"]) {
+    await page.selectOption("#colours", colours);
+    assert.equal(await page.locator("#legend-ends span").count(), 2);
+  }
+  await page.close();
+});
+
+test("fits a narrow screen", async () => {
+  const { page } = await opened("swarm.html", { viewport: { width: 360, height: 740 } });
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), "nothing sticks out");
+  const boxes = await Promise.all(["#canvas", "#controls", "#panel"].map((id) => page.locator(id).boundingBox()));
+  assert.ok(boxes[0].width > 300 && boxes[0].height > 300);
+  assert.ok(boxes[1].y >= boxes[0].y + boxes[0].height - 1 && boxes[2].y >= boxes[1].y + boxes[1].height - 1, "one below the other");
+  await page.close();
+});
+
+test("runs no script but its own", async () => {
+  const text = readFileSync(`${folder}/alone.html`, "utf8");
+  writeFileSync(`${folder}/foreign.html`, text.replace("</body>", "<script>window.foreign = true</script><img src='x' onerror='window.foreign = true'></body>"));
+  const { page, message } = await opened("foreign.html");
+  assert.equal(message, "");
+  assert.equal(await page.evaluate(() => window.foreign), undefined);
+  assert.equal(await page.evaluate(() => fetch("data:text/plain,x").then(() => "fetched", () => "refused")), "refused");
+  await page.close();
+});
+
+test("says what is wrong with a page that is not whole", async () => {
+  const text = readFileSync(`${folder}/alone.html`, "utf8");
+  const broken = {
+    lost: [text.replace(/<script type="text\/plain" id="frame-3">.*?<\/script>\n/, ""), /lacks its data "frame-3"/],
+    cut: [text.replace(/(id="radius">)..../, "$1"), /data "radius" of this page have 9 bytes, not 12/],
+    bent: [text.replace(/(id="start">)./, "$1!"), /data "start" of this page are broken/],
+    header: [text.replace(/(id="scene">)./, "$1["), /data "scene" of this page are broken/],
+  };
+  for (const [name, [content, expected]] of Object.entries(broken)) {
+    assert.notEqual(content, text);
+    writeFileSync(`${folder}/${name}.html`, content);
+    const { page, message } = await opened(`${name}.html`);
+    assert.match(message, expected);
+    await page.close();
+  }
+});
+
+test("says that it needs WebGL", async () => {
+  const plain = await launch("--disable-webgl", "--disable-webgl2", "--disable-3d-apis");
+  const { page, message } = await opened("alone.html", { from: plain });
+  assert.match(message, /gives no WebGL 2/);
+  await page.close();
+  await plain.close();
+});

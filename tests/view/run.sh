@@ -1,0 +1,36 @@
+#!/bin/bash
+# Pages of beadswim-view in headless Chromium.
+#   tests/view/run.sh MODULES [--none-skipped]
+# The programs are on PATH; MODULES is the folder with node_modules that the build made of tools/view/page. Exit status 77, with a
+# reason, where the browser or Node.js is absent; with --none-skipped that fails.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+modules=$1
+
+absent() {
+  echo "skipped: $1"
+  [ "${none_skipped:-}" ] && exit 1
+  exit 77
+}
+[ "${2:-}" = --none-skipped ] && none_skipped=1
+command -v node >/dev/null || absent "no Node.js; install nodejs and npm"
+[ "$(node -p 'process.versions.node.split(".")[0]')" -ge 20 ] || absent "playwright-core needs Node.js 20, and this is $(node --version)"
+[ -d "$modules/node_modules/playwright-core" ] || absent "the page was not built: $modules has no node_modules"
+chromium=$(command -v chromium) || absent "no Chromium; .ci/install-packages.sh --with-readers installs it"
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+page() { # NAME FLAGS...   layout on standard input
+  local name=$1
+  shift
+  beadswim-run - --model rpy -o "$name.h5md" --progress none "$@" >"$name.json" 2>"$name.log"
+  beadswim-view "$name.h5md" -o "$name.html" --block-swimmers 1,1,1
+}
+beadswim-layout swimmer --preset paper-single --unbounded --radius 3,4,5 --arm 18,27 --period 300 --amplitude 0.2 |
+  jq '.swimmers[0].id = 7' | page alone --cycles 2
+beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,1,1 |
+  beadswim-layout defect amplitude --sigma 0.2 --seed 1 | page swarm --cycles 1
+beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 60,40,40 --boundary periodic --period 300 --amplitude 0.1 |
+  jq '.swimmers[0].position[0] = 0' | page outside --cycles 1
+node "$here/page_test.mjs" "$folder" "$modules" "$chromium"

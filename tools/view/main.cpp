@@ -1,0 +1,102 @@
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/tools/program.hpp"
+#include "page.hpp"
+#include "page_data.hpp"
+
+// beadswim-view: a trajectory as a web page of one file.
+
+namespace {
+
+using namespace beadswim;
+
+constexpr double most_bytes = 300e6;  // that browsers open without trouble
+
+struct ViewRequest {
+  std::string file;
+  std::string output;
+  int every = 1;
+  std::string block_swimmers = "1,3,3";
+};
+
+void add_flags(CLI::App& program, ViewRequest& request) {
+  program.add_option("FILE", request.file, "A trajectory as beadswim-run wrote it: .h5md, or .h5md.part.")
+      ->required()
+      ->type_name("RUN.h5md");
+  program.add_option("-o,--output", request.output, "The page to write; - is standard output.")
+      ->required()
+      ->type_name("PAGE.html|-");
+  program
+      .add_option("--every", request.every,
+                  "Of so many frames one is shown, and the last, for runs whose page would be too large.")
+      ->type_name("N")
+      ->default_val(1)
+      ->check(whole_positive());
+  program
+      .add_option("--block-swimmers", request.block_swimmers,
+                  "Swimmers of a block along each axis, by the layers in which they stand in the layout; or "
+                  "one number, the swimmers of a block in order of their ids. Colours can tell blocks.")
+      ->type_name("NX,NY,NZ|N")
+      ->default_val("1,3,3")
+      ->check(number_list({1, 3}, whole_positive()));
+}
+
+void require_page() {
+  if (page.before_data == nullptr) throw InputError("beadswim-view", page.fault);
+}
+
+void require_output(const ViewRequest& request) {
+  const std::string& path = request.output;
+  if (path != "-" && !path.ends_with(".html") && !path.ends_with(".htm")) {
+    throw InputError("--output", fmt::format("\"{}\" is no .html; name a file that ends so, or - for "
+                                             "standard output",
+                                             path));
+  }
+  require_other_file(request.file, path);
+}
+
+PageOptions options_of(const ViewRequest& request) {
+  PageOptions options{.every = static_cast<std::size_t>(request.every), .block_swimmers = {}};
+  for (const double n : parse_numbers(request.block_swimmers)) {
+    options.block_swimmers.push_back(static_cast<int>(n));
+  }
+  return options;
+}
+
+void require_bearable(const TrajectoryFile& file, const PageOptions& options) {
+  const double bytes = expected_bytes(file, options);
+  if (bytes <= most_bytes) return;
+  const double every = std::ceil(static_cast<double>(options.every) * bytes / most_bytes);
+  throw InputError("--every",
+                   fmt::format("the page of {} frames would have {:.0f} MB, of which browsers bear {:.0f}; "
+                               "give --every {:.0f} or more",
+                               shown_frames(file.reader.frames(), options.every).size(), bytes / 1e6,
+                               most_bytes / 1e6, every));
+}
+
+int run(int argc, const char* const* argv) {
+  const auto program =
+      make_program("beadswim-view",
+                   "Makes a trajectory a web page of one file, to look at in a browser: all beads in three "
+                   "dimensions, played forth and back, with the strokes, paths and turning of swimmers that "
+                   "are picked. It needs no network.");
+  ViewRequest request;
+  add_flags(*program, request);
+  if (const auto done = parse_command_line(*program, argc, argv)) return *done;
+  require_page();
+  require_output(request);
+  const PageOptions options = options_of(request);
+  const TrajectoryFile file = open_trajectory(request.file);
+  require_bearable(file, options);
+  write_text(request.output, page.before_data + page_data(file, options) + page.after_data);
+  return static_cast<int>(ExitStatus::fine);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return beadswim::guarded_main("beadswim-view", [&] { return run(argc, argv); });
+}

@@ -1,0 +1,125 @@
+// Where beads are, and what that says of a swimmer. A moment is a frame's number; between two frames it has a fraction.
+
+import type { Scene } from "./scene";
+
+export type Point = [number, number, number];
+
+const frameBefore = (scene: Scene, moment: number) => Math.min(Math.floor(moment), scene.frames.length - 1);
+
+/** Time of a moment [periods]. */
+export function timeAt(scene: Scene, moment: number): number {
+  const frame = frameBefore(scene, moment);
+  const next = Math.min(frame + 1, scene.frames.length - 1);
+  return scene.times[frame] + (moment - frame) * (scene.times[next] - scene.times[frame]);
+}
+
+/** The moment of a time, which may be beyond the run's ends. */
+export function momentOf(scene: Scene, time: number): number {
+  const last = scene.times.length - 1;
+  if (last === 0 || time <= scene.times[0]) return 0;
+  if (time >= scene.times[last]) return last;
+  let low = 0, high = last;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (scene.times[middle] <= time) low = middle;
+    else high = middle;
+  }
+  return low + (time - scene.times[low]) / (scene.times[high] - scene.times[low]);
+}
+
+/** Whether frames lie so close, eight a period or more, that beads move on straight lines between them. */
+export function isSmooth(scene: Scene): boolean {
+  const last = scene.times.length - 1;
+  return last > 0 && (scene.times[last] - scene.times[0]) / last <= 1 / 8 + 1e-9;
+}
+
+/** Unwrapped positions of all beads into `positions`: x, y, z each. */
+export function positionsAt(scene: Scene, moment: number, positions: Float32Array): void {
+  const frame = frameBefore(scene, moment);
+  const now = scene.frames[frame], next = scene.frames[Math.min(frame + 1, scene.frames.length - 1)];
+  const fraction = moment - frame;
+  for (let i = 0; i < positions.length; ++i) {
+    const steps = now[i] + fraction * (next[i] - now[i]);
+    positions[i] = scene.start[i] + steps * scene.step[(i / 9) | 0];
+  }
+}
+
+/** Moves each swimmer by whole boxes, so that its middle bead is in the box. */
+export function wrap(scene: Scene, positions: Float32Array): void {
+  const { box, periodic } = scene;
+  if (!box) return;
+  for (let swimmer = 0; swimmer < positions.length; swimmer += 9) {
+    for (let a = 0; a < 3; ++a) {
+      if (!periodic[a]) continue;
+      const shift = box[a] * Math.floor(positions[swimmer + 3 + a] / box[a]);
+      if (shift !== 0) for (let b = 0; b < 9; b += 3) positions[swimmer + b + a] -= shift;
+    }
+  }
+}
+
+/** The three beads of a swimmer at a frame, unwrapped. */
+export function beadsAt(scene: Scene, swimmer: number, frame: number): [Point, Point, Point] {
+  const coordinate = (i: number) => scene.start[i] + scene.frames[frame][i] * scene.step[swimmer];
+  const bead = (b: number): Point => {
+    const i = 9 * swimmer + 3 * b;
+    return [coordinate(i), coordinate(i + 1), coordinate(i + 2)];
+  };
+  return [bead(0), bead(1), bead(2)];
+}
+
+const minus = (p: Point, q: Point): Point => [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+const dot = (p: Point, q: Point) => p[0] * q[0] + p[1] * q[1] + p[2] * q[2];
+const length = (p: Point) => Math.sqrt(dot(p, p));
+
+function unit(p: Point): Point {
+  const size = length(p) || 1;
+  return [p[0] / size, p[1] / size, p[2] / size];
+}
+
+/** Between two directions [degrees]; good for small angles too. */
+function angle(p: Point, q: Point): number {
+  const across = minus(unit(p), unit(q));
+  const along = [p, q].map(unit).reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]] as Point);
+  return (2 * Math.atan2(length(across), length(along)) * 180) / Math.PI;
+}
+
+/** Of a swimmer's axis, from bead 1 to bead 3, to the x axis [degrees]. */
+export function tilt(scene: Scene, swimmer: number, frame: number): number {
+  const [first, , last] = beadsAt(scene, swimmer, frame);
+  return angle(minus(last, first), [1, 0, 0]);
+}
+
+/** What a swimmer does, frame by frame. */
+export interface Series {
+  along: number[]; // displacement of the beads' mean position along the axis at the start [length]
+  across: number[]; // and across it
+  arms: [number[], number[]]; // lengths [length]
+  turning: number[]; // of the axis since the start [degrees]
+  bend: number[]; // between the two arms [degrees]
+}
+
+export function seriesOf(scene: Scene, swimmer: number): Series {
+  const series: Series = { along: [], across: [], arms: [[], []], turning: [], bend: [] };
+  const mean = (beads: Point[]): Point => [0, 1, 2].map((a) => (beads[0][a] + beads[1][a] + beads[2][a]) / 3) as Point;
+  const atStart = beadsAt(scene, swimmer, 0);
+  const axis = unit(minus(atStart[2], atStart[0])), origin = mean(atStart);
+  for (let frame = 0; frame < scene.frames.length; ++frame) {
+    const beads = beadsAt(scene, swimmer, frame);
+    const moved = minus(mean(beads), origin), along = dot(moved, axis);
+    const arm1 = minus(beads[1], beads[0]), arm2 = minus(beads[2], beads[1]);
+    series.along.push(along);
+    series.across.push(length(minus(moved, [along * axis[0], along * axis[1], along * axis[2]])));
+    series.arms[0].push(length(arm1));
+    series.arms[1].push(length(arm2));
+    series.turning.push(angle(minus(beads[2], beads[0]), axis));
+    series.bend.push(angle(arm1, arm2));
+  }
+  return series;
+}
+
+/** The base cycle that a time [periods] is in: its index, or the nearest. None if the run ended none. */
+export function cycleAt(scene: Scene, time: number): number | null {
+  if (scene.cycleTimes.length === 0) return null;
+  const ended = scene.cycleTimes.findIndex((end) => time <= end + 1e-9);
+  return ended < 0 ? scene.cycleTimes.length - 1 : ended;
+}

@@ -1,0 +1,247 @@
+// The swarm in three dimensions. z is up, as in the figures; it is drawn when asked for, not all the time.
+
+import * as three from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import type { Colour } from "./colours";
+import type { Point } from "./motion";
+import { PageFault, type Scene } from "./scene";
+import { beadFragment, beadVertex, springFragment, springVertex } from "./shaders";
+
+export type View = "all" | "x" | "y" | "z";
+
+const directions: Record<View, Point> = { all: [0.45, -1, 0.42], x: [1, 0, 0], y: [0, -1, 0], z: [0, 0, 1] };
+
+function renderer(canvas: HTMLCanvasElement): three.WebGLRenderer {
+  try {
+    return new three.WebGLRenderer({ canvas, antialias: true, alpha: true });
+  } catch {
+    throw new PageFault("This browser gives no WebGL 2, which the picture is drawn with. Switch on hardware acceleration, or try another browser.");
+  }
+}
+
+/** A square from -1 to 1, drawn once a swimmer. */
+function square(): three.InstancedBufferGeometry {
+  const geometry = new three.InstancedBufferGeometry();
+  const corners = new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
+  geometry.setAttribute("position", new three.BufferAttribute(corners, 3));
+  geometry.setIndex([0, 1, 2, 0, 2, 3]);
+  return geometry;
+}
+
+export class Stage {
+  /** x, y, z of each bead; to be filled, then `moved`. */
+  readonly positions: Float32Array;
+  onPick: (swimmer: number | null) => void = () => {};
+
+  private readonly renderer: three.WebGLRenderer;
+  private readonly world = new three.Scene();
+  private readonly camera = new three.PerspectiveCamera(35, 1, 1, 10);
+  private readonly controls: OrbitControls;
+  private readonly places: three.InstancedInterleavedBuffer;
+  private readonly colours: three.InstancedBufferAttribute;
+  private readonly picked = { value: -1 };
+  private readonly path: three.Line;
+  private readonly size: number; // across all that is shown
+  private asked = false;
+
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly scene: Scene) {
+    const swimmers = scene.ids.length;
+    this.renderer = renderer(canvas);
+    this.positions = new Float32Array(scene.start);
+    this.places = new three.InstancedInterleavedBuffer(this.positions, 9);
+    this.places.setUsage(three.DynamicDrawUsage);
+    this.colours = new three.InstancedBufferAttribute(new Float32Array(3 * swimmers), 3);
+    this.size = this.boundary().getSize(new three.Vector3()).length();
+    this.addSwimmers();
+    this.addBox();
+    this.path = new three.Line(new three.BufferGeometry(), new three.LineBasicMaterial({ color: 0xdb0080 }));
+    this.path.frustumCulled = false;
+    this.world.add(this.path);
+    this.camera.up.set(0, 0, 1);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    this.listen();
+    this.look("all");
+  }
+
+  /** Beads were put elsewhere. */
+  moved(): void {
+    this.places.needsUpdate = true;
+    this.draw();
+  }
+
+  /** A colour for each swimmer. */
+  paint(colours: Colour[]): void {
+    colours.forEach((colour, s) => this.colours.setXYZ(s, ...colour));
+    this.colours.needsUpdate = true;
+    this.draw();
+  }
+
+  /** Marks a swimmer and draws its path. */
+  mark(swimmer: number | null, path: Point[]): void {
+    this.picked.value = swimmer ?? -1;
+    this.path.geometry.dispose();
+    this.path.geometry = new three.BufferGeometry().setFromPoints(path.map((p) => new three.Vector3(...p)));
+    this.draw();
+  }
+
+  /** Where the path is shown: shifted by whole boxes. */
+  shiftPath(shift: Point): void {
+    this.path.position.set(...shift);
+  }
+
+  /** Keeps a place in the middle. */
+  follow(place: Point): void {
+    const shift = new three.Vector3(...place).sub(this.controls.target);
+    this.camera.position.add(shift);
+    this.controls.target.add(shift);
+    this.setRange();
+    this.draw();
+  }
+
+  look(view: View): void {
+    const boundary = this.boundary(), middle = boundary.getCenter(new three.Vector3());
+    const direction = new three.Vector3(...directions[view]).normalize();
+    // Straight from above the camera would not know which way is up.
+    if (view === "z") direction.add(new three.Vector3(0, -1e-4, 0));
+    this.controls.target.copy(middle);
+    this.camera.position.copy(middle).addScaledVector(direction, 1);
+    this.camera.lookAt(middle);
+    this.camera.updateMatrixWorld();
+    this.camera.position.copy(middle).addScaledVector(direction, this.distanceToSee(boundary));
+    this.setRange();
+    this.controls.update();
+    this.draw();
+  }
+
+  turn(aside: number, up: number): void {
+    const offset = this.camera.position.clone().sub(this.controls.target);
+    const length = offset.length();
+    const azimuth = Math.atan2(offset.y, offset.x) + aside;
+    const height = Math.min(Math.max(Math.asin(offset.z / length) + up, -1.57), 1.57);
+    offset.set(Math.cos(height) * Math.cos(azimuth), Math.cos(height) * Math.sin(azimuth), Math.sin(height));
+    this.camera.position.copy(this.controls.target).addScaledVector(offset, length);
+    this.controls.update();
+    this.draw();
+  }
+
+  zoom(factor: number): void {
+    this.camera.position.sub(this.controls.target).multiplyScalar(factor).add(this.controls.target);
+    this.controls.update();
+    this.draw();
+  }
+
+  /** Draws before the browser's next picture, once however often it is asked. */
+  draw(): void {
+    if (this.asked) return;
+    this.asked = true;
+    requestAnimationFrame(() => {
+      this.asked = false;
+      this.fit();
+      this.setRange();
+      this.renderer.render(this.world, this.camera);
+    });
+  }
+
+  private addSwimmers(): void {
+    const bead = (n: number) => new three.InterleavedBufferAttribute(this.places, 3, 3 * n);
+    const radii = new three.InstancedInterleavedBuffer(this.scene.radius, 3);
+    const radius = (n: number) => new three.InterleavedBufferAttribute(radii, 1, n);
+    const material = (vertexShader: string, fragmentShader: string) =>
+      new three.RawShaderMaterial({ glslVersion: three.GLSL3, vertexShader, fragmentShader, uniforms: { picked: this.picked }, side: three.DoubleSide });
+    const add = (shader: three.RawShaderMaterial, attributes: Record<string, three.InterleavedBufferAttribute>) => {
+      const geometry = square();
+      for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
+      geometry.setAttribute("colour", this.colours);
+      geometry.instanceCount = this.scene.ids.length;
+      const mesh = new three.Mesh(geometry, shader);
+      mesh.frustumCulled = false;
+      this.world.add(mesh);
+    };
+    const beads = material(beadVertex, beadFragment), springs = material(springVertex, springFragment);
+    for (const n of [0, 1, 2]) add(beads, { centre: bead(n), radius: radius(n) });
+    for (const n of [0, 1]) add(springs, { from: bead(n), to: bead(n + 1), radius: radius(n) });
+  }
+
+  private addBox(): void {
+    const { box } = this.scene;
+    if (!box) return;
+    const edges = new three.EdgesGeometry(new three.BoxGeometry(box[0], box[1], box[2]));
+    const lines = new three.LineSegments(edges, new three.LineBasicMaterial({ color: 0x8a94a3 }));
+    lines.position.set(box[0] / 2, box[1] / 2, box[2] / 2);
+    this.world.add(lines);
+  }
+
+  /** The box, or where there is none the swimmers. */
+  private boundary(): three.Box3 {
+    const { box } = this.scene;
+    const boundary = new three.Box3();
+    if (box) return boundary.set(new three.Vector3(), new three.Vector3(box[0], box[1], box[2]));
+    boundary.setFromArray(Array.from(this.positions));
+    return boundary.expandByScalar(2 * this.scene.radius.reduce((a, b) => Math.max(a, b), 0));
+  }
+
+  /** How far from the boundary's middle the camera, turned as it is, sees all of its corners. */
+  private distanceToSee(boundary: three.Box3): number {
+    this.fit();
+    const middle = boundary.getCenter(new three.Vector3());
+    const tangent = 0.94 * Math.tan((this.camera.fov / 2) * (Math.PI / 180));
+    let distance = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+      const at = new three.Vector3(
+        corner & 1 ? boundary.max.x : boundary.min.x, corner & 2 ? boundary.max.y : boundary.min.y, corner & 4 ? boundary.max.z : boundary.min.z);
+      at.sub(middle).applyQuaternion(this.camera.quaternion.clone().invert());
+      distance = Math.max(distance, at.z + Math.abs(at.y) / tangent, at.z + Math.abs(at.x) / (tangent * this.camera.aspect));
+    }
+    return distance;
+  }
+
+  private fit(): void {
+    const width = this.canvas.clientWidth || 1, height = this.canvas.clientHeight || 1;
+    const zoom = Math.min(window.devicePixelRatio, 2);
+    const had = this.renderer.getSize(new three.Vector2());
+    if (had.x === width && had.y === height && this.renderer.getPixelRatio() === zoom) return;
+    this.renderer.setPixelRatio(zoom);
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+  }
+
+  private setRange(): void {
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.camera.near = Math.max(distance - 2 * this.size, 1e-3 * distance);
+    this.camera.far = distance + 2 * this.size;
+    this.camera.updateProjectionMatrix();
+  }
+
+  private listen(): void {
+    let pressed: [number, number] | null = null;
+    this.canvas.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
+    this.canvas.addEventListener("pointerup", (event) => {
+      const still = pressed && Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) < 5;
+      if (still) this.onPick(this.swimmerAt(event.clientX, event.clientY));
+    });
+    new ResizeObserver(() => this.draw()).observe(this.canvas);
+  }
+
+  /** The swimmer whose bead is seen at a place of the window, or within four pixels. */
+  private swimmerAt(x: number, y: number): number | null {
+    const frame = this.canvas.getBoundingClientRect();
+    const ray = new three.Raycaster();
+    ray.setFromCamera(new three.Vector2((2 * (x - frame.left)) / frame.width - 1, 1 - (2 * (y - frame.top)) / frame.height), this.camera);
+    const { origin, direction } = ray.ray;
+    const pixel = (2 * Math.tan((this.camera.fov / 2) * (Math.PI / 180))) / frame.height; // at distance 1
+    let found: number | null = null, nearest = Infinity;
+    const centre = new three.Vector3();
+    for (let bead = 0; bead < this.scene.radius.length; ++bead) {
+      centre.fromArray(this.positions, 3 * bead).sub(origin);
+      const distance = centre.dot(direction);
+      const reach = Math.max(this.scene.radius[bead], 4 * pixel * distance);
+      if (distance > 0 && distance < nearest && centre.addScaledVector(direction, -distance).length() <= reach) {
+        nearest = distance;
+        found = (bead / 3) | 0;
+      }
+    }
+    return found;
+  }
+}

@@ -1,0 +1,169 @@
+#include "page_data.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+
+#include "beadswim/compare/swimming.hpp"
+#include "beadswim/io/base64.hpp"
+#include "beadswim/io/json.hpp"
+#include "beadswim/layout/layers.hpp"
+#include "beadswim/layout/units.hpp"
+#include "quantised.hpp"
+
+namespace beadswim {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
+
+template <class T>
+std::string block(const std::string& id, const std::vector<T>& values) {
+  return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, base64(values));
+}
+
+/// JSON between tags: no "<" may stand in it.
+std::string json_block(const Json& document) {
+  std::string text;
+  for (const char c : dump_json_line(document)) {
+    if (c == '<') {
+      text += "\\u003c";
+    } else {
+      text += c;
+    }
+  }
+  return "<script type=\"application/json\" id=\"scene\">" + text + "</script>\n";
+}
+
+Json scene_of(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
+              const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
+  const TrajectoryHeader& header = file.reader.header();
+  const Layout& layout = file.layout;
+  const std::vector<Layer> layers = swimmer_layers(layout);
+  const double period = file.period();
+  Json scene{{"file", file.source.substr(file.source.rfind('/') + 1)},
+             {"version", header.creator_version},
+             {"length_unit", length_unit(layout.units)},
+             {"velocity_unit", velocity_unit(layout.units)},
+             {"period", period},
+             {"box", nullptr},
+             {"periodic", header.periodic}};
+  if (layout.domain) scene["box"] = std::vector<double>(header.box_lengths.begin(), header.box_lengths.end());
+  Json ids = Json::array(), blocks = Json::array(), times = Json::array(), cycle_times = Json::array();
+  for (const std::size_t index : file.in_layout) {
+    const int id = layout.swimmers[index].id;
+    ids.push_back(id);
+    blocks.push_back(block_number(id, layers[index], options.block_swimmers));
+  }
+  for (const std::size_t frame : frames) times.push_back(file.reader.frame(frame).time / period);
+  for (const TrajectoryCycle& cycle : cycles) cycle_times.push_back(cycle.time / period);
+  scene.update(Json{{"ids", ids}, {"blocks", blocks}, {"times", times}, {"cycle_times", cycle_times}});
+  return scene;
+}
+
+/// The largest change of a coordinate of each swimmer's beads since the first frame, in steps.
+std::vector<float> swimmer_steps(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
+                                 const TrajectoryFrame& first) {
+  std::vector<double> largest(first.positions.size() / 3, 0);
+  for (const std::size_t index : frames) {
+    const TrajectoryFrame frame = file.reader.frame(index);
+    for (std::size_t b = 0; b < first.positions.size(); ++b) {
+      const double change = (frame.positions[b] - first.positions[b]).cwiseAbs().maxCoeff();
+      largest[b / 3] = std::max(largest[b / 3], change);
+    }
+  }
+  std::vector<float> steps;
+  for (const double change : largest) steps.push_back(step_for(change));
+  return steps;
+}
+
+std::vector<float> coordinates(const std::vector<Vec3>& positions) {
+  std::vector<float> flat;
+  for (const Vec3& position : positions) {
+    for (int a = 0; a < 3; ++a) flat.push_back(static_cast<float>(position[a]));
+  }
+  return flat;
+}
+
+std::vector<std::int16_t> changes(const TrajectoryFrame& frame, const TrajectoryFrame& first,
+                                  const std::vector<float>& steps) {
+  std::vector<std::int16_t> flat;
+  flat.reserve(3 * frame.positions.size());
+  for (std::size_t b = 0; b < frame.positions.size(); ++b) {
+    const Vec3 change = frame.positions[b] - first.positions[b];
+    for (int a = 0; a < 3; ++a) flat.push_back(in_steps(change[a], steps[b / 3]));
+  }
+  return flat;
+}
+
+/// Of each cycle and swimmer; NaN where a swimmer has ended no cycle yet.
+using CycleNumber = std::function<double(const TrajectoryCycle&, std::size_t swimmer)>;
+
+std::string cycle_blocks(const std::string& name, const std::vector<TrajectoryCycle>& cycles,
+                         std::size_t swimmers, const CycleNumber& number) {
+  std::vector<double> rows;
+  for (const TrajectoryCycle& cycle : cycles) {
+    for (std::size_t s = 0; s < swimmers; ++s) rows.push_back(number(cycle, s));
+  }
+  const QuantisedTable table = quantised(rows, swimmers);
+  return block("cycle-" + name + "-step", table.steps) + block("cycle-" + name, table.values);
+}
+
+double velocity_of(const TrajectoryCycle& cycle, std::size_t s, const std::array<bool, 3>& periodic) {
+  CycleStatistics statistics;
+  statistics.velocity = Vec3(&cycle.velocity[3 * s]);
+  statistics.axis = Vec3(&cycle.axis[3 * s]);
+  statistics.mean_flow = Vec3(&cycle.mean_flow[3 * s]);
+  return velocity_against_fluid(statistics, periodic);
+}
+
+std::string all_cycle_blocks(const std::vector<TrajectoryCycle>& cycles, const TrajectoryHeader& header) {
+  const std::size_t swimmers = header.swimmer.size() / 3;
+  using Cycle = const TrajectoryCycle&;
+  std::string text = cycle_blocks("velocity", cycles, swimmers, [&](Cycle cycle, std::size_t s) {
+    return velocity_of(cycle, s, header.periodic);
+  });
+  for (const std::size_t arm : {0, 1}) {
+    const std::string n = std::to_string(arm + 1);
+    text += cycle_blocks("arm" + n, cycles, swimmers,
+                         [=](Cycle cycle, std::size_t s) { return cycle.arm_amplitudes[2 * s + arm]; });
+    text += cycle_blocks("phase" + n, cycles, swimmers,
+                         [=](Cycle cycle, std::size_t s) { return cycle.arm_phases[2 * s + arm]; });
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::size_t> shown_frames(std::size_t frames, std::size_t every) {
+  std::vector<std::size_t> shown;
+  for (std::size_t frame = 0; frame < frames; frame += every) shown.push_back(frame);
+  if (shown.back() != frames - 1) shown.push_back(frames - 1);
+  return shown;
+}
+
+std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
+  const std::vector<std::size_t> frames = shown_frames(file.reader.frames(), options.every);
+  const std::vector<TrajectoryCycle> cycles = file.reader.cycles();
+  const TrajectoryHeader& header = file.reader.header();
+  const TrajectoryFrame first = file.reader.frame(frames.front());
+  const std::vector<float> steps = swimmer_steps(file, frames, first);
+  std::string text = json_block(scene_of(file, frames, cycles, options));
+  text += block("radius", std::vector<float>(header.radius.begin(), header.radius.end()));
+  text += block("start", coordinates(first.positions)) + block("step", steps);
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    text += block(fmt::format("frame-{}", f), changes(file.reader.frame(frames[f]), first, steps));
+  }
+  return text + all_cycle_blocks(cycles, header);
+}
+
+double expected_bytes(const TrajectoryFile& file, const PageOptions& options) {
+  const auto beads = static_cast<double>(file.reader.header().radius.size());
+  const auto frames = static_cast<double>(shown_frames(file.reader.frames(), options.every).size());
+  const auto cycles = static_cast<double>(file.reader.cycles().size());
+  const double bytes = beads * (16 + 4.0 / 3 + 6 * frames) + beads / 3 * 5 * (4 + 2 * cycles);
+  return bytes * 4 / 3;
+}
+
+}  // namespace beadswim
