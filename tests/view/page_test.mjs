@@ -32,10 +32,13 @@ async function opened(name, { viewport = { width: 1280, height: 800 }, from = br
   return { page, faults, requests, message: await page.textContent("#message") };
 }
 
-/** The canvas alone, without what lies over it, when it has been drawn. */
+/** The canvas alone, without the legend that lies over it, when it has been drawn. */
 async function picture(page) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  return decoded(browser, await page.locator("#canvas").screenshot({ style: "#legend { visibility: hidden }" }));
+  await page.evaluate(() => {
+    document.getElementById("legend").style.visibility = "hidden";
+    return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  });
+  return decoded(browser, await page.locator("#canvas").screenshot());
 }
 
 const frameShown = async (page) => Number(/frame (\d+)/.exec(await page.textContent("#clock"))[1]);
@@ -208,6 +211,20 @@ test("colours by velocity go from the least to the greatest of the record", asyn
     await page.selectOption("#colours", colours);
     assert.equal(await page.locator("#legend-ends span").count(), 2);
   }
+  await page.close();
+});
+
+test("colours are of the cycle that is shown, up to its end", async () => {
+  const { page } = await opened("alone.html"); // the first cycle is the slower one
+  await page.selectOption("#colours", "velocity");
+  await page.click('[data-view="y"]');
+  const yellow = async (frame) => {
+    await page.locator("#time").fill(frame);
+    return patches(await picture(page), isOf([253, 231, 37])).length;
+  };
+  const { cycles } = record("alone.json").swimmers[0];
+  assert.ok(cycles[0].speed_along_axis < cycles[1].speed_along_axis);
+  assert.deepEqual([await yellow("40"), await yellow("41")], [0, 3]);
   await page.close();
 });
 

@@ -161,7 +161,7 @@ std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options) {
   const auto beads = static_cast<double>(file.reader.header().radius.size());
   const auto frames = static_cast<double>(shown_frames(file.reader.frames(), options.every).size());
-  const auto cycles = static_cast<double>(file.reader.cycles().size());
+  const double cycles = file.reader.frame(file.reader.frames() - 1).time / file.period();
   const double bytes = beads * (16 + 4.0 / 3 + 6 * frames) + beads / 3 * 5 * (4 + 2 * cycles);
   return bytes * 4 / 3;
 }
