@@ -1,11 +1,11 @@
-# Builds the page of beadswim-view: SOURCE, copied to FOLDER, by NODE and NPM into the C++ file OUTPUT. If that cannot be, OUTPUT
-# holds the reason, which the program then tells, and the next build tries again.
+# Builds the page of beadswim-view: SOURCE, copied to FOLDER, by NODE and NPM into the C++ file OUTPUT, and leaves STAMP. If that cannot be,
+# OUTPUT holds the reason, which the program then tells, and there is no STAMP, so that the next build tries again.
+file(REMOVE ${STAMP})
 function(give_up reason)
   message(WARNING "beadswim-view will have no page: ${reason}")
   string(REPLACE "\\" "\\\\" reason "${reason}")
   string(REPLACE "\"" "\\\"" reason "${reason}")
   file(WRITE ${OUTPUT} "#include \"page.hpp\"\n\nconst beadswim::Page beadswim::page{nullptr, nullptr, \"${reason}\"};\n")
-  execute_process(COMMAND touch -d 1970-01-02 ${OUTPUT})
 endfunction()
 
 if(NOT NODE OR NOT NPM)
@@ -28,6 +28,6 @@ if(NOT EXISTS ${installed} OR ${FOLDER}/package-lock.json IS_NEWER_THAN ${instal
 endif()
 execute_process(COMMAND ${NODE} build.mjs ${OUTPUT} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE failed)
 if(failed)
-  file(REMOVE ${OUTPUT})
   message(FATAL_ERROR "build.mjs failed (${failed})")
 endif()
+file(TOUCH ${STAMP})

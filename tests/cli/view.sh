@@ -78,10 +78,10 @@ refuses 'no/such/folder' beadswim-view swarm.h5md -o no/such/folder/page.html
 check "what was there is gone" test "$(cat kept.html)" = kept
 
 # --- a build without Node.js has a program that says so; the next build tries again
-run cmake -DNODE= -DNPM= -DSOURCE="$BEADSWIM_SOURCE/tools/view/page" -DFOLDER="$PWD/page" -DOUTPUT="$PWD/page.cpp" -P "$BEADSWIM_SOURCE/cmake/BuildPage.cmake"
+run cmake -DNODE= -DNPM= -DSOURCE="$BEADSWIM_SOURCE/tools/view/page" -DFOLDER="$PWD/page" -DOUTPUT="$PWD/page.cpp" -DSTAMP="$PWD/page.built" -P "$BEADSWIM_SOURCE/cmake/BuildPage.cmake"
 has_status 0
 err_has 'beadswim-view will have no page: Beadswim was built without Node.js'
 check "the page's absence does not compile" ${CXX:-c++} -std=c++20 -fsyntax-only -I "$BEADSWIM_SOURCE/tools/view" page.cpp
-check "the page's absence is not older than its sources" test "$BEADSWIM_SOURCE/tools/view/page/build.mjs" -nt page.cpp
+check "the page's absence passes for a page" test ! -e page.built
 
 finish

@@ -45,7 +45,7 @@ void add_flags(CLI::App& program, ViewRequest& request) {
 }
 
 void require_page() {
-  if (page.before_data == nullptr) throw InputError("beadswim-view", page.fault);
+  if (page.before_data == nullptr) throw InputError("page", page.fault);
 }
 
 void require_output(const ViewRequest& request) {
