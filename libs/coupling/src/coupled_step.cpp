@@ -7,7 +7,7 @@
 #include "beadswim/lattice/fluid_step.hpp"
 
 // The method, step by step. Populations are kept as they are after collision at time n; a step takes fluid
-// and beads from n to n + 1. See docs/method/staircase-beads.md and
+// and beads from n to n + 1. See docs/method/momentum-exchange.md, staircase-beads.md,
 // interpolated-beads.md, multireflection.md, saturated-cells.md.
 
 namespace beadswim {

@@ -6,7 +6,8 @@
 #include "beadswim/core/vec3.hpp"
 
 // Forces inside one swimmer: springs and dashpots (2.2), angular spring, driving (2.1). Pure functions of
-// unwrapped bead positions; sums over the three beads vanish to roundoff. See docs/method/swimmer-motion.md.
+// unwrapped bead positions; sums over the three beads vanish to roundoff. See docs/method/springs.md,
+// driving.md.
 
 namespace beadswim {
 

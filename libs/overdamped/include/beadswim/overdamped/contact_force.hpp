@@ -9,7 +9,7 @@
 // strength  largest driving force in the scene: with it at half the reach beads bear their driving
 //
 // Straight below a twentieth of the reach, so that beads that do overlap part again. A model, not physics:
-// where contacts decide, ask a resolved run. Page: docs/method/mobility-swarms.md.
+// where contacts decide, ask a resolved run. Page: docs/method/contact-repulsion.md.
 
 namespace beadswim {
 

@@ -9,7 +9,7 @@
 #include "beadswim/theory/question.hpp"
 
 // How wrong a run of each model would be, before it is run: relative errors of a swimmer's velocity and of
-// its arms' amplitudes, by what theory knows. Page: docs/choosing-a-model.md.
+// its arms' amplitudes, by what theory knows. Page: docs/method/expected-errors.md.
 
 namespace beadswim {
 

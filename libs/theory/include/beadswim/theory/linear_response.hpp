@@ -21,7 +21,7 @@
 // mu is real without inertia of the fluid, complex with it.
 //
 // Holds for any radii, arms, stiffnesses, dashpots, A, B, alpha, without truncation in radius/arm.
-// Page: docs/method/second-order-perturbation.md.
+// Page: docs/method/linear-response.md.
 
 namespace beadswim {
 
