@@ -66,14 +66,14 @@ cd "$root"
 build ci
 PATH=$root/build/ci/bin:$PATH timeout 600 tests/view/run.sh "$root/build/ci/tools/view/page" --none-skipped
 
-section "The commands of README and tutorial"
-for page in README.md docs/tutorial.md; do
+section "The commands of README and of pages; Python is the one whose readers were installed above"
+for page in README.md docs/tutorial.md docs/units.md docs/reading-results.md; do
   mkdir -p "$scratch/commands/$page"
   cd "$scratch/commands/$page"
   tested_commands "$root/$page" >commands.sh
   [ -s commands.sh ] || { echo "$page holds no block after <!-- tested -->" >&2; exit 1; }
   cat commands.sh
-  PATH=$root/build/ci/bin:$PATH timeout 900 bash -euo pipefail commands.sh
+  PATH=$root/build/ci/bin:/usr/bin:$PATH timeout 900 bash -euo pipefail commands.sh
 done
 
 section "All extended checks passed"
