@@ -1,0 +1,21 @@
+#!/bin/bash
+# Each --flag that README and pages name is one of a program's, or of the few that are other people's.
+source "$(dirname "$0")/harness.sh"
+
+for program in layout run theory compare plot bench; do "beadswim-$program" --help; done >help
+for command in swimmer swarm reduce check; do beadswim-layout $command --help; done >>help
+for defect in vacancy interstitial jitter rotation domains phase amplitude frequency spacing mixture; do
+  beadswim-layout defect $defect --help
+done >>help
+flags() { grep -ohE -- '(^|[^-[:alnum:]])--[a-z][a-z-]+' "$@" | grep -oE -- '--[a-z-]+' | sort -u; }
+check "the programs have flags" test "$(flags help | wc -l)" -gt 50
+
+: >err
+flags help >known
+# Of cmake, srun, mpirun, jq and beadswim-verification.
+printf '%s\n' --build --install --prefix --mpi --signal --oversubscribe --slurpfile --report >>known
+
+while read -r flag; do
+  check "$flag, which a page names, is no flag of any program" grep -qx -- "$flag" known
+done < <(cd "$BEADSWIM_SOURCE" && flags README.md $(find docs libs -name '*.md'))
+finish
