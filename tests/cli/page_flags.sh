@@ -17,5 +17,5 @@ printf '%s\n' --build --install --prefix --mpi --signal --oversubscribe --slurpf
 
 while read -r flag; do
   check "$flag, which a page names, is no flag of any program" grep -qx -- "$flag" known
-done < <(cd "$BEADSWIM_SOURCE" && flags README.md $(find docs libs -name '*.md'))
+done < <(cd "$BEADSWIM_SOURCE" && flags README.md docs/*.md docs/*/*.md libs/*/README.md)
 finish
