@@ -7,11 +7,11 @@ jobs=$BEADSWIM_SOURCE/examples/slurm
 mkdir bin
 cat >bin/srun <<'SRUN'
 #!/bin/bash
-# Slurm signals the ranks themselves; a second after the start, if asked to.
+# Slurm signals the ranks themselves; as soon as there is a checkpoint, if asked to.
 exec 3>&1
 mpirun -n 2 "$@" &
-if [ -n "${STOP_AFTER-}" ]; then
-  sleep "$STOP_AFTER"
+if [ -n "${STOP_EARLY-}" ]; then
+  until [ -e slurm.h5md.ckpt.0 ] || ! kill -0 $!; do sleep 0.1; done
   kill -USR1 "$(pgrep -f "^beadswim-run .*slurm.h5md" | tail -1)"
 fi
 wait $!
@@ -24,7 +24,7 @@ beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 
   --amplitude 0.02 >layout.json
 flags=(--cells-per-radius 2 --relaxation-time 1.5 --cycles 60 --no-provenance)
 beadswim-run layout.json -o whole.h5md "${flags[@]}" --progress none >whole.json
-STOP_AFTER=1 run bash "$jobs/run.sbatch" layout.json slurm.h5md "${flags[@]}"
+STOP_EARLY=yes run bash "$jobs/run.sbatch" layout.json slurm.h5md "${flags[@]}"
 has_status 4
 check "it is queued again" grep -q '^requeue 17$' requeued
 check "no record yet" test ! -e slurm.json
