@@ -1,6 +1,6 @@
 #!/bin/bash
 # The slower checks: sanitizers, a tiny scene through all programs on 1 and 3 ranks, the files in other people's
-# readers, and the README's own commands. Each part has its time limit; all together take under an hour.
+# readers, and the commands of README and of pages. Each part has its time limit; all together take under an hour.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
