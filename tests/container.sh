@@ -1,0 +1,45 @@
+#!/bin/bash
+# The sections of examples/containers/beadswim.def, run in bare Debian 12 systems by debootstrap and chroot, where there is no Apptainer:
+# files, %post of both stages, %environment with %test. Needs root, debootstrap and the network; some ten minutes.
+#   tests/container.sh FOLDER
+set -euo pipefail
+cd "$(dirname "$0")/.."
+definition=$PWD/examples/containers/beadswim.def
+folder=$(realpath -m "${1:?name a folder for two small systems}")
+mirror=${DEBIAN_MIRROR-http://deb.debian.org/debian}
+
+section() { # STAGE NAME: its lines
+  awk -v stage="$1" -v name="$2" '
+    /^Stage: / { now = $2; inside = 0 }
+    /^%/ { inside = (now == stage && $0 ~ "^%" name); next }
+    /^Bootstrap:/ { inside = 0 }
+    inside && NF' "$definition"
+}
+
+system() { # STAGE: a bare system
+  mkdir -p "$folder"
+  debootstrap --variant=minbase bookworm "$folder/$1" "$mirror" >"$folder/$1.log"
+  cp /etc/resolv.conf "$folder/$1/etc/"
+  mount -t proc proc "$folder/$1/proc"
+  mount -t sysfs sysfs "$folder/$1/sys"
+  mount -t tmpfs tmpfs "$folder/$1/dev/shm" 2>/dev/null || true
+}
+
+inside() { # STAGE: a script on standard input
+  env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive OMPI_ALLOW_RUN_AS_ROOT=1 \
+    OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 chroot "$folder/$1" sh
+}
+
+finished() { umount "$folder"/*/proc "$folder"/*/sys "$folder"/*/dev/shm 2>/dev/null || true; }
+trap finished EXIT
+
+system build
+section build files | while read -r from to; do
+  mkdir -p "$folder/build$to"
+  cp -r "$from" "$folder/build$to"
+done
+section build post | inside build
+system final
+section final 'files from build' | while read -r from to; do cp "$folder/build$from" "$folder/final$to"; done
+section final post | inside final
+{ section final environment; section final test; } | inside final
