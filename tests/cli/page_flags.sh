@@ -2,7 +2,7 @@
 # Each --flag that README and pages name is one of a program's, or of the few that are other people's.
 source "$(dirname "$0")/harness.sh"
 
-for program in layout run theory compare plot bench; do "beadswim-$program" --help; done >help
+for program in "$(dirname "$(command -v beadswim-run)")"/beadswim-*; do "$program" --help; done >help
 for command in swimmer swarm reduce check; do beadswim-layout $command --help; done >>help
 for defect in vacancy interstitial jitter rotation domains phase amplitude frequency spacing mixture; do
   beadswim-layout defect $defect --help
