@@ -26,7 +26,7 @@ small 2 layout.json -o whole.h5md $resolution --cycles 3 >whole.json
 run small 2 layout.json -o kept.h5md $resolution --cycles 2.5 --checkpoint-every 0.7
 has_status 0
 check "two checkpoints" test -s kept.h5md.ckpt.0 -a -s kept.h5md.ckpt.1
-check "no others" test "$(ls kept.h5md.* | wc -l)" -eq 2
+check "no others" test "$(ls kept.h5md.ckpt.* | wc -l)" -eq 2
 cp kept.h5md first.h5md
 for ranks in 1 3; do
   for slot in 0 1; do  # at 2.1 and 2.5 cycles
@@ -66,6 +66,7 @@ small 2 layout.json -o long.h5md $resolution --cycles 40 >long.json
 run beadswim-run layout.json -o timed.h5md $resolution --cycles 40 --time-limit 0.3 --progress none --no-provenance
 has_status 4
 err_has 'the state is kept: --restart timed.h5md.ckpt.0'
+check "an index for ParaView is there on early stops too" test -s timed.h5md.xdmf2
 for _ in $(seq 200); do
   run small 2 --restart timed.h5md --time-limit 0.8
   [ $status -eq 4 ] || break

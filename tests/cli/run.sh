@@ -34,6 +34,9 @@ for ranks in 2 3 4; do
   check "$ranks ranks write another flow" cmp -s 1.h5md.flow/000000200.vti $ranks.h5md.flow/000000200.vti
 done
 check "the pvd names its files" grep -q 'file="1.h5md.flow/000000200.vti"' 1.h5md.flow.pvd
+check "the index for ParaView names the trajectory, and all 81 frames" \
+  test "$(grep -c '<Time Value=' 4.h5md.xdmf2)" -eq 81 -a "$(grep -c '>4.h5md:/particles/beads/radius<' 4.h5md.xdmf2)" -eq 81
+check "it is well-formed" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' 4.h5md.xdmf2
 check "no .part file is left" test -z "$(ls ./*.part 2>/dev/null)"
 
 # A swimmer across the box's corner, strongly driven: where ranks share every sum.

@@ -7,6 +7,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/version.hpp"
+#include "beadswim/io/xdmf.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
 #include "lattice_model.hpp"
@@ -108,7 +109,10 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
     const RunOutcome outcome = run_to_end(parts, past);
     const RunRecord record = make_record(parts, document, outcome);
     parts.trajectory.finish();
-    if (parts.communicator.is_root()) print_record(record, parts.plan.options);
+    if (parts.communicator.is_root()) {
+      print_record(record, parts.plan.options);
+      write_xdmf(parts.plan.options.output);
+    }
     return outcome;
   } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
     tell_how_to_go_on(parts.checkpoints);
