@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs what is missing of the Debian packages that Beadswim is built, tested and drawn with.
 #   .ci/install-packages.sh [--with-readers]
-# --with-readers adds the readers and the browser that tests/extended.sh opens the results with.
+# --with-readers adds what tests/readers/run.sh opens results and documents with, and the browser of tests/view/run.sh.
 set -euo pipefail
 
 packages=(
@@ -15,7 +15,7 @@ packages=(
   help2man dpkg-dev                                                      # manual pages, Debian package
   jq python3                                                             # scripts
 )
-readers=(python3-h5py python3-mdanalysis python3-jsonschema)
+readers=(python3-h5py python3-mdanalysis python3-jsonschema paraview python3-paraview)
 readers+=(chromium)                                                      # the page of beadswim-view
 # Node.js makes that page; one that did not come as a package will do.
 command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)

@@ -55,15 +55,13 @@ for scheme in psm mr cli staircase; do
   echo "$scheme: 1 and 3 ranks give the same record."
 done
 
-section "Results in other readers"
-for reader in "$root"/tests/readers/*.py; do
-  # Debian's own Python, which its reader packages are installed for.
-  timeout 300 /usr/bin/python3 "$reader" ranks1.h5md ranks1.json
-done
-
-section "The page of beadswim-view in a browser"
 cd "$root"
 build ci
+
+section "Results and documents in other readers"
+PATH=$root/build/ci/bin:$PATH timeout 1200 tests/readers/run.sh --none-skipped
+
+section "The page of beadswim-view in a browser"
 PATH=$root/build/ci/bin:$PATH timeout 600 tests/view/run.sh "$root/build/ci/tools/view/page" --none-skipped
 
 section "The commands of README and of pages; Python is the one whose readers were installed above"
