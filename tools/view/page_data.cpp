@@ -56,7 +56,8 @@ Json scene_of(const TrajectoryFile& file, const std::vector<std::size_t>& frames
     ids.push_back(id);
     blocks.push_back(block_number(id, layers[index], options.block_swimmers));
   }
-  for (const std::size_t frame : frames) times.push_back(file.reader.frame(frame).time / period);
+  const std::vector<double> all_times = file.reader.times();
+  for (const std::size_t frame : frames) times.push_back(all_times[frame] / period);
   for (const TrajectoryCycle& cycle : cycles) cycle_times.push_back(cycle.time / period);
   scene.update(Json{{"ids", ids}, {"blocks", blocks}, {"times", times}, {"cycle_times", cycle_times}});
   return scene;
@@ -161,7 +162,7 @@ std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options) {
   const auto beads = static_cast<double>(file.reader.header().radius.size());
   const auto frames = static_cast<double>(shown_frames(file.reader.frames(), options.every).size());
-  const double cycles = file.reader.frame(file.reader.frames() - 1).time / file.period();
+  const double cycles = file.reader.times().back() / file.period();
   const double bytes = beads * (16 + 4.0 / 3 + 6 * frames) + beads / 3 * 5 * (4 + 2 * cycles);
   return bytes * 4 / 3;
 }

@@ -251,6 +251,10 @@ void TrajectoryReader::require_whole_swimmers() const {
   if (!whole) refuse(path_ + ":/particles/beads/species", "is not 1, 2, 3 of one swimmer after another");
 }
 
+std::vector<double> TrajectoryReader::times() const {
+  return read_rows<double>(time_, 0, frames_);
+}
+
 TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   TrajectoryFrame frame;
   frame.step = read_rows<std::int64_t>(step_, index, 1)[0];

@@ -15,6 +15,9 @@ class TrajectoryReader {
   const TrajectoryHeader& header() const { return header_; }
   std::size_t frames() const { return frames_; }
 
+  /// Of all frames [time].
+  std::vector<double> times() const;
+
   /// Frame `index` < frames(), positions unwrapped.
   TrajectoryFrame frame(std::size_t index) const;
 
