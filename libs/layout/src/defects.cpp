@@ -259,7 +259,7 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& ho
     const double length = layout.domain->lengths[axis];
     while (height(order.back()) > length - same && height(order.front()) < same) {
       height(order.back()) -= length;
-      std::ranges::rotate(order, order.end() - 1);
+      std::rotate(order.begin(), order.end() - 1, order.end());
     }
   }
   std::vector<std::vector<std::size_t>> layers;

@@ -99,7 +99,7 @@ void OverdampedSystem::multistep() {
 
 void OverdampedSystem::accept(Step step) {
   const auto keep = [](auto& past, Beads now) {
-    std::ranges::rotate(past, past.end() - 1);
+    std::rotate(past.begin(), past.end() - 1, past.end());
     past[0] = std::move(now);
   };
   keep(state_.positions, combined({{1, &state_.positions[0]}, {1, &step.displacements}}));
@@ -122,7 +122,7 @@ void OverdampedSystem::step() {
 /// All ranks have all beads and see the same.
 void OverdampedSystem::look_for_faults() {
   const auto& [now, before, earlier] = state_.positions;
-  const auto note = [&](OverdampedFaultKind kind, std::size_t bead, int number, double value) {
+  const auto note = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number, double value) {
     if (!fault_)
       fault_ = {kind, state_.steps_done, scene_.swimmers[bead / 3].id, number, before[bead], value};
   };
