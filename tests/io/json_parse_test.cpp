@@ -45,6 +45,14 @@ TEST(JsonParse, AllowsTheSameKeyInDifferentObjects) {
   EXPECT_EQ(refusal(R"([{"a":{"a":1}},{"a":1}])"), "");
 }
 
+// Copies and validators go through documents level by level, on the stack.
+TEST(JsonParse, RefusesDeepNesting) {
+  const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
+  EXPECT_EQ(refusal(nested(200)), "");
+  EXPECT_THAT(refusal(nested(201)), HasSubstr("nested more than 200 levels deep"));
+  EXPECT_THAT(refusal(nested(1000000)), HasSubstr("nested more than 200 levels deep"));
+}
+
 TEST(JsonParse, RefusesNumbersThatAreNotFinite) {
   for (const char* word : {"NaN", "nan", "Infinity", "-Infinity", "inf", "-inf"}) {
     EXPECT_THAT(refusal(std::string("{\"a\":\n  ") + word + "}"), StartsWith("in.json: line 2, column "))

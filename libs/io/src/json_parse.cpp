@@ -42,6 +42,9 @@ std::string explanation(const std::string& text, std::size_t byte, const std::st
   return colon == std::string::npos ? parser_says : parser_says.substr(colon + 2);
 }
 
+/// More would overflow the stack of whatever goes through a document level by level.
+constexpr std::size_t most_levels = 200;
+
 /// Builds a document from the parser's events. Unlike nlohmann-json's own builder it refuses a key given
 /// twice, of which that one keeps the last.
 class DocumentBuilder : public nlohmann::json_sax<Json> {
@@ -57,8 +60,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t value, const string_t&) override { return add(value), true; }
   bool string(string_t& value) override { return add(std::move(value)), true; }
   bool binary(binary_t& value) override { return add(std::move(value)), true; }
-  bool start_object(std::size_t) override { return open_.push_back(add(Json::object())), true; }
-  bool start_array(std::size_t) override { return open_.push_back(add(Json::array())), true; }
+  bool start_object(std::size_t) override { return open(Json::object()), true; }
+  bool start_array(std::size_t) override { return open(Json::array()), true; }
   bool end_object() override { return open_.pop_back(), true; }
   bool end_array() override { return open_.pop_back(), true; }
 
@@ -81,6 +84,13 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
  private:
+  void open(Json container) {
+    if (open_.size() == most_levels)
+      throw InputError(source_,
+                       fmt::format("is nested more than {} levels deep; no document is", most_levels));
+    open_.push_back(add(std::move(container)));
+  }
+
   /// Appends to the open array, or gives the open object's last key its value. The pointer stays valid while
   /// the value is open: only values inside it are added meanwhile.
   Json* add(Json value) {

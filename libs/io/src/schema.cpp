@@ -1,5 +1,6 @@
 #include "beadswim/io/schema.hpp"
 
+#include <map>
 #include <stdexcept>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
@@ -13,9 +14,23 @@
 namespace beadswim {
 namespace {
 
-Json embedded_schema(const std::string& name) {
+/// A schema to read in and to validate by.
+struct Rules {
+  explicit Rules(std::string_view schema) : text(Json::parse(schema)) {
+    const nlohmann::json unordered(text);
+    valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(unordered), compiled);
+  }
+
+  Json text;
+  valijson::Schema compiled;
+};
+
+/// Made once: of streams of documents it would be most of the work.
+const Rules& rules_of(const std::string& name) {
+  static std::map<std::string, Rules> known;
+  if (const auto found = known.find(name); found != known.end()) return found->second;
   for (const EmbeddedSchema& schema : embedded_schemas()) {
-    if (schema.name == name) return Json::parse(schema.text);
+    if (schema.name == name) return known.try_emplace(name, schema.text).first->second;
   }
   throw std::logic_error("no schema " + name + " is built in");
 }
@@ -29,9 +44,7 @@ std::vector<std::string> path_of(const valijson::ValidationResults::Error& error
   return path;
 }
 
-std::vector<SchemaFailure> failures(const nlohmann::json& document, const nlohmann::json& schema) {
-  valijson::Schema rules;
-  valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema), rules);
+std::vector<SchemaFailure> failures(const nlohmann::json& document, const valijson::Schema& rules) {
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   const valijson::adapters::NlohmannJsonAdapter target(document);
   std::vector<SchemaFailure> found;
@@ -46,10 +59,11 @@ std::vector<SchemaFailure> failures(const nlohmann::json& document, const nlohma
 }  // namespace
 
 void validate_json(const Json& document, const std::string& schema_name, const std::string& source) {
-  const Json schema = embedded_schema(schema_name);
-  check_schema_name(document, schema.at("properties").at("schema").at("const").get<std::string>(), source);
-  const auto found = failures(nlohmann::json(document), nlohmann::json(schema));
-  refuse_faulty(source, explain_failures(found, schema, document));
+  const Rules& rules = rules_of(schema_name);
+  check_schema_name(document, rules.text.at("properties").at("schema").at("const").get<std::string>(),
+                    source);
+  const auto found = failures(nlohmann::json(document), rules.compiled);
+  refuse_faulty(source, explain_failures(found, rules.text, document));
 }
 
 }  // namespace beadswim

@@ -13,7 +13,8 @@ using Json = nlohmann::ordered_json;
 /// The whole text of a file, or of stdin for "-". Throws InputError naming the path.
 std::string read_text(const std::string& path);
 
-/// Parses strict JSON: no duplicate keys, no NaN or infinity, no comments, nothing after the document.
+/// Parses strict JSON: no duplicate keys, no NaN or infinity, no comments, nothing after the document,
+/// at most 200 levels.
 /// Throws InputError "source: line L, column C: ...", or "source:/json/pointer: ..." for a duplicate key.
 Json parse_json(const std::string& text, const std::string& source);
 
