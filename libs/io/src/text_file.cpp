@@ -94,6 +94,14 @@ void write_stdout(const std::string& text) {
   }
 }
 
+/// What a symbolic link leads to, whether that is there or not.
+fs::path followed(const std::string& link) {
+  std::error_code loop;
+  const fs::path target = fs::weakly_canonical(link, loop);
+  if (loop) throw InputError(link, fmt::format("cannot be created: {}; name a file", loop.message()));
+  return target;
+}
+
 void write_in_place(const fs::path& target, const std::string& text) {
   const Descriptor file(target, O_WRONLY);
   if (!file.is_open()) throw cannot_be_created(target);
@@ -101,7 +109,8 @@ void write_in_place(const fs::path& target, const std::string& text) {
 }
 
 void replace_file(const fs::path& target, const std::string& text) {
-  if (fs::is_directory(target)) throw InputError(target, "is a folder; name a file");
+  std::error_code ignored;
+  if (fs::is_directory(target, ignored)) throw InputError(target, "is a folder; name a file");
   TemporaryFile temporary(target);
   {
     const Descriptor file(temporary.path(), O_WRONLY | O_CREAT | O_TRUNC);
@@ -123,7 +132,9 @@ std::string read_text(const std::string& path) {
     text << std::cin.rdbuf();
     return text.str();
   }
-  if (fs::is_directory(path)) throw InputError(path, "is a folder; name a file, or - for standard input");
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    throw InputError(path, "is a folder; name a file, or - for standard input");
   const std::ifstream file(path, std::ios::binary);
   if (!file) {
     throw InputError(path,
@@ -137,7 +148,7 @@ void write_text(const std::string& path, const std::string& text) {
   if (path == "-") return write_stdout(text);
   std::error_code ignored;
   // Through symbolic links, so that the link stays and its target changes.
-  const fs::path target = fs::is_symlink(path, ignored) ? fs::weakly_canonical(path) : fs::path(path);
+  const fs::path target = fs::is_symlink(path, ignored) ? followed(path) : fs::path(path);
   // A pipe or device has no earlier content to keep, and must not be replaced by a file.
   const fs::file_status status = fs::status(target, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
