@@ -218,7 +218,7 @@ void TrajectoryWriter::append_row(const std::string& name, const void* data) {
   start.insert(start.end(), series.row.size(), 0);
   count.insert(count.end(), series.row.begin(), series.row.end());
   const std::string what = path_ + ":/" + name;
-  check_hdf5(H5Dset_extent(series.dataset, extent.data()), what);
+  require_written(H5Dset_extent(series.dataset, extent.data()));
 
   const H5Handle in_file(H5Dget_space(series.dataset), H5Sclose, what);
   const H5Handle in_memory(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose,
@@ -232,12 +232,16 @@ void TrajectoryWriter::append_row(const std::string& name, const void* data) {
   }
   const H5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose, what);
   check_hdf5(H5Pset_dxpl_mpio(transfer, H5FD_MPIO_COLLECTIVE), what);
-  check_hdf5(H5Dwrite(series.dataset, series.type, in_memory, in_file, transfer, data), what);
+  require_written(H5Dwrite(series.dataset, series.type, in_memory, in_file, transfer, data));
   ++series.rows;
 }
 
 void TrajectoryWriter::flush() const {
-  if (H5Fflush(file_, H5F_SCOPE_GLOBAL) < 0)
+  require_written(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+}
+
+void TrajectoryWriter::require_written(herr_t status) const {
+  if (status < 0)
     throw SolverError(part_name(path_) + ": HDF5 cannot write the trajectory; is the disk full?");
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <bit>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -21,10 +22,16 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
+/// What cannot be written is told at the end, by ferror.
+void put(std::FILE* file, const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), file);
+}
+
 void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
-  fmt::print(file,
-             "        <DataArray type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
-             field.name, field.components);
+  put(file,
+      fmt::format(
+          "        <DataArray type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
+          field.name, field.components));
   const std::uint64_t size = cells.cast<std::uint64_t>().prod() * field.components * sizeof(float);
   std::string text;
   Base64 encoded(text);  // the size and the data in one stream
@@ -32,11 +39,11 @@ void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
   for (int z = 0; z < cells[2]; ++z) {
     const std::vector<float> plane = field.plane(z);
     encoded.append(bytes_of(std::span(plane)));
-    fmt::print(file, "{}", text);
+    put(file, text);
     text.clear();
   }
   encoded.finish();
-  fmt::print(file, "{}\n        </DataArray>\n", text);
+  put(file, text + "\n        </DataArray>\n");
 }
 
 }  // namespace
@@ -45,20 +52,21 @@ void write_vti(const std::string& path, const Index3& cells, double spacing,
                const std::vector<VtiField>& fields) {
   const std::string part = path + ".part";
   std::unique_ptr<std::FILE, CloseFile> file(std::fopen(part.c_str(), "wb"));
-  if (!file) throw SolverError(path + " cannot be created");
+  if (!file) throw SolverError(fmt::format("{} cannot be created: {}", path, std::strerror(errno)));
   const std::string extent = fmt::format("0 {} 0 {} 0 {}", cells[0], cells[1], cells[2]);
-  fmt::print(
-      file.get(),
-      "<?xml version=\"1.0\"?>\n"
-      "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-      "  <ImageData WholeExtent=\"{0}\" Origin=\"0 0 0\" Spacing=\"{1} {1} {1}\">\n"
-      "    <Piece Extent=\"{0}\">\n      <CellData>\n",
-      extent, spacing);
+  put(file.get(),
+      fmt::format(
+          "<?xml version=\"1.0\"?>\n"
+          "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
+          "  <ImageData WholeExtent=\"{0}\" Origin=\"0 0 0\" Spacing=\"{1} {1} {1}\">\n"
+          "    <Piece Extent=\"{0}\">\n      <CellData>\n",
+          extent, spacing));
   for (const VtiField& field : fields) write_field(file.get(), cells, field);
-  fmt::print(file.get(), "      </CellData>\n    </Piece>\n  </ImageData>\n</VTKFile>\n");
+  put(file.get(), "      </CellData>\n    </Piece>\n  </ImageData>\n</VTKFile>\n");
   const bool written = std::ferror(file.get()) == 0;
   const bool failed = std::fclose(file.release()) != 0 || !written;
   if (failed || std::rename(part.c_str(), path.c_str()) != 0) {
+    std::remove(part.c_str());  // its room is missed elsewhere
     throw SolverError(path + " cannot be written; is the disk full?");
   }
 }

@@ -101,6 +101,8 @@ class TrajectoryWriter {
   void add_element(Sampling& sampling, const std::string& name, hid_t type, std::vector<hsize_t> row);
   void append_row(const std::string& name, const void* data);
   void flush() const;
+  /// Throws SolverError if HDF5 says that it failed.
+  void require_written(herr_t status) const;
 
   std::string path_;
   bool root_;
