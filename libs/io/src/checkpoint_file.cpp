@@ -124,12 +124,27 @@ std::uint64_t sum_over_ranks(std::uint64_t value, const Communicator& communicat
   return value;
 }
 
+/// Extents of a dataset: SolverError if it has not `dimensions` of them, or claims to hold more than is
+/// stored.
+template <std::size_t dimensions>
+std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::string& what) {
+  const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
+  std::array<hsize_t, dimensions> shape{};
+  if (H5Sget_simple_extent_ndims(space) != static_cast<int>(dimensions))
+    throw SolverError(what + ": has another number of dimensions");
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  if (!stores_all(dataset, shape)) throw SolverError(what + ": claims to hold more than is stored");
+  return shape;
+}
+
 /// Text of an attribute; empty if there is none such.
 std::string attribute(const H5Handle& file, const char* name) {
   if (H5Aexists(file, name) <= 0) return "";
   const H5Handle at(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
   const H5Handle type(H5Aget_type(at), H5Tclose, name);
-  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
+  const H5Handle space(H5Aget_space(at), H5Sclose, name);
+  const bool is_one = H5Sget_simple_extent_npoints(space) == 1;
+  if (!is_one || H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0) return "";
   std::string text(H5Tget_size(type), '\0');
   check_hdf5(H5Aread(at, type, text.data()), name);
   return text;
@@ -299,11 +314,8 @@ void CheckpointReader::add_sections(Sha256& hash) const {
 std::uint64_t CheckpointReader::hash_of_part() const {
   if (H5Lexists(file_, lattice_name, H5P_DEFAULT) == 0) return 0;  // of a model without one
   const H5Handle dataset(H5Dopen2(file_, lattice_name, H5P_DEFAULT), H5Dclose, path_);
-  const H5Handle space(H5Dget_space(dataset), H5Sclose, path_);
   const H5Handle type(H5Dget_type(dataset), H5Tclose, path_);
-  std::array<hsize_t, 4> shape{};
-  if (H5Sget_simple_extent_ndims(space) != 4) throw SolverError(path_ + ": no lattice");
-  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  const auto shape = shape_of<4>(dataset, path_);
   const Index3 cells(static_cast<int>(shape[3]), static_cast<int>(shape[2]), static_cast<int>(shape[1]));
   const std::int64_t ranks = communicator_.size(), rank = communicator_.rank();
   const auto plane = [&](std::int64_t r) { return static_cast<int>(cells[2] * r / ranks); };
@@ -325,15 +337,16 @@ std::uint64_t CheckpointReader::hash_of_part() const {
 
 std::uint64_t CheckpointReader::size(const std::string& section) const {
   const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
-  const H5Handle space(H5Dget_space(dataset), H5Sclose, path_);
-  return static_cast<std::uint64_t>(H5Sget_simple_extent_npoints(space));
+  return shape_of<1>(dataset, path_ + ":/" + section)[0];
 }
 
 std::vector<char> CheckpointReader::bytes(const std::string& section, std::uint64_t first,
                                           std::uint64_t count) const {
-  std::vector<char> result(count);
-  if (count == 0) return result;
+  if (count == 0) return {};
   const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
+  if (first + count > shape_of<1>(dataset, path_ + ":/" + section)[0])
+    throw SolverError(path_ + ":/" + section + ": ends too early");
+  std::vector<char> result(count);
   const Selection selection = select(dataset, std::array{hsize_t(first)}, std::array{hsize_t(count)}, path_);
   check_hdf5(H5Dread(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
                      transfer_mode(H5FD_MPIO_INDEPENDENT, path_), result.data()),
@@ -371,6 +384,9 @@ template <class Real>
 void CheckpointReader::read_lattice(const LatticePart& part, int components,
                                     const std::function<void(int, std::span<const Real>)>& take) const {
   const H5Handle dataset(H5Dopen2(file_, lattice_name, H5P_DEFAULT), H5Dclose, path_);
+  const std::array wanted{hsize_t(components), hsize_t(part.cells[2]), hsize_t(part.cells[1]),
+                          hsize_t(part.cells[0])};
+  if (shape_of<4>(dataset, path_) != wanted) throw SolverError(path_ + ": its lattice is of another scene");
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
   for (int c = 0; c < components; ++c) {
     if (!numbers.empty()) {

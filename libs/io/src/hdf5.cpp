@@ -72,6 +72,25 @@ void check_hdf5(herr_t status, const std::string& what) {
   if (status < 0) throw SolverError(what + ": HDF5 failed");
 }
 
+bool stores_all(hid_t dataset, std::span<const hsize_t> extents) {
+  constexpr double most_compressed = 1032;  // by deflate
+  const std::string what = "dataset";
+  try {
+    const H5Handle type(H5Dget_type(dataset), H5Tclose, what);
+    const H5Handle creation(H5Dget_create_plist(dataset), H5Pclose, what);
+    const H5Handle file(H5Iget_file_id(dataset), H5Fclose, what);
+    hsize_t file_size = 0;
+    check_hdf5(H5Fget_filesize(file, &file_size), what);
+    double claimed = static_cast<double>(H5Tget_size(type));
+    for (const hsize_t n : extents) claimed *= static_cast<double>(n);
+    const bool in_chunks = H5Pget_layout(creation) == H5D_CHUNKED;
+    return claimed <= (in_chunks ? most_compressed * static_cast<double>(file_size)
+                                 : static_cast<double>(H5Dget_storage_size(dataset)));
+  } catch (const SolverError&) {
+    return false;
+  }
+}
+
 H5Handle create_group(hid_t parent, const std::string& name) {
   const H5Handle creation(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "group " + name);
   check_hdf5(H5Pset_obj_track_times(creation, false), "group " + name);

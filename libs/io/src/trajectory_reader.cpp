@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <span>
+#include <type_traits>
 
 #include "beadswim/core/error.hpp"
 
@@ -37,6 +39,10 @@ void require_regular_file(const std::string& path) {
   if (!S_ISREG(status.st_mode)) refuse(path, "is not a regular file");
 }
 
+void require_read(herr_t status, const std::string& place) {
+  if (status < 0) refuse(place, "is broken");
+}
+
 /// Without HDF5's lock, which the run that writes the file holds.
 H5Handle open_file(const std::string& path) {
   require_regular_file(path);
@@ -48,7 +54,7 @@ H5Handle open_file(const std::string& path) {
 }
 
 std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
-  const H5Handle space(H5Dget_space(dataset), H5Sclose, place);
+  const H5Handle space = opened(H5Dget_space(dataset), H5Sclose, place, "is broken");
   const int rank = H5Sget_simple_extent_ndims(space);
   if (rank < 0) refuse(place, "has no extents");
   std::vector<hsize_t> extents(rank);
@@ -66,6 +72,14 @@ hid_t native_type(std::int64_t) {
   return H5T_NATIVE_INT64;
 }
 
+/// Whether numbers of a type in the file are still the same as Number.
+template <typename Number>
+bool holds(hid_t type) {
+  const H5T_class_t kind = H5Tget_class(type);
+  if (std::is_floating_point_v<Number>) return kind == H5T_FLOAT || kind == H5T_INTEGER;
+  return kind == H5T_INTEGER && H5Tget_size(type) <= sizeof(Number);
+}
+
 /// Texts of fixed length, padded with zeros.
 std::vector<std::string> cut_apart(const std::string& padded, std::size_t length) {
   std::vector<std::string> texts;
@@ -74,6 +88,11 @@ std::vector<std::string> cut_apart(const std::string& padded, std::size_t length
     texts.push_back(text.substr(0, text.find('\0')));
   }
   return texts;
+}
+
+/// Refuses a dataset that claims to hold more than there is.
+void require_storage(hid_t dataset, std::span<const hsize_t> extents, const std::string& place) {
+  if (!stores_all(dataset, extents)) refuse(place, "claims to hold more than is stored");
 }
 
 /// The length of a text of this type; 0 if it is not one of fixed length.
@@ -88,10 +107,14 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
   const H5Handle attribute =
       opened(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, place,
              fmt::format("has no attribute \"{}\"", name));
-  const H5Handle type(H5Aget_type(attribute), H5Tclose, place);
-  const H5Handle space(H5Aget_space(attribute), H5Sclose, place);
+  const H5Handle type = opened(H5Aget_type(attribute), H5Tclose, place, "is broken");
+  const H5Handle space = opened(H5Aget_space(attribute), H5Sclose, place, "is broken");
   const std::size_t length = text_length(type);
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
+  hsize_t file_size = 0;
+  require_read(H5Fget_filesize(file, &file_size), place);
+  if (static_cast<double>(length) * static_cast<double>(count) > static_cast<double>(file_size))
+    refuse(place, fmt::format("attribute \"{}\" claims to be longer than the file", name));
   std::string padded(length * count, '\0');
   if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
     refuse(place, fmt::format("attribute \"{}\" is no text", name));
@@ -130,6 +153,7 @@ TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
       !std::equal(row.begin(), row.end(), table.extents.begin() + 1)) {
     refuse(place, "has another shape than docs/formats/h5md.md says");
   }
+  require_storage(table.dataset, table.extents, place);
   return table;
 }
 
@@ -146,10 +170,13 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   size[0] = count;
   hsize_t numbers = 1;
   for (const hsize_t n : size) numbers *= n;
-  const H5Handle in_file(H5Dget_space(table.dataset), H5Sclose, table.place);
-  const H5Handle in_memory(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place);
-  check_hdf5(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
-             table.place);
+  const H5Handle type = opened(H5Dget_type(table.dataset), H5Tclose, table.place, "is broken");
+  if (!holds<Number>(type)) refuse(table.place, "is not of numbers as docs/formats/h5md.md says");
+  const H5Handle in_file = opened(H5Dget_space(table.dataset), H5Sclose, table.place, "is broken");
+  const H5Handle in_memory =
+      opened(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place, "is broken");
+  require_read(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
+               table.place);
   std::vector<Number> values(numbers);
   if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
     refuse(table.place, "cannot be read as numbers");
@@ -185,8 +212,9 @@ std::string TrajectoryReader::text(const std::string& name) const {
   const std::string place = path_ + ":/" + name;
   const H5Handle dataset =
       opened(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
-  const H5Handle type(H5Dget_type(dataset), H5Tclose, place);
+  const H5Handle type = opened(H5Dget_type(dataset), H5Tclose, place, "is broken");
   const std::size_t length = text_length(type);
+  require_storage(dataset, {}, place);
   std::string padded(length, '\0');
   if (length == 0 || !extents_of(dataset, place).empty() ||
       H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
@@ -200,7 +228,7 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
   const H5Handle opened_group =
       opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, "is missing or broken");
   H5G_info_t info{};
-  check_hdf5(H5Gget_info(opened_group, &info), place);
+  require_read(H5Gget_info(opened_group, &info), place);
   std::map<std::string, std::string> result;
   for (hsize_t i = 0; i < info.nlinks; ++i) {
     std::array<char, 256> name{};
@@ -237,6 +265,8 @@ void TrajectoryReader::read_header() {
   header_.swimmer = read_all<int>("particles/beads/swimmer");
   header_.bead = read_all<int>("particles/beads/species");
   header_.radius = read_all<double>("particles/beads/radius");
+  if (!std::ranges::all_of(header_.radius, [](double radius) { return radius > 0; }))
+    refuse(path_ + ":/particles/beads/radius", "holds a radius that is not positive");
   header_.creator_version = text_attribute(file_, path_, "h5md/creator", "version").front();
   header_.parameters = texts("parameters");
   require_whole_swimmers();
@@ -264,6 +294,8 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   const std::vector<Vec3> images = vectors(image_, index);
   const Vec3 lengths = box_lengths(index);
   for (std::size_t b = 0; b < beads_; ++b) frame.positions[b] += images[b].cwiseProduct(lengths);
+  if (!std::ranges::all_of(frame.positions, [](const Vec3& position) { return position.allFinite(); }))
+    refuse(image_.place, "leads to a position that is not finite");
   frame.mean_flow = vectors(mean_flow_, index)[0];
   frame.momentum = vectors(momentum_, index)[0];
   return frame;

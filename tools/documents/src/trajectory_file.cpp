@@ -25,6 +25,11 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
                                         "beadswim-run wrote it",
                                         layout.swimmers.size(), reader.header().swimmer.size() / 3));
   }
+  const Vec3 box = layout.domain ? layout.domain->lengths : Vec3::Zero();
+  if (reader.header().box_lengths != box) {
+    throw InputError(path + ":/particles/beads/box/edges",
+                     "is not the layout's box; give a trajectory as beadswim-run wrote it");
+  }
   return layout;
 }
 
@@ -40,9 +45,11 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
     if (found == index_of.end()) {
       throw InputError(
           path + ":/particles/beads/swimmer",
-          fmt::format("{} is not in the layout; give a trajectory as beadswim-run wrote it", of_bead[bead]));
+          fmt::format("{} is not in the layout, or comes twice; give a trajectory as beadswim-run wrote it",
+                      of_bead[bead]));
     }
     indices.push_back(found->second);
+    index_of.erase(found);
   }
   return indices;
 }

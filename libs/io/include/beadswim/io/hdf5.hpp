@@ -40,6 +40,11 @@ class H5Handle {
 /// Throws SolverError "what: HDF5 failed" if status is negative.
 void check_hdf5(herr_t status, const std::string& what);
 
+/// Whether the file stores as many bytes as a dataset of these extents claims: what is compressed may claim a
+/// thousand times the file. To be asked before memory is taken for it; and HDF5 itself reads beyond what is
+/// stored.
+bool stores_all(hid_t dataset, std::span<const hsize_t> extents);
+
 /// Group that forgets when it was made, so that the same contents give the same bytes.
 H5Handle create_group(hid_t parent, const std::string& name);
 
