@@ -89,7 +89,11 @@ std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
 }
 
 FlagValues flags_of(const CheckpointReader& checkpoint) {
-  return parse_json(checkpoint.text(flags_section), checkpoint.path()).get<FlagValues>();
+  try {
+    return parse_json(checkpoint.text(flags_section), checkpoint.path()).get<FlagValues>();
+  } catch (const Json::exception&) {
+    throw InputError(checkpoint.path(), "holds no flags as this version of the program writes them");
+  }
 }
 
 void require_same_course(const RunOptions& options, const FlagValues& flags) {
@@ -124,6 +128,7 @@ RunPast restore(Model& model, Recorder& recorder, const CheckpointReader& checkp
   RunPast past;
   IncomingMessage moment = moment_of(checkpoint);
   moment(past.steps_done);
+  if (past.steps_done < 0) throw SolverError(checkpoint.path() + ": its run has not begun");
   model.restore(past.steps_done, moment, checkpoint);
   moment(past.wall_seconds, past.core_seconds);
   if (!moment.is_at_end()) throw SolverError(checkpoint.path() + ": is of another version of the program");

@@ -37,13 +37,30 @@ void read_populations(const CheckpointReader& file, Populations& populations, co
   });
 }
 
-/// Of all swimmers, those that this rank owns, read some thousands at a time.
+/// Farther from the box, in cells, no bead has ever come.
+constexpr double farthest = 1e9;
+
+bool is_sound(const SwimmerState& swimmer, const CoupledScene::Swimmer& of_scene) {
+  return swimmer.id == of_scene.id && swimmer.type == of_scene.type &&
+         std::ranges::all_of(swimmer.motion, [](const BeadMotion& bead) {
+           return (bead.position.array().abs() < farthest).all() && bead.velocity.allFinite() &&
+                  bead.angular_velocity.allFinite();
+         });
+}
+
+/// Of all swimmers, which must be the scene's, those that this rank owns, read some thousands at a time.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
   const std::uint64_t all = file.size(swimmers_section), some = 4096 * snapshot_size();
+  const std::vector<CoupledScene::Swimmer>& of_scene = system.scene().swimmers;
+  if (all != of_scene.size() * snapshot_size())
+    throw SolverError(file.path() + ": has swimmers of another scene");
+  auto next = of_scene.begin();
   std::vector<SwimmerSnapshot> owned;
   for (std::uint64_t first = 0; first < all; first += some) {
     for (SwimmerSnapshot& swimmer :
          snapshots_from_bytes(file.bytes(swimmers_section, first, std::min(some, all - first)))) {
+      if (!is_sound(swimmer.state, *next++))
+        throw SolverError(file.path() + ": has swimmers of another scene");
       if (system.owns(swimmer.state)) owned.push_back(std::move(swimmer));
     }
   }

@@ -190,11 +190,17 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   add_flags(*program, options, words);
   for (const auto& [flag, value] : defaults) {
     CLI::Option* option = program->get_option_no_throw(flag);
-    if (option == nullptr)
+    if (option == nullptr || option->get_items_expected_max() == 0)
       throw InputError(
           "--restart",
           fmt::format("the checkpoint's run has the flag {}, which this program does not know", flag));
-    option->default_val(value);
+    try {
+      option->default_val(value);
+    } catch (const CLI::Error& error) {
+      throw InputError(
+          "--restart",
+          fmt::format("the checkpoint's run has a value that this program does not know: {}", error.what()));
+    }
   }
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
   for (const CLI::Option* option : program->get_options()) {

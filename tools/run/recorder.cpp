@@ -32,12 +32,13 @@ void transfer_spread(Message& message, AnySpread& spread) {
 }
 template <class Message, class Value, class Transfer>
 void transfer_optional(Message& message, Value& value, Transfer&& transfer) {
-  bool is_there = value.has_value();
+  std::uint8_t is_there = value.has_value() ? 1 : 0;  // a byte, of which any value may be in a file
   message(is_there);
   if constexpr (std::is_same_v<Message, IncomingMessage>) {
-    if (is_there) value.emplace();
+    if (is_there > 1) throw SolverError("the checkpoint's record is of another version");
+    if (is_there == 1) value.emplace();
   }
-  if (is_there) transfer(message, *value);
+  if (is_there == 1) transfer(message, *value);
 }
 template <class Message, class Swimming>
 void transfer_swimming(Message& message, Swimming& swimming) {
@@ -65,7 +66,10 @@ template <class Message, class List, class Transfer>
 void transfer_list(Message& message, List& list, Transfer&& transfer) {
   std::uint64_t size = list.size();
   message(size);
-  if constexpr (std::is_same_v<Message, IncomingMessage>) list.resize(size);
+  if constexpr (std::is_same_v<Message, IncomingMessage>) {
+    if (size > message.bytes_left()) throw SolverError("the checkpoint's record is cut");
+    list.resize(size);
+  }
   for (auto& element : list) transfer(message, element);
 }
 
@@ -259,12 +263,22 @@ std::vector<char> Recorder::state() {
   return message.bytes();
 }
 
+bool Recorder::fits(long steps_done) const {
+  const bool is_next =
+      next_frame_ > 0 && next_frame_ <= steps_done + 1 && step_of_frame(next_frame_) > steps_done;
+  return is_next && std::ranges::all_of(gathered_, [this](const Note& note) {
+           return note.number >= 0 &&
+                  std::ranges::any_of(logs_, [&](const Log& log) { return log.record.id == note.id; });
+         });
+}
+
 void Recorder::restore(std::vector<char> state, long steps_done) {
   schedules_.go_on_from(steps_done + 1);
   if (communicator_.is_root()) {
     IncomingMessage message(std::move(state));
     transfer(message);
-    if (!message.is_at_end()) throw SolverError("the checkpoint's record is of another run");
+    if (!message.is_at_end() || !fits(steps_done))
+      throw SolverError("the checkpoint's record is of another run");
   }
   MPI_Bcast(&next_frame_, 1, MPI_LONG, 0, communicator_.get());
 }

@@ -63,6 +63,8 @@ class Recorder {
     Vec3 mean_flow = Vec3::Zero();
   };
 
+  /// Whether frames and notes are those of a run that had done so many steps.
+  bool fits(long steps_done) const;
   void gather_notes();
   void take_notes(const Moment& now);
   void take_note(Log& log, const Note& note, const Moment& now);

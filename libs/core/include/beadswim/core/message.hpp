@@ -55,12 +55,13 @@ class IncomingMessage {
   }
 
   bool is_at_end() const { return read_ == bytes_.size(); }
+  std::size_t bytes_left() const { return bytes_.size() - read_; }
 
  private:
   template <class T>
   requires std::is_trivially_copyable_v<T>
   void get(T& value) {
-    if (bytes_.size() - read_ < sizeof(T)) throw SolverError("a message ends too early");
+    if (bytes_left() < sizeof(T)) throw SolverError("a message ends too early");
     std::memcpy(&value, bytes_.data() + read_, sizeof(T));
     read_ += sizeof(T);
   }
@@ -71,7 +72,7 @@ class IncomingMessage {
   void get(std::vector<T>& list) {
     std::size_t size = 0;
     get(size);
-    if (size > bytes_.size() - read_) throw SolverError("a message ends too early");
+    if (size > bytes_left()) throw SolverError("a message ends too early");
     list.resize(size);
     for (T& value : list) get(value);
   }

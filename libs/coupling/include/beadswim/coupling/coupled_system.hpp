@@ -48,6 +48,7 @@ class CoupledSystem {
   void step();
 
   long steps_done() const { return steps_done_; }
+  const CoupledScene& scene() const { return scene_; }
   const std::vector<SwimmerState>& owned_swimmers() const { return owned_; }
   const Populations& populations() const { return populations_; }
   const Decomposition& decomposition() const { return decomposition_; }
