@@ -1,5 +1,6 @@
 option(BEADSWIM_WARNINGS_AS_ERRORS "Treat compiler warnings as errors" OFF)
 option(BEADSWIM_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(BEADSWIM_FUZZ "Build the fuzz targets for libFuzzer (clang), with the sanitizers" OFF)
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
@@ -16,8 +17,12 @@ add_compile_options(-Wall -Wextra -Wno-restrict -ffp-contract=off -fno-math-errn
 if(BEADSWIM_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
 endif()
+if(BEADSWIM_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+  set(BEADSWIM_SANITIZE ON)
+endif()
 if(BEADSWIM_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
-  add_compile_options(-Wno-maybe-uninitialized)  # GCC 12 warns falsely of std::regex under sanitizers
+  add_compile_options(-Wno-maybe-uninitialized -Wno-unknown-warning-option)  # GCC 12 warns falsely of std::regex under sanitizers
   add_link_options(-fsanitize=address,undefined)
 endif()

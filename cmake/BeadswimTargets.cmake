@@ -22,10 +22,10 @@ endfunction()
 # beadswim_kernels(TARGET SOURCE...): compiles files of kernels of a library or program once for each instruction set, with
 # BEADSWIM_INSTRUCTION_SET naming the namespace; a function of the target chooses at run time. -fopenmp-simd lets
 # loops be cut into lanes where the source says so; nothing of OpenMP runs. -Wno-psabi: vectors pass between functions
-# that are always inlined, never through an ABI.
+# that are always inlined, never through an ABI. Clang knows no `#pragma GCC ivdep`, and some of the names of processors.
 function(beadswim_kernels target)
   set(sets baseline)
-  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     list(APPEND sets x86_64_v3 x86_64_v4)
   endif()
   set(flags_of_x86_64_v3 -march=x86-64-v3)
@@ -35,14 +35,25 @@ function(beadswim_kernels target)
     add_library(${kernels} OBJECT ${ARGN})
     target_include_directories(${kernels} PRIVATE $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
     target_compile_definitions(${kernels} PRIVATE BEADSWIM_INSTRUCTION_SET=${set})
-    target_compile_options(${kernels} PRIVATE -O3 -fopenmp-simd -Wno-psabi ${flags_of_${set}})
+    target_compile_options(${kernels} PRIVATE -O3 -fopenmp-simd -Wno-psabi
+                           $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-pragmas;-Wno-pass-failed> ${flags_of_${set}})
     target_sources(${target} PRIVATE $<TARGET_OBJECTS:${kernels}>)
   endforeach()
 endfunction()
 
-# beadswim_program(NAME SOURCES file... DEPENDS target...): the executable beadswim-NAME.
+# beadswim_program(NAME SOURCES file... DEPENDS target... [TESTED]): the executable beadswim-NAME. TESTED: all but its
+# main.cpp is a library, beadswim_NAME_program, that tests link too.
 function(beadswim_program name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "TESTED" "" "SOURCES;DEPENDS" ${ARGN})
+  if(arg_TESTED)
+    list(REMOVE_ITEM arg_SOURCES main.cpp)
+    set(library beadswim_${name}_program)
+    add_library(${library} STATIC ${arg_SOURCES})
+    target_include_directories(${library} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+    target_link_libraries(${library} PUBLIC ${arg_DEPENDS})
+    set(arg_SOURCES main.cpp)
+    set(arg_DEPENDS ${library})
+  endif()
   add_executable(beadswim-${name} ${arg_SOURCES})
   target_link_libraries(beadswim-${name} PRIVATE ${arg_DEPENDS})
 endfunction()

@@ -21,6 +21,8 @@ class LatticeSpeed {
   double step(const CoupledScene& scene) const;
 
   Json to_json() const;
+  /// Throws an exception if it is not what to_json gives.
+  static LatticeSpeed from_json(const Json& json);
 
  private:
   struct OfPrecision {
@@ -31,8 +33,6 @@ class LatticeSpeed {
 
   static LatticeSpeed measured(const Communicator& communicator);
   static std::optional<LatticeSpeed> cached(int ranks);
-  /// Throws an exception if it is not what to_json gives.
-  static LatticeSpeed from_json(const Json& json);
 
   int ranks_ = 1;
   std::vector<OfPrecision> precisions_;  ///< in the order of Precision

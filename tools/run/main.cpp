@@ -6,19 +6,16 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/version.hpp"
 #include "beadswim/io/xdmf.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
-#include "lattice_model.hpp"
-#include "overdamped_model.hpp"
 #include "plan_report.hpp"
 #include "record.hpp"
 #include "request.hpp"
 #include "run_length.hpp"
 #include "run_loop.hpp"
 #include "run_plan.hpp"
-#include "scene_facts.hpp"
+#include "run_setup.hpp"
 #include "stop_signal.hpp"
 
 namespace {
@@ -32,31 +29,6 @@ class RunFailed : public SolverError {
  public:
   using SolverError::SolverError;
 };
-
-TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
-  TrajectoryHeader header;
-  const SceneBox box = box_of(document.layout);
-  header.box_lengths = box.lengths;
-  header.periodic = box.periodic;
-  for (const PlannedSwimmer& swimmer : plan.swimmers) {
-    for (int b = 0; b < 3; ++b) {
-      header.swimmer.push_back(swimmer.name.id);
-      header.bead.push_back(b + 1);
-      header.radius.push_back(swimmer.radii[b]);
-    }
-  }
-  header.creator_version = version() + " (" + revision() + ")";
-  header.parameters["layout"] = dump_json(layout_to_json(document));
-  return header;
-}
-
-/// How the layout is run. Throws InputError alike on all ranks. Collective.
-std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
-                                    const Communicator& communicator) {
-  if (request.options.model != "lbm")
-    return std::make_unique<OverdampedPlan>(document.layout, request.options, request.source(), communicator);
-  return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
-}
 
 void require_steps_left(const ModelPlan& plan, long done) {
   const double cycles = plan.options.cycles;

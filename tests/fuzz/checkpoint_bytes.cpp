@@ -1,0 +1,22 @@
+#include "accepted.hpp"
+#include "beadswim/io/checkpoint_file.hpp"
+#include "hdf5_handles.hpp"
+#include "memory_file.hpp"
+#include "one_rank.hpp"
+
+// Any bytes in place of a checkpoint. What is accepted has the contents of its hash, so its sections can be
+// read.
+
+using namespace beadswim;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const MemoryFile file(data, size);
+  one_rank();
+  require_all_closed_by([&] {
+    accepts([&] {
+      const CheckpointReader checkpoint(file.path(), one_rank());
+      require(checkpoint.text("layout").size() == checkpoint.size("layout"), "sections can be read");
+    });
+  });
+  return 0;
+}

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include "accepted.hpp"
+
+namespace beadswim {
+
+/// Calls a function, which must close all files, datasets, groups, types and attributes that it opens.
+template <class Function>
+void require_all_closed_by(const Function& function) {
+  function();
+  require(H5Fget_obj_count(H5F_OBJ_ALL, H5F_OBJ_ALL) == 0, "all that is opened is closed");
+}
+
+}  // namespace beadswim

@@ -1,0 +1,41 @@
+#include "lattice_speed.hpp"
+
+#include <cmath>
+
+#include "documents_agree.hpp"
+
+// The cache of how fast the machine steps a lattice: whatever it holds, it is taken whole or measured anew.
+
+using namespace beadswim;
+
+namespace {
+
+CoupledScene scene_of(int edge, BeadScheme scheme) {
+  CoupledScene scene;
+  scene.cells = {edge, edge, edge};
+  scene.bead_boundary = scheme;
+  return scene;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Json given;
+  LatticeSpeed speed;
+  try {
+    given = parse_json(text_of(data, size), "cache");
+    speed = LatticeSpeed::from_json(given);
+  } catch (const std::exception&) {  // as LatticeSpeed::of_this_machine takes it
+    return 0;
+  }
+  const auto written =
+      written_again(given, [](const Json& json) { return LatticeSpeed::from_json(json).to_json(); });
+  require(written && written->at("precisions") == speed.to_json().at("precisions"), "the same speeds");
+  for (const int edge : {1, 20, 1000}) {
+    for (const BeadScheme scheme : all_bead_schemes) {
+      const double seconds = speed.step(scene_of(edge, scheme));
+      require(std::isfinite(seconds) && seconds > 0, "a step takes time");
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,16 @@
+#include "beadswim/documents/swimming_document.hpp"
+#include "documents_agree.hpp"
+
+// Run records, as beadswim-compare, beadswim-plot and beadswim-theory --stroke-from read them.
+
+using namespace beadswim;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  require_rewritten_alike(text_of(data, size), {}, [](const Json& json) {
+    const RunRecord record = run_record_from_json(json, "run");
+    for (const SwimmerRecord& swimmer : record.swimmers)
+      accepts([&] { swimming_of(record, swimmer, CycleChoice{}, "run"); });
+    return run_record_to_json(record, RecordProvenance::written);
+  });
+  return 0;
+}

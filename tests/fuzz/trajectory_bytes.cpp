@@ -1,0 +1,12 @@
+#include "memory_file.hpp"
+#include "whole_trajectory.hpp"
+
+// Any bytes in place of a trajectory: damaged HDF5.
+
+using namespace beadswim;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const MemoryFile file(data, size);
+  require_whole_or_refused(file.path());
+  return 0;
+}

@@ -1,0 +1,34 @@
+#include "run_setup.hpp"
+
+#include "beadswim/core/version.hpp"
+#include "lattice_model.hpp"
+#include "overdamped_model.hpp"
+#include "scene_facts.hpp"
+
+namespace beadswim {
+
+std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
+                                    const Communicator& communicator) {
+  if (request.options.model != "lbm")
+    return std::make_unique<OverdampedPlan>(document.layout, request.options, request.source(), communicator);
+  return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
+}
+
+TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
+  TrajectoryHeader header;
+  const SceneBox box = box_of(document.layout);
+  header.box_lengths = box.lengths;
+  header.periodic = box.periodic;
+  for (const PlannedSwimmer& swimmer : plan.swimmers) {
+    for (int b = 0; b < 3; ++b) {
+      header.swimmer.push_back(swimmer.name.id);
+      header.bead.push_back(b + 1);
+      header.radius.push_back(swimmer.radii[b]);
+    }
+  }
+  header.creator_version = version() + " (" + revision() + ")";
+  header.parameters["layout"] = dump_json(layout_to_json(document));
+  return header;
+}
+
+}  // namespace beadswim
