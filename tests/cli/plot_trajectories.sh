@@ -63,7 +63,7 @@ beadswim-layout swimmer --preset paper-single --unbounded --period 300 | beadswi
 accepts beadswim-plot trajectories open.h5md
 out_has 'open: 1 swimmer, T = 300, open space; 0.5 cycles'
 accepts beadswim-plot swarm open.h5md
-out_has '>1 swimmer in open space, a box drawn around<'
+out_has '>1 swimmer in open space, a box drawn around \(lattice units\)<'
 drawn 3 '<circle class="b0"'
 
 # --- swarm
@@ -72,7 +72,8 @@ well_formed out
 drawn 3 '<circle class="b0"'
 drawn 2 '<path'
 out_has '>Swarm after 1 cycles<'
-out_has '>1 swimmer in a box of 96 × 32 × 32<'
+out_has '>1 swimmer in a box of 96 × 32 × 32 \(lattice units\)<'
+out_has '>λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048; A = B = 2, α = 1.571 rad, T = 2000, along x<'
 accepts beadswim-plot swarm cell.h5md --frame 0 --repeat 2,6,3
 well_formed out
 out_has '>Swarm after 0 cycles<'
@@ -94,6 +95,16 @@ beadswim-layout swarm --preset paper-uniform --block-swimmers 1,1,1 --arm 31 >ot
 beadswim-layout defect mixture --with other.json --count 3 eight.json | simulate mixture --cycles 0.05
 accepts beadswim-plot swarm mixture.h5md --colours types
 check 'there are not two keys' test "$(grep -cE '<circle' out)" -eq 26
+
+# Names of swimmers, wherever they are by then; a trajectory under another name.
+accepts beadswim-plot swarm eight.h5md --mark one=1,seven=7
+out_has '>one<'
+out_has '>seven<'
+cp eight.h5md eight.any
+same_bytes 'beadswim-plot swarm eight.h5md' 'beadswim-plot swarm eight.any'
+refuses '--mark: no swimmer 8 in eight.h5md; the nearest is 7, ids are 0 to 7' beadswim-plot swarm eight.h5md --mark A=8
+refuses '--distances: eight.h5md is a trajectory, whose swimmers have moved; give the layout' \
+  beadswim-plot swarm eight.h5md --distances
 
 # A swarm of the paper's size is a file that opens.
 accepts beadswim-plot swarm cell.h5md --repeat 20,24,24 -o large.svg
@@ -118,10 +129,10 @@ accepts beadswim-plot swarm killed.h5md.part
 
 # --- what it refuses
 refuses 'FILES: no file given; name trajectories' beadswim-plot trajectories
-refuses 'FILES: 2 given; a swarm is drawn from one' beadswim-plot swarm cell.h5md eight.h5md
+refuses 'FILES: 2 given; a swarm is drawn from one layout, or one trajectory' beadswim-plot swarm cell.h5md eight.h5md
 refuses '^beadswim-plot: no.h5md: cannot be read: No such file or directory; give a trajectory' beadswim-plot swarm no.h5md
 refuses 'cell.record: is no HDF5 file, or a broken one; give a trajectory' beadswim-plot trajectories cell.record
-refuses 'a trajectory cannot be read from standard input; name the file' beadswim-plot swarm -
+refuses 'a trajectory cannot be read from standard input; name the file' beadswim-plot trajectories -
 head -c 3000 cell.h5md >cut.h5md
 refuses 'cut.h5md: ' beadswim-plot swarm cut.h5md
 refuses '--swimmers: no swimmer 9 in eight.h5md; the nearest is 7, ids are 0 to 7' \

@@ -101,6 +101,47 @@ TEST(SwarmPicture, KeysAndNotesAreWritten) {
   EXPECT_EQ(discs(svg).size(), 5U);
 }
 
+/// The whole element <text> that begins with this.
+std::string text_element(const std::string& svg, const std::string& beginning) {
+  const std::size_t content = svg.find(">" + beginning);
+  if (content == std::string::npos) return {};
+  const std::size_t start = svg.rfind("<text", content);
+  return svg.substr(start, svg.find("</text>", start) - start);
+}
+
+double attribute(const std::string& element, const std::string& name) {
+  return std::stod(element.substr(element.find(name + "=\"") + name.size() + 2));
+}
+
+// Behind a near bead a name could not be read; above its bead it says whose it is.
+TEST(SwarmPicture, NamesAreDrawnLastAndAboveTheirBeads) {
+  SwarmPicture picture = picture_of({swimmer_at({60, 70, 30}, 0), swimmer_at({60, 10, 30}, 1)});
+  picture.marks = {{"A", picture.swimmers[0].beads[1], 4}};
+  const std::string svg = swarm_picture_to_svg(picture);
+  const std::string name = text_element(svg, "A");
+  ASSERT_FALSE(name.empty());
+  EXPECT_GT(svg.find(name), svg.rfind("<circle class"));
+  const Disc bead = discs(svg)[1];
+  EXPECT_NEAR(attribute(name, " x"), bead.x, 0.06);
+  EXPECT_LT(attribute(name, " y"), bead.y - bead.radius);
+}
+
+// An arrow with a head at either end, no longer than the beads are apart, its label on the page.
+TEST(SwarmPicture, DistancesRunFromBeadToBead) {
+  SwarmPicture picture = picture_of({swimmer_at({60, 10, 30}, 0), swimmer_at({60, 50, 30}, 1)});
+  const Vec3 from = picture.swimmers[0].beads[2], to = picture.swimmers[1].beads[2];
+  picture.distances = {{"C_y = 40", from, to, {0, 0, -12}}};
+  const std::string svg = swarm_picture_to_svg(picture);
+  EXPECT_THAT(svg, HasSubstr("<tspan dy=\"3.50\" font-size=\"9.00\" stroke=\"none\">y</tspan>"));
+  const std::string label = text_element(svg, "C<");
+  ASSERT_FALSE(label.empty());
+  const auto all = discs(svg);
+  EXPECT_GT(attribute(label, " y"), std::min(all[2].y, all[5].y));
+  std::smatch size;
+  ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(width="([\d.]+)")re")));
+  EXPECT_LT(attribute(label, " x") + 60, std::stod(size[1]));
+}
+
 TEST(SwarmPicture, RefusesAnEmptySwarm) {
   EXPECT_THROW(swarm_picture_to_svg(picture_of({})), InputError);
 }

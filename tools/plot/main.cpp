@@ -5,10 +5,11 @@
 #include "product_figure.hpp"
 #include "speed_figure.hpp"
 #include "stroke_figure.hpp"
+#include "swimmer_figure.hpp"
 #include "velocity_figure.hpp"
 #include "write_figure.hpp"
 
-// beadswim-plot: figures of run records, predictions and trajectories.
+// beadswim-plot: figures of run records, predictions, trajectories and layouts.
 
 namespace {
 
@@ -34,12 +35,15 @@ Figure draw(const PlotRequest& request) {
 std::string svg_of(const PlotRequest& request) {
   if (request.kind == swarm_kind)
     return swarm_picture_to_svg(swarm_figure(request.files, swarm_options(request)));
+  if (request.kind == swimmer_kind)
+    return swimmer_sketch_to_svg(swimmer_figure(request.files, sketched_swimmer(request)));
   return figure_to_svg(draw(request));
 }
 
 int run(int argc, const char* const* argv) {
   const auto program = make_program(
-      "beadswim-plot", "Draws run records, predictions and trajectories as a figure, SVG or PNG.");
+      "beadswim-plot",
+      "Draws run records, predictions, trajectories and layouts as a figure, SVG or PNG.");
   PlotRequest request;
   add_flags(*program, request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;

@@ -94,7 +94,8 @@ void add_figure_flags(CLI::App& program, PlotRequest& request) {
 void add_trajectory_flags(CLI::App& program, PlotRequest& request) {
   program
       .add_option("--swimmers", request.swimmers,
-                  "Swimmers whose trajectories are drawn, by id, separated by commas; all unless given.")
+                  "Swimmers whose trajectories are drawn, by id, separated by commas; all unless given. For "
+                  "swimmer one, the layout's first unless given.")
       ->type_name("ID,...")
       ->check(whole_numbers())
       ->default_str("all");
@@ -130,12 +131,32 @@ void add_swarm_flags(CLI::App& program, PlotRequest& request) {
                   "Periodic copies of the box to draw along each axis, as of a reduced cell.")
       ->type_name("NX,NY,NZ")
       ->check(number_list({3}, whole_positive()));
+  program
+      .add_option("--mark", request.marks,
+                  "Names of swimmers, written at their middle beads in a swarm's picture, by id.")
+      ->type_name("NAME=ID,...")
+      ->delimiter(',')
+      ->default_str("none");
+  program.add_flag(
+      "--distances", request.distances,
+      "In a swarm's picture, of a layout: distances C from a swimmer to the next of its block, D to "
+      "that of the next block, along each axis.");
 }
 
 std::vector<int> whole_numbers_in(const std::string& text) {
   std::vector<int> numbers;
   for (const double number : parse_numbers(text)) numbers.push_back(static_cast<int>(number));
   return numbers;
+}
+
+/// "A=3".
+SwimmerMark parse_mark(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  const std::string id = sign == std::string::npos ? "" : text.substr(sign + 1);
+  if (sign == 0 || id.empty() || !fault_of_whole_number(id).empty()) {
+    throw InputError("--mark", fmt::format("\"{}\": must be a name and a swimmer's id, such as A=3", text));
+  }
+  return {text.substr(0, sign), std::stoi(id)};
 }
 
 /// A flag that was given, and the kinds that have a use for it.
@@ -155,13 +176,15 @@ std::vector<GivenFlag> given_flags(const PlotRequest& request) {
           {"--against", request.against != unset.against, {stroke_kind}},
           {"--method", request.methods != unset.methods, records},
           {"--cycle", request.cycle != unset.cycle, records},
-          {"--swimmers", request.swimmers != unset.swimmers, {trajectories_kind}},
+          {"--swimmers", request.swimmers != unset.swimmers, {trajectories_kind, swimmer_kind}},
           {"--beads", request.beads != unset.beads, {trajectories_kind}},
           {"--along", request.along != unset.along, {trajectories_kind}},
           {"--frame", request.frame != unset.frame, {swarm_kind}},
           {"--colours", request.colours != unset.colours, {swarm_kind}},
           {"--block-swimmers", request.block_swimmers != unset.block_swimmers, {swarm_kind}},
-          {"--repeat", request.repeat != unset.repeat, {swarm_kind}}};
+          {"--repeat", request.repeat != unset.repeat, {swarm_kind}},
+          {"--mark", request.marks != unset.marks, {swarm_kind}},
+          {"--distances", request.distances, {swarm_kind}}};
 }
 
 }  // namespace
@@ -175,19 +198,19 @@ void add_flags(CLI::App& program, PlotRequest& request) {
           "the beads' smallest separation over their radius. speed-against-error: errors of velocity and "
           "stroke against core-seconds a period, by setting and resolution, and the front of those that none "
           "beats in both. trajectories: a coordinate of beads against time. swarm: a picture of all beads at "
-          "one "
-          "frame. mobility-products: time of a product of mobility and forces against the number of beads, "
+          "one frame, or as laid out. swimmer: a labelled sketch of one of a layout. mobility-products: time "
+          "of a product of mobility and forces against the number of beads, "
           "by beadswim-bench --beads "
           "--json.")
       ->type_name(
-          "stroke|velocity-against-period|separation|speed-against-error|trajectories|swarm|mobility-"
+          "stroke|velocity-against-period|separation|speed-against-error|trajectories|swarm|swimmer|mobility-"
           "products");
   program
       .add_option(
           "FILES", request.files,
           "Run records (drawn as points) and predictions (as lines): one document a file, or one a line. "
           "One may be - for standard input. For trajectories and swarm: what beadswim-run wrote, .h5md or, "
-          "of a run that goes on or was killed, .h5md.part.")
+          "of a run that goes on or was killed, .h5md.part. For swarm also, and for swimmer, a layout.")
       ->type_name("FILE...")
       ->default_str("");
   program.add_option("-o,--output", request.output, "Figure to write: .svg, .png, or - for SVG on stdout.")
@@ -207,7 +230,7 @@ void add_flags(CLI::App& program, PlotRequest& request) {
 
 void require_consistent(const PlotRequest& request) {
   const Names kinds{stroke_kind,       period_kind, separation_kind, speed_kind,
-                    trajectories_kind, swarm_kind,  products_kind};
+                    trajectories_kind, swarm_kind,  swimmer_kind,    products_kind};
   if (request.kind.empty()) {
     throw InputError("KIND", fmt::format("none given; there are {}", fmt::join(kinds, ", ")));
   }
@@ -249,6 +272,13 @@ TrajectoryFigureOptions trajectory_options(const PlotRequest& request) {
   return options;
 }
 
+std::optional<int> sketched_swimmer(const PlotRequest& request) {
+  if (request.swimmers.empty()) return std::nullopt;
+  const std::vector<int> ids = whole_numbers_in(request.swimmers);
+  if (ids.size() == 1) return ids.front();
+  throw InputError("--swimmers", fmt::format("{} given; a sketch is of one swimmer", ids.size()));
+}
+
 SwarmFigureOptions swarm_options(const PlotRequest& request) {
   using Choice = std::pair<const char*, SwarmColours>;
   SwarmFigureOptions options;
@@ -260,6 +290,8 @@ SwarmFigureOptions swarm_options(const PlotRequest& request) {
   options.block_swimmers = whole_numbers_in(request.block_swimmers);
   const std::vector<int> repeat = whole_numbers_in(request.repeat);
   options.repeat = {repeat[0], repeat[1], repeat[2]};
+  for (const std::string& mark : request.marks) options.marks.push_back(parse_mark(mark));
+  options.distances = request.distances;
   return options;
 }
 

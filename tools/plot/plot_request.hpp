@@ -18,6 +18,7 @@ inline constexpr const char* separation_kind = "separation";
 inline constexpr const char* speed_kind = "speed-against-error";
 inline constexpr const char* trajectories_kind = "trajectories";
 inline constexpr const char* swarm_kind = "swarm";
+inline constexpr const char* swimmer_kind = "swimmer";
 inline constexpr const char* products_kind = "mobility-products";
 
 /// The command line, as text.
@@ -38,6 +39,8 @@ struct PlotRequest {
   std::string colours = "blocks";
   std::string block_swimmers = "1,3,3";
   std::string repeat = "1,1,1";
+  std::vector<std::string> marks;
+  bool distances = false;
 };
 
 void add_flags(CLI::App& program, PlotRequest& request);
@@ -52,5 +55,8 @@ Axes parse_axes(const std::string& name);
 /// Of trajectories and swarm. Throw InputError naming flag, value and what is allowed.
 TrajectoryFigureOptions trajectory_options(const PlotRequest& request);
 SwarmFigureOptions swarm_options(const PlotRequest& request);
+
+/// The one of a swimmer's sketch, if it is named.
+std::optional<int> sketched_swimmer(const PlotRequest& request);
 
 }  // namespace beadswim

@@ -10,7 +10,8 @@ namespace beadswim::svg {
 namespace {
 
 constexpr double marker_radius = 3.6;
-constexpr double mean_glyph_width = 0.57;  // of the size; DejaVu Sans, lower case and digits
+constexpr double head_length = 7, head_half_width = 2.6;  // of arrows
+constexpr double mean_glyph_width = 0.57;                 // of the size; DejaVu Sans, lower case and digits
 
 std::string escaped(const std::string& content) {
   std::string result;
@@ -49,6 +50,35 @@ std::string attributes(const Stroke& stroke) {
   std::string result = fmt::format(R"(stroke="{}" stroke-width="{}")", stroke.colour, number(stroke.width));
   if (!stroke.dashes.empty()) result += fmt::format(R"( stroke-dasharray="{}")", stroke.dashes);
   return result + opacity_attribute(stroke.opacity);
+}
+
+/// Content that is markup already.
+std::string text_element(Point at, const std::string& content, const TextStyle& style) {
+  constexpr std::array anchors{"start", "middle", "end"};
+  std::string extra;
+  if (style.rotation != 0) {
+    extra =
+        fmt::format(" transform=\"rotate({} {} {})\"", number(style.rotation), number(at.x), number(at.y));
+  }
+  if (style.halo != 0) {
+    extra +=
+        fmt::format(" paint-order=\"stroke\" stroke=\"#ffffff\" stroke-width=\"{}\"", number(style.halo));
+  }
+  return fmt::format(
+      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" font-weight=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
+      number(at.x), number(at.y), number(style.size), style.weight,
+      anchors[static_cast<std::size_t>(style.anchor)], extra, content);
+}
+
+/// A tip at `to`, as of an arrow from there.
+std::string arrow_head(Point from, Point to, const std::string& colour) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
+  const Point foot{to.x - head_length * along.x, to.y - head_length * along.y};
+  const Point across{-head_half_width * along.y, head_half_width * along.x};
+  return fmt::format("<path d=\"M{} {} L{} {} L{} {} Z\" fill=\"{}\"/>\n", number(to.x), number(to.y),
+                     number(foot.x + across.x), number(foot.y + across.y), number(foot.x - across.x),
+                     number(foot.y - across.y), colour);
 }
 
 /// Closed outline through points on the unit disc, scaled and moved.
@@ -93,15 +123,38 @@ std::string rectangle(Point top_left, double width, double height, const Stroke&
 }
 
 std::string text(Point at, const std::string& content, const TextStyle& style) {
-  constexpr std::array anchors{"start", "middle", "end"};
-  std::string turn;
-  if (style.rotation != 0) {
-    turn = fmt::format(" transform=\"rotate({} {} {})\"", number(style.rotation), number(at.x), number(at.y));
+  return text_element(at, escaped(content), style);
+}
+
+std::string formula(Point at, const std::string& content, const TextStyle& style) {
+  const double drop = 0.28 * style.size;
+  std::size_t mark = content.find('_');
+  std::string markup = escaped(content.substr(0, mark));
+  while (mark < content.size()) {
+    const std::size_t next = content.find('_', mark + 1);
+    const std::string rest = content.substr(mark + 1, next - mark - 1);
+    // A space at the start of a tspan is left out, by some programs: a shift stands for it.
+    const bool apart = rest.substr(1, 1) == " ";
+    markup += fmt::format(
+        "<tspan dy=\"{}\" font-size=\"{}\" stroke=\"none\">{}</tspan><tspan dx=\"{}\" dy=\"{}\">{}</tspan>",
+        number(drop), number(0.72 * style.size), escaped(rest.substr(0, 1)),
+        number(apart ? 0.32 * style.size : 0), number(-drop), escaped(rest.substr(apart ? 2 : 1)));
+    mark = next;
   }
-  return fmt::format(
-      "<text x=\"{}\" y=\"{}\" font-size=\"{}\" font-weight=\"{}\" text-anchor=\"{}\"{}>{}</text>\n",
-      number(at.x), number(at.y), number(style.size), style.weight,
-      anchors[static_cast<std::size_t>(style.anchor)], turn, escaped(content));
+  return text_element(at, markup, style);
+}
+
+std::string disc(Point centre, double radius, const std::string& fill, const Stroke& stroke) {
+  return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\" {}/>\n", number(centre.x),
+                     number(centre.y), number(radius), fill, attributes(stroke));
+}
+
+std::string arrow(Point from, Point to, const Stroke& stroke) {
+  return line(from, to, stroke) + arrow_head(from, to, stroke.colour);
+}
+
+std::string double_arrow(Point from, Point to, const Stroke& stroke) {
+  return arrow(from, to, stroke) + arrow_head(to, from, stroke.colour);
 }
 
 std::string marker(Point centre, int shape, const std::string& colour, double opacity) {

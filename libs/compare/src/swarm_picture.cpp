@@ -17,8 +17,10 @@ constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
 constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
 constexpr double arm_width = 0.26;  // of the mean radius
+constexpr double mark_size = 17, halo = 3.5;
 const svg::Stroke edge_stroke{"#8a8a8a", 0.8, ""};
 const svg::Stroke hidden_edge_stroke{"#bdbdbd", 0.8, "3 3"};
+const svg::Stroke distance_stroke{"#000000", 1.1, ""}, witness_stroke{"#000000", 0.6, ""};
 
 /// A bead or an arm on the page.
 struct Piece {
@@ -126,6 +128,43 @@ std::string draw_axis_names(const SwarmPicture& picture, const Perspective& view
          svg::text({z.x - 10, z.y + 4}, "z", style);
 }
 
+/// Above the beads.
+std::string draw_marks(const SwarmPicture& picture, const Perspective& view) {
+  std::string elements;
+  for (const PictureMark& mark : picture.marks) {
+    const svg::Point at = view.at(mark.bead);
+    const double above = view.size_at(mark.bead, mark.radius) + 4;
+    elements += svg::text({at.x, at.y - above}, mark.name, {mark_size, svg::Anchor::middle, 0, "bold", halo});
+  }
+  return elements;
+}
+
+/// The label stands beside an upright arrow, and above or below a level one, away from the beads.
+std::string draw_distance(const PictureDistance& distance, const Perspective& view) {
+  const Vec3 from = distance.from + distance.aside, to = distance.to + distance.aside;
+  const svg::Point a = view.at(from), b = view.at(to), bead = view.at(distance.from);
+  std::string elements = svg::line(bead, a, witness_stroke) +
+                         svg::line(view.at(distance.to), b, witness_stroke) +
+                         svg::double_arrow(a, b, distance_stroke);
+  svg::Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  const bool level = std::abs(b.x - a.x) > 3 * std::abs(b.y - a.y);
+  if (level) {
+    middle.y += a.y > bead.y ? 1.3 * label_size : -0.5 * label_size;
+  } else {
+    middle.x += 0.6 * label_size;
+    middle.y += 0.6 * label_size;
+  }
+  return elements +
+         svg::formula(middle, distance.label,
+                      {label_size, level ? svg::Anchor::middle : svg::Anchor::start, 0, "normal", halo});
+}
+
+std::string draw_distances(const SwarmPicture& picture, const Perspective& view) {
+  std::string elements;
+  for (const PictureDistance& distance : picture.distances) elements += draw_distance(distance, view);
+  return elements;
+}
+
 std::string draw_keys(const SwarmPicture& picture, double top) {
   std::string elements;
   double x = margin + 6;
@@ -145,7 +184,7 @@ struct Block {
   Vec3 low, high;
 };
 
-/// The box and all beads.
+/// The box, all beads, and place for distances and their labels.
 Block extent_of(const SwarmPicture& picture) {
   Block block{Vec3::Zero(), picture.box};
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
@@ -155,7 +194,21 @@ Block extent_of(const SwarmPicture& picture) {
       block.high = block.high.cwiseMax(swimmer.beads[bead] + radius);
     }
   }
+  for (const PictureDistance& distance : picture.distances) {
+    for (const Vec3& bead : {distance.from, distance.to}) {
+      block.low = block.low.cwiseMin(bead + 2 * distance.aside);
+      block.high = block.high.cwiseMax(bead + 2 * distance.aside);
+    }
+  }
   return block;
+}
+
+/// Of labels beside the swarm [px].
+double label_room(const SwarmPicture& picture) {
+  double room = 0;
+  for (const PictureDistance& distance : picture.distances)
+    room = std::max(room, svg::text_width(distance.label, label_size));
+  return room;
 }
 
 }  // namespace
@@ -165,7 +218,7 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   const Block extent = extent_of(picture);
   const Perspective view(extent.low, extent.high, {margin, picture_top}, picture_width, picture_height);
   const double radius = view.size_at(picture.box / 2, picture.swimmers.front().radii[0]);
-  const double width = std::max(view.width() + 2 * margin, 420.0);
+  const double width = std::max(view.width() + label_room(picture) + 2 * margin, 420.0);
   double top = picture_top + view.height() + 12;
 
   std::string elements = definitions(std::max(0.3, arm_width * radius), std::clamp(radius / 15, 0.1, 0.6));
@@ -173,6 +226,7 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   elements += draw_edges(picture, view, true);
   elements += draw_swimmers(picture, view);
   elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);
+  elements += draw_distances(picture, view) + draw_marks(picture, view);
   if (!picture.keys.empty()) elements += draw_keys(picture, top += line_pitch);
   for (const std::string& note : picture.notes) {
     top += line_pitch;

@@ -74,13 +74,12 @@ TrajectoryFile open_trajectory(const std::string& path) {
   return {path, std::move(reader), std::move(layout), std::move(in_layout)};
 }
 
-void refuse_swimmer(const std::string& flag, int id, const TrajectoryFile& file) {
-  const std::vector<int> ids = file.swimmers();
+void refuse_swimmer(const std::string& flag, int id, const std::vector<int>& ids, const std::string& source) {
   const auto distance = [id](int other) { return std::abs(static_cast<long>(other) - id); };
   const int nearest = *std::ranges::min_element(ids, {}, distance);
   const auto [low, high] = std::ranges::minmax(ids);
-  throw InputError(flag, fmt::format("no swimmer {} in {}; the nearest is {}, ids are {} to {}", id,
-                                     file.source, nearest, low, high));
+  throw InputError(flag, fmt::format("no swimmer {} in {}; the nearest is {}, ids are {} to {}", id, source,
+                                     nearest, low, high));
 }
 
 }  // namespace beadswim

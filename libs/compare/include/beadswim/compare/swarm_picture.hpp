@@ -23,11 +23,27 @@ struct PictureKey {
   int colour = 0;
 };
 
+/// A name at a bead.
+struct PictureMark {
+  std::string name;
+  Vec3 bead = Vec3::Zero();  ///< centre [length]
+  double radius = 0;         ///< [length]
+};
+
+/// A labelled double arrow beside two beads.
+struct PictureDistance {
+  std::string label;                            ///< "_" puts the next character below the line: "D_x = 56"
+  Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< centres of the beads [length]
+  Vec3 aside = Vec3::Zero();                    ///< from there to the arrow [length]
+};
+
 struct SwarmPicture {
   std::string title;
   Vec3 box = Vec3::Zero();  ///< its edges are drawn, from the origin [length]
   std::vector<PicturedSwimmer> swimmers{};
   std::vector<PictureKey> keys{};
+  std::vector<PictureMark> marks{};
+  std::vector<PictureDistance> distances{};
   std::vector<std::string> notes{};
 };
 

@@ -23,6 +23,7 @@ struct TrajectoryFile {
 TrajectoryFile open_trajectory(const std::string& path);
 
 /// "FLAG: no swimmer 12 in run.h5md; the nearest is 8, ids are 0 to 8", as an InputError.
-[[noreturn]] void refuse_swimmer(const std::string& flag, int id, const TrajectoryFile& file);
+[[noreturn]] void refuse_swimmer(const std::string& flag, int id, const std::vector<int>& ids,
+                                 const std::string& source);
 
 }  // namespace beadswim

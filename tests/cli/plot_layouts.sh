@@ -1,0 +1,114 @@
+#!/bin/bash
+# beadswim-plot swarm and swimmer of layouts: what was laid out, with its names, distances and forces.
+source "$(dirname "$0")/harness.sh"
+
+well_formed() { # FILE
+  check "$1 is not well-formed XML" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$1"
+}
+drawn() { # NUMBER REGEX   on how many lines of out it is
+  check "there are not $1 lines like $2" test "$(grep -cE -- "$2" out)" -eq "$1"
+}
+plain() { sed -E 's/<\/?tspan[^>]*>//g' out; } # subscripts as plain letters, a shift after them
+labelled() { # TEXT...   each once
+  for label in "$@"; do check "not once: $label" test "$(plain | grep -cF ">$label<")" -eq 1; done
+}
+
+beadswim-layout swarm --preset paper-defect >defect.json
+
+# --- swarm
+accepts beadswim-plot swarm defect.json
+well_formed out
+drawn 27 '<circle class="b0"'
+out_has '>Swarm as laid out<'
+out_has '>9 swimmers in a box of 120 × 120 × 120 \(lattice units\)<'
+same_bytes 'beadswim-plot swarm defect.json' 'beadswim-plot swarm - <defect.json'
+same_bytes 'beadswim-plot swarm defect.json' 'beadswim-plot swarm defect.json'
+accepts beadswim-plot swarm defect.json --repeat 2,2,2 --distances --mark A=0,B=3
+well_formed out
+labelled 'Dx= 56' 'Cy= 37' 'Dy= 46' 'Cz= 37' 'Dz= 46' A B
+drawn 108 '<circle class="b0"'
+drawn 108 '<circle class="b1"'
+# A single block has no D, and blocks of two along y have other Cs and Ds.
+accepts beadswim-plot swarm defect.json --distances
+labelled 'Cy= 37' 'Cz= 37'
+check 'a block has a distance to the next' bash -c '! grep -q ">D<" out'
+accepts beadswim-plot swarm defect.json --distances --block-swimmers 1,1,3
+labelled 'Dy= 37' 'Cz= 37'
+# Along x from the end bead of one swimmer to that of the next.
+beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 --block-swimmers 1,1,1 --block-gap 50,60,60 --arm 25,30 >row.json
+accepts beadswim-plot swarm row.json --distances
+labelled 'Dx= 50'
+# In physical units, open space, under any name.
+beadswim-layout swimmer --preset paper-single --unbounded | jq '.units = {
+  length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >open
+accepts beadswim-plot swarm open
+out_has '>1 swimmer in open space, a box drawn around \(um, s, pg\)<'
+
+refuses '--distances: no swimmer has a neighbour along an axis; draw periodic copies too' beadswim-plot swarm open --distances
+refuses '--distances: blocks by id have no axes; give --block-swimmers as NX,NY,NZ' \
+  beadswim-plot swarm defect.json --distances --block-swimmers 9
+refuses '--mark: no swimmer 12 in defect.json; the nearest is 8, ids are 0 to 8' beadswim-plot swarm defect.json --mark A=12
+for mark in A A= =3 A=x A=-1; do
+  refuses "--mark: \"$mark\": must be a name and a swimmer's id, such as A=3" beadswim-plot swarm defect.json "--mark=$mark"
+done
+refuses '--frame: defect.json is a layout, which has no frames; leave it out' beadswim-plot swarm defect.json --frame 3
+refuses '--mark: has no meaning for swimmer' beadswim-plot swimmer defect.json --mark A=3
+refuses '--distances: has no meaning for trajectories' beadswim-plot trajectories defect.json --distances
+refuses 'none.json: cannot be read' beadswim-plot swarm none.json
+
+# --- swimmer
+beadswim-layout swimmer --preset paper-single >single.json
+accepts beadswim-plot swimmer single.json
+well_formed out
+drawn 3 '<circle '
+drawn 2 '<polyline '   # springs; no dashpots
+labelled 'F₁ = A sin ωt' 'F₂ = −F₁ − F₃' 'F₃ = B sin(ωt + α)'
+out_has '>λ = 4, bead density 1, l = 20, k = 0.0347, KA = .*<'
+out_has '>A = B = 0.2, α = 1.571 rad, T = 4800, along x; ω = 2π/T<'
+out_has '>Fluid: ρ = 1, ν = 0.3333; box 1200 × 800 × 800<'
+same_bytes 'beadswim-plot swimmer single.json' 'beadswim-plot swimmer - <single.json'
+# To scale: centres are apart as the arms are long, radii as the beads are large.
+beadswim-layout swimmer --preset paper-single --radius 2,4,3 --arm 20,30 --damping 0.5,0 --stiffness 0.1,0.2 >uneven.json
+accepts beadswim-plot swimmer uneven.json
+drawn 3 '<polyline '   # two springs, one dashpot
+labelled 'λ₁ = 2' 'λ₂ = 4' 'λ₃ = 3' 'l₁ = 20' 'l₂ = 30' 'k₁ = 0.1' 'k₂ = 0.2' 'c₁ = 0.5'
+check 'not to scale' python3 - <<'PYTHON'
+import re, sys
+(a, r), (b, s), (c, t) = [(float(x), float(r)) for x, r in re.findall(r'<circle cx="([\d.]+)" cy="[\d.]+" r="([\d.]+)"', open("out").read())]
+scale = (c - a) / 50
+sys.exit(max(abs(b - a - 20 * scale), abs(r - 2 * scale), abs(s - 4 * scale), abs(t - 3 * scale)) > 0.02)
+PYTHON
+# A swimmer's own driving and place, units at the parts, the field at its angle to the axis.
+jq '.swimmers[7].driving = {amplitude: [1, 3], phase: 0.5, period: 900, frame: "body"}' defect.json >own.json
+accepts beadswim-plot swimmer own.json --swimmers 7
+out_has '>Swimmer 7 of type '
+out_has '>A = 1, B = 3, α = 0.5 rad, T = 900, along the arms; ω = 2π/T<'
+accepts beadswim-plot swimmer open
+drawn 3 '>λ = 4 um<'
+drawn 2 '>k = 0.0347 pg/s²<'
+out_has '>In um, s, pg; '
+refuses '--swimmers: no swimmer 12 in own.json; the nearest is 8, ids are 0 to 8' beadswim-plot swimmer own.json --swimmers 12
+refuses '--swimmers: 2 given; a sketch is of one swimmer' beadswim-plot swimmer own.json --swimmers 1,2
+refuses 'FILES: 2 given; a swimmer is drawn from one layout' beadswim-plot swimmer own.json single.json
+refuses 'FILES: 0 given' beadswim-plot swimmer
+
+# --- the pictures of docs/figures.md are those of the examples
+examples=$BEADSWIM_SOURCE/examples
+for figure in 1 4; do
+  run "$examples/figure-$figure.sh" folder
+  has_status 0
+  out_empty
+  err_has "^folder/figure-$figure.svg$"
+  same_bytes "cat folder/figure-$figure.svg" "cat $BEADSWIM_SOURCE/docs/images/figure-$figure.svg"
+done
+run "$examples/figure-4.sh" uniform --preset paper-uniform
+has_status 0
+cp uniform/figure-4.svg out
+labelled 'Dx= 32' 'Cy= 32' 'Dz= 32'
+
+if command -v rsvg-convert >/dev/null; then
+  accepts beadswim-plot swimmer single.json -o swimmer.png
+  check 'swimmer.png is no PNG' test "$(head -c 8 swimmer.png | od -An -tx1 | tr -d ' \n')" = 89504e470d0a1a0a
+fi
+
+finish

@@ -1,0 +1,113 @@
+#include "swarm_scene.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
+#include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
+
+namespace beadswim {
+namespace {
+
+/// By its name, or, whatever its name, by the first bytes of HDF5 files.
+bool is_trajectory(const std::string& path) {
+  if (path.ends_with(".h5md") || path.ends_with(".h5md.part")) return true;
+  const std::string signature = "\x89HDF";
+  std::string start(signature.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return file && start == signature;
+}
+
+std::size_t chosen_frame(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
+  const std::size_t last = file.reader.frames() - 1;
+  const std::size_t frame = wanted.value_or(last);
+  if (frame <= last) return frame;
+  throw InputError("--frame", fmt::format("no frame {} in {}; the last is {}", frame, file.source, last));
+}
+
+/// Moves each swimmer by whole boxes so that its middle bead is in the box; in open space, where there is
+/// none, puts one around them all.
+void put_in_box(SwarmScene& scene) {
+  for (PicturedSwimmer& swimmer : scene.swimmers) {
+    for (int a = 0; a < 3; ++a) {
+      if (!scene.periodic[a]) continue;
+      const double shift = -scene.box[a] * std::floor(swimmer.beads[1][a] / scene.box[a]);
+      for (Vec3& bead : swimmer.beads) bead[a] += shift;
+    }
+  }
+  if (scene.layout.domain) return;
+  Vec3 low = Vec3::Constant(INFINITY), high = -low;
+  for (const PicturedSwimmer& swimmer : scene.swimmers) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      low = low.cwiseMin((swimmer.beads[b].array() - 2 * swimmer.radii[b]).matrix());
+      high = high.cwiseMax((swimmer.beads[b].array() + 2 * swimmer.radii[b]).matrix());
+    }
+  }
+  scene.box = high - low;
+  for (PicturedSwimmer& swimmer : scene.swimmers) {
+    for (Vec3& bead : swimmer.beads) bead -= low;
+  }
+}
+
+SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
+  const TrajectoryHeader& header = file.reader.header();
+  const TrajectoryFrame frame = file.reader.frame(chosen_frame(file, wanted));
+  SwarmScene scene{.source = file.source,
+                   .when = fmt::format("after {:.4g} cycles", frame.time / file.period()),
+                   .laid_out = false,
+                   .layout = file.layout,
+                   .in_layout = file.in_layout,
+                   .swimmers = {},
+                   .box = header.box_lengths,
+                   .periodic = header.periodic};
+  for (std::size_t bead = 0; bead < frame.positions.size(); bead += 3) {
+    PicturedSwimmer swimmer;
+    for (std::size_t b = 0; b < 3; ++b) {
+      swimmer.beads[b] = frame.positions[bead + b];
+      swimmer.radii[b] = header.radius[bead + b];
+    }
+    scene.swimmers.push_back(swimmer);
+  }
+  return scene;
+}
+
+SwarmScene scene_of(Layout layout, const std::string& source) {
+  SwarmScene scene{.source = source,
+                   .when = "as laid out",
+                   .laid_out = true,
+                   .layout = std::move(layout),
+                   .in_layout = {},
+                   .swimmers = {},
+                   .box = Vec3::Zero()};
+  for (const Swimmer& swimmer : scene.layout.swimmers) {
+    const SwimmerType& type = scene.layout.types.at(swimmer.type);
+    scene.in_layout.push_back(scene.in_layout.size());
+    PicturedSwimmer pictured{.beads = rest_positions(swimmer, type)};
+    for (std::size_t b = 0; b < 3; ++b) pictured.radii[b] = type.beads[b].radius;
+    scene.swimmers.push_back(pictured);
+  }
+  if (scene.layout.domain) scene.box = scene.layout.domain->lengths;
+  for (std::size_t a = 0; a < 3; ++a)
+    scene.periodic[a] = scene.layout.domain && scene.layout.domain->boundary[a] == Boundary::periodic;
+  return scene;
+}
+
+}  // namespace
+
+SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> frame) {
+  if (frame && !is_trajectory(path)) {
+    throw InputError("--frame",
+                     fmt::format("{} is a layout, which has no frames; leave it out", source_name(path)));
+  }
+  SwarmScene scene = is_trajectory(path) ? scene_of(open_trajectory(path), frame)
+                                         : scene_of(read_layout(path).layout, source_name(path));
+  put_in_box(scene);
+  return scene;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,91 @@
+#include "swimmer_figure.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
+#include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/documents/trajectory_file.hpp"
+#include "swimmer_parameters.hpp"
+
+namespace beadswim {
+namespace {
+
+const Swimmer& chosen(const Layout& layout, std::optional<int> id, const std::string& source) {
+  if (!id) return layout.swimmers.front();
+  const auto found = std::ranges::find(layout.swimmers, *id, &Swimmer::id);
+  if (found != layout.swimmers.end()) return *found;
+  std::vector<int> ids;
+  for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
+  refuse_swimmer("--swimmers", *id, ids, source);
+}
+
+/// "λ = 4" for each, or "λ₁ = 4" if they differ; units but in lattice units.
+template <std::size_t Count>
+std::array<std::string, Count> labels(const std::string& symbol, const std::array<double, Count>& values,
+                                      const std::string& unit) {
+  constexpr std::array subscripts{"₁", "₂", "₃"};
+  const bool alike = std::ranges::count(values, values[0]) == static_cast<long>(Count);
+  std::array<std::string, Count> labels;
+  for (std::size_t i = 0; i < Count; ++i)
+    labels[i] = fmt::format("{}{} = {:.4g}{}", symbol, alike ? "" : subscripts[i], values[i], unit);
+  return labels;
+}
+
+/// (2.1), with the phase by which swimmers of a swarm are set apart.
+std::array<std::string, 3> force_labels(const Driving& driving) {
+  const std::string offset = driving.phase_offset == 0 ? "" : " + φ";
+  const std::string first = offset.empty() ? "A sin ωt" : fmt::format("A sin(ωt{})", offset);
+  return {"F₁ = " + first, "F₂ = −F₁ − F₃", fmt::format("F₃ = B sin(ωt + α{})", offset)};
+}
+
+/// From the swimmer's axis to the field's direction, x; other frames have none.
+double force_angle(const Swimmer& swimmer, const Driving& driving) {
+  if (driving.frame != DrivingFrame::lab) return 0;
+  return std::acos(std::clamp(swimmer.axis.x(), -1.0, 1.0));
+}
+
+std::string fluid_note(const Layout& layout) {
+  std::string note =
+      fmt::format("Fluid: ρ = {:.4g}, ν = {:.4g}; ", layout.fluid.density, layout.fluid.kinematic_viscosity);
+  if (!layout.domain) return note + "unbounded";
+  const Vec3& box = layout.domain->lengths;
+  return note + fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
+}
+
+}  // namespace
+
+SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optional<int> id) {
+  if (files.size() != 1)
+    throw InputError("FILES", fmt::format("{} given; a swimmer is drawn from one layout", files.size()));
+  const Layout layout = read_layout(files.front()).layout;
+  const Swimmer& swimmer = chosen(layout, id, source_name(files.front()));
+  const SwimmerType type = layout.resolved_type(swimmer);
+  const Units& units = layout.units;
+  const std::string length = units.lattice ? "" : " " + units.length.name;
+  const std::string friction = units.lattice ? "" : fmt::format(" {}/{}", units.mass.name, units.time.name);
+  const std::string stiffness = units.lattice ? "" : friction + "²";
+  const auto& [one, two, three] = type.beads;
+  const auto& [first, second] = type.springs;
+  SwimmerSketch sketch{.title = fmt::format("Swimmer {} of type {}", swimmer.id, swimmer.type),
+                       .radii = {one.radius, two.radius, three.radius},
+                       .rest_lengths = {first.rest_length, second.rest_length},
+                       .force_labels = force_labels(type.driving),
+                       .spring_labels = labels<2>("k", {first.stiffness, second.stiffness}, stiffness),
+                       .dashpot_labels = labels<2>("c", {first.damping, second.damping}, friction),
+                       .force_angle = force_angle(swimmer, type.driving)};
+  sketch.radius_labels = labels("λ", sketch.radii, length);
+  sketch.length_labels = labels("l", sketch.rest_lengths, length);
+  for (std::size_t arm = 0; arm < 2; ++arm)
+    if (type.springs[arm].damping == 0) sketch.dashpot_labels[arm].clear();
+  sketch.notes = {body_parameters(type), driving_parameters(type.driving) + "; ω = 2π/T", fluid_note(layout),
+                  "In " + unit_names(units) + "; beads and springs to scale, at rest",
+                  "Arm 1, trailing, and arm 2, leading: Lᵢ(t) = mean + dᵢ cos(ωt + δᵢ)"};
+  return sketch;
+}
+
+}  // namespace beadswim
