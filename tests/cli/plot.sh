@@ -12,7 +12,7 @@ drawn() { # NUMBER ELEMENT   how often the element is in out
 
 # --- what it says of itself
 accepts beadswim-plot --help
-for flag in '-o,--output' --method --cycle --relative-to --reference --against --axes; do out_has "^  $flag"; done
+for flag in '-o,--output' --method --cycle --mark --distances --relative-to --reference --against --axes; do out_has "^  $flag"; done
 accepts beadswim-plot --version
 for flag in --help --version; do
   run bash -c "beadswim-plot $flag >/dev/full"
@@ -219,6 +219,50 @@ jq 'del(.cost)' run.json >free.json
 refuses 'free.json: does not say its cost' beadswim-plot speed-against-error free.json --reference run.json
 refuses 'si.json: is in other units than run.json' beadswim-plot speed-against-error run.json --reference si.json
 refuses '--reference: has no meaning for stroke' beadswim-plot stroke run.json --reference run.json
+
+# --- verdicts: a point each, its error as the verdict has it, of arms the root mean square
+verdict_of() { # VELOCITY ARM1 ARM2 SECONDS   relative errors, by multipole-ode; those by another method are ten times as large
+  jq -nc --argjson e "[$1, $2, $3]" --argjson seconds "$4" '
+    def row($q; $e; $m): {quantity: $q, run_file: "run.json", swimmer: 0, run: 1, reference_file: "prediction.json",
+      reference: 1, method: $m, usable: true, relative_error: $e, tolerance: 0.05, pass: false, decides: ($m == "multipole-ode")};
+    {schema: "beadswim/verdict/1", pass: false, decided_by: "multipole-ode",
+     cost: {wall_seconds: 1, core_seconds: $seconds, cell_updates: 1},
+     rows: ([{m: "multipole-ode", f: 1}, {m: "oseen-force-closed", f: 10}] | map(
+       row("velocity"; $e[0] * .f; .m), row("arm_amplitudes"; $e[1] * .f; .m) + {arm: 1},
+       row("arm_amplitudes"; $e[2] * .f; .m) + {arm: 2}))}'
+}
+verdict_of -0.1 0.03 -0.04 10 >cheap.verdict.json
+verdict_of 0.01 0.003 0.004 1000 >dear.verdict.json
+accepts beadswim-plot speed-against-error cheap.verdict.json dear.verdict.json
+well_formed out
+drawn 4 circle     # of the first verdict, and its legends, in two panels; the second has squares
+out_has '>core-seconds \(s\)<'
+out_has 'errors of verdicts, against multipole-ode<'
+out_has '>Front of the arm amplitudes: cheap.verdict.json; dear.verdict.json<'
+cat cheap.verdict.json dear.verdict.json >both.jsonl
+accepts beadswim-plot speed-against-error both.jsonl
+out_has '>both.jsonl line 2<'
+positions() { grep -oE 'c[xy]="[0-9.]+"' <(beadswim-plot speed-against-error "$@"); }
+export -f positions verdict_of
+# Ten times the error by the other method, and as large an error of one arm as the root mean square of two.
+verdict_of 1 "$(jq -n '(9 + 16) / 2 | sqrt / 10')" "$(jq -n '(9 + 16) / 2 | sqrt / 10')" 10 >other.verdict.json
+verdict_of 0.1 0.03 0.04 1000 >dear_other.verdict.json
+same_bytes 'positions cheap.verdict.json dear.verdict.json --method oseen-force-closed' \
+  'positions other.verdict.json dear_other.verdict.json'
+refuses '--method: cheap.verdict.json has no "oseen-force"; did you mean "oseen-force-closed"' \
+  beadswim-plot speed-against-error cheap.verdict.json --method oseen-force
+refuses '--method: 2 given; name one' beadswim-plot speed-against-error cheap.verdict.json --method a,b
+refuses '--cycle: has no meaning for verdicts' beadswim-plot speed-against-error cheap.verdict.json --cycle 2
+jq '.cost = null' cheap.verdict.json >free.verdict.json
+refuses 'free.verdict.json: does not say its cost' beadswim-plot speed-against-error free.verdict.json
+refuses '--reference: none given; .* errors of run.json' beadswim-plot speed-against-error cheap.verdict.json run.json
+refuses 'prediction.json: is "beadswim/prediction/1"; verdicts' beadswim-plot speed-against-error prediction.json
+refuses 'cheap.verdict.json: is a verdict, which speed-against-error alone draws, and without --reference' \
+  beadswim-plot speed-against-error cheap.verdict.json --reference run.json
+jq '.rows |= map(.quantity = "sin_phase_shift" | del(.arm))' cheap.verdict.json >phases.verdict.json
+refuses 'phases.verdict.json: compares neither velocity nor arm_amplitudes' beadswim-plot speed-against-error phases.verdict.json
+jq '.rows[0].relative_error = null' cheap.verdict.json >infinite.verdict.json
+refuses 'infinite.verdict.json: has an error of inf in its velocity' beadswim-plot speed-against-error infinite.verdict.json
 refuses '--axes: has no meaning for speed-against-error' \
   beadswim-plot speed-against-error run.json --reference run.json --axes linear
 

@@ -7,9 +7,10 @@
 #include "stroke_figure.hpp"
 #include "swimmer_figure.hpp"
 #include "velocity_figure.hpp"
+#include "verdict_figure.hpp"
 #include "write_figure.hpp"
 
-// beadswim-plot: figures of run records, predictions, trajectories and layouts.
+// beadswim-plot: figures of run records, predictions, verdicts, trajectories and layouts.
 
 namespace {
 
@@ -21,6 +22,8 @@ Figure draw(const PlotRequest& request) {
   const Axes axes = parse_axes(request.axes);
   if (request.kind == products_kind) return product_figure(request.files);
   if (request.kind == trajectories_kind) return trajectory_figure(request.files, trajectory_options(request));
+  if (request.kind == speed_kind && request.reference.empty())
+    return verdict_figure(request.files, request.methods);
   if (request.kind == speed_kind) {
     return speed_figure(read_plot_inputs(request.files, {}), {request.reference, request.methods, cycle});
   }
@@ -43,7 +46,7 @@ std::string svg_of(const PlotRequest& request) {
 int run(int argc, const char* const* argv) {
   const auto program = make_program(
       "beadswim-plot",
-      "Draws run records, predictions, trajectories and layouts as a figure, SVG or PNG.");
+      "Draws run records, predictions, verdicts, trajectories and layouts as a figure, SVG or PNG.");
   PlotRequest request;
   add_flags(*program, request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;

@@ -68,9 +68,10 @@ void add_figure_flags(CLI::App& program, PlotRequest& request) {
       ->type_name("METHOD")
       ->default_str("none");
   program
-      .add_option("--reference", request.reference,
-                  "From which errors are measured, for speed-against-error: a prediction, by its best usable "
-                  "method or --method, or a run record of the same scene.")
+      .add_option(
+          "--reference", request.reference,
+          "From which errors of runs are measured, for speed-against-error: a prediction, by its best "
+          "usable method or --method, or a run record of the same scene. Verdicts have theirs.")
       ->type_name("FILE")
       ->default_str("none");
   program
@@ -210,7 +211,8 @@ void add_flags(CLI::App& program, PlotRequest& request) {
           "FILES", request.files,
           "Run records (drawn as points) and predictions (as lines): one document a file, or one a line. "
           "One may be - for standard input. For trajectories and swarm: what beadswim-run wrote, .h5md or, "
-          "of a run that goes on or was killed, .h5md.part. For swarm also, and for swimmer, a layout.")
+          "of a run that goes on or was killed, .h5md.part. For swarm also, and for swimmer, a layout; for "
+          "speed-against-error run records, or verdicts of beadswim-compare.")
       ->type_name("FILE...")
       ->default_str("");
   program.add_option("-o,--output", request.output, "Figure to write: .svg, .png, or - for SVG on stdout.")
@@ -239,8 +241,10 @@ void require_consistent(const PlotRequest& request) {
     if (!flag.given || std::ranges::find(flag.kinds, request.kind) != flag.kinds.end()) continue;
     throw InputError(flag.name, fmt::format("has no meaning for {}; leave it out", request.kind));
   }
-  if (request.kind == speed_kind && request.reference.empty()) {
-    throw InputError("--reference", "none given; name a prediction or a run from which errors are measured");
+  if (request.kind == speed_kind && request.reference.empty() && request.cycle != PlotRequest{}.cycle) {
+    throw InputError("--cycle",
+                     "has no meaning for verdicts, which have theirs; leave it out, or draw runs, with "
+                     "--reference");
   }
 }
 

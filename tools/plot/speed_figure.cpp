@@ -10,6 +10,7 @@
 #include "abscissa.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
+#include "error_panel.hpp"
 
 namespace beadswim {
 namespace {
@@ -140,12 +141,6 @@ void add(const PlottedRun& run, const ErrorReference& reference, const CycleChoi
   }
 }
 
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
 /// By setting, in order of its first run; then by cells a radius, 0 where there is no lattice.
 using BySetting = std::vector<std::pair<std::string, std::map<double, Measured>>>;
 
@@ -166,92 +161,28 @@ BySetting measured_by_setting(const PlotInputs& inputs, const ErrorReference& re
   return all;
 }
 
-struct Point {
-  std::string name;
-  double cost, error;  ///< [s], [%]
-};
-
-Point point_of(const std::string& setting, double cells, const Measured& measured, ComparedQuantity quantity,
-               const std::string& what) {
-  const double error = root_mean_square(measured.errors.at(quantity)), cost = median(measured.costs);
-  if (!(error > 0 && std::isfinite(error) && cost > 0 && std::isfinite(cost))) {
-    throw InputError(measured.first->source,
-                     fmt::format("has an error of {:g} in its {} and takes {:g} core-seconds a period, which "
-                                 "no logarithmic axis holds; is it the reference itself?",
-                                 error, what, cost));
-  }
-  return {cells > 0 ? fmt::format("{}, {:g} cells", setting, cells) : setting, cost, 100 * error};
-}
-
-/// Pareto's front: points than which none that costs less errs less, in order of their costs.
-std::vector<Point> front_of(std::vector<Point> points) {
-  std::ranges::sort(points, {}, [](const Point& p) { return std::pair(p.cost, p.error); });
-  std::vector<Point> front;
-  for (const Point& point : points)
-    if (front.empty() || point.error < front.back().error) front.push_back(point);
-  return front;
-}
-
-Series level(const std::vector<Point>& points, double error) {
-  const auto [least, most] = std::ranges::minmax(points, {}, &Point::cost);
-  return {.label = "uncertainty of the reference",
-          .x = {least.cost, most.cost},
-          .y = {error, error},
-          .mark = Mark::line,
-          .colour = 6,
-          .dash = 1,
-          .emphasis = Emphasis::faint};
-}
-
-struct PanelOfErrors {
-  Panel panel;
-  std::vector<std::string> notes;  ///< that name the points of the front
-};
-
-/// In lines of the figure's width.
-std::vector<std::string> lines_of(const std::string& beginning, const std::vector<Point>& points) {
-  constexpr std::size_t width = 110;
-  std::vector<std::string> lines{beginning};
-  for (const Point& point : points) {
-    const std::string more = point.name + (&point == &points.back() ? "" : ";");
-    if (lines.back().size() + more.size() > width) lines.emplace_back("   ");
-    lines.back() += " " + more;
-  }
-  return lines;
-}
-
-PanelOfErrors panel_of(const BySetting& all, const ErrorReference& reference, ComparedQuantity quantity,
-                       const std::string& what) {
-  Panel panel{.x_label = {"core-seconds a period", "s"},
-              .y_label = {"error of the " + what, "%"},
-              .x_scale = ScaleKind::logarithmic,
-              .y_scale = ScaleKind::logarithmic};
-  std::vector<Point> points;
+/// The runs' errors of a quantity.
+std::vector<ErrorSeries> errors_of(const BySetting& all, ComparedQuantity quantity) {
+  std::vector<ErrorSeries> result;
   for (const auto& [name, by_cells] : all) {
-    const int position = static_cast<int>(panel.series.size());
-    Series series{.label = name,
-                  .mark = Mark::line_and_points,
-                  .colour = position,
-                  .shape = position,
-                  .dash = position};
+    ErrorSeries series{name, {}};
     for (const auto& [cells, measured] : by_cells) {
       if (!measured.errors.contains(quantity)) continue;
-      points.push_back(point_of(name, cells, measured, quantity, what));
-      series.x.push_back(points.back().cost);
-      series.y.push_back(points.back().error);
+      series.points.push_back({.name = cells > 0 ? fmt::format("{}, {:g} cells", name, cells) : name,
+                               .source = measured.first->source,
+                               .cost = median(measured.costs),
+                               .error = root_mean_square(measured.errors.at(quantity))});
     }
-    panel.series.push_back(series);
+    result.push_back(std::move(series));
   }
-  const std::vector<Point> front = front_of(points);
-  Series line{.label = "front", .mark = Mark::line, .colour = 7, .emphasis = Emphasis::faint};
-  for (const Point& point : front) {
-    line.x.push_back(point.cost);
-    line.y.push_back(point.error);
-  }
-  panel.series.push_back(line);
-  if (reference.uncertainty.contains(quantity))
-    panel.series.push_back(level(points, 100 * reference.uncertainty.at(quantity)));
-  return {panel, lines_of(fmt::format("Front of the {}:", what), front)};
+  return result;
+}
+
+ErrorPanel panel_of(const BySetting& all, const ErrorReference& reference, ComparedQuantity quantity,
+                    const std::string& what) {
+  const auto known = reference.uncertainty.find(quantity);
+  return error_panel(errors_of(all, quantity), what, "core-seconds a period",
+                     known == reference.uncertainty.end() ? std::nullopt : std::optional(known->second));
 }
 
 std::string resolutions_note(const BySetting& all) {
@@ -275,14 +206,14 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFigureOptions& options)
   }
   const ErrorReference reference = read_reference(inputs, options);
   const BySetting all = measured_by_setting(inputs, reference, options.cycle);
-  const PanelOfErrors velocity = panel_of(all, reference, ComparedQuantity::velocity, "velocity"),
-                      strokes = panel_of(all, reference, ComparedQuantity::arm_amplitudes, "arm amplitudes");
+  const ErrorPanel velocity = panel_of(all, reference, ComparedQuantity::velocity, "velocity"),
+                   strokes = panel_of(all, reference, ComparedQuantity::arm_amplitudes, "arm amplitudes");
   Figure figure{.title = "Speed against error",
                 .panels = {velocity.panel, strokes.panel},
                 .notes = {fmt::format("Root mean square of relative errors, against {}", reference.name)}};
   const std::string resolutions = resolutions_note(all);
   if (!resolutions.empty()) figure.notes.push_back(resolutions);
-  for (const PanelOfErrors* panel : {&velocity, &strokes})
+  for (const ErrorPanel* panel : {&velocity, &strokes})
     figure.notes.insert(figure.notes.end(), panel->notes.begin(), panel->notes.end());
   return figure;
 }

@@ -1,6 +1,9 @@
 #include "beadswim/documents/verdict_document.hpp"
 
 #include <cmath>
+#include <limits>
+
+#include "beadswim/io/schema.hpp"
 
 namespace beadswim {
 namespace {
@@ -22,6 +25,26 @@ Json json_of(const ComparisonRow& row) {
   return json;
 }
 
+/// What json_of wrote.
+ComparisonRow row_from_json(const Json& json) {
+  ComparisonRow row;
+  row.quantity = *quantity_named(json.at("quantity").get<std::string>());
+  if (json.contains("arm")) row.arm = json.at("arm").get<int>();
+  row.run_source = json.at("run_file").get<std::string>();
+  row.swimmer = json.at("swimmer").get<int>();
+  row.run = json.at("run").get<double>();
+  row.reference_source = json.at("reference_file").get<std::string>();
+  row.reference = json.at("reference").get<double>();
+  row.method = json.at("method").get<std::string>();
+  row.usable = json.at("usable").get<bool>();
+  const Json& error = json.at("relative_error");
+  row.relative_error = error.is_null() ? std::numeric_limits<double>::infinity() : error.get<double>();
+  row.tolerance = json.at("tolerance").get<double>();
+  row.pass = json.at("pass").get<bool>();
+  row.decides = json.at("decides").get<bool>();
+  return row;
+}
+
 Json json_of(const std::optional<VerdictCost>& cost) {
   if (!cost) return nullptr;
   return {{"wall_seconds", cost->wall_seconds},
@@ -40,6 +63,18 @@ std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> ru
     total.cell_updates += cost->cell_updates.value_or(0);
   }
   return total;
+}
+
+VerdictDocument verdict_from_json(const Json& json, const std::string& source) {
+  validate_json(json, "verdict", source);
+  VerdictDocument document{json.at("decided_by").get<std::string>(), {}, {}};
+  for (const Json& row : json.at("rows")) document.rows.push_back(row_from_json(row));
+  const Json& cost = json.at("cost");
+  if (cost.is_null()) return document;
+  document.cost = {.wall_seconds = cost.at("wall_seconds").get<double>(),
+                   .core_seconds = cost.at("core_seconds").get<double>(),
+                   .cell_updates = cost.at("cell_updates").get<std::int64_t>()};
+  return document;
 }
 
 Json verdict_to_json(const VerdictDocument& document) {

@@ -30,6 +30,9 @@ struct VerdictDocument {
 /// The sum over runs; none if a run's record leaves its cost out.
 std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> runs);
 
+/// Throws InputError naming `source` and place.
+VerdictDocument verdict_from_json(const Json& json, const std::string& source);
+
 /// "pass" is the verdict of the rows; an infinite relative error is null.
 Json verdict_to_json(const VerdictDocument& document);
 

@@ -1,0 +1,96 @@
+#include "error_panel.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr int black = 6;  // in the palette
+
+void require_place(const ErrorPoint& point, const std::string& quantity, const std::string& cost) {
+  if (point.error > 0 && std::isfinite(point.error) && point.cost > 0 && std::isfinite(point.cost)) return;
+  throw InputError(point.source, fmt::format("has an error of {:g} in its {} and takes {:g} {}, which "
+                                             "no logarithmic axis holds; is it the reference itself?",
+                                             point.error, quantity, point.cost, cost));
+}
+
+/// Pareto's front: points than which none that costs less errs less, in order of their costs.
+std::vector<ErrorPoint> front_of(std::vector<ErrorPoint> points) {
+  std::ranges::sort(points, {}, [](const ErrorPoint& p) { return std::pair(p.cost, p.error); });
+  std::vector<ErrorPoint> front;
+  for (const ErrorPoint& point : points)
+    if (front.empty() || point.error < front.back().error) front.push_back(point);
+  return front;
+}
+
+Series level(const std::vector<ErrorPoint>& points, double error) {
+  const auto [least, most] = std::ranges::minmax(points, {}, &ErrorPoint::cost);
+  return {.label = "uncertainty of the reference",
+          .x = {least.cost, most.cost},
+          .y = {100 * error, 100 * error},
+          .mark = Mark::line,
+          .colour = black,
+          .dash = 1,
+          .emphasis = Emphasis::faint};
+}
+
+/// In lines of the figure's width.
+std::vector<std::string> lines_of(const std::string& beginning, const std::vector<ErrorPoint>& points) {
+  constexpr std::size_t width = 110;
+  std::vector<std::string> lines{beginning};
+  for (const ErrorPoint& point : points) {
+    const std::string more = point.name + (&point == &points.back() ? "" : ";");
+    if (lines.back().size() + more.size() > width) lines.emplace_back("   ");
+    lines.back() += " " + more;
+  }
+  return lines;
+}
+
+void append(const std::vector<ErrorPoint>& points, Series& series) {
+  for (const ErrorPoint& point : points) {
+    series.x.push_back(point.cost);
+    series.y.push_back(100 * point.error);
+  }
+}
+
+}  // namespace
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+ErrorPanel error_panel(const std::vector<ErrorSeries>& all, const std::string& quantity,
+                       const std::string& cost, std::optional<double> uncertainty) {
+  Panel panel{.x_label = {cost, "s"},
+              .y_label = {"error of the " + quantity, "%"},
+              .x_scale = ScaleKind::logarithmic,
+              .y_scale = ScaleKind::logarithmic};
+  std::vector<ErrorPoint> points;
+  for (const ErrorSeries& one : all) {
+    for (const ErrorPoint& point : one.points) require_place(point, quantity, cost);
+    const int position = static_cast<int>(panel.series.size());
+    Series series{.label = one.label,
+                  .mark = Mark::line_and_points,
+                  .colour = position,
+                  .shape = position,
+                  .dash = position};
+    append(one.points, series);
+    points.insert(points.end(), one.points.begin(), one.points.end());
+    panel.series.push_back(std::move(series));
+  }
+  const std::vector<ErrorPoint> front = front_of(points);
+  Series line{.label = "front", .mark = Mark::line, .colour = black, .emphasis = Emphasis::faint};
+  append(front, line);
+  panel.series.push_back(std::move(line));
+  if (uncertainty) panel.series.push_back(level(points, *uncertainty));
+  return {std::move(panel), lines_of(fmt::format("Front of the {}:", quantity), front)};
+}
+
+}  // namespace beadswim

@@ -1,0 +1,121 @@
+#include "verdict_figure.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <set>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+#include "beadswim/documents/verdict_document.hpp"
+#include "error_panel.hpp"
+#include "swimming_files.hpp"
+
+namespace beadswim {
+namespace {
+
+struct PlottedVerdict {
+  std::string source;
+  VerdictDocument verdict;
+  std::string method;  ///< whose errors are drawn
+};
+
+/// The one named, if the verdict has it, else the deciding one.
+std::string method_of(const VerdictDocument& verdict, const std::vector<std::string>& named,
+                      const std::string& source) {
+  if (named.empty()) return verdict.decided_by;
+  if (named.size() > 1)
+    throw InputError("--method", fmt::format("{} given; name one, whose errors are drawn", named.size()));
+  std::set<std::string> known;
+  for (const ComparisonRow& row : verdict.rows) known.insert(row.method);
+  if (known.contains(named.front())) return named.front();
+  const std::vector<std::string> names(known.begin(), known.end());
+  throw InputError("--method",
+                   fmt::format("{} has no \"{}\"; did you mean \"{}\"? It has {}", source, named.front(),
+                               nearest_name(named.front(), names), fmt::join(names, ", ")));
+}
+
+PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::string>& methods) {
+  const std::string schema = schema_of(document.json);
+  if (schema.starts_with("beadswim/run/")) {
+    throw InputError("--reference",
+                     fmt::format("none given; name a prediction or a run from which errors of {} "
+                                 "are measured, or draw verdicts of beadswim-compare",
+                                 document.source));
+  }
+  if (!schema.starts_with("beadswim/verdict/")) {
+    throw InputError(document.source,
+                     fmt::format("is \"{}\"; verdicts (\"beadswim/verdict/1\"), or run records with "
+                                 "--reference, are drawn here",
+                                 schema));
+  }
+  VerdictDocument verdict = verdict_from_json(document.json, document.source);
+  if (!verdict.cost) {
+    throw InputError(document.source, "does not say its cost, as of runs with --no-provenance; leave it out");
+  }
+  std::string method = method_of(verdict, methods, document.source);
+  return {document.source, std::move(verdict), std::move(method)};
+}
+
+std::vector<PlottedVerdict> read_verdicts(const std::vector<std::string>& files,
+                                          const std::vector<std::string>& methods) {
+  if (files.empty())
+    throw InputError("FILES", "no file given; name verdicts, or run records and --reference");
+  std::vector<PlottedVerdict> verdicts;
+  for (const std::string& path : files) {
+    for (const SourceJson& document : read_json_documents(path, "a verdict"))
+      verdicts.push_back(verdict_in(document, methods));
+  }
+  return verdicts;
+}
+
+/// One for each verdict that knows the quantity.
+std::vector<ErrorSeries> errors_of(const std::vector<PlottedVerdict>& verdicts, ComparedQuantity quantity) {
+  std::vector<ErrorSeries> all;
+  for (const PlottedVerdict& plotted : verdicts) {
+    std::vector<double> errors;
+    for (const ComparisonRow& row : plotted.verdict.rows) {
+      if (row.quantity == quantity && row.method == plotted.method) errors.push_back(row.relative_error);
+    }
+    if (errors.empty()) continue;
+    const std::string name = std::filesystem::path(plotted.source).filename().string();
+    all.push_back(
+        {name, {{name, plotted.source, plotted.verdict.cost->core_seconds, root_mean_square(errors)}}});
+  }
+  return all;
+}
+
+std::string methods_note(const std::vector<PlottedVerdict>& verdicts) {
+  std::set<std::string> methods;
+  for (const PlottedVerdict& plotted : verdicts) methods.insert(plotted.method);
+  return fmt::format("Root mean square of the relative errors of verdicts, against {}",
+                     fmt::join(methods, ", "));
+}
+
+}  // namespace
+
+Figure verdict_figure(const std::vector<std::string>& files, const std::vector<std::string>& methods) {
+  const std::vector<PlottedVerdict> verdicts = read_verdicts(files, methods);
+  Figure figure{
+      .title = "Speed against error",
+      .panels = {},
+      .notes = {methods_note(verdicts), "Core-seconds of all runs that a verdict is on, from start to end"}};
+  for (const auto& [quantity, what] : {std::pair(ComparedQuantity::velocity, "velocity"),
+                                       std::pair(ComparedQuantity::arm_amplitudes, "arm amplitudes")}) {
+    const std::vector<ErrorSeries> all = errors_of(verdicts, quantity);
+    if (all.empty()) continue;
+    ErrorPanel panel = error_panel(all, what, "core-seconds", std::nullopt);
+    figure.panels.push_back(std::move(panel.panel));
+    figure.notes.insert(figure.notes.end(), panel.notes.begin(), panel.notes.end());
+  }
+  if (figure.panels.empty()) {
+    throw InputError(verdicts.front().source,
+                     "compares neither velocity nor arm_amplitudes, which are drawn here");
+  }
+  return figure;
+}
+
+}  // namespace beadswim
