@@ -242,7 +242,7 @@ out_has '>Front of the arm amplitudes: cheap.verdict.json; dear.verdict.json<'
 cat cheap.verdict.json dear.verdict.json >both.jsonl
 accepts beadswim-plot speed-against-error both.jsonl
 out_has '>both.jsonl line 2<'
-positions() { grep -oE 'c[xy]="[0-9.]+"' <(beadswim-plot speed-against-error "$@"); }
+positions() { grep -oE 'c[xy]="[0-9.]+"|text-anchor="end">[^<]*' <(beadswim-plot speed-against-error "$@"); }
 export -f positions verdict_of
 # Ten times the error by the other method, and as large an error of one arm as the root mean square of two.
 verdict_of 1 "$(jq -n '(9 + 16) / 2 | sqrt / 10')" "$(jq -n '(9 + 16) / 2 | sqrt / 10')" 10 >other.verdict.json
