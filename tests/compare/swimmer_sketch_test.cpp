@@ -73,5 +73,18 @@ TEST(SwimmerSketch, DashpotsAreDrawnWhereTheyAreLabelled) {
   EXPECT_THAT(swimmer_sketch_to_svg(damped), HasSubstr(">c2<"));
 }
 
+// Over the beads a label could not be read.
+TEST(SwimmerSketch, LabelsWithoutRoomBetweenBeadsStandBelowTheLengths) {
+  const auto height_of = [](const std::string& svg, const std::string& label) {
+    const std::size_t start = svg.rfind(" y=\"", svg.find(">" + label + "<"));
+    return std::stod(svg.substr(start + 4));
+  };
+  SwimmerSketch close = sketch();
+  EXPECT_LT(height_of(swimmer_sketch_to_svg(close), "k1"), height_of(swimmer_sketch_to_svg(close), "l1"));
+  close.rest_lengths = {8.5, 8.5};
+  const std::string svg = swimmer_sketch_to_svg(close);
+  EXPECT_GT(height_of(svg, "k1"), height_of(svg, "l1"));
+}
+
 }  // namespace
 }  // namespace beadswim

@@ -74,19 +74,35 @@ std::string draw_dashpot(svg::Point from, double length) {
          svg::line({piston, from.y}, {from.x + length, from.y}, spring_stroke);
 }
 
+/// Between the surfaces of two beads [px].
+double gap(const Placed& page, std::size_t arm) {
+  return page.centres[arm + 1].x - page.radii[arm + 1] - page.centres[arm].x - page.radii[arm];
+}
+
+/// Whether springs' and dashpots' labels have room between the beads; else they stand below the lengths.
+bool labels_fit(const SwimmerSketch& sketch, const Placed& page) {
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    for (const std::string& label : {sketch.spring_labels[arm], sketch.dashpot_labels[arm]})
+      if (svg::text_width(label, label_size) > gap(page, arm)) return false;
+  }
+  return true;
+}
+
 std::string draw_arm(const SwimmerSketch& sketch, const Placed& page, std::size_t arm) {
   const svg::Point from{page.centres[arm].x + page.radii[arm], page.centres[arm].y};
-  const double length = page.centres[arm + 1].x - page.radii[arm + 1] - from.x, middle = from.x + length / 2;
+  const double length = gap(page, arm), middle = from.x + length / 2;
   const bool damped = !sketch.dashpot_labels[arm].empty();
   const double up = damped ? from.y - apart : from.y, down = from.y + apart;
+  const bool inside = labels_fit(sketch, page);
+  const double below = page.bottom + lengths_height;
   std::string elements = draw_spring({from.x, up}, length);
   if (damped) {
     elements += draw_dashpot({from.x, down}, length);
     for (const double x : {from.x, from.x + length}) elements += svg::line({x, up}, {x, down}, spring_stroke);
-    elements += svg::text({middle, down + dashpot_height + 15}, sketch.dashpot_labels[arm],
-                          {label_size, svg::Anchor::middle});
+    elements += svg::text({middle, inside ? down + dashpot_height + 15 : below + line_pitch},
+                          sketch.dashpot_labels[arm], {label_size, svg::Anchor::middle});
   }
-  return elements + svg::text({middle, up - spring_height - 7}, sketch.spring_labels[arm],
+  return elements + svg::text({middle, inside ? up - spring_height - 7 : below}, sketch.spring_labels[arm],
                               {label_size, svg::Anchor::middle});
 }
 
@@ -148,7 +164,7 @@ std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch) {
     elements += draw_bead(sketch, page, bead) + draw_force(sketch, page, bead);
   for (std::size_t arm = 0; arm < 2; ++arm)
     elements += draw_arm(sketch, page, arm) + draw_length(sketch, page, arm);
-  double top = page.bottom + lengths_height;
+  double top = page.bottom + lengths_height + (labels_fit(sketch, page) ? 0 : 2 * line_pitch);
   for (const std::string& note : sketch.notes)
     elements += svg::text({margin, top += line_pitch}, note, {note_size});
   return svg::document(page_width(sketch, page), top + margin, sketch.title, elements);
