@@ -15,8 +15,8 @@ struct CheckpointContents {
   };
   std::vector<Section> sections;
   Index3 cells = Index3::Zero();
-  int components = 0;           ///< 0: no lattice
-  std::vector<double> numbers;  ///< [component][z][y][x]
+  int components = 0;             ///< 0: no lattice
+  std::vector<double> numbers{};  ///< [component][z][y][x]
 
   /// `sections` has the names, the other numbers what is to be read.
   void read(const CheckpointReader& checkpoint);

@@ -14,6 +14,9 @@ CoupledScene scene_of(int edge, BeadScheme scheme) {
   CoupledScene scene;
   scene.cells = {edge, edge, edge};
   scene.bead_boundary = scheme;
+  scene.types.resize(1);
+  for (Bead& bead : scene.types[0].beads) bead = {.radius = 4, .density = 1};
+  scene.swimmers = {{.id = 0, .type = 0, .position = {9, 9, 9}}};
   return scene;
 }
 
@@ -31,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto written =
       written_again(given, [](const Json& json) { return LatticeSpeed::from_json(json).to_json(); });
   require(written && written->at("precisions") == speed.to_json().at("precisions"), "the same speeds");
-  for (const int edge : {1, 20, 1000}) {
+  for (const int edge : {20, 1000}) {
     for (const BeadScheme scheme : all_bead_schemes) {
       const double seconds = speed.step(scene_of(edge, scheme));
       require(std::isfinite(seconds) && seconds > 0, "a step takes time");

@@ -172,8 +172,9 @@ void write_item(hid_t file, const Item& item) {
   const H5Handle space(made, H5Sclose, item.place);
   if (item.form == Form::dataset) return write_dataset(file, item, type, space);
   const hid_t parent = H5Oopen(file, item.place.c_str(), H5P_DEFAULT);
-  if (parent < 0 || count_of(item) > 64) return;
+  if (parent < 0) return;
   const H5Handle object(parent, H5Oclose, item.place);
+  if (count_of(item) > 64) return;
   const std::string name = item.attribute.empty() ? "name" : item.attribute;
   const hid_t attribute = H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT);
   if (attribute < 0) return;

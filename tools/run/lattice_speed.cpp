@@ -201,8 +201,10 @@ LatticeSpeed LatticeSpeed::from_json(const Json& json) {
                                  .seconds_per_area = numbers("seconds_per_area", all_bead_schemes.size())});
   }
   const auto is_sound = [](const OfPrecision& own) {
+    constexpr double longest = 1;  // no machine takes a second for a cell
     return own.cells.front() > 0 && std::ranges::is_sorted(own.cells) &&
-           std::ranges::min(own.seconds_per_cell) > 0;
+           std::ranges::min(own.seconds_per_cell) > 0 && std::ranges::max(own.seconds_per_cell) < longest &&
+           std::ranges::min(own.seconds_per_area) >= 0 && std::ranges::max(own.seconds_per_area) < longest;
   };
   if (speed.precisions_.size() != precisions.size() || !std::ranges::all_of(speed.precisions_, is_sound))
     throw InputError("precisions", "are not what this version writes");

@@ -18,8 +18,8 @@ constexpr double most_growth = 50;  // as an exponent: e^50, no number to speak 
 Asked ask(Representative representative) {
   Asked asked{.representative = std::move(representative), .best = {}, .why_not = {}, .lag = {}};
   const Question& question = asked.representative.question;
-  const auto& [driven, seen] =
-      std::pair(asked.representative.type.driving.amplitude, question.swimmer.amplitude);
+  const auto driven = asked.representative.type.driving.amplitude;
+  const auto seen = question.swimmer.amplitude;
   constexpr double none = 1e-9;
   asked.why_not = reason_against([&] {
     asked.lag.emplace(question);
