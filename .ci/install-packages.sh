@@ -1,7 +1,7 @@
 #!/bin/bash
 # Installs what is missing of the Debian packages that Beadswim is built, tested and drawn with.
 #   .ci/install-packages.sh [--with-readers]
-# --with-readers adds what tests/extended.sh needs beyond: readers of results and documents, a browser, clang's fuzzer.
+# --with-readers adds what tests/extended.sh needs beyond: readers of results and documents, and a browser.
 set -euo pipefail
 
 packages=(
@@ -16,7 +16,6 @@ packages=(
   jq python3                                                             # scripts
 )
 readers=(python3-h5py python3-mdanalysis python3-jsonschema paraview python3-paraview)
-readers+=(clang libclang-rt-14-dev)                                       # tests/fuzz
 readers+=(chromium)                                                      # the page of beadswim-view
 # Node.js makes that page; one that did not come as a package will do.
 command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)

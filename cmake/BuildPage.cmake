@@ -17,8 +17,9 @@ file(MAKE_DIRECTORY ${FOLDER})
 file(COPY ${SOURCE}/ DESTINATION ${FOLDER} PATTERN node_modules EXCLUDE)
 set(installed ${FOLDER}/node_modules/.package-lock.json)
 if(NOT EXISTS ${installed} OR ${FOLDER}/package-lock.json IS_NEWER_THAN ${installed})
-  execute_process(COMMAND ${NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error WORKING_DIRECTORY ${FOLDER}
-                  RESULT_VARIABLE failed ERROR_VARIABLE errors OUTPUT_QUIET TIMEOUT 300)
+  execute_process(COMMAND ${NPM} ci --include=dev --ignore-scripts --no-audit --no-fund --prefer-offline
+                          --fetch-retries=1 --loglevel=error WORKING_DIRECTORY ${FOLDER}
+                  RESULT_VARIABLE failed ERROR_VARIABLE errors OUTPUT_QUIET TIMEOUT 180)
   if(failed)
     message("${errors}")
     give_up("when Beadswim was built, npm could not install what the page is made with (${failed}); see that npm reaches its registry, and build again")
@@ -28,6 +29,8 @@ if(NOT EXISTS ${installed} OR ${FOLDER}/package-lock.json IS_NEWER_THAN ${instal
 endif()
 execute_process(COMMAND ${NODE} build.mjs ${OUTPUT} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE failed)
 if(failed)
-  message(FATAL_ERROR "build.mjs failed (${failed})")
+  file(REMOVE ${installed})
+  give_up("when Beadswim was built, Node.js could not make the page (${failed}); it must be version 18 or later; see the build's messages, and build again")
+  return()
 endif()
 file(TOUCH ${STAMP})

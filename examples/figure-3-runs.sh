@@ -33,7 +33,7 @@ simulate() { # PERIOD LAYOUT-FLAGS...
   echo "T = $period $* (${flags[*]})" >&2
   beadswim-layout swimmer --preset paper-single --box "$box" --boundary periodic --period "$period" "$@" |
     mpirun -n "$ranks" beadswim-run - -o "$out/run.h5md" --cycles "$cycles" --progress none "${flags[@]}" | jq -c .
-  rm "$out/run.h5md"
+  rm "$out"/run.h5md{,.xdmf2}
 }
 
 # Records of one abscissa, whole or not at all.

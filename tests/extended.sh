@@ -1,6 +1,6 @@
 #!/bin/bash
 # The slower checks: sanitizers, a tiny scene through all programs on 1 and 3 ranks, the files in other people's
-# readers, and the commands of README and of pages, and a minute of fuzzing. Each part has its time limit; all together take under an hour.
+# readers, and the commands of README and of pages. Each part has its time limit; all together take under an hour.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -73,8 +73,5 @@ for page in README.md docs/tutorial.md docs/theory.md docs/units.md docs/reading
   cat commands.sh
   PATH=$root/build/ci/bin:/usr/bin:$PATH timeout 900 bash -euo pipefail commands.sh
 done
-
-section "Fuzzing, a minute in all"
-timeout 2400 tests/fuzz/run.sh 7s
 
 section "All extended checks passed"

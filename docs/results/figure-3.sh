@@ -21,7 +21,7 @@ three() { "$examples/figure-3-runs.sh" three --cells-per-radius 3 --precision si
 coarse() { "$examples/figure-3-runs.sh" coarse --cells-per-radius 2 --precision single; }
 
 simulate() { # FLAGS...   the layout on standard input; a record, as one line
-  mpirun -n 2 beadswim-run - -o run.h5md --progress none "$@" | jq -c . && rm run.h5md
+  mpirun -n 2 beadswim-run - -o run.h5md --progress none "$@" | jq -c . && rm run.h5md{,.xdmf2}
 }
 
 # Springs of a tenth and a tenth of the frequency: γω/k and strokes as at T = 4800, inertia a tenth.

@@ -64,4 +64,4 @@ for group; do
   "$group" >"$group.part"
   mv "$group.part" "$group.jsonl"
 done
-rm -f layout.json run.json run.err run.h5md
+rm -f layout.json run.json run.err run.h5md{,.xdmf2}

@@ -22,7 +22,7 @@ def anchors(page):
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
-    pages = [p for p in [root / "README.md", *root.glob("*/**/*.md")] if not {"build", "out"} & set(p.relative_to(root).parts)]
+    pages = [p for p in [root / "README.md", *root.glob("*/**/*.md")] if not {"build", "out", "node_modules"} & set(p.relative_to(root).parts)]
     faults, linked = [], {root / "README.md", root / "CHANGELOG.md"}
     for page in pages:
         for target in re.findall(r"\]\(([^)\s]+)\)", prose(page.read_text())):

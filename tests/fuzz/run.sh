@@ -40,8 +40,9 @@ declare -A options=(
 
 # Whether what the target does with a finding ends within libhdf5: its frame comes before any of ours.
 crashes_hdf5() { # TARGET FILE
-  ASAN_OPTIONS=$asan:allocator_may_return_null=1:detect_leaks=0 build/fuzz/bin/fuzz_"$1" -malloc_limit_mb=1000000 "$2" 2>&1 |
-    grep -m1 -oE 'libhdf5|/(libs|tools|tests)/[a-z/_]*\.[ch]pp|broken promise' | grep -q libhdf5
+  local said
+  said=$(ASAN_OPTIONS=$asan:allocator_may_return_null=1:detect_leaks=0 build/fuzz/bin/fuzz_"$1" -malloc_limit_mb=1000000 "$2" 2>&1 || true)
+  grep -m1 -oE 'libhdf5|/(libs|tools|tests)/[a-z/_]*\.[ch]pp|broken promise' <<<"$said" | grep -q libhdf5
 }
 
 failed() { # TARGET LOG
@@ -53,6 +54,7 @@ failed() { # TARGET LOG
 
 for target in "${targets[@]}"; do
   mkdir -p "out/fuzz/$target"
+  rm -f out/fuzz/findings/"$target"-*
   log=out/fuzz/$target.log
   of_target=$asan
   case ${options[$target]} in *detect_leaks=0*) of_target+=:detect_leaks=0:allocator_may_return_null=1 ;; esac

@@ -11,7 +11,7 @@
 #include "beadswim/io/json.hpp"
 
 // The index names each frame's numbers where the trajectory has them. That ParaView reads it is for
-// tests/readers/paraview.py to see.
+// tests/readers/pvbatch_beads.py to see.
 
 namespace beadswim {
 namespace {

@@ -42,7 +42,8 @@ by_paraview() { has_program pvbatch && has_module h5py && timeout 300 pvbatch "$
 by_jsonschema() { has_module jsonschema && "${python[@]}" "$here/by_jsonschema.py" "$schemas" documents faults; }
 by_ajv() {
   has_program node && has_program npm || return
-  (cd "$here/ajv" && timeout 300 npm ci --no-audit --no-fund --silent) && node "$here/ajv/validate.js" "$schemas" documents faults
+  cp -r "$here/ajv" ../ajv && (cd ../ajv && timeout 300 npm ci --no-audit --no-fund --silent) &&
+    node ../ajv/validate.js "$schemas" documents faults
 }
 
 for step in scenes documents faults; do

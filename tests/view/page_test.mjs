@@ -1,6 +1,6 @@
 // Pages of beadswim-view in headless Chromium: they load, play and pick, and the picture holds what must be in it.
 //   node page_test.mjs FOLDER MODULES CHROMIUM
-// FOLDER holds alone.html, swarm.html, outside.html and alone.json, swarm.json, the run records (run.sh makes them); MODULES is a
+// FOLDER holds alone.html, swarm.html, outside.html, ends.html and alone.json, swarm.json, the run records (run.sh makes them); MODULES is a
 // folder with playwright-core in node_modules.
 
 import assert from "node:assert/strict";
@@ -99,6 +99,15 @@ test("plays, pauses and scrubs", async () => {
   assert.equal(await frameShown(page), 11);
   const later = patches(await picture(page), blue);
   assert.ok(Math.abs(later[0].x - before[0].x) > 1, "bead 1 has moved");
+  await page.close();
+});
+
+test("plays frames that lie far apart one by one, the last too", async () => {
+  const { page } = await opened("ends.html");
+  assert.match(await page.textContent("#facts"), /2 frames/);
+  await page.click("#play");
+  await page.waitForFunction(() => document.getElementById("clock").textContent.includes("frame 1 of 1"));
+  await page.waitForFunction(() => document.getElementById("clock").textContent.includes("frame 0 of 1"));
   await page.close();
 });
 

@@ -71,6 +71,15 @@ void print_record(const RunRecord& record, const RunOptions& options) {
   std::abort();
 }
 
+/// The index for ParaView: without it the run's results are whole.
+void index_trajectory(const std::string& path) {
+  try {
+    write_xdmf(path);
+  } catch (const std::exception& error) {
+    tell(fmt::format("{}: warning: no index for ParaView: {}\n", program_name, error.what()));
+  }
+}
+
 /// Runs to the end, and prints the record.
 RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document) {
   try {
@@ -83,7 +92,7 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
     parts.trajectory.finish();
     if (parts.communicator.is_root()) {
       print_record(record, parts.plan.options);
-      write_xdmf(parts.plan.options.output);
+      index_trajectory(parts.plan.options.output);
     }
     return outcome;
   } catch (...) {  // before the trajectory is closed, which all ranks would have to do together

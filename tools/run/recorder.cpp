@@ -267,8 +267,8 @@ bool Recorder::fits(long steps_done) const {
   const bool is_next =
       next_frame_ > 0 && next_frame_ <= steps_done + 1 && step_of_frame(next_frame_) > steps_done;
   return is_next && std::ranges::all_of(gathered_, [this](const Note& note) {
-           return note.number >= 0 &&
-                  std::ranges::any_of(logs_, [&](const Log& log) { return log.record.id == note.id; });
+           return note.number >= 0 && std::ranges::binary_search(
+                                          logs_, note.id, {}, [](const Log& log) { return log.record.id; });
          });
 }
 

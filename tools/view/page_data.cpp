@@ -36,13 +36,18 @@ std::string json_block(const Json& document) {
   return "<script type=\"application/json\" id=\"scene\">" + text + "</script>\n";
 }
 
+/// What is no UTF-8 in a file's name is replaced.
+std::string utf8(const std::string& name) {
+  return Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+}
+
 Json scene_of(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
               const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
   const TrajectoryHeader& header = file.reader.header();
   const Layout& layout = file.layout;
   const std::vector<Layer> layers = swimmer_layers(layout);
   const double period = file.period();
-  Json scene{{"file", file.source.substr(file.source.rfind('/') + 1)},
+  Json scene{{"file", utf8(file.source.substr(file.source.rfind('/') + 1))},
              {"version", header.creator_version},
              {"length_unit", length_unit(layout.units)},
              {"velocity_unit", velocity_unit(layout.units)},

@@ -27,7 +27,7 @@ std::vector<std::size_t> shown_frames(std::size_t frames, std::size_t every);
 /// Throws InputError naming file and place.
 std::string page_data(const TrajectoryFile& file, const PageOptions& options);
 
-/// Bytes that page_data will be, to a tenth.
+/// Bytes that page_data will be, to a tenth for large swarms.
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options);
 
 }  // namespace beadswim

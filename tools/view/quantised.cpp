@@ -16,8 +16,8 @@ float step_for(double largest) {
 }
 
 std::int16_t in_steps(double number, float step) {
-  if (std::isnan(number)) return not_a_number;
   const double steps = step > 0 ? std::round(number / step) : 0;
+  if (std::isnan(number) || std::isnan(steps)) return not_a_number;
   return static_cast<std::int16_t>(std::clamp<double>(steps, -most_steps, most_steps));
 }
 

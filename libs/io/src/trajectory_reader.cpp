@@ -326,7 +326,11 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles() const {
     TrajectoryCycle& cycle = cycles.emplace_back();
     cycle.step = read_rows<std::int64_t>(step, c, 1)[0];
     cycle.time = read_rows<double>(time, c, 1)[0];
-    for (const auto& [table, numbers] : quantities) cycle.*numbers = read_raw_rows<double>(table, c, 1);
+    for (const auto& [table, numbers] : quantities) {
+      cycle.*numbers = read_raw_rows<double>(table, c, 1);
+      const auto is_infinite = [](double number) { return std::isinf(number); };
+      if (std::ranges::any_of(cycle.*numbers, is_infinite)) refuse(table.place, "holds an infinite number");
+    }
   }
   return cycles;
 }

@@ -145,7 +145,8 @@ class Player {
       this.clock += (Number(this.speed.value) * (now - then)) / 1000;
       then = now;
       const { times } = this.scene;
-      if (this.clock > times[this.last]) this.clock = times[0];
+      const beyond = (times[this.last] - times[0]) / this.last; // for which the last frame is shown
+      if (this.clock > times[this.last] + beyond) this.clock = times[0];
       const moment = momentOf(this.scene, this.clock);
       this.show(isSmooth(this.scene) ? moment : Math.floor(moment));
       requestAnimationFrame(advance);
