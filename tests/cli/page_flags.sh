@@ -12,8 +12,8 @@ check "the programs have flags" test "$(flags help | wc -l)" -gt 50
 
 : >err
 flags help >known
-# Of cmake, srun, mpirun, jq and beadswim-verification.
-printf '%s\n' --build --install --prefix --mpi --signal --oversubscribe --slurpfile --report >>known
+# Of scripts, cmake, srun, mpirun, jq and beadswim-verification.
+printf '%s\n' --build --install --prefix --mpi --signal --oversubscribe --slurpfile --report --with-readers >>known
 
 while read -r flag; do
   check "$flag, which a page names, is no flag of any program" grep -qx -- "$flag" known
