@@ -69,7 +69,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       "if none is within it.");
   program
       .add_option("--cycles", options.cycles,
-                  "Length of the run, in periods of the first type's driving; fractions allowed.")
+                  "Length of the run, in periods of the first swimmer's type; fractions allowed.")
       ->check(finite_positive());
   program
       .add_option("--frames-per-cycle", options.frames_per_cycle,
