@@ -44,7 +44,7 @@ tested_commands() { # PAGE
 
 section "Unit tests under the address and undefined-behaviour sanitizers, on 1 and 3 ranks"
 build sanitize
-timeout 1500 ctest --preset sanitize --label-regex unit --exclude-regex 'np[24]$'
+timeout 2000 ctest --preset sanitize --label-regex unit --exclude-regex 'np[24]$'
 
 section "A tiny scene under the sanitizers, on 1 and 3 ranks"
 cd "$scratch"
