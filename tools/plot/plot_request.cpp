@@ -144,12 +144,6 @@ void add_swarm_flags(CLI::App& program, PlotRequest& request) {
       "that of the next block, along each axis.");
 }
 
-std::vector<int> whole_numbers_in(const std::string& text) {
-  std::vector<int> numbers;
-  for (const double number : parse_numbers(text)) numbers.push_back(static_cast<int>(number));
-  return numbers;
-}
-
 /// "A=3".
 SwimmerMark parse_mark(const std::string& text) {
   const std::size_t sign = text.rfind('=');
@@ -267,7 +261,7 @@ TrajectoryFigureOptions trajectory_options(const PlotRequest& request) {
   using Axis = std::pair<const char*, int>;
   TrajectoryFigureOptions options;
   options.axis = value_named("--along", request.along, std::array{Axis{"x", 0}, Axis{"y", 1}, Axis{"z", 2}});
-  if (!request.swimmers.empty()) options.swimmers = whole_numbers_in(request.swimmers);
+  if (!request.swimmers.empty()) options.swimmers = parse_whole_numbers(request.swimmers);
   options.beads.clear();
   for (const std::string& bead : CLI::detail::split(request.beads, ',')) {
     options.beads.push_back(
@@ -278,7 +272,7 @@ TrajectoryFigureOptions trajectory_options(const PlotRequest& request) {
 
 std::optional<int> sketched_swimmer(const PlotRequest& request) {
   if (request.swimmers.empty()) return std::nullopt;
-  const std::vector<int> ids = whole_numbers_in(request.swimmers);
+  const std::vector<int> ids = parse_whole_numbers(request.swimmers);
   if (ids.size() == 1) return ids.front();
   throw InputError("--swimmers", fmt::format("{} given; a sketch is of one swimmer", ids.size()));
 }
@@ -286,13 +280,14 @@ std::optional<int> sketched_swimmer(const PlotRequest& request) {
 SwarmFigureOptions swarm_options(const PlotRequest& request) {
   using Choice = std::pair<const char*, SwarmColours>;
   SwarmFigureOptions options;
-  if (request.frame != "last") options.frame = static_cast<std::size_t>(whole_numbers_in(request.frame)[0]);
+  if (request.frame != "last")
+    options.frame = static_cast<std::size_t>(parse_whole_numbers(request.frame)[0]);
   options.colours = value_named(
       "--colours", request.colours,
       std::array{Choice{"blocks", SwarmColours::blocks}, Choice{"swimmers", SwarmColours::swimmers},
                  Choice{"types", SwarmColours::types}});
-  options.block_swimmers = whole_numbers_in(request.block_swimmers);
-  const std::vector<int> repeat = whole_numbers_in(request.repeat);
+  options.block_swimmers = parse_whole_numbers(request.block_swimmers);
+  const std::vector<int> repeat = parse_whole_numbers(request.repeat);
   options.repeat = {repeat[0], repeat[1], repeat[2]};
   for (const std::string& mark : request.marks) options.marks.push_back(parse_mark(mark));
   options.distances = request.distances;

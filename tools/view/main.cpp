@@ -59,11 +59,8 @@ void require_output(const ViewRequest& request) {
 }
 
 PageOptions options_of(const ViewRequest& request) {
-  PageOptions options{.every = static_cast<std::size_t>(request.every), .block_swimmers = {}};
-  for (const double n : parse_numbers(request.block_swimmers)) {
-    options.block_swimmers.push_back(static_cast<int>(n));
-  }
-  return options;
+  return {.every = static_cast<std::size_t>(request.every),
+          .block_swimmers = parse_whole_numbers(request.block_swimmers)};
 }
 
 void require_bearable(const TrajectoryFile& file, const PageOptions& options) {

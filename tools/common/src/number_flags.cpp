@@ -91,4 +91,10 @@ std::vector<double> parse_numbers(const std::string& text) {
   return numbers;
 }
 
+std::vector<int> parse_whole_numbers(const std::string& text) {
+  std::vector<int> numbers;
+  for (const double number : parse_numbers(text)) numbers.push_back(static_cast<int>(number));
+  return numbers;
+}
+
 }  // namespace beadswim

@@ -45,6 +45,7 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
 
 /// The numbers of such a text.
 std::vector<double> parse_numbers(const std::string& text);
+std::vector<int> parse_whole_numbers(const std::string& text);
 
 /// Throws InputError if an output is to replace an input: both names mean one file.
 void require_other_file(const std::string& input, const std::string& output);
