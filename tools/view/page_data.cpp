@@ -84,14 +84,6 @@ std::vector<float> swimmer_steps(const TrajectoryFile& file, const std::vector<s
   return steps;
 }
 
-std::vector<float> coordinates(const std::vector<Vec3>& positions) {
-  std::vector<float> flat;
-  for (const Vec3& position : positions) {
-    for (int a = 0; a < 3; ++a) flat.push_back(static_cast<float>(position[a]));
-  }
-  return flat;
-}
-
 std::vector<std::int16_t> changes(const TrajectoryFrame& frame, const TrajectoryFrame& first,
                                   const std::vector<float>& steps) {
   std::vector<std::int16_t> flat;
@@ -157,7 +149,7 @@ std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
   const std::vector<float> steps = swimmer_steps(file, frames, first);
   std::string text = json_block(scene_of(file, frames, cycles, options));
   text += block("radius", std::vector<float>(header.radius.begin(), header.radius.end()));
-  text += block("start", coordinates(first.positions)) + block("step", steps);
+  text += block("start", flattened(first.positions)) + block("step", steps);
   for (std::size_t f = 0; f < frames.size(); ++f) {
     text += block(fmt::format("frame-{}", f), changes(file.reader.frame(frames[f]), first, steps));
   }

@@ -92,6 +92,8 @@ WrappedPositions wrap(const std::vector<Vec3>& positions, const Vec3& lengths,
   return wrapped;
 }
 
+}  // namespace
+
 std::vector<float> flattened(const std::vector<Vec3>& vectors) {
   std::vector<float> flat;
   for (const Vec3& v : vectors) {
@@ -99,8 +101,6 @@ std::vector<float> flattened(const std::vector<Vec3>& vectors) {
   }
   return flat;
 }
-
-}  // namespace
 
 TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHeader& header,
                                    const Communicator& communicator, const CheckpointReader* checkpoint)

@@ -47,6 +47,9 @@ struct TrajectoryCycle {
   std::vector<double> velocity, axis, mean_flow, arm_amplitudes, arm_phases, arm_means;
 };
 
+/// x, y, z of each vector, in single precision.
+std::vector<float> flattened(const std::vector<Vec3>& vectors);
+
 /// Writes a trajectory frame by frame. All ranks construct it and call its functions together. While it is
 /// being written the file is called PATH.part; each frame is flushed, so that a killed run leaves whole
 /// frames there. The same frames give the same bytes, on any number of ranks.
