@@ -16,7 +16,8 @@ case $amount in
   *) limit=-runs=$amount ;;
 esac
 
-# Short stacks of allocations and a small quarantine make it twice as fast.
+# Short stacks of allocations and a small quarantine make it twice as fast, and so does -entropic=0 below: how often
+# each feature was seen takes longer to count than short inputs take to run.
 asan=malloc_context_size=2:quarantine_size_mb=16
 export UBSAN_OPTIONS=print_stacktrace=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
@@ -45,6 +46,11 @@ crashes_hdf5() { # TARGET FILE
   grep -m1 -oE 'libhdf5|/(libs|tools|tests)/[a-z/_]*\.[ch]pp|broken promise' <<<"$said" | grep -q libhdf5
 }
 
+# Whether crashes, which the target was told to ignore, are all that its exit status tells of.
+went_on() { # TARGET LOG
+  [[ ${options[$1]} == *-ignore_crashes=1* ]] && grep -q '^INFO: fuzzed for' "$2"
+}
+
 failed() { # TARGET LOG
   rm -rf /dev/shm/beadswim-fuzz.*
   tail -40 "$2" >&2
@@ -60,14 +66,14 @@ for target in "${targets[@]}"; do
   case ${options[$target]} in *detect_leaks=0*) of_target+=:detect_leaks=0:allocator_may_return_null=1 ;; esac
   echo "== $target, $limit"
   # shellcheck disable=SC2086
-  ASAN_OPTIONS=$of_target build/fuzz/bin/fuzz_"$target" "$limit" ${options[$target]} -len_control=0 -timeout=20 \
+  ASAN_OPTIONS=$of_target build/fuzz/bin/fuzz_"$target" "$limit" ${options[$target]} -entropic=0 -len_control=0 -timeout=20 \
     -rss_limit_mb=4096 -print_final_stats=1 -artifact_prefix="out/fuzz/findings/$target-" "out/fuzz/$target" \
-    "tests/fuzz/corpus/$target" >"$log" 2>&1 || failed "$target" "$log"
+    "tests/fuzz/corpus/$target" >"$log" 2>&1 || went_on "$target" "$log" || failed "$target" "$log"
   for finding in out/fuzz/findings/"$target"-*; do
     [ -e "$finding" ] || continue
     crashes_hdf5 "$target" "$finding" || failed "$target" "$log"
     rm "$finding"
   done
-  grep -E '^#[0-9]+.*(DONE|cov)|number_of_executed_units|average_exec_per_sec' "$log" | tail -3
+  grep -E '^#[0-9]+.*(DONE|cov)|number_of_executed_units|average_exec_per_sec|^INFO: fuzzed for' "$log" | tail -3
 done
 rm -rf /dev/shm/beadswim-fuzz.*
