@@ -23,7 +23,7 @@ step "Packages"
 
 step "Build (build/release)"
 cmake --preset release
-cmake --build --preset release
+cmake --build --preset release --target programs
 PATH=$PWD/build/release/bin:$PATH
 
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi

@@ -56,13 +56,17 @@ for scheme in psm mr cli staircase; do
 done
 
 cd "$root"
-build ci
+build release
+
+section "The first of the README's two commands; tests/run.sh is the second"
+timeout 1200 examples/quickstart.sh
+test -s out/quickstart/stroke.png
 
 section "Results and documents in other readers"
-PATH=$root/build/ci/bin:$PATH timeout 1200 tests/readers/run.sh --none-skipped
+PATH=$root/build/release/bin:$PATH timeout 1200 tests/readers/run.sh --none-skipped
 
 section "The page of beadswim-view in a browser"
-PATH=$root/build/ci/bin:$PATH timeout 600 tests/view/run.sh "$root/build/ci/tools/view/page" --none-skipped
+PATH=$root/build/release/bin:$PATH timeout 600 tests/view/run.sh "$root/build/release/tools/view/page" --none-skipped
 
 section "The commands of README and of pages; Python is the one whose readers were installed above"
 for page in README.md docs/tutorial.md docs/theory.md docs/units.md docs/reading-results.md; do
@@ -71,7 +75,7 @@ for page in README.md docs/tutorial.md docs/theory.md docs/units.md docs/reading
   tested_commands "$root/$page" >commands.sh
   [ -s commands.sh ] || { echo "$page holds no block after <!-- tested -->" >&2; exit 1; }
   cat commands.sh
-  PATH=$root/build/ci/bin:/usr/bin:$PATH timeout 900 bash -euo pipefail commands.sh
+  PATH=$root/build/release/bin:/usr/bin:$PATH timeout 900 bash -euo pipefail commands.sh
 done
 
 section "All extended checks passed"
