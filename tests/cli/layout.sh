@@ -19,22 +19,27 @@ accepts beadswim-layout check --help
 refuses 'a command is needed: swimmer, swarm, defect, reduce, check' beadswim-layout
 refuses 'swimer: unknown command; did you mean "swimmer"' beadswim-layout swimer
 refuses 'swimer: unknown command' beadswim-layout swimer --help
-refuses '--no-such-flag: unknown flag' beadswim-layout --no-such-flag
-refuses '--raduis: unknown flag; did you mean --radius' beadswim-layout swimmer --raduis=4
+refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all' beadswim-layout --no-such-flag
+refuses '--raduis: unknown flag; did you mean "--radius"' beadswim-layout swimmer --raduis=4
 refuses 'needs --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99
-refuses '--preset: "paper-singel".*"paper-single"' beadswim-layout swimmer --preset paper-singel
+refuses '--preset: unknown "paper-singel"; did you mean "paper-single"' beadswim-layout swimmer --preset paper-singel
+refuses '--preset: unknown "paper-uniform". There are paper-single here: .*presets of their own' \
+  beadswim-layout swimmer --preset paper-uniform
 refuses '--radius: "-4": must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
 refuses '--radius: "4,5": 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5
 refuses '--radius: given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
+refuses '--axis: is needed, and not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
+refuses '--axis: unknown "w"\. There are x, y, z' beadswim-layout defect spacing layout.json --axis w
+refuses '--fraction: "2": must be a number from 0 to 1' beadswim-layout defect vacancy layout.json --fraction 2
 refuses '--radius: needs a value' beadswim-layout swimmer --preset paper-single --radius
 refuses '--period: "": must be' beadswim-layout swimmer --preset paper-single --period ""
 for word in nan inf -inf 1e999 4x ""; do
   refuses '--amplitude: ' beadswim-layout swimmer --preset paper-single "--amplitude=1,$word"
 done
-refuses 'excludes' beadswim-layout swimmer --preset paper-single --unbounded --box 99,99,99
-refuses '--boundary: "perodic".*"periodic"' beadswim-layout swimmer --preset paper-single --boundary perodic
-refuses '--frame: "labb".*"lab"' beadswim-layout swimmer --preset paper-single --frame labb
-refuses '--units: "pgg".*"pg"' beadswim-layout swimmer --preset paper-single --units um,s,pgg
+refuses '--box: cannot go with --unbounded; leave one out' beadswim-layout swimmer --preset paper-single --unbounded --box 99,99,99
+refuses '--boundary: unknown "perodic"; did you mean "periodic"' beadswim-layout swimmer --preset paper-single --boundary perodic
+refuses '--frame: unknown "labb"; did you mean "lab"' beadswim-layout swimmer --preset paper-single --frame labb
+refuses '--units: unknown "pgg"; did you mean "pg"' beadswim-layout swimmer --preset paper-single --units um,s,pgg
 refuses 'bead 1, .* not wholly inside the walls along x' beadswim-layout swimmer --preset paper-single --box 20,20,20
 refuses 'overlaps .* through the periodic boundary' \
   beadswim-layout swimmer --preset paper-single --box 20,20,20 --boundary periodic

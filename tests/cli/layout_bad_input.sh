@@ -17,6 +17,9 @@ first_bead='{ "radius": 4.0, "density": 1.0 }'
 spring='{ "stiffness": 0.0347, "rest_length": 20.0, "damping": 0.0 }'
 swimmer='{ "id": 0, "type": "a", "position": \[36.0, 15.0, 15.0\], "axis": \[1.0, 0.0, 0.0\] }'
 
+bad 'typo in schema' 's/"schema"/"shcema"/' '/shcema: unknown key; did you mean "schema"'
+bad 'part of a key' 's/"kinematic_viscosity"/"viscosty"/' '/fluid/viscosty: unknown key; did you mean "kinematic_viscosity"'
+bad 'a key like none' 's/"frame": "lab"/"foo": 1/' '/types/a/driving/foo: unknown key\. Allowed here: '
 bad 'typo in a key' 's/"radius"/"raduis"/' '/types/a/beads/0/raduis: unknown key; did you mean "radius"'
 bad 'typo in an optional key' 's/"resolution"/"resolutoin"/' '/resolutoin: unknown key; did you mean "resolution"'
 bad 'missing key' 's/, "axis": [^}]*\]//' '/swimmers/0: lacks the key "axis"'
@@ -41,7 +44,7 @@ bad 'unit that contradicts its name' \
   's/"lattice"/{ "length": { "name": "um", "si_factor": 1 }, "time": "s", "mass": "pg" }/' \
   '/units/length/si_factor: 1: one um is 1e-06 in SI'
 bad 'misspelt lattice' 's/"lattice"/"latice"/' '/units: "latice": .*did you mean "lattice"'
-bad 'unknown type' 's/"type": "a"/"type": "b"/' '/swimmers/0/type: "b": no such type under /types; did you mean "a"'
+bad 'unknown type' 's/"type": "a"/"type": "b"/' '/swimmers/0/type: "b": no such type under /types\.'
 bad 'id given twice' "s/$swimmer/$swimmer, { \"id\": 0, \"type\": \"a\", \"position\": [36, 25, 15], \"axis\": [1, 0, 0] }/" \
   '/swimmers/1/id: 0: /swimmers/0 has this id already'
 bad 'axis not of unit length' 's/"axis": \[1.0/"axis": [2.0/' '/swimmers/0/axis: \(2, 0, 0\): has length 2'

@@ -296,7 +296,7 @@ refuses 'no run with a whole cycle' beadswim-plot stroke prediction.json
 refuses 'in other units' beadswim-plot stroke si.json run.json
 refuses '--method: no prediction has "multipol"; did you mean "multipole-ode"' \
   beadswim-plot stroke run.json prediction.json --method multipol
-refuses '--method: no prediction has "foo"; did you mean "multipole-ode"\? They have rpy-force-printed, oseen' \
+refuses '--method: no prediction has "foo"\. They have rpy-force-printed, oseen' \
   beadswim-plot stroke run.json prediction.json --method foo
 refuses '--method: "foo" is wanted, but no prediction is given' beadswim-plot stroke run.json --method foo
 refuses '--relative-to: no prediction has "multipol"; did you mean "multipole-ode"' \

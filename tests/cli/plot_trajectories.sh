@@ -139,8 +139,8 @@ refuses '--swimmers: no swimmer 9 in eight.h5md; the nearest is 7, ids are 0 to 
   beadswim-plot trajectories eight.h5md --swimmers 0,9
 refuses '--swimmers: "-1": must be a whole number' beadswim-plot trajectories eight.h5md --swimmers=-1
 refuses '--swimmers: 24 curves, but at most 12 can be told apart' beadswim-plot trajectories eight.h5md --beads 1,2,3
-refuses '--beads: unknown "4"; did you mean' beadswim-plot trajectories cell.h5md --beads 4
-refuses '--along: unknown "w"; did you mean "x"\? There are x, y, z' beadswim-plot trajectories cell.h5md --along w
+refuses '--beads: unknown "4"\. There are 1, 2, 3' beadswim-plot trajectories cell.h5md --beads 4
+refuses '--along: unknown "w"\. There are x, y, z' beadswim-plot trajectories cell.h5md --along w
 refuses '--frame: no frame 41 in cell.h5md; the last is 40' beadswim-plot swarm cell.h5md --frame 41
 refuses '--frame: "lst": must be last or a whole number' beadswim-plot swarm cell.h5md --frame lst
 refuses '--colours: unknown "block"; did you mean "blocks"' beadswim-plot swarm cell.h5md --colours block

@@ -102,7 +102,7 @@ err_empty
 small --period 200 --amplitude 1e-6 >slower.json
 run beadswim-run slower.json -o slow.h5md --cycles 0.1 --progress none
 err_has 'so little in a cycle that roundoff may change its velocity by .* of itself'
-refuses 'precision: half' beadswim-run layout.json -o x.h5md --precision half
+refuses '--precision: unknown "half"' beadswim-run layout.json -o x.h5md --precision half
 
 # --- interpolated links: another law at the bead, nearly the same swimmer, on record, the same bits on any ranks
 for ranks in 2 3; do
@@ -166,9 +166,9 @@ has_status 0
 err_empty
 run beadswim-run light.json -o light.h5md --cycles 0.1 --progress none --delay-correction off
 err_has 'warning: beads of 0.2 times .* on the lattice'
-refuses 'delay-correction: maybe' beadswim-run layout.json -o x.h5md --delay-correction maybe
-refuses 'radius-correction: maybe' beadswim-run layout.json -o x.h5md --radius-correction maybe
-refuses 'bead-boundary: sphere' beadswim-run layout.json -o x.h5md --bead-boundary sphere
+refuses '--delay-correction: unknown "maybe"' beadswim-run layout.json -o x.h5md --delay-correction maybe
+refuses '--radius-correction: unknown "maybe"' beadswim-run layout.json -o x.h5md --radius-correction maybe
+refuses '--bead-boundary: unknown "sphere"' beadswim-run layout.json -o x.h5md --bead-boundary sphere
 
 # --- stopped early on purpose: results are there, and exit status 4
 small --period 100 --amplitude 0,1e4 --stiffness 1e-6 >wild.json
@@ -232,14 +232,19 @@ has_status 0
 check "without the film they touch" holds '.near_contact | .smallest_gap < 0 and .smallest_gap > -0.2 and .normal_cut_off == 0' out
 check "the record says so" holds '.near_contact | .lubrication == false and .friction == 0' out
 check "beads that stay apart have no gap on record" holds '.near_contact.smallest_gap == null' 1.json
-refuses 'lubrication: maybe' beadswim-run layout.json -o x.h5md --lubrication maybe
+refuses '--lubrication: unknown "maybe"' beadswim-run layout.json -o x.h5md --lubrication maybe
 refuses 'friction: "-1": must be' beadswim-run layout.json -o x.h5md --friction=-1
 
 # --- refusals leave nothing behind
 refuses 'relaxation-time: 0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
 refuses 'cannot be created' beadswim-run layout.json -o no/such/folder/x.h5md
 refuses 'cannot be read' beadswim-run missing.json -o x.h5md
-refuses 'did you mean --cycles' beadswim-run layout.json -o x.h5md --cycels 3
+refuses '--model: unknown "lbn"; did you mean "lbm"\? There are lbm, rpy, rpy\+near, oseen, auto' \
+  beadswim-run layout.json -o x.h5md --model lbn
+refuses '--progress: unknown "quiet"\. There are' beadswim-run layout.json -o x.h5md --progress quiet
+refuses '--frames-per-cycle: "3": must be a whole number from 4 to 1000000' \
+  beadswim-run layout.json -o x.h5md --frames-per-cycle 3
+refuses 'did you mean "--cycles"' beadswim-run layout.json -o x.h5md --cycels 3
 refuses 'output' beadswim-run layout.json
 refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius nan
 refuses 'may cover no cell' beadswim-run layout.json -o x.h5md --cells-per-radius 0.5
@@ -265,7 +270,7 @@ touch x.h5md.flow
 refuses 'flow-every: the folder' beadswim-run layout.json -o x.h5md --flow-every 1 --progress none
 rm x.h5md.flow
 beadswim-layout swimmer --preset paper-single --box 6000,4000,4000 >huge.json
-refuses 'GB more than this machine has' beadswim-run huge.json -o x.h5md
+refuses 'GB more than this machine has; take --precision single, .*beadswim-layout reduce.* or --model rpy, which has no cells' beadswim-run huge.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary no-slip \
   --position 16,2.2,8 >wall.json
 refuses '/swimmers/0/position: bead 1 is 0.2 from a wall across y' beadswim-run wall.json -o x.h5md

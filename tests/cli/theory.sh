@@ -39,7 +39,7 @@ same_bytes 'beadswim-theory paper.json' 'cd / && LC_ALL=C TZ=UTC beadswim-theory
 accepts beadswim-theory --method rpy-perturbation,oseen-force-closed paper.json
 check "methods are not those named" test "$(grep -oE '"method": "[^"]+"' out | cut -d'"' -f4 | xargs)" = \
   "rpy-perturbation oseen-force-closed"
-refuses "unknown method 'rpy-pertubation'; did you mean 'rpy-perturbation'" beadswim-theory --method rpy-pertubation paper.json
+refuses '--method: unknown "rpy-pertubation"; did you mean "rpy-perturbation"' beadswim-theory --method rpy-pertubation paper.json
 refuses 'all stands alone' beadswim-theory --method all,rpy-perturbation paper.json
 
 # --- units: lengths in um, so velocities in um/s
@@ -95,7 +95,7 @@ refuses 'swimmers 0 and 7 differ.*--swimmer ID.*reduce' beadswim-theory differen
 accepts beadswim-theory --swimmer 7 different.json
 out_is_valid
 out_has '"swimmer": 7'
-refuses '--swimmer: different.json has no swimmer 3' beadswim-theory --swimmer 3 different.json
+refuses '--swimmer: different.json has no swimmer of id 3; it has 2, of ids from 0 to 7' beadswim-theory --swimmer 3 different.json
 
 # --- a stroke from a run
 cat >run.json <<'END'

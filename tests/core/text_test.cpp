@@ -12,7 +12,17 @@ TEST(NearestName, FindsTheLikelyMeaning) {
   EXPECT_EQ(nearest_name("raduis", names), "radius");   // neighbours swapped
   EXPECT_EQ(nearest_name("dampng", names), "damping");  // a letter missing
   EXPECT_EQ(nearest_name("stifness", names), "stiffness");
+  EXPECT_EQ(nearest_name("viscosty", {"schema", "kinematic_viscosity"}), "kinematic_viscosity");  // of a part
+  EXPECT_EQ(nearest_name("log", {"linear", "log-y"}), "log-y");
+}
+
+TEST(NearestName, IsEmptyWhereNoneIsNear) {
   EXPECT_EQ(nearest_name("x", {}), "");
+  EXPECT_EQ(nearest_name("x", {"y"}), "");  // nothing in common
+  EXPECT_EQ(nearest_name("foo", {"radius", "density"}), "");
+  EXPECT_EQ(nearest_name("", {"radius"}), "");
+  EXPECT_EQ(guess_at("foo", {"radius"}), ".");
+  EXPECT_EQ(guess_at("raduis", {"radius"}), "; did you mean \"radius\"?");
 }
 
 // NIST's examples, FIPS 180-2, appendix B.

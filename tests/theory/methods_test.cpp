@@ -36,7 +36,7 @@ TEST(Methods, UnknownNameIsRefusedWithTheNearest) {
     find_method("rpy-pertubation");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("did you mean 'rpy-perturbation'"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("did you mean \"rpy-perturbation\""));
   }
 }
 

@@ -30,18 +30,18 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       "ranks. With --beads, seconds of the mobility models' products. On an otherwise idle machine.");
   program->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
       ->delimiter(',')
-      ->check(CLI::Range(32, 4096).description(""))
+      ->check(whole_number(32, 4096))
       ->default_str("64,128,256")
       ->type_name("N,...");
   program->add_option("--precision", options.precisions, "double, single or both.")
       ->delimiter(',')
-      ->check(CLI::IsMember({"double", "single"}))
+      ->check(one_of({"double", "single"}))
       ->default_str("double,single")
       ->type_name("NAME,...");
   program
       ->add_option("--bead-boundary", options.bead_boundary,
                    "Bead boundary of the swarm, as of beadswim-run: staircase, the paper's, cli, mr or psm.")
-      ->check(CLI::IsMember(bead_scheme_names()))
+      ->check(one_of(bead_scheme_names()))
       ->capture_default_str()
       ->type_name("NAME");
   auto* beads =
@@ -49,7 +49,7 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
           ->add_option("--beads", options.products.beads,
                        "Instead of the lattice: products of a mobility and forces, of so many beads.")
           ->delimiter(',')
-          ->check(CLI::Range(2, 100000000).description(""))
+          ->check(whole_number(2, 100000000))
           ->default_str("")
           ->type_name("N,...");
   program->add_option("--tolerance", options.products.tolerance, "Of these products, as of beadswim-run.")
@@ -59,7 +59,7 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
   program
       ->add_option("--rounds", options.request.rounds,
                    "Rounds over all cases; medians over the rounds are reported.")
-      ->check(CLI::Range(1, 1000).description(""))
+      ->check(whole_number(1, 1000))
       ->capture_default_str();
   program->add_flag("--json", options.json, "JSON (schema beadswim/bench/1) instead of a table.");
   return program;

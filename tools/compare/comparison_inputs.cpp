@@ -155,8 +155,8 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
   if (found == references.end()) {
     std::vector<std::string> names;
     for (const Reference& reference : references) names.push_back(reference.method);
-    throw InputError("--method", fmt::format("no reference has \"{}\"; did you mean \"{}\"? They have {}",
-                                             method, nearest_name(method, names), fmt::join(names, ", ")));
+    throw InputError("--method", fmt::format("no reference has \"{}\"{} They have {}", method,
+                                             guess_at(method, names), fmt::join(names, ", ")));
   }
   if (!found->usable) {
     throw InputError("--method", fmt::format("\"{}\" is marked unusable for this layout in {} and cannot "

@@ -1,5 +1,3 @@
-#include <fmt/core.h>
-
 #include <cstdio>
 
 #include "beadswim/core/error.hpp"
@@ -27,9 +25,7 @@ std::vector<std::string> quantity_names() {
 
 ComparedQuantity parse_quantity(const std::string& name) {
   if (const auto quantity = quantity_named(name)) return *quantity;
-  throw InputError("--quantity", fmt::format("unknown \"{}\"; did you mean \"{}\"? Allowed are {}", name,
-                                             nearest_name(name, quantity_names()),
-                                             CLI::detail::join(quantity_names(), ", ")));
+  throw InputError("--quantity", unknown_name(name, quantity_names()));
 }
 
 void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {

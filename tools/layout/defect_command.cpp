@@ -31,7 +31,9 @@ void require_same_units(const Layout& layout, const Layout& other, const std::st
   const bool equal =
       a.lattice == b.lattice &&
       (a.lattice || (same(a.length, b.length) && same(a.time, b.time) && same(a.mass, b.mass)));
-  if (!equal) throw InputError(source, "is in other units than the layout that it is mixed into");
+  if (!equal)
+    throw InputError(
+        source, "is in other units than the layout that it is mixed into; make it with that one's --units");
 }
 
 /// The chosen become swimmers of the other layout's first type.
@@ -87,7 +89,7 @@ DefectCommand::DefectCommand(CLI::App& program)
       [this](Layout& layout) { add_domains(layout, *count_, seed_); });
   regions.add_option("--count", count_, "Number of domains.")
       ->required()
-      ->check(CLI::Range(1, 10000))
+      ->check(whole_number(1, 10000))
       ->type_name("N");
 
   auto& phases =
@@ -117,7 +119,7 @@ CLI::App& DefectCommand::add_kind(const std::string& name, const std::string& he
   CLI::App* const kind = command_->add_subcommand(name, help);
   kind->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
   kind->add_option("--seed", seed_, "Of the random numbers, from 0.")
-      ->check(CLI::Range(std::int64_t{0}, std::numeric_limits<std::int64_t>::max()).description(""))
+      ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
       ->type_name("N")
       ->capture_default_str();
   kind->add_flag(
@@ -133,17 +135,15 @@ void DefectCommand::add_how_many(CLI::App& kind, const std::string& things, cons
       kind.add_option("--fraction", fraction_,
                       fmt::format("Share of {}, from 0 to 1, rounded to whole ones.", things))
           ->type_name("F")
-          ->check(CLI::Range(0.0, 1.0).description("") & finite());
+          ->check(number_between(0, 1));
   kind.add_option("--count", count_, fmt::format("Number of {}. Default: {}.", things, otherwise))
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{10000000}).description(""))
+      ->check(whole_number(0, 10000000))
       ->excludes(fraction);
 }
 
 void DefectCommand::add_sigma(CLI::App& kind, const std::string& help) {
-  kind.add_option("--sigma", sigma_, help)
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6).description("") & finite());
+  kind.add_option("--sigma", sigma_, help)->type_name("S")->check(number_between(0, 1e6));
 }
 
 void DefectCommand::add_random(CLI::App& kind, const std::string& help) {
@@ -159,7 +159,7 @@ void DefectCommand::add_spacing() {
                });
   layers.add_option("--axis", axis_, "Across which the layers lie.")
       ->required()
-      ->check(CLI::IsMember({"x", "y", "z"}))
+      ->check(one_of({"x", "y", "z"}))
       ->type_name("x|y|z");
   add_sigma(layers, "Standard deviation of each gap's change [length].");
   layers

@@ -20,7 +20,7 @@ ReduceCommand::ReduceCommand(CLI::App& program)
       ->add_option("--tolerance", tolerance_,
                    "How far a swimmer may be off its place in the repeated cell [smallest bead radius].")
       ->type_name("E")
-      ->check(CLI::Range(0.0, 0.5).description("") & finite())
+      ->check(number_between(0, 0.5))
       ->capture_default_str();
 }
 

@@ -16,16 +16,10 @@
 namespace beadswim {
 namespace {
 
-[[noreturn]] void refuse_name(const char* flag, const std::string& name,
-                              const std::vector<std::string>& allowed) {
-  throw InputError(flag, fmt::format("\"{}\": must be one of {}; did you mean \"{}\"?", name,
-                                     fmt::join(allowed, ", "), nearest_name(name, allowed)));
-}
-
 template <typename Enum, std::size_t n>
 Enum named(const EnumNames<Enum, n>& names, const std::string& name, const char* flag) {
   const std::optional<Enum> value = from_name(names, name);
-  if (!value) refuse_name(flag, name, all_names(names));
+  if (!value) throw InputError(flag, unknown_name(name, all_names(names)));
   return *value;
 }
 
@@ -49,7 +43,7 @@ Units::Unit unit_named(Quantity quantity, const std::string& name) {
   if (const Units::Unit* unit = find_known_unit(quantity, name)) return *unit;
   std::vector<std::string> names;
   for (const Units::Unit& unit : known_units(quantity)) names.push_back(unit.name);
-  refuse_name("--units", name, names);
+  throw InputError("--units", unknown_name(name, names));
 }
 
 }  // namespace
@@ -79,7 +73,8 @@ Layout SwimmerFlags::preset_layout() const {
     if (preset.name == preset_) return preset.layout();
     names.push_back(preset.name);
   }
-  refuse_name("--preset", preset_, names);
+  throw InputError("--preset",
+                   unknown_name(preset_, names) + " here: swimmers and swarms have presets of their own");
 }
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {

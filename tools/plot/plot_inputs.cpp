@@ -83,8 +83,8 @@ void require_known(const std::string& method, const std::string& flag, const Nam
   if (known.empty()) {
     throw InputError(flag, fmt::format("\"{}\" is wanted, but no prediction is given; add one", method));
   }
-  throw InputError(flag, fmt::format("no prediction has \"{}\"; did you mean \"{}\"? They have {}", method,
-                                     nearest_name(method, known), fmt::join(known, ", ")));
+  throw InputError(flag, fmt::format("no prediction has \"{}\"{} They have {}", method,
+                                     guess_at(method, known), fmt::join(known, ", ")));
 }
 
 /// The choice with "all" replaced by the methods that there are.

@@ -18,8 +18,7 @@ using Names = std::vector<std::string>;
 /// Throws, with the nearest name, if the name is not among those allowed.
 void require_name(const std::string& flag, const std::string& name, const Names& allowed) {
   if (std::find(allowed.begin(), allowed.end(), name) != allowed.end()) return;
-  throw InputError(flag, fmt::format("unknown \"{}\"; did you mean \"{}\"? There are {}", name,
-                                     nearest_name(name, allowed), fmt::join(allowed, ", ")));
+  throw InputError(flag, unknown_name(name, allowed));
 }
 
 template <typename Value, std::size_t Count>

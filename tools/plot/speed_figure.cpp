@@ -57,8 +57,11 @@ ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, cons
 ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& first) {
   const auto period = number_setting(best.prediction, "period");
   if (period && *period != first.record.driving_period) {
-    throw InputError(best.source, fmt::format("predicts for a period of {:g}, and {} has {:g}", *period,
-                                              first.source, first.record.driving_period));
+    throw InputError(
+        best.source,
+        fmt::format(
+            "predicts for a period of {:g}, and {} has {:g}; draw runs of one period, and a prediction of it",
+            *period, first.source, first.record.driving_period));
   }
   ErrorReference reference{
       .name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}, .uncertainty = {}};
@@ -74,11 +77,14 @@ ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& fir
 ErrorReference read_reference(const PlotInputs& inputs, const SpeedFigureOptions& options) {
   const PlotInputs read = read_plot_inputs({options.reference}, {options.methods});
   if (read.runs.size() + read.predictions.size() != 1) {
-    throw InputError(options.reference, "holds several; a reference is one run, or one method's prediction");
+    throw InputError(options.reference,
+                     "holds several; a reference is one run, or one method's prediction: name one with "
+                     "--method, or give a file with one");
   }
   const PlottedRun& first = inputs.runs.front();
   if (!same_units(read.units, inputs.units))
-    throw InputError(options.reference, fmt::format("is in other units than {}", first.source));
+    throw InputError(options.reference,
+                     fmt::format("is in other units than {}; make both from one layout", first.source));
   return read.runs.empty() ? reference_of(read.predictions.front(), first)
                            : reference_of(read.runs.front(), first, options.cycle);
 }

@@ -33,9 +33,8 @@ std::string method_of(const VerdictDocument& verdict, const std::vector<std::str
   for (const ComparisonRow& row : verdict.rows) known.insert(row.method);
   if (known.contains(named.front())) return named.front();
   const std::vector<std::string> names(known.begin(), known.end());
-  throw InputError("--method",
-                   fmt::format("{} has no \"{}\"; did you mean \"{}\"? It has {}", source, named.front(),
-                               nearest_name(named.front(), names), fmt::join(names, ", ")));
+  throw InputError("--method", fmt::format("{} has no \"{}\"{} It has {}", source, named.front(),
+                                           guess_at(named.front(), names), fmt::join(names, ", ")));
 }
 
 PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::string>& methods) {

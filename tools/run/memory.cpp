@@ -40,7 +40,8 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   if (lack <= 0) return;
   throw InputError("box",
                    fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
-                               "{}a smaller --box in the layout, fewer --cells-per-radius, or more machines",
+                               "{}fewer --cells-per-radius, a smaller --box in the layout (beadswim-layout "
+                               "reduce, if it repeats), more machines, or --model rpy, which has no cells",
                                scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
                                scene.precision == Precision::fp64 ? "--precision single, " : ""));
 }

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <map>
 
@@ -17,6 +18,13 @@ const std::map<std::string, ProgressStyle> progress_styles{{"auto", ProgressStyl
 
 const std::map<std::string, Precision> precisions{{name_of(Precision::fp64), Precision::fp64},
                                                   {name_of(Precision::fp32), Precision::fp32}};
+
+template <typename Value>
+std::vector<std::string> names_of(const std::map<std::string, Value>& values) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  return names;
+}
 
 CLI::Validator relaxation_time() {
   return finite_positive() & CLI::Validator(
@@ -35,10 +43,13 @@ struct Words {
   std::string model, bead_boundary, delay_correction, radius_correction, lubrication, precision, progress;
 };
 
-/// A flag that takes one of some words; `names`: as --help lists them.
-void add_word(CLI::App& program, const std::string& flag, std::string& word, const CLI::Validator& one_of,
-              const std::string& names, const std::string& initial, const std::string& help) {
-  program.add_option(flag, word, help)->check(one_of)->type_name(names)->default_val(initial);
+/// A flag that takes one of some words.
+void add_word(CLI::App& program, const std::string& flag, std::string& word,
+              const std::vector<std::string>& words, const std::string& initial, const std::string& help) {
+  program.add_option(flag, word, help)
+      ->check(one_of(words))
+      ->type_name(fmt::format("{}", fmt::join(words, "|")))
+      ->default_val(initial);
 }
 
 std::string on_or_off(bool choice) {
@@ -55,8 +66,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->type_name("FILE.h5md")
       ->default_str("");
   add_word(
-      program, "--model", words.model, CLI::IsMember({"lbm", "rpy", "rpy+near", "oseen", "auto"}),
-      "lbm|rpy|rpy+near|oseen|auto", "auto",
+      program, "--model", words.model, {"lbm", "rpy", "rpy+near", "oseen", "auto"}, "auto",
       "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
       "Prager's mobility of all pairs and images; rpy+near: likewise, and exact along the line of a "
       "swimmer's beads and of two that are near each other; oseen: by Oseen's. auto: with --tolerance the "
@@ -76,7 +86,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
                   "Frames of the trajectory in a cycle of the base period, at most one a step; strokes are "
                   "fitted to as many samples "
                   "of each swimmer's own period.")
-      ->check(CLI::Range(4, 1000000).description(""));
+      ->check(whole_number(4, 1000000));
   program
       .add_option(
           "--tolerance", options.tolerance,
@@ -88,7 +98,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
   program
       .add_option("--steps-per-cycle", options.steps_per_cycle,
                   "rpy, rpy+near, oseen: time steps in the shortest period of any swimmer's driving.")
-      ->check(CLI::Range(20, 1000000).description(""));
+      ->check(whole_number(20, 1000000));
   program
       .add_option("--cells-per-radius", options.cells_per_radius,
                   "Cells per smallest bead radius [default: the layout's, else 4]")
@@ -102,31 +112,28 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->check(relaxation_time())
       ->default_str("");
   add_word(
-      program, "--bead-boundary", words.bead_boundary, CLI::IsMember(bead_scheme_names()),
-      "staircase|cli|mr|psm", name_of(options.bead_boundary),
+      program, "--bead-boundary", words.bead_boundary, bead_scheme_names(), name_of(options.bead_boundary),
       "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
       "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
       "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
       "exact part of it that the bead fills.");
-  add_word(program, "--delay-correction", words.delay_correction, CLI::IsMember({"on", "off"}), "on|off",
+  add_word(program, "--delay-correction", words.delay_correction, {"on", "off"},
            on_or_off(options.delay_correction),
            "on: beads are heavier on the lattice by what makes up for the time by which the fluid's force "
            "comes late there, 3/2 (tau - 1/2) + 1 steps; the record says the density.");
-  add_word(program, "--radius-correction", words.radius_correction, CLI::IsMember({"on", "off"}), "on|off",
+  add_word(program, "--radius-correction", words.radius_correction, {"on", "off"},
            on_or_off(options.radius_correction),
            "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
            "cell, is "
            "that of the layout's radius; the record says which.");
-  add_word(program, "--lubrication", words.lubrication, CLI::IsMember({"on", "off"}), "on|off",
-           on_or_off(options.lubrication),
+  add_word(program, "--lubrication", words.lubrication, {"on", "off"}, on_or_off(options.lubrication),
            "on: beads closer than the lattice resolves feel the rest of the film's resistance; the record "
            "says below which gaps. Beads that touch repel each other either way.");
   program
       .add_option("--friction", options.friction,
                   "Coulomb's coefficient of friction between beads that touch, no unit.")
       ->check(finite_non_negative());
-  add_word(program, "--precision", words.precision, CLI::IsMember(precisions), "double|single",
-           name_of(Precision::fp64),
+  add_word(program, "--precision", words.precision, names_of(precisions), name_of(Precision::fp64),
            "Of the populations. single takes half the memory and somewhat over half the time; the run "
            "says when it would change the result.");
   program
@@ -158,8 +165,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
           "none]")
       ->check(finite_positive())
       ->default_str("");
-  add_word(program, "--progress", words.progress, CLI::IsMember(progress_styles), "auto|bar|lines|json|none",
-           "auto",
+  add_word(program, "--progress", words.progress, names_of(progress_styles), "auto",
            "Progress on standard error: bar, lines (one each 10 s), json (likewise), none; auto is bar on a "
            "terminal, else lines.");
   program.add_flag("!--no-provenance", options.with_provenance,

@@ -234,7 +234,10 @@ void OverdampedModel::restore(long steps_done, IncomingMessage& past, const Chec
   past(state.products, state.largest_speed, state.smallest_gap);
   IncomingMessage message(checkpoint.bytes(beads_section, 0, checkpoint.size(beads_section)));
   transfer_beads(message, state);
-  if (!message.is_at_end()) throw SolverError("the checkpoint's beads are of another version of the program");
+  if (!message.is_at_end())
+    throw SolverError(
+        "the checkpoint's beads are of another version of the program; go on with that one, or begin without "
+        "--restart");
   system_.restore(std::move(state));
 }
 

@@ -35,7 +35,10 @@ void transfer_optional(Message& message, Value& value, Transfer&& transfer) {
   std::uint8_t is_there = value.has_value() ? 1 : 0;  // a byte, of which any value may be in a file
   message(is_there);
   if constexpr (std::is_same_v<Message, IncomingMessage>) {
-    if (is_there > 1) throw SolverError("the checkpoint's record is of another version");
+    if (is_there > 1)
+      throw SolverError(
+          "the checkpoint's record is of another version of the program; go on with that one, or begin "
+          "without --restart");
     if (is_there == 1) value.emplace();
   }
   if (is_there == 1) transfer(message, *value);
@@ -67,7 +70,9 @@ void transfer_list(Message& message, List& list, Transfer&& transfer) {
   std::uint64_t size = list.size();
   message(size);
   if constexpr (std::is_same_v<Message, IncomingMessage>) {
-    if (size > message.bytes_left()) throw SolverError("the checkpoint's record is cut");
+    if (size > message.bytes_left())
+      throw SolverError(
+          "the checkpoint's record is cut; take the other checkpoint, or begin without --restart");
     list.resize(size);
   }
   for (auto& element : list) transfer(message, element);
@@ -278,7 +283,8 @@ void Recorder::restore(std::vector<char> state, long steps_done) {
     IncomingMessage message(std::move(state));
     transfer(message);
     if (!message.is_at_end() || !fits(steps_done))
-      throw SolverError("the checkpoint's record is of another run");
+      throw SolverError(
+          "the checkpoint's record is of another run; take the other checkpoint, or begin without --restart");
   }
   MPI_Bcast(&next_frame_, 1, MPI_LONG, 0, communicator_.get());
 }

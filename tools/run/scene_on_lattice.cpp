@@ -40,10 +40,10 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
         const double to_wall = std::min(beads[b][a], layout.domain->lengths[a] - beads[b][a]);
         const double gap = to_wall - type.beads[b].radius;
         if (gap >= nearest_to_wall * cell) continue;
-        throw InputError(
-            fmt::format("{}:/swimmers/{}/position", source, s),
-            fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, {:.3g}", b + 1,
-                        gap, "xyz"[a], nearest_to_wall * cell));
+        throw InputError(fmt::format("{}:/swimmers/{}/position", source, s),
+                         fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, "
+                                     "{:.3g}; move the swimmer, or take more --cells-per-radius",
+                                     b + 1, gap, "xyz"[a], nearest_to_wall * cell));
       }
     }
   }
@@ -78,7 +78,9 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
     const double whole = std::round(exact);
     const std::string place = fmt::format("{}:/domain/lengths/{}", source, a);
     if (whole > most)
-      throw InputError(place, fmt::format("{} is {:.3g} cells; at most {}", lengths[a], exact, most));
+      throw InputError(
+          place, fmt::format("{} is {:.3g} cells, over {}; take a smaller box, or fewer --cells-per-radius",
+                             lengths[a], exact, most));
     if (whole < 1 || std::abs(exact - whole) > roundoff * whole) {
       throw InputError(place, fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest are "
                                           "{:.10g} and {:.10g}, or choose another --cells-per-radius",

@@ -30,7 +30,9 @@ std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator&
   std::vector<int> sizes(communicator.size()), starts(communicator.size());
   MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator.get());
   if (std::accumulate(sizes.begin(), sizes.end(), 0L) > std::numeric_limits<int>::max())
-    throw SolverError("over 2 GiB for one rank to gather: too many swimmers");
+    throw SolverError(
+        "over 2 GiB for one rank to gather: too many swimmers; take fewer, or a smaller cell of the scene "
+        "(beadswim-layout reduce)");
   std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
   std::vector<char> all(communicator.is_root() ? starts.back() + sizes.back() : 0);
   MPI_Gatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,

@@ -1,15 +1,21 @@
 #include "beadswim/core/nearest_name.hpp"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 namespace beadswim {
 namespace {
 
-/// Optimal string alignment distance (restricted Damerau-Levenshtein).
-std::size_t edit_distance(const std::string& a, const std::string& b) {
+enum class Part { whole, any };
+
+/// Optimal string alignment distance (restricted Damerau-Levenshtein) of `a` and the whole of `b`, or that
+/// part of `b` that is nearest.
+std::size_t edit_distance(const std::string& a, const std::string& b, Part part) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
+  for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = part == Part::whole ? j : 0;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
       const std::size_t substitution = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
@@ -18,17 +24,40 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
       if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   }
-  return d[a.size()][b.size()];
+  const std::vector<std::size_t>& last = d[a.size()];
+  return part == Part::whole ? last.back() : *std::min_element(last.begin(), last.end());
+}
+
+/// A third of the letters may be wrong, or two of few, but not all; of a part a quarter.
+bool is_near(const std::string& name, const std::string& candidate) {
+  const std::size_t wrong = edit_distance(name, candidate, Part::whole);
+  if (wrong < name.size() && wrong <= std::max<std::size_t>(2, name.size() / 3)) return true;
+  return name.size() >= 3 && edit_distance(name, candidate, Part::any) <= name.size() / 4;
 }
 
 }  // namespace
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
-  const auto nearest =
-      std::min_element(candidates.begin(), candidates.end(), [&](const std::string& a, const std::string& b) {
-        return edit_distance(name, a) < edit_distance(name, b);
-      });
-  return nearest == candidates.end() ? std::string{} : *nearest;
+  std::string nearest;
+  std::size_t fewest = 0;
+  for (const std::string& candidate : candidates) {
+    if (!is_near(name, candidate)) continue;
+    const std::size_t wrong = edit_distance(name, candidate, Part::whole);
+    if (!nearest.empty() && wrong >= fewest) continue;
+    nearest = candidate;
+    fewest = wrong;
+  }
+  return nearest;
+}
+
+std::string guess_at(const std::string& name, const std::vector<std::string>& candidates) {
+  const std::string nearest = nearest_name(name, candidates);
+  return nearest.empty() ? std::string(".") : fmt::format("; did you mean \"{}\"?", nearest);
+}
+
+std::string unknown_name(const std::string& name, const std::vector<std::string>& allowed) {
+  return fmt::format("unknown \"{}\"{} There are {}", name, guess_at(name, allowed),
+                     fmt::join(allowed, ", "));
 }
 
 }  // namespace beadswim

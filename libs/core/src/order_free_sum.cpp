@@ -7,11 +7,16 @@
 namespace beadswim {
 
 void OrderFreeSum::refuse(double x) {
-  throw NotFiniteError(fmt::format("a term of {} in a sum of terms below {}", x, largest_term));
+  throw NotFiniteError(
+      fmt::format("a term of {} in a sum of terms below {}: the run has become unstable; drive beads "
+                  "less, or take more --cells-per-radius",
+                  x, largest_term));
 }
 
 void OrderFreeSum::overflow() {
-  throw SolverError("a sum over cells or links has grown too large to be held");
+  throw SolverError(
+      "a sum over cells or links has grown too large to be held: the run has become unstable; drive beads "
+      "less, or take more --cells-per-radius");
 }
 
 }  // namespace beadswim

@@ -56,10 +56,14 @@ bool all_agree(bool yes, const Communicator& communicator) {
 H5Handle open_file(const std::string& path, const Communicator& communicator) {
   // Not by all ranks of HDF5 at once what is no file, or none of HDF5's.
   const bool is_hdf5 = !communicator.is_root() || H5Fis_hdf5(path.c_str()) > 0;
-  if (!all_agree(is_hdf5, communicator)) throw InputError(path, "is no checkpoint, or cannot be read");
+  if (!all_agree(is_hdf5, communicator))
+    throw InputError(
+        path, "is no checkpoint, or cannot be read; name a file FILE.h5md.ckpt.0 or .1, or its FILE.h5md");
   const H5Handle access = parallel_access(communicator, path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
-  if (!all_agree(file >= 0, communicator)) throw InputError(path, "is no checkpoint, or damaged");
+  if (!all_agree(file >= 0, communicator))
+    throw InputError(path,
+                     "is no checkpoint, or damaged; take the other checkpoint, or begin without --restart");
   return {file, H5Fclose, path};
 }
 
@@ -131,9 +135,12 @@ std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::str
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::array<hsize_t, dimensions> shape{};
   if (H5Sget_simple_extent_ndims(space) != static_cast<int>(dimensions))
-    throw SolverError(what + ": has another number of dimensions");
+    throw SolverError(
+        what + ": has another number of dimensions; take the other checkpoint, or begin without --restart");
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  if (!stores_all(dataset, shape)) throw SolverError(what + ": claims to hold more than is stored");
+  if (!stores_all(dataset, shape))
+    throw SolverError(
+        what + ": claims to hold more than is stored; take the other checkpoint, or begin without --restart");
   return shape;
 }
 
@@ -210,7 +217,8 @@ void CheckpointWriter::add_file(const std::string& section, const std::string& p
     file.open(path, std::ios::binary);
     std::error_code failure;
     size = std::filesystem::file_size(path, failure);
-    if (!file || failure) throw SolverError(path + ": cannot be read for a checkpoint");
+    if (!file || failure)
+      throw SolverError(path + ": cannot be read for a checkpoint; was it moved or removed during the run?");
   }
   MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator_.get());
   const H5Handle dataset = create(section, H5T_STD_I8LE, std::array{hsize_t(size)});
@@ -221,7 +229,7 @@ void CheckpointWriter::add_file(const std::string& section, const std::string& p
   for (std::uint64_t done = 0; done < size;) {
     const std::uint64_t count = std::min<std::uint64_t>(buffer.size(), size - done);
     if (!file.read(buffer.data(), static_cast<std::streamsize>(count)))
-      throw SolverError(path + ": cannot be read for a checkpoint");
+      throw SolverError(path + ": cannot be read for a checkpoint; was it moved or removed during the run?");
     write_bytes(dataset, done, std::span(buffer).first(count));
     done += count;
   }
@@ -254,8 +262,8 @@ void CheckpointWriter::finish() {
   MPI_Barrier(communicator_.get());
   if (communicator_.is_root()) {
     if (const int reason = name_finished_file(path_)) {
-      throw SolverError(fmt::format("{} cannot be put on the disk as {}: {}", part_name(path_), path_,
-                                    std::strerror(reason)));
+      throw SolverError(fmt::format("{} cannot be put on the disk as {}: {}; is the disk full?",
+                                    part_name(path_), path_, std::strerror(reason)));
     }
   }
   MPI_Barrier(communicator_.get());
@@ -275,7 +283,9 @@ CheckpointReader::~CheckpointReader() {
 void CheckpointReader::require_sound() const {
   const auto require = [this](bool is_sound) {
     if (!all_agree(is_sound, communicator_))
-      throw InputError(path_, "is damaged: its contents are not those of its hash");
+      throw InputError(path_,
+                       "is damaged: its contents are not those of its hash; take the other checkpoint, or "
+                       "begin without --restart");
   };
   std::string format, hash_on_file;
   std::uint64_t lattice = 0;
@@ -293,7 +303,9 @@ void CheckpointReader::require_sound() const {
   }
   require(is_read);
   if (!all_agree(format == format_name, communicator_))
-    throw InputError(path_, std::string("is no checkpoint of this version, ") + format_name);
+    throw InputError(path_, fmt::format("is no checkpoint of this version, {}; go on with the version that "
+                                        "wrote it, or begin without --restart",
+                                        format_name));
   lattice = sum_over_ranks(lattice, communicator_);
   require(!communicator_.is_root() || ended(hash, lattice) == hash_on_file);
 }
@@ -364,7 +376,8 @@ void CheckpointReader::copy_to(const std::string& section, int descriptor) const
   const std::uint64_t all = size(section);
   const auto require = [&](bool fine) {
     if (!fine)
-      throw SolverError(fmt::format("{} of {} cannot be written: {}", section, path_, std::strerror(errno)));
+      throw SolverError(fmt::format("{} of {} cannot be written beside it: {}; is the disk full?", section,
+                                    path_, std::strerror(errno)));
   };
   require(ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0);
   for (std::uint64_t done = 0; done < all;) {
@@ -386,7 +399,9 @@ void CheckpointReader::read_lattice(const LatticePart& part, int components,
   const H5Handle dataset(H5Dopen2(file_, lattice_name, H5P_DEFAULT), H5Dclose, path_);
   const std::array wanted{hsize_t(components), hsize_t(part.cells[2]), hsize_t(part.cells[1]),
                           hsize_t(part.cells[0])};
-  if (shape_of<4>(dataset, path_) != wanted) throw SolverError(path_ + ": its lattice is of another scene");
+  if (shape_of<4>(dataset, path_) != wanted)
+    throw SolverError(
+        path_ + ": its lattice is of another scene; take the other checkpoint, or begin without --restart");
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
   for (int c = 0; c < components; ++c) {
     if (!numbers.empty()) {

@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
 
 namespace beadswim {
 namespace {
@@ -45,6 +46,10 @@ void check_schema_name(const Json& document, const std::string& expected, const 
   }
   const auto entry = document.find("schema");
   if (entry == document.end()) {
+    for (const auto& [key, value] : document.items()) {
+      if (!nearest_name(key, {"schema"}).empty())
+        throw InputError(source + ":/" + key, "unknown key; did you mean \"schema\"?");
+    }
     throw InputError(source,
                      fmt::format("lacks the key \"schema\"; add \"schema\": \"{}\" if it is one", expected));
   }

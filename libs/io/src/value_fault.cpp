@@ -61,8 +61,7 @@ std::string allowed_names(const Subschemas& schemas, const Json& value) {
   const Json& names = *find_keyword(schemas, "enum");
   std::string text = fmt::format("must be one of {}", names.dump());
   if (!value.is_string()) return text;
-  return text + fmt::format("; did you mean \"{}\"?",
-                            nearest_name(value.get<std::string>(), names.get<std::vector<std::string>>()));
+  return text + guess_at(value.get<std::string>(), names.get<std::vector<std::string>>());
 }
 
 std::string allowed_type(const Subschemas& schemas, const Json& value) {
@@ -171,10 +170,11 @@ class Explainer {
     }
     for (const auto& [key, value] : object.items()) {
       if (std::find(names.begin(), names.end(), key) != names.end()) continue;
-      meant.push_back(nearest_name(key, absent.empty() ? names : absent));
+      const std::vector<std::string>& candidates = absent.empty() ? names : absent;
+      meant.push_back(nearest_name(key, candidates));
       faults.push_back(
-          {pointer + pointer_step(key), fmt::format("unknown key; did you mean \"{}\"? Allowed here: {}",
-                                                    meant.back(), fmt::join(names, ", "))});
+          {pointer + pointer_step(key),
+           fmt::format("unknown key{} Allowed here: {}", guess_at(key, candidates), fmt::join(names, ", "))});
     }
     return meant;
   }

@@ -63,9 +63,8 @@ void check_type_names(const Layout& layout, Faults& faults) {
   for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
     const std::string& type = layout.swimmers[i].type;
     if (layout.types.count(type) > 0) continue;
-    faults.push_back(
-        {swimmer_place(i, "type"), fmt::format("\"{}\": no such type under /types; did you mean \"{}\"?",
-                                               type, nearest_name(type, names))});
+    faults.push_back({swimmer_place(i, "type"),
+                      fmt::format("\"{}\": no such type under /types{}", type, guess_at(type, names))});
   }
 }
 

@@ -30,7 +30,7 @@ std::size_t number_of(const HowMany& how_many, std::size_t all, const std::strin
     return static_cast<std::size_t>(std::lround(*fraction * static_cast<double>(all)));
   const auto count = static_cast<std::size_t>(std::get<std::int64_t>(how_many));
   if (count <= all) return count;
-  throw InputError("--count", fmt::format("{}: more than there are {}, {}", count, things, all));
+  throw InputError("--count", fmt::format("{}: more than there are {}, {}; take fewer", count, things, all));
 }
 
 /// That many of 0 ... keys.size() - 1, those whose random numbers are least, in ascending order.
@@ -110,7 +110,8 @@ std::vector<std::size_t> drawn_swimmers(const Layout& layout, const HowMany& how
 void add_vacancies(Layout& layout, const HowMany& how_many, std::uint64_t seed) {
   std::vector<Swimmer> left;
   const std::vector<std::size_t> gone = drawn_swimmers(layout, how_many, seed);
-  if (gone.size() == layout.swimmers.size()) throw InputError("vacancy", "leaves no swimmer");
+  if (gone.size() == layout.swimmers.size())
+    throw InputError("vacancy", "leaves no swimmer; take a smaller --count or --fraction");
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     if (!std::ranges::binary_search(gone, s)) left.push_back(layout.swimmers[s]);
   }

@@ -78,7 +78,9 @@ EwaldPlan plan_ewald(const EwaldScene& scene) {
   const double shortest_cut_off = 2 * scene.typical_radius;  // spheres that overlap are summed as pairs
   if (longest < shortest_cut_off)
     throw InputError(
-        "box", fmt::format("its edge of {} is less than four radii of {}", shortest, scene.typical_radius));
+        "box", fmt::format(
+                   "its edge of {} is less than four radii of {}; enlarge it, or make the layout --unbounded",
+                   shortest, scene.typical_radius));
   EwaldPlan best;
   double least = INFINITY;
   constexpr int trials = 60;

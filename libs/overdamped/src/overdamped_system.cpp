@@ -122,7 +122,8 @@ void OverdampedSystem::step() {
 /// All ranks have all beads and see the same.
 void OverdampedSystem::look_for_faults() {
   const auto& [now, before, earlier] = state_.positions;
-  const auto note = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number, double value) {
+  const auto note = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number,
+                                          double value) {
     if (!fault_)
       fault_ = {kind, state_.steps_done, scene_.swimmers[bead / 3].id, number, before[bead], value};
   };
@@ -146,7 +147,8 @@ void OverdampedSystem::restore(OverdampedState state) {
   const auto is_whole = [&](const Beads& list) { return list.size() == radii_.size(); };
   if (!std::ranges::all_of(state.positions, is_whole) || !std::ranges::all_of(state.velocities, is_whole) ||
       !std::ranges::all_of(state.distant, is_whole))
-    throw SolverError("the state is of another scene");
+    throw SolverError(
+        "the checkpoint is of another scene; take the other checkpoint, or begin without --restart");
   state_ = std::move(state);
 }
 

@@ -44,7 +44,8 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
     return {.box = {},
             .obstacle = fmt::format(
                 "its box holds {} swimmers, and theory knows one in a box; beadswim-layout reduce finds the "
-                "cell of one, and --unbounded leaves neighbours out",
+                "cell of one, and a layout without box (beadswim-layout swimmer --unbounded) leaves "
+                "neighbours out",
                 layout.swimmers.size())};
   }
   const auto& boundary = layout.domain->boundary;

@@ -1,7 +1,6 @@
 #include "beadswim/theory/methods.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +55,7 @@ const Method& find_method(const std::string& name) {
   if (found != table.end()) return *found;
   std::vector<std::string> names;
   for (const Method& row : table) names.push_back(row.name);
-  throw InputError("--method", fmt::format("unknown method '{}'; did you mean '{}'? Methods: {}", name,
-                                           nearest_name(name, names), fmt::join(names, ", ")));
+  throw InputError("--method", unknown_name(name, names));
 }
 
 Prediction predict(const Method& method, const Question& question) {

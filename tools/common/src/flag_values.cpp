@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "beadswim/core/nearest_name.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
@@ -56,13 +57,33 @@ CLI::Validator finite_positive() {
   return number_that([](double x) { return x > 0; }, "a finite number greater than 0");
 }
 
+CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
+  const auto fault = [low, high](const std::string& text) {
+    std::int64_t value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const bool is_number = error == std::errc{} && end == text.data() + text.size();
+    const bool fine = is_number && value >= low && value <= high;
+    return fine ? std::string{}
+                : fmt::format("\"{}\": must be a whole number from {} to {}", text, low, high);
+  };
+  return CLI::Validator(fault, "");
+}
+
 CLI::Validator whole_positive() {
-  return number_that([](double x) { return x >= 1 && x <= 1e6 && x == std::floor(x); },
-                     "a whole number from 1 to 1000000");
+  return whole_number(1, 1000000);
+}
+
+CLI::Validator number_between(double low, double high) {
+  const auto fault = [low, high](const std::string& text) {
+    const std::optional<double> value = parse_number(text);
+    const bool fine = value && *value >= low && *value <= high;
+    return fine ? std::string{} : fmt::format("\"{}\": must be a number from {} to {}", text, low, high);
+  };
+  return CLI::Validator(fault, "");
 }
 
 CLI::Validator product_tolerance() {
-  return number_that([](double x) { return x >= 1e-12 && x <= 1e-2; }, "a number from 1e-12 to 0.01");
+  return number_between(1e-12, 1e-2);
 }
 
 CLI::Validator finite_non_negative() {
@@ -81,6 +102,14 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
       if (!part_fault.empty()) return part_fault;
     }
     return std::string{};
+  };
+  return CLI::Validator(fault, "");
+}
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  const auto fault = [words = std::move(words)](const std::string& text) {
+    if (std::find(words.begin(), words.end(), text) != words.end()) return std::string{};
+    return unknown_name(text, words);
   };
   return CLI::Validator(fault, "");
 }

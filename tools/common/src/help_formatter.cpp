@@ -28,6 +28,7 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
   std::string text = "  " + make_option_name(option, is_positional);
+  text = text.substr(0, text.find('{'));  // what CLI11 adds to a flag that says no
   const bool takes_value = option->get_items_expected_max() != 0;
   if (takes_value && !is_positional) text += " " + option->get_type_name();
   std::string meaning = option->get_description();

@@ -54,15 +54,15 @@ void refuse_leftovers(const CLI::App& program) {
   const auto flag = std::find_if(leftovers.begin(), leftovers.end(), looks_like_flag);
   if (flag != leftovers.end()) {
     const std::string name = flag->substr(0, flag->find('='));
-    throw InputError(name, fmt::format("unknown flag; did you mean {}? \"{} --help\" lists all",
-                                       nearest_name(name, flag_names(command)), full_name(command)));
+    throw InputError(name, fmt::format("unknown flag{} \"{} --help\" lists all",
+                                       guess_at(name, flag_names(command)), full_name(command)));
   }
   if (leftovers.empty()) return;
   const std::vector<std::string> commands = command_names(command);
-  const std::string remedy = commands.empty() ? "unexpected argument"
-                                              : fmt::format("unknown command; did you mean \"{}\"?",
-                                                            nearest_name(leftovers.front(), commands));
-  throw InputError(leftovers.front(), fmt::format("{}; see \"{} --help\"", remedy, full_name(command)));
+  const std::string what = commands.empty()
+                               ? std::string("unexpected argument.")
+                               : fmt::format("unknown command{}", guess_at(leftovers.front(), commands));
+  throw InputError(leftovers.front(), fmt::format("{} \"{} --help\" lists all", what, full_name(command)));
 }
 
 /// Throws if a flag is given twice or without its value.
@@ -72,6 +72,32 @@ void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& e
     if (std::string(error.what()).rfind(name + ":", 0) != 0) continue;
     throw InputError(name, option->count() > 1 ? fmt::format("given {} times; give it once", option->count())
                                                : fmt::format("needs a value: {}", option->get_type_name()));
+  }
+}
+
+/// Throws if a flag or file that is required is not there.
+void refuse_absent(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_required() || option->count() > 0) continue;
+    throw InputError(option->get_name(),
+                     fmt::format("is needed, and not given; see \"{} --help\"", full_name(command)));
+  }
+}
+
+/// Throws if two flags contradict each other, or one has no meaning without another.
+void refuse_combinations(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0) continue;
+    for (const CLI::Option* other : option->get_excludes()) {
+      if (other->count() == 0) continue;
+      throw InputError(option->get_name(),
+                       fmt::format("cannot go with {}; leave one out", other->get_name()));
+    }
+    for (const CLI::Option* other : option->get_needs()) {
+      if (other->count() > 0) continue;
+      throw InputError(option->get_name(),
+                       fmt::format("has no effect without {}; add it, or leave this out", other->get_name()));
+    }
   }
 }
 
@@ -85,6 +111,8 @@ void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& e
   const std::size_t colon = text.find(": ");
   const bool names_flag = text.rfind("-", 0) == 0 && colon != std::string::npos;
   if (names_flag) throw InputError(text.substr(0, colon), text.substr(colon + 2));
+  refuse_absent(command);
+  refuse_combinations(command);
   const std::vector<std::string> commands = command_names(command);
   const std::string what =
       commands.empty() ? text : fmt::format("a command is needed: {}", fmt::join(commands, ", "));

@@ -36,8 +36,13 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
 CLI::Validator finite();
 CLI::Validator finite_positive();
 CLI::Validator finite_non_negative();
+CLI::Validator number_between(double low, double high);
+CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 CLI::Validator whole_positive();     ///< up to a million
 CLI::Validator product_tolerance();  ///< of mobility products
+
+/// For a flag whose value is a word.
+CLI::Validator one_of(std::vector<std::string> words);
 
 /// For a flag, held as text, of several numbers joined by commas, such as "4" or "3,4,5": how many it may
 /// have, and what each must be.
