@@ -99,6 +99,17 @@ accepts beadswim-plot separation by_separation.jsonl --method all
 out_has '>rpy-force-printed<'
 out_has '>Predictions: T = 4800<'
 out_has '>Thin and pale: '
+in_fluid() { # FLUID METHODS   of which the others are for unbounded fluid
+  jq -c --arg fluid "$1" --arg methods "$2" '.predictions |= map(.settings.fluid =
+    if .method | test($methods) then $fluid else "unbounded" end)' by_separation.jsonl
+}
+in_fluid "box: 80 x 48 x 48" multipole-ode >boxed.jsonl
+accepts beadswim-plot separation boxed.jsonl --method multipole-ode,oseen-force-closed
+out_has ">Predictions: T = 4800, unbounded fluid; multipole-ode in the layout's box<"
+accepts beadswim-plot separation boxed.jsonl --method multipole-ode
+out_has ">Predictions: T = 4800, in the layout's box<"
+accepts beadswim-plot separation boxed.jsonl --method oseen-force-closed
+out_has '>Predictions: T = 4800, unbounded fluid<'
 accepts beadswim-plot separation by_separation.jsonl run.json --method multipole-ode
 drawn 8 circle     # one run, at 20/4; five open points, and their legends
 same_bytes 'beadswim-plot separation by_separation.jsonl' 'beadswim-plot separation - <by_separation.jsonl'

@@ -72,6 +72,13 @@ std::optional<double> number_setting(const Prediction& prediction, const std::st
   return std::nullopt;
 }
 
+std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key) {
+  for (const auto& [name, value] : prediction.settings) {
+    if (name == key && std::holds_alternative<std::string>(value)) return std::get<std::string>(value);
+  }
+  return std::nullopt;
+}
+
 double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {
   const auto value = number_setting(plotted.prediction, key_of(abscissa));
   if (value) return *value;

@@ -22,8 +22,9 @@ std::string key_of(Abscissa abscissa);
 
 AxisLabel axis_label(Abscissa abscissa, const Units& units);
 
-/// A number among the prediction's settings, if it is there.
+/// A number or a text among the prediction's settings, if it is there.
 std::optional<double> number_setting(const Prediction& prediction, const std::string& key);
+std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key);
 
 /// Throws InputError, naming source and key, if the settings lack it.
 double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <limits>
+#include <set>
 #include <utility>
 
 namespace beadswim {
@@ -34,6 +35,19 @@ std::string parameter_text(const std::vector<PlottedPrediction>& predictions, co
   const std::string first = fmt::format("{} = {:.4g}", parameter.symbol, *low);
   const std::string last = fmt::format("{} = {:.4g}", parameter.symbol, *high);
   return first == last ? first : first + fmt::format(" to {:.4g}", *high);
+}
+
+/// Which fluid the predictions are for: "unbounded fluid; inertia-corrected in the layout's box".
+std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
+  std::set<std::string> boxed, open;
+  for (const PlottedPrediction& plotted : predictions) {
+    const auto fluid = text_setting(plotted.prediction, "fluid");
+    if (!fluid) return {};
+    (*fluid == "unbounded" ? open : boxed).insert(plotted.prediction.method);
+  }
+  if (boxed.empty()) return "unbounded fluid";
+  if (open.empty()) return "in the layout's box";
+  return fmt::format("unbounded fluid; {} in the layout's box", fmt::join(boxed, ", "));
 }
 
 /// "4800", or "1000 to 10000".
@@ -133,6 +147,7 @@ std::vector<std::string> prediction_notes(const PlotInputs& inputs, Abscissa abs
     const std::string text = parameter_text(inputs.predictions, parameter);
     if (!text.empty() && parameter.key != key_of(abscissa)) texts.push_back(text);
   }
+  if (const std::string fluid = fluid_text(inputs.predictions); !fluid.empty()) texts.push_back(fluid);
   if (!texts.empty()) notes.push_back(fmt::format("Predictions: {}", fmt::join(texts, ", ")));
   const auto usable = [](const PlottedPrediction& plotted) { return plotted.prediction.usable; };
   if (!std::all_of(inputs.predictions.begin(), inputs.predictions.end(), usable)) {
