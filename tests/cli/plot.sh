@@ -97,7 +97,7 @@ run beadswim-plot separation by_separation.jsonl --method multipole-ode --axes l
 check 'a power law is straight on linear axes' bash -c '! "$@"' - test "$(series '#0072B2' | straight; echo $?)" = 0
 accepts beadswim-plot separation by_separation.jsonl --method all
 out_has '>rpy-force-printed<'
-out_has '>Predictions: T = 4800<'
+out_has '>Predictions: T = 4800, unbounded fluid<'
 out_has '>Thin and pale: '
 in_fluid() { # FLUID METHODS   of which the others are for unbounded fluid
   jq -c --arg fluid "$1" --arg methods "$2" '.predictions |= map(.settings.fluid =

@@ -27,15 +27,12 @@ std::vector<std::string> names_of(const std::map<std::string, Value>& values) {
 }
 
 CLI::Validator relaxation_time() {
-  return finite_positive() & CLI::Validator(
-                                 [](const std::string& text) {
-                                   return std::stod(text) > 0.5
-                                              ? std::string{}
-                                              : text +
-                                                    " is not above 0.5, where the viscosity "
-                                                    "(tau - 1/2)/3 vanishes; 0.6 to 1.5 work well";
-                                 },
-                                 "", "");
+  const auto fault = [](const std::string& text) {
+    std::string why = finite_positive()(text);
+    if (!why.empty() || std::stod(text) > 0.5) return why;
+    return text + " is not above 0.5, where the viscosity (tau - 1/2)/3 vanishes; 0.6 to 1.5 work well";
+  };
+  return CLI::Validator(fault, "");
 }
 
 /// Flags whose values are words.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <limits>
 #include <map>
 #include <sstream>
 
@@ -46,6 +47,7 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
   program
       ->add_option("--swimmer", request.swimmer,
                    "Predict the swimmer of this id; needed if the swimmers differ.")
+      ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->type_name("ID");
   program
       ->add_option("--stroke-from", request.stroke_path,
