@@ -12,6 +12,8 @@ endforeach()
 
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs PATTERN results EXCLUDE PATTERN generate.py EXCLUDE)
+install(FILES docs/results/steps-and-errors.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs/results)
+install(DIRECTORY schemas packaging DESTINATION ${CMAKE_INSTALL_DOCDIR})  # where the documents' links lead
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/beadswim)
 

@@ -29,6 +29,9 @@ for program in "${programs[@]}"; do
 done
 check "schemas are" test -s prefix/share/beadswim/schemas/layout.schema.json
 check "documents are" test -s prefix/share/doc/beadswim/docs/tutorial.md -a -x prefix/share/doc/beadswim/examples/figure-2.sh
+run python3 -B "$BEADSWIM_SOURCE/tests/docs/links.py" prefix/share/doc/beadswim
+has_status 0
+out_has ' pages, 0 faults$'
 scene_from "$PWD/prefix"
 
 # --- the libraries, by a program of somebody else's

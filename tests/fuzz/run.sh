@@ -39,11 +39,14 @@ declare -A options=(
   [restart]="$edits -fork=1"  # Open MPI keeps some memory of each file that was open
   [trajectory_bytes]=$bytes [checkpoint_bytes]=$bytes)
 
-# Whether what the target does with a finding ends within libhdf5: its frame comes before any of ours.
-crashes_hdf5() { # TARGET FILE
-  local said
+# Where what the target does with a finding ends: in libhdf5, if its frame comes before any of ours; here; or nowhere, as
+# what HDF5 reads beyond its memory hangs on what inputs before have left there.
+ends_in() { # TARGET FILE
+  local said frame
   said=$(ASAN_OPTIONS=$asan:allocator_may_return_null=1:detect_leaks=0 build/fuzz/bin/fuzz_"$1" -malloc_limit_mb=1000000 "$2" 2>&1 || true)
-  grep -m1 -oE 'libhdf5|/(libs|tools|tests)/[a-z/_]*\.[ch]pp|broken promise' <<<"$said" | grep -q libhdf5
+  grep -aq '^Executed ' <<<"$said" && { echo nowhere; return; }
+  frame=$(grep -am1 -oE 'libhdf5|/(libs|tools|tests)/[a-z/_]*\.[ch]pp|broken promise' <<<"$said" || true)
+  if [ "$frame" = libhdf5 ]; then echo libhdf5; else echo here; fi
 }
 
 # Whether crashes, which the target was told to ignore, are all that its exit status tells of.
@@ -71,8 +74,11 @@ for target in "${targets[@]}"; do
     "tests/fuzz/corpus/$target" >"$log" 2>&1 || went_on "$target" "$log" || failed "$target" "$log"
   for finding in out/fuzz/findings/"$target"-*; do
     [ -e "$finding" ] || continue
-    crashes_hdf5 "$target" "$finding" || failed "$target" "$log"
-    rm "$finding"
+    case $(ends_in "$target" "$finding") in
+      libhdf5) rm "$finding" ;;
+      nowhere) echo "$finding does not repeat by itself; it is kept" ;;
+      here) failed "$target" "$log" ;;
+    esac
   done
   grep -E '^#[0-9]+.*(DONE|cov)|number_of_executed_units|average_exec_per_sec|^INFO: fuzzed for' "$log" | tail -3
 done
