@@ -9,6 +9,10 @@ cat >bin/srun <<'SRUN'
 #!/bin/bash
 # Slurm signals the ranks themselves; as soon as there is a checkpoint, if asked to.
 exec 3>&1
+if [ -n "${TIME_IS_UP-}" ]; then
+  echo '{ "status": "stopped-time" }'
+  exit 4
+fi
 mpirun -n 2 "$@" &
 if [ -n "${STOP_EARLY-}" ]; then
   until [ -e slurm.h5md.ckpt.0 ] || ! kill -0 $!; do sleep 0.1; done
@@ -35,5 +39,16 @@ check "trajectory of an unbroken run" h5diff whole.h5md slurm.h5md
 state() { jq -r .state_sha256 "$1"; }
 check "state of an unbroken run" test "$(state whole.json)" = "$(state slurm.json)"
 
+# --- a sweep, one job of its array
+rm requeued
+export SLURM_JOB_ID=18 SLURM_ARRAY_TASK_ID=2000
+TIME_IS_UP=yes run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
+has_status 4
+check "the sweep's job is queued again" grep -q '^requeue 18$' sweep/requeued
+check "it has no record yet" test ! -e sweep/T2000.json
+run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
+has_status 0
+check "the sweep's record is there" holds '.status == "finished" and .driving.period == 2000' sweep/T2000.json
+accepts beadswim-plot velocity-against-period sweep/T*.json
 for script in "$jobs"/*.sbatch; do check "$script parses" bash -n "$script"; done
 finish
