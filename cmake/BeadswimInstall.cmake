@@ -3,7 +3,9 @@ set(CMAKE_INSTALL_DOCDIR share/doc/beadswim)
 include(GNUInstallDirs)
 
 set(programs layout run theory compare plot view bench)
+add_custom_target(programs)  # all of them, without the tests
 foreach(program ${programs})
+  add_dependencies(programs beadswim-${program})
   install(TARGETS beadswim-${program} RUNTIME)
   # Bash looks for completions by the name of the program.
   install(FILES ${PROJECT_SOURCE_DIR}/tools/completion/beadswim.bash

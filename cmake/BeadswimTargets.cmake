@@ -56,7 +56,6 @@ function(beadswim_program name)
   endif()
   add_executable(beadswim-${name} ${arg_SOURCES})
   target_link_libraries(beadswim-${name} PRIVATE ${arg_DEPENDS})
-  add_dependencies(programs beadswim-${name})
 endfunction()
 
 # Seconds that one test may take; the sanitizers slow it by some five times.

@@ -21,6 +21,8 @@ TEST(NearestName, IsEmptyWhereNoneIsNear) {
   EXPECT_EQ(nearest_name("x", {"y"}), "");  // nothing in common
   EXPECT_EQ(nearest_name("foo", {"radius", "density"}), "");
   EXPECT_EQ(nearest_name("", {"radius"}), "");
+  EXPECT_EQ(nearest_name(std::string(101, 'r'), {std::string(100, 'r')}),
+            "");  // no name has a hundred letters
   EXPECT_EQ(guess_at("foo", {"radius"}), ".");
   EXPECT_EQ(guess_at("raduis", {"radius"}), "; did you mean \"radius\"?");
 }

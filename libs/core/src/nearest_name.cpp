@@ -30,6 +30,8 @@ std::size_t edit_distance(const std::string& a, const std::string& b, Part part)
 
 /// A third of the letters may be wrong, or two of few, but not all; of a part a quarter.
 bool is_near(const std::string& name, const std::string& candidate) {
+  constexpr std::size_t longest = 100;  // beyond it no name but a damaged document, whose distance takes long
+  if (name.size() > longest) return false;
   const std::size_t wrong = edit_distance(name, candidate, Part::whole);
   if (wrong < name.size() && wrong <= std::max<std::size_t>(2, name.size() / 3)) return true;
   return name.size() >= 3 && edit_distance(name, candidate, Part::any) <= name.size() / 4;

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
@@ -60,14 +61,14 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   bool number_float(number_float_t value, const string_t&) override { return add(value), true; }
   bool string(string_t& value) override { return add(std::move(value)), true; }
   bool binary(binary_t& value) override { return add(std::move(value)), true; }
-  bool start_object(std::size_t) override { return open(Json::object()), true; }
+  bool start_object(std::size_t) override { return open(Json::object()), keys_.emplace_back(), true; }
   bool start_array(std::size_t) override { return open(Json::array()), true; }
-  bool end_object() override { return open_.pop_back(), true; }
+  bool end_object() override { return open_.pop_back(), keys_.pop_back(), true; }
   bool end_array() override { return open_.pop_back(), true; }
 
   bool key(string_t& key) override {
     auto& members = open_.back()->get_ref<Json::object_t&>();
-    if (members.find(key) != members.end()) {
+    if (!keys_.back().insert(key).second) {
       throw InputError(source_ + ":" + open_pointer() + pointer_step(key),
                        "this key is given twice in one object; leave one");
     }
@@ -118,6 +119,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   const std::string& source_;
   Json root_;
   std::vector<Json*> open_;
+  std::vector<std::unordered_set<std::string>>
+      keys_;  ///< of each open object, which itself searches one by one
 };
 
 }  // namespace

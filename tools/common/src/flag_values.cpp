@@ -12,7 +12,8 @@ namespace {
 
 /// The number that the whole text is, or nothing; infinite if it is beyond the range of a double.
 std::optional<double> parse_number(const std::string& text) {
-  const char* const first = text.data() + (text.size() > 1 && text[0] == '+' ? 1 : 0);
+  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  const char* const first = text.data() + (has_plus ? 1 : 0);
   const char* const last = text.data() + text.size();
   double value = 0;
   const auto [end, error] = std::from_chars(first, last, value);
