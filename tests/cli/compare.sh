@@ -110,6 +110,6 @@ refuses '--quantity: unknown "velocty"; did you mean "velocity"' \
 for number in 0 -1 nan inf; do
   refuses '--tolerance: ' beadswim-compare run.json prediction.json "--tolerance=$number"
 done
-refuses '--metod: unknown flag; did you mean "--method"' beadswim-compare run.json prediction.json --metod run
+refuses '--metod: unknown flag; did you mean --method' beadswim-compare run.json prediction.json --metod run
 
 finish

@@ -1,38 +1,54 @@
 #!/bin/bash
-# Each flag of each program that takes a value, given values that nobody means: refused in the program's own words.
+# Each flag of each program, given values that nobody means, is refused by its name and in the program's own words.
 source "$(dirname "$0")/harness.sh"
 
-value_flags() { # as --help lists them
-  "$@" --help | grep -oE '^  (-[a-z],)?--[a-z-]+ [^ ]' | grep -oE -- '--[a-z-]+'
+beadswim-layout swimmer --preset paper-single --unbounded >one.json
+beadswim-layout swarm --preset paper-uniform --blocks 1,2,1 --block-swimmers 1,2,2 >swarm.json
+beadswim-run one.json --model rpy --cycles 1 -o one.h5md --progress none >run.json
+beadswim-theory one.json >theory.json
+ls >before
+
+flags_of() { # WITH-VALUE|WITHOUT COMMAND...   as --help lists them
+  local form='^  (-[a-z],)?--[a-z-]+ [^ ]'
+  [ "$1" = with-value ] || form='^  (-[a-z],)?--[a-z-]+$'
+  shift
+  "$@" --help | grep -oE "$form" | grep -oE -- '--[a-z-]+'
 }
 
+refused() { # COMMAND...   whose last word or last but one begins with $flag
+  run timeout 20 "$@"
+  has_status 2
+  check "standard error does not begin with the program's name and the flag" grep -qE "^$1: ([^ ]*: )?$flag: " err
+  check "it speaks in a library's words" bash -c '! grep -qE "sto[dil]|std::|[Cc]ould not convert|terminate|MPI_" err'
+}
+
+# The inputs are sound: nothing else is to be refused. Any word may be the name of a file.
 refuses_nonsense() { # COMMAND... -- INPUT...
-  local command=()
+  local command=() flag value
   while [ "$1" != -- ]; do command+=("$1"); shift; done
   shift
-  local flags
-  flags=$(value_flags "${command[@]}")
-  check "flags of ${command[*]} are listed" test -n "$flags"
-  for flag in $flags; do
-    for value in abc '' 1e999 99999999999999999999 ,; do
-      run timeout 20 "${command[@]}" "$@" "$flag=$value"
-      has_status 2
-      check "standard error does not begin with the program's name" grep -q "^${command[0]}: " err
-      check "it speaks in a library's words" bash -c '! grep -qE "sto[dil]|std::|[Cc]ould not convert|terminate|MPI_" err'
-    done
+  check "flags of ${command[*]} are listed" test -n "$(flags_of with-value "${command[@]}")"
+  for flag in $(flags_of with-value "${command[@]}"); do
+    refused "${command[@]}" "$@" "$flag" ''
+    [[ $flag =~ ^--(output|restart|with|stroke-from|reference)$ ]] && continue
+    for value in abc 1e999 ,; do refused "${command[@]}" "$@" "$flag=$value"; done
+  done
+  for flag in $(flags_of without "${command[@]}"); do
+    [[ $flag =~ ^--(help|version)$ ]] || refused "${command[@]}" "$@" "$flag=abc"
   done
 }
 
-for command in swimmer swarm; do refuses_nonsense beadswim-layout $command -- ; done
-refuses_nonsense beadswim-layout reduce -- none.json
+refuses_nonsense beadswim-layout swimmer -- --preset paper-single
+refuses_nonsense beadswim-layout swarm -- --preset paper-uniform
+refuses_nonsense beadswim-layout reduce -- swarm.json
 for defect in vacancy interstitial jitter rotation domains phase amplitude frequency spacing mixture; do
-  refuses_nonsense beadswim-layout defect $defect -- none.json
+  refuses_nonsense beadswim-layout defect $defect -- swarm.json
 done
-refuses_nonsense beadswim-run -- none.json
-refuses_nonsense beadswim-theory -- none.json
-refuses_nonsense beadswim-compare -- none.json none.json
-refuses_nonsense beadswim-plot -- stroke none.json
-refuses_nonsense beadswim-view -- none.h5md
+refuses_nonsense beadswim-run -- one.json -o new.h5md
+refuses_nonsense beadswim-theory -- one.json
+refuses_nonsense beadswim-compare -- run.json theory.json
+refuses_nonsense beadswim-plot -- stroke run.json theory.json
+refuses_nonsense beadswim-view -- one.h5md -o page.html
 refuses_nonsense beadswim-bench --
-check "something was written" test "$(find . -type f | sort | xargs)" = './err ./out'
+check "nothing was written" test "$(ls | grep -vx 'out\|err')" = "$(grep -vx 'out\|err' before)"
 finish

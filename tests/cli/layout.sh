@@ -20,10 +20,10 @@ refuses 'a command is needed: swimmer, swarm, defect, reduce, check' beadswim-la
 refuses 'swimer: unknown command; did you mean "swimmer"' beadswim-layout swimer
 refuses 'swimer: unknown command' beadswim-layout swimer --help
 refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all' beadswim-layout --no-such-flag
-refuses '--raduis: unknown flag; did you mean "--radius"' beadswim-layout swimmer --raduis=4
+refuses '--raduis: unknown flag; did you mean --radius' beadswim-layout swimmer --raduis=4
 refuses 'needs --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99
 refuses '--preset: unknown "paper-singel"; did you mean "paper-single"' beadswim-layout swimmer --preset paper-singel
-refuses '--preset: unknown "paper-uniform". There are paper-single here: .*presets of their own' \
+refuses '--preset: unknown "paper-uniform". There are paper-single; swimmers and swarms have presets of their own' \
   beadswim-layout swimmer --preset paper-uniform
 refuses '--radius: "-4": must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
 refuses '--radius: "4,5": 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5

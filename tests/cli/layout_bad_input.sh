@@ -38,7 +38,7 @@ bad 'arm shorter than its beads' 's/"rest_length": 20.0/"rest_length": 7/' '/typ
 bad 'spring to a bead that is not there' "s/$spring/$spring, $spring/" \
   '/types/a/springs: has 3 elements; exactly 2 are needed .*no other bead to join'
 bad 'spring with one bead less' "s/$first_bead,[[:space:]]*//" '/types/a/beads: has 2 elements; exactly 3'
-bad 'wrong unit' 's/"lattice"/{ "length": "um", "time": "sec", "mass": "pg" }/' '/units/time: "sec": must be one of .*did you mean "s"'
+bad 'wrong unit' 's/"lattice"/{ "length": "um", "time": "nss", "mass": "pg" }/' '/units/time: "nss": must be one of .*did you mean "ns"'
 bad 'unit of another quantity' 's/"lattice"/{ "length": "s", "time": "s", "mass": "pg" }/' '/units/length: "s": must be one of \["m"'
 bad 'unit that contradicts its name' \
   's/"lattice"/{ "length": { "name": "um", "si_factor": 1 }, "time": "s", "mass": "pg" }/' \

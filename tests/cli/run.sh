@@ -244,7 +244,7 @@ refuses '--model: unknown "lbn"; did you mean "lbm"\? There are lbm, rpy, rpy\+n
 refuses '--progress: unknown "quiet"\. There are' beadswim-run layout.json -o x.h5md --progress quiet
 refuses '--frames-per-cycle: "3": must be a whole number from 4 to 1000000' \
   beadswim-run layout.json -o x.h5md --frames-per-cycle 3
-refuses 'did you mean "--cycles"' beadswim-run layout.json -o x.h5md --cycels 3
+refuses 'did you mean --cycles' beadswim-run layout.json -o x.h5md --cycels 3
 refuses 'output' beadswim-run layout.json
 refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius nan
 refuses 'may cover no cell' beadswim-run layout.json -o x.h5md --cells-per-radius 0.5
@@ -270,7 +270,7 @@ touch x.h5md.flow
 refuses 'flow-every: the folder' beadswim-run layout.json -o x.h5md --flow-every 1 --progress none
 rm x.h5md.flow
 beadswim-layout swimmer --preset paper-single --box 6000,4000,4000 >huge.json
-refuses 'GB more than this machine has; take --precision single, .*beadswim-layout reduce.* or --model rpy, which has no cells' beadswim-run huge.json -o x.h5md
+refuses 'GB more than this machine has; take --precision single, .*beadswim-layout reduce.*, --model rpy, which has no cells, or more machines' beadswim-run huge.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary no-slip \
   --position 16,2.2,8 >wall.json
 refuses '/swimmers/0/position: bead 1 is 0.2 from a wall across y' beadswim-run wall.json -o x.h5md

@@ -9,10 +9,7 @@ cat >bin/srun <<'SRUN'
 #!/bin/bash
 # Slurm signals the ranks themselves; as soon as there is a checkpoint, if asked to.
 exec 3>&1
-if [ -n "${TIME_IS_UP-}" ]; then
-  echo '{ "status": "stopped-time" }'
-  exit 4
-fi
+if [ -n "${TIME_IS_UP-}" ]; then exec mpirun -n 2 "$@" --time-limit 1e-9; fi
 mpirun -n 2 "$@" &
 if [ -n "${STOP_EARLY-}" ]; then
   until [ -e slurm.h5md.ckpt.0 ] || ! kill -0 $!; do sleep 0.1; done
@@ -41,14 +38,19 @@ check "state of an unbroken run" test "$(state whole.json)" = "$(state slurm.jso
 
 # --- a sweep, one job of its array
 rm requeued
-export SLURM_JOB_ID=18 SLURM_ARRAY_TASK_ID=2000
+export SLURM_JOB_ID=17 SLURM_ARRAY_JOB_ID=17 SLURM_ARRAY_TASK_ID=2000
 TIME_IS_UP=yes run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
 has_status 4
-check "the sweep's job is queued again" grep -q '^requeue 18$' sweep/requeued
+check "the sweep's job is queued again" grep -q '^requeue 17_2000$' sweep/requeued
 check "it has no record yet" test ! -e sweep/T2000.json
 run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
 has_status 0
+err_has 'going on from '
 check "the sweep's record is there" holds '.status == "finished" and .driving.period == 2000' sweep/T2000.json
 accepts beadswim-plot velocity-against-period sweep/T*.json
+cp sweep/T2000.json whole.json
+run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
+has_status 0
+check "what is done is left alone" cmp -s whole.json sweep/T2000.json
 for script in "$jobs"/*.sbatch; do check "$script parses" bash -n "$script"; done
 finish

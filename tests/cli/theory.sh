@@ -95,7 +95,7 @@ refuses 'swimmers 0 and 7 differ.*--swimmer ID.*reduce' beadswim-theory differen
 accepts beadswim-theory --swimmer 7 different.json
 out_is_valid
 out_has '"swimmer": 7'
-refuses '--swimmer: different.json has no swimmer of id 3; it has 2, of ids from 0 to 7' beadswim-theory --swimmer 3 different.json
+refuses '--swimmer: different.json has no swimmer of id 3; its ids are 0 to 7' beadswim-theory --swimmer 3 different.json
 
 # --- a stroke from a run
 cat >run.json <<'END'

@@ -72,7 +72,7 @@ refuses 'swarm.json: is no HDF5 file' beadswim-view swarm.json -o kept.html
 refuses '--output: "page.svg" is no .html; name a file that ends so' beadswim-view swarm.h5md -o page.svg
 refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0
 refuses '--block-swimmers' beadswim-view swarm.h5md -o kept.html --block-swimmers 1,2
-refuses '--evry: unknown flag; did you mean "--every"' beadswim-view swarm.h5md -o kept.html --evry 2
+refuses '--evry: unknown flag; did you mean --every' beadswim-view swarm.h5md -o kept.html --evry 2
 refuses '--output: is needed' beadswim-view swarm.h5md
 refuses 'no/such/folder' beadswim-view swarm.h5md -o no/such/folder/page.html
 check "what was there is gone" test "$(cat kept.html)" = kept

@@ -13,13 +13,15 @@ TEST(NearestName, FindsTheLikelyMeaning) {
   EXPECT_EQ(nearest_name("dampng", names), "damping");  // a letter missing
   EXPECT_EQ(nearest_name("stifness", names), "stiffness");
   EXPECT_EQ(nearest_name("viscosty", {"schema", "kinematic_viscosity"}), "kinematic_viscosity");  // of a part
+  EXPECT_EQ(nearest_name("LBM", {"rpy", "lbm"}), "lbm");
   EXPECT_EQ(nearest_name("log", {"linear", "log-y"}), "log-y");
 }
 
 TEST(NearestName, IsEmptyWhereNoneIsNear) {
   EXPECT_EQ(nearest_name("x", {}), "");
   EXPECT_EQ(nearest_name("x", {"y"}), "");  // nothing in common
-  EXPECT_EQ(nearest_name("foo", {"radius", "density"}), "");
+  EXPECT_EQ(nearest_name("foo", {"radius", "box"}), "");
+  EXPECT_EQ(nearest_name("dt", {"tolerance", "time-limit"}), "");
   EXPECT_EQ(nearest_name("", {"radius"}), "");
   EXPECT_EQ(nearest_name(std::string(101, 'r'), {std::string(100, 'r')}),
             "");  // no name has a hundred letters

@@ -74,7 +74,7 @@ Layout SwimmerFlags::preset_layout() const {
     names.push_back(preset.name);
   }
   throw InputError("--preset",
-                   unknown_name(preset_, names) + " here: swimmers and swarms have presets of their own");
+                   unknown_name(preset_, names) + "; swimmers and swarms have presets of their own");
 }
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {

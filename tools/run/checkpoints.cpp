@@ -128,10 +128,15 @@ RunPast restore(Model& model, Recorder& recorder, const CheckpointReader& checkp
   RunPast past;
   IncomingMessage moment = moment_of(checkpoint);
   moment(past.steps_done);
-  if (past.steps_done < 0) throw SolverError(checkpoint.path() + ": its run has not begun");
+  if (past.steps_done < 0)
+    throw SolverError(checkpoint.path() +
+                      ": its run has not begun; take the other checkpoint, or begin without --restart");
   model.restore(past.steps_done, moment, checkpoint);
   moment(past.wall_seconds, past.core_seconds);
-  if (!moment.is_at_end()) throw SolverError(checkpoint.path() + ": is of another version of the program");
+  if (!moment.is_at_end())
+    throw SolverError(
+        checkpoint.path() +
+        ": is of another version of the program; go on with that one, or begin without --restart");
   recorder.restore(communicator.is_root()
                        ? checkpoint.bytes(record_section, 0, checkpoint.size(record_section))
                        : std::vector<char>{},

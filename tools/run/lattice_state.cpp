@@ -53,14 +53,18 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
   const std::uint64_t all = file.size(swimmers_section), some = 4096 * snapshot_size();
   const std::vector<CoupledScene::Swimmer>& of_scene = system.scene().swimmers;
   if (all != of_scene.size() * snapshot_size())
-    throw SolverError(file.path() + ": has swimmers of another scene");
+    throw SolverError(
+        file.path() +
+        ": has swimmers of another scene; take the other checkpoint, or begin without --restart");
   auto next = of_scene.begin();
   std::vector<SwimmerSnapshot> owned;
   for (std::uint64_t first = 0; first < all; first += some) {
     for (SwimmerSnapshot& swimmer :
          snapshots_from_bytes(file.bytes(swimmers_section, first, std::min(some, all - first)))) {
       if (!is_sound(swimmer.state, *next++))
-        throw SolverError(file.path() + ": has swimmers of another scene");
+        throw SolverError(
+            file.path() +
+            ": has swimmers of another scene; take the other checkpoint, or begin without --restart");
       if (system.owns(swimmer.state)) owned.push_back(std::move(swimmer));
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
@@ -38,12 +39,14 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   double lack = needed - installed_bytes();
   MPI_Allreduce(MPI_IN_PLACE, &lack, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
   if (lack <= 0) return;
+  const bool has_walls = std::ranges::count(scene.walls, Wall::no_slip) > 0;  // no mobility there
   throw InputError("box",
                    fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
                                "{}fewer --cells-per-radius, a smaller --box in the layout (beadswim-layout "
-                               "reduce, if it repeats), more machines, or --model rpy, which has no cells",
+                               "reduce, if it repeats){} or more machines",
                                scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
-                               scene.precision == Precision::fp64 ? "--precision single, " : ""));
+                               scene.precision == Precision::fp64 ? "--precision single, " : "",
+                               has_walls ? "" : ", --model rpy, which has no cells,"));
 }
 
 }  // namespace beadswim

@@ -163,8 +163,8 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->check(finite_positive())
       ->default_str("");
   add_word(program, "--progress", words.progress, names_of(progress_styles), "auto",
-           "Progress on standard error: bar, lines (one each 10 s), json (likewise), none; auto is bar on a "
-           "terminal, else lines.");
+           "Progress on standard error: bar; json or lines, one each 10 s; none; auto is bar on a terminal, "
+           "else lines.");
   program.add_flag("!--no-provenance", options.with_provenance,
                    "Leave cost and provenance out of the run record, so that equal runs give equal bytes.");
 }

@@ -31,8 +31,8 @@ const Swimmer& swimmer_of_id(const Layout& layout, int id, const std::string& so
       std::find_if(swimmers.begin(), swimmers.end(), [&](const Swimmer& s) { return s.id == id; });
   if (found != swimmers.end()) return *found;
   const auto [lowest, highest] = std::ranges::minmax_element(swimmers, {}, &Swimmer::id);
-  throw InputError("--swimmer", fmt::format("{} has no swimmer of id {}; it has {}, of ids from {} to {}",
-                                            source, id, swimmers.size(), lowest->id, highest->id));
+  throw InputError("--swimmer", fmt::format("{} has no swimmer of id {}; its ids are {} to {}", source, id,
+                                            lowest->id, highest->id));
 }
 
 /// The first swimmer, if all others are the same to theory.

@@ -4,11 +4,16 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace beadswim {
 namespace {
 
 enum class Part { whole, any };
+
+bool is_same(unsigned char a, unsigned char b) {
+  return std::tolower(a) == std::tolower(b);
+}
 
 /// Optimal string alignment distance (restricted Damerau-Levenshtein) of `a` and the whole of `b`, or that
 /// part of `b` that is nearest.
@@ -18,7 +23,7 @@ std::size_t edit_distance(const std::string& a, const std::string& b, Part part)
   for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = part == Part::whole ? j : 0;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substitution = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      const std::size_t substitution = d[i - 1][j - 1] + (is_same(a[i - 1], b[j - 1]) ? 0 : 1);
       d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, substitution});
       const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
       if (swapped) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
@@ -28,12 +33,13 @@ std::size_t edit_distance(const std::string& a, const std::string& b, Part part)
   return part == Part::whole ? last.back() : *std::min_element(last.begin(), last.end());
 }
 
-/// A third of the letters may be wrong, or two of few, but not all; of a part a quarter.
+/// A third of the letters may be wrong, or two of few, or one of three; of a part a quarter.
 bool is_near(const std::string& name, const std::string& candidate) {
   constexpr std::size_t longest = 100;  // beyond it no name but a damaged document, whose distance takes long
   if (name.size() > longest) return false;
   const std::size_t wrong = edit_distance(name, candidate, Part::whole);
-  if (wrong < name.size() && wrong <= std::max<std::size_t>(2, name.size() / 3)) return true;
+  const std::size_t most = name.size() < 4 ? 1 : std::max<std::size_t>(2, name.size() / 3);
+  if (wrong < name.size() && wrong <= most) return true;
   return name.size() >= 3 && edit_distance(name, candidate, Part::any) <= name.size() / 4;
 }
 

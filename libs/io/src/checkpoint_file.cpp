@@ -262,8 +262,8 @@ void CheckpointWriter::finish() {
   MPI_Barrier(communicator_.get());
   if (communicator_.is_root()) {
     if (const int reason = name_finished_file(path_)) {
-      throw SolverError(fmt::format("{} cannot be put on the disk as {}: {}; is the disk full?",
-                                    part_name(path_), path_, std::strerror(reason)));
+      throw SolverError(fmt::format("{} cannot be put on the disk as {}: {}", part_name(path_), path_,
+                                    std::strerror(reason)));
     }
   }
   MPI_Barrier(communicator_.get());
@@ -357,7 +357,8 @@ std::vector<char> CheckpointReader::bytes(const std::string& section, std::uint6
   if (count == 0) return {};
   const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
   if (first + count > shape_of<1>(dataset, path_ + ":/" + section)[0])
-    throw SolverError(path_ + ":/" + section + ": ends too early");
+    throw SolverError(path_ + ":/" + section +
+                      ": ends too early; take the other checkpoint, or begin without --restart");
   std::vector<char> result(count);
   const Selection selection = select(dataset, std::array{hsize_t(first)}, std::array{hsize_t(count)}, path_);
   check_hdf5(H5Dread(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
@@ -376,8 +377,7 @@ void CheckpointReader::copy_to(const std::string& section, int descriptor) const
   const std::uint64_t all = size(section);
   const auto require = [&](bool fine) {
     if (!fine)
-      throw SolverError(fmt::format("{} of {} cannot be written beside it: {}; is the disk full?", section,
-                                    path_, std::strerror(errno)));
+      throw SolverError(fmt::format("{} of {} cannot be written: {}", section, path_, std::strerror(errno)));
   };
   require(ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0);
   for (std::uint64_t done = 0; done < all;) {

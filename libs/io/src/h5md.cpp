@@ -189,7 +189,9 @@ void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vect
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::vector<hsize_t> extent(row.size() + 1);
   if (H5Sget_simple_extent_ndims(space) != std::ssize(extent))
-    throw SolverError(what + ": the checkpoint's trajectory is of another kind");
+    throw SolverError(what +
+                      ": the checkpoint's trajectory is of another kind; take the other checkpoint, or begin "
+                      "without --restart");
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   series_.emplace(
       name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type, .rows = extent[0]});

@@ -126,6 +126,10 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 }  // namespace
 
 Json parse_json(const std::string& text, const std::string& source) {
+  if (text.starts_with("\x89HDF")) {
+    throw InputError(
+        source, "is HDF5, as trajectories are; give the JSON document: layout, run record or prediction");
+  }
   DocumentBuilder builder(text, source);
   Json::sax_parse(text, &builder);
   return builder.take();

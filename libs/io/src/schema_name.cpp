@@ -7,6 +7,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "json_pointer.hpp"
 
 namespace beadswim {
 namespace {
@@ -48,7 +49,7 @@ void check_schema_name(const Json& document, const std::string& expected, const 
   if (entry == document.end()) {
     for (const auto& [key, value] : document.items()) {
       if (!nearest_name(key, {"schema"}).empty())
-        throw InputError(source + ":/" + key, "unknown key; did you mean \"schema\"?");
+        throw InputError(source + ":" + pointer_step(key), "unknown key; did you mean \"schema\"?");
     }
     throw InputError(source,
                      fmt::format("lacks the key \"schema\"; add \"schema\": \"{}\" if it is one", expected));

@@ -1,7 +1,5 @@
 #include "beadswim/theory/methods.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

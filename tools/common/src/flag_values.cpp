@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -10,13 +11,17 @@
 namespace beadswim {
 namespace {
 
+/// Past a plus, which std::from_chars does not take.
+const char* first_digit(const std::string& text) {
+  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
+  return text.data() + (has_plus ? 1 : 0);
+}
+
 /// The number that the whole text is, or nothing; infinite if it is beyond the range of a double.
 std::optional<double> parse_number(const std::string& text) {
-  const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
-  const char* const first = text.data() + (has_plus ? 1 : 0);
   const char* const last = text.data() + text.size();
   double value = 0;
-  const auto [end, error] = std::from_chars(first, last, value);
+  const auto [end, error] = std::from_chars(first_digit(text), last, value);
   if (end != last || error == std::errc::invalid_argument) return std::nullopt;
   return error == std::errc::result_out_of_range ? HUGE_VAL : value;
 }
@@ -61,8 +66,9 @@ CLI::Validator finite_positive() {
 CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
   const auto fault = [low, high](const std::string& text) {
     std::int64_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = error == std::errc{} && end == text.data() + text.size();
+    const char* const last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(first_digit(text), last, value);
+    const bool is_number = error == std::errc{} && end == last;
     const bool fine = is_number && value >= low && value <= high;
     return fine ? std::string{}
                 : fmt::format("\"{}\": must be a whole number from {} to {}", text, low, high);

@@ -20,11 +20,11 @@ const CLI::App& chosen_command(const CLI::App& program) {
   return chosen.empty() ? program : chosen_command(*chosen.back());
 }
 
-std::vector<std::string> flag_names(const CLI::App& command) {
+/// Of flags, without dashes.
+std::vector<std::string> long_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
   }
   return names;
 }
@@ -47,17 +47,28 @@ bool looks_like_flag(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && !is_negative_number;
 }
 
+[[noreturn]] void refuse_flag(const std::string& flag, const CLI::App& command) {
+  const std::string name = flag.substr(0, flag.find('='));
+  const std::string word = name.substr(std::min(name.find_first_not_of('-'), name.size()));
+  const std::vector<std::string> known = long_names(command);
+  if (std::find(known.begin(), known.end(), word) != known.end())
+    throw InputError(name,
+                     fmt::format("stands where no flag is read; write it after \"{}\"", full_name(command)));
+  const std::string nearest = nearest_name(word, known);
+  throw InputError(
+      name, fmt::format("unknown flag{} \"{} --help\" lists all",
+                        nearest.empty() ? "." : "; did you mean --" + nearest + "?", full_name(command)));
+}
+
 /// Throws for the first argument that no flag, command or file name accounts for, if there is one.
 void refuse_leftovers(const CLI::App& program) {
   const CLI::App& command = chosen_command(program);
   const std::vector<std::string> leftovers = program.remaining(true);
   const auto flag = std::find_if(leftovers.begin(), leftovers.end(), looks_like_flag);
-  if (flag != leftovers.end()) {
-    const std::string name = flag->substr(0, flag->find('='));
-    throw InputError(name, fmt::format("unknown flag{} \"{} --help\" lists all",
-                                       guess_at(name, flag_names(command)), full_name(command)));
-  }
+  if (flag != leftovers.end()) refuse_flag(*flag, command);
   if (leftovers.empty()) return;
+  if (leftovers.front().empty())
+    throw InputError("command line", "an argument is empty; is a variable not set?");
   const std::vector<std::string> commands = command_names(command);
   const std::string what = commands.empty()
                                ? std::string("unexpected argument.")
@@ -73,6 +84,25 @@ void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& e
     throw InputError(name, option->count() > 1 ? fmt::format("given {} times; give it once", option->count())
                                                : fmt::format("needs a value: {}", option->get_type_name()));
   }
+}
+
+/// Throws if a flag that takes no value has one.
+void refuse_values(const CLI::App& command, const std::string& says) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() == 0 && says.find(option->get_name() + " = ") != std::string::npos)
+      throw InputError(option->get_name(), "takes no value; leave \"=\" and what follows out");
+  }
+}
+
+/// Throws if a flag or file is given as nothing, which is what a variable that is not set makes of it.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string>& values = option->results();
+    if (option->get_items_expected_max() == 0 || std::find(values.begin(), values.end(), "") == values.end())
+      continue;
+    throw InputError(option->get_name(), "is given nothing; is a variable not set?");
+  }
+  for (const CLI::App* chosen : command.get_subcommands()) refuse_empty_values(*chosen);
 }
 
 /// Throws if a flag or file that is required is not there.
@@ -111,6 +141,7 @@ void refuse_combinations(const CLI::App& command) {
   const std::size_t colon = text.find(": ");
   const bool names_flag = text.rfind("-", 0) == 0 && colon != std::string::npos;
   if (names_flag) throw InputError(text.substr(0, colon), text.substr(colon + 2));
+  refuse_values(command, text);
   refuse_absent(command);
   refuse_combinations(command);
   const std::vector<std::string> commands = command_names(command);
@@ -149,6 +180,7 @@ std::unique_ptr<CLI::App> make_program(const std::string& name, const std::strin
 std::optional<int> parse_command_line(CLI::App& program, int argc, const char* const* argv) {
   try {
     program.parse(argc, argv);
+    refuse_empty_values(program);
     return std::nullopt;
   } catch (const CLI::CallForVersion& version_text) {
     write_text("-", fmt::format("{}\n", version_text.what()));
