@@ -1,5 +1,5 @@
 #!/bin/bash
-# The slower checks: sanitizers, a tiny scene through all programs on 1 and 3 ranks, the files in other people's
+# The slower checks: sanitizers, a tiny scene through all programs on 1 and 3 ranks, the quickstart, the files in other people's
 # readers, and the commands of README and of pages. Each part has its time limit; all together take under an hour.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -59,6 +59,7 @@ cd "$root"
 build release
 
 section "The first of the README's two commands; tests/run.sh is the second"
+rm -rf out/quickstart
 timeout 1200 examples/quickstart.sh
 test -s out/quickstart/stroke.png
 
