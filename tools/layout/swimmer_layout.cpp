@@ -29,16 +29,6 @@ std::vector<double> spread(const std::string& text, std::size_t count) {
   return numbers.size() == 1 ? std::vector<double>(count, numbers[0]) : numbers;
 }
 
-std::vector<std::string> split_names(const std::string& text) {
-  std::vector<std::string> names;
-  for (std::size_t start = 0; start <= text.size();) {
-    const std::size_t end = std::min(text.find(',', start), text.size());
-    names.push_back(text.substr(start, end - start));
-    start = end + 1;
-  }
-  return names;
-}
-
 Units::Unit unit_named(Quantity quantity, const std::string& name) {
   if (const Units::Unit* unit = find_known_unit(quantity, name)) return *unit;
   std::vector<std::string> names;
@@ -119,7 +109,7 @@ void SwimmerFlags::apply_fluid(Fluid& fluid) const {
 
 Units SwimmerFlags::units() const {
   if (units_.empty() || units_ == "lattice") return {};
-  const std::vector<std::string> names = split_names(units_);
+  const std::vector<std::string> names = split_at_commas(units_);
   if (names.size() != 3) {
     throw InputError("--units",
                      fmt::format("\"{}\": must be lattice, or three names such as um,s,pg", units_));
@@ -151,7 +141,7 @@ void PlaceFlags::apply_domain(std::optional<Domain>& domain) const {
   if (!domain) domain.emplace();
   if (!box_.empty()) domain->lengths = vector_of(box_);
   if (boundary_.empty()) return;
-  const std::vector<std::string> names = split_names(boundary_);
+  const std::vector<std::string> names = split_at_commas(boundary_);
   if (names.size() != 1 && names.size() != 3) {
     throw InputError("--boundary",
                      fmt::format("\"{}\": {} names, but 1 or 3 are needed", boundary_, names.size()));

@@ -26,16 +26,6 @@ std::optional<double> parse_number(const std::string& text) {
   return error == std::errc::result_out_of_range ? HUGE_VAL : value;
 }
 
-std::vector<std::string> split_at_commas(const std::string& text) {
-  std::vector<std::string> parts;
-  std::size_t start = 0;
-  for (std::size_t comma; (comma = text.find(',', start)) != std::string::npos; start = comma + 1) {
-    parts.push_back(text.substr(start, comma - start));
-  }
-  parts.push_back(text.substr(start));
-  return parts;
-}
-
 /// A validator of numbers that meet `condition`, named in messages as `allowed`.
 CLI::Validator number_that(bool (*condition)(double), const std::string& allowed) {
   const auto fault = [condition, allowed](const std::string& text) {
@@ -119,6 +109,16 @@ CLI::Validator one_of(std::vector<std::string> words) {
     return unknown_name(text, words);
   };
   return CLI::Validator(fault, "");
+}
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t start = 0;
+  for (std::size_t comma; (comma = text.find(',', start)) != std::string::npos; start = comma + 1) {
+    parts.push_back(text.substr(start, comma - start));
+  }
+  parts.push_back(text.substr(start));
+  return parts;
 }
 
 std::vector<double> parse_numbers(const std::string& text) {

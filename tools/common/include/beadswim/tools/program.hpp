@@ -48,6 +48,9 @@ CLI::Validator one_of(std::vector<std::string> words);
 /// have, and what each must be.
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each);
 
+/// The parts of such a text; one, empty, of an empty one.
+std::vector<std::string> split_at_commas(const std::string& text);
+
 /// The numbers of such a text.
 std::vector<double> parse_numbers(const std::string& text);
 std::vector<int> parse_whole_numbers(const std::string& text);
