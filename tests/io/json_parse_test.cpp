@@ -53,7 +53,7 @@ TEST(JsonParse, RefusesDeepNesting) {
   EXPECT_THAT(refusal(nested(1000000)), HasSubstr("nested more than 200 levels deep"));
 }
 
-// Compared one by one, half a million keys would take an hour.
+// Compared one by one, ten times as many keys take a hundred times as long.
 TEST(JsonParse, ManyKeysOfOneObjectTakeASecond) {
   std::string text = "{";
   for (int k = 0; k < 500000; ++k) text += "\"" + std::to_string(k) + "\":0,";

@@ -119,8 +119,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   const std::string& source_;
   Json root_;
   std::vector<Json*> open_;
-  std::vector<std::unordered_set<std::string>>
-      keys_;  ///< of each open object, which itself searches one by one
+  std::vector<std::unordered_set<std::string>> keys_;  ///< of each open object, to be found at once
 };
 
 }  // namespace
