@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <numbers>
 
-#include "beadswim/layout/presets.hpp"
+#include "beadswim/scene/presets.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "beadswim/theory/question.hpp"
 

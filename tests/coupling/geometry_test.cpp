@@ -4,7 +4,7 @@
 #include <random>
 #include <set>
 
-#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/coupling/bead_images.hpp"
 #include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/coupling/lattice_scales.hpp"

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "beadswim/bodies/swimmer_forces.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/rotne_prager_tensor.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "beadswim/bodies/swimmer_forces.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "direct_ewald.hpp"
 #include "scenes.hpp"
 

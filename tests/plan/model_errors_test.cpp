@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/layout/presets.hpp"
+#include "beadswim/scene/presets.hpp"
 #include "beadswim/plan/representatives.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
 #include "beadswim/theory/methods.hpp"

@@ -10,7 +10,7 @@
 #include "spheres_in_fluid.hpp"
 
 // Two equal spheres closer than cells resolve: what the lattice has of their resistance, what the correction
-// adds (bodies/lubrication.hpp), and what it should be.
+// adds (swimmers/lubrication.hpp), and what it should be.
 
 namespace beadswim::verification {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/scene/scene_numbers.hpp"
+#include "beadswim/theory/scene_numbers.hpp"
 
 namespace beadswim {
 namespace {

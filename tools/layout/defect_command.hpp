@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/layout/defects.hpp"
+#include "beadswim/scene/defects.hpp"
 
 namespace beadswim {
 

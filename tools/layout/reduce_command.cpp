@@ -4,7 +4,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/layout/reduce.hpp"
+#include "beadswim/scene/reduce.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/layout/check.hpp"
+#include "beadswim/scene/check.hpp"
 
 namespace beadswim {
 

@@ -4,7 +4,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
-#include "beadswim/layout/presets.hpp"
+#include "beadswim/scene/presets.hpp"
 #include "beadswim/tools/program.hpp"
 #include "sound_layout.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "beadswim/layout/swarm.hpp"
+#include "beadswim/scene/swarm.hpp"
 #include "swimmer_flags.hpp"
 
 namespace beadswim {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 
 namespace beadswim {
 

@@ -8,9 +8,9 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
-#include "beadswim/layout/names.hpp"
-#include "beadswim/layout/presets.hpp"
-#include "beadswim/layout/units.hpp"
+#include "beadswim/scene/names.hpp"
+#include "beadswim/scene/presets.hpp"
+#include "beadswim/scene/units.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {

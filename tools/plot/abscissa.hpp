@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "beadswim/compare/figure.hpp"
+#include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
 // What theory's curves and runs are drawn against.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "abscissa.hpp"
-#include "beadswim/compare/figure.hpp"
+#include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
 // Curves through the predictions of a method.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/compare/figure.hpp"
+#include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
 namespace beadswim {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/layout/units.hpp"
+#include "beadswim/scene/units.hpp"
 #include "curves.hpp"
 #include "plot_labels.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "abscissa.hpp"
-#include "beadswim/compare/figure.hpp"
+#include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
 namespace beadswim {

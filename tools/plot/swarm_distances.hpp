@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "beadswim/compare/swarm_picture.hpp"
-#include "beadswim/layout/layers.hpp"
+#include "beadswim/figure/swarm_picture.hpp"
+#include "beadswim/scene/layers.hpp"
 
 namespace beadswim {
 

@@ -6,7 +6,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
-#include "beadswim/layout/layers.hpp"
+#include "beadswim/scene/layers.hpp"
 #include "swarm_distances.hpp"
 #include "swarm_scene.hpp"
 #include "swimmer_parameters.hpp"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/compare/swarm_picture.hpp"
+#include "beadswim/figure/swarm_picture.hpp"
 
 namespace beadswim {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/compare/swarm_picture.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/figure/swarm_picture.hpp"
+#include "beadswim/scene/layout.hpp"
 
 namespace beadswim {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/compare/swimmer_sketch.hpp"
+#include "beadswim/figure/swimmer_sketch.hpp"
 
 namespace beadswim {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 
 // What figures say of swimmers in words.
 

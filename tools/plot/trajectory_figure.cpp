@@ -10,7 +10,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
-#include "beadswim/layout/units.hpp"
+#include "beadswim/scene/units.hpp"
 #include "plot_labels.hpp"
 
 namespace beadswim {

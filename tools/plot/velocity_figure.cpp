@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/layout/units.hpp"
+#include "beadswim/scene/units.hpp"
 #include "curves.hpp"
 #include "plot_labels.hpp"
 #include "relative_velocity.hpp"

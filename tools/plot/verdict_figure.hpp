@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/compare/figure.hpp"
+#include "beadswim/figure/figure.hpp"
 
 namespace beadswim {
 

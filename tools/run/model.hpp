@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/documents/run_record_document.hpp"

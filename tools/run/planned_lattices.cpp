@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/plan/reason_against.hpp"
-#include "beadswim/scene/scene_numbers.hpp"
+#include "beadswim/theory/scene_numbers.hpp"
 #include "lattice_speed.hpp"
 #include "memory.hpp"
 #include "planned_scene.hpp"

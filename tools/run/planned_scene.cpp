@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/layout/reduce.hpp"
+#include "beadswim/scene/reduce.hpp"
 #include "beadswim/plan/reason_against.hpp"
 
 namespace beadswim {

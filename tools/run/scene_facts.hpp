@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "beadswim/documents/run_record_document.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 
 // What any model asks of a layout.
 

@@ -11,7 +11,7 @@
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/lattice/trt.hpp"
-#include "beadswim/layout/bead_gaps.hpp"
+#include "beadswim/scene/bead_gaps.hpp"
 #include "scene_facts.hpp"
 
 namespace beadswim {

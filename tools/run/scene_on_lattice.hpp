@@ -2,7 +2,7 @@
 
 #include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/coupling/scene.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 #include "options.hpp"
 
 namespace beadswim {

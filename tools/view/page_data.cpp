@@ -9,8 +9,8 @@
 #include "beadswim/compare/swimming.hpp"
 #include "beadswim/io/base64.hpp"
 #include "beadswim/io/json.hpp"
-#include "beadswim/layout/layers.hpp"
-#include "beadswim/layout/units.hpp"
+#include "beadswim/scene/layers.hpp"
+#include "beadswim/scene/units.hpp"
 #include "quantised.hpp"
 
 namespace beadswim {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 
 namespace beadswim {
 namespace {

@@ -1,6 +1,6 @@
 #include "beadswim/coupling/coupled_system.hpp"
 
-#include "beadswim/bodies/rest_positions.hpp"
+#include "beadswim/swimmers/rest_positions.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
-#include "beadswim/bodies/rest_positions.hpp"
+#include "beadswim/swimmers/rest_positions.hpp"
 
 namespace beadswim {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "beadswim/bodies/swimmer_forces.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 
 // How the three beads of one swimmer answer to each other, nine by nine: rows and columns are x, y, z of
 // beads 1, 2, 3.

@@ -7,7 +7,7 @@
 #include <string>
 #include <tuple>
 
-#include "beadswim/scene/surroundings.hpp"
+#include "beadswim/theory/surroundings.hpp"
 #include "swimmer_in_box.hpp"
 
 namespace beadswim {

@@ -1,6 +1,6 @@
 #include "domain_json.hpp"
 
-#include "beadswim/layout/names.hpp"
+#include "beadswim/scene/names.hpp"
 
 namespace beadswim {
 

@@ -2,9 +2,9 @@
 
 #include "beadswim/io/document_fault.hpp"
 #include "beadswim/io/schema.hpp"
-#include "beadswim/layout/check.hpp"
-#include "beadswim/layout/names.hpp"
-#include "beadswim/layout/units.hpp"
+#include "beadswim/scene/check.hpp"
+#include "beadswim/scene/names.hpp"
+#include "beadswim/scene/units.hpp"
 #include "domain_json.hpp"
 
 namespace beadswim {

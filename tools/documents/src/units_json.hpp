@@ -1,7 +1,7 @@
 #pragma once
 
 #include "beadswim/io/json.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 
 namespace beadswim {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/core/order_free_sum.hpp"
 #include "beadswim/core/vec3.hpp"
 

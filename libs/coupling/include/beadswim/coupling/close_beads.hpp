@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "beadswim/bodies/near_contact.hpp"
+#include "beadswim/swimmers/near_contact.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/coupling/coverage.hpp"
 #include "beadswim/coupling/fault.hpp"
@@ -12,7 +12,7 @@
 #include "beadswim/coupling/swimmer_state.hpp"
 
 // The loop over beads that are close to each other or to periodic images; the law is in
-// bodies/near_contact.hpp. It works on one rank's block.
+// swimmers/near_contact.hpp. It works on one rank's block.
 
 namespace beadswim {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/bodies/swimmer_type.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 
 // The fluid's force on a bead comes late on the lattice, by a time t_d whatever the bead:
 //

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/bodies/swimmer_type.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 
 // Between a layout's units and lattice units (cell = step = mean fluid density = 1; names end in _lu).

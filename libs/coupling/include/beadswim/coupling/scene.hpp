@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "beadswim/bodies/swimmer_type.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/hydrodynamic_radius.hpp"

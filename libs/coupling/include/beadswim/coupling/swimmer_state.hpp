@@ -1,6 +1,6 @@
 #pragma once
 
-#include "beadswim/bodies/swimmer_dynamics.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 
 namespace beadswim {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "beadswim/bodies/swimmer_type.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
 

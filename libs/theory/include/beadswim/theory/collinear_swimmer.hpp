@@ -3,7 +3,7 @@
 #include <array>
 #include <complex>
 
-#include "beadswim/bodies/swimmer_type.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/collinear_mobility.hpp"
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "beadswim/io/json.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 
 namespace beadswim {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "beadswim/io/json.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 #include "beadswim/theory/prediction.hpp"
 
 namespace beadswim {

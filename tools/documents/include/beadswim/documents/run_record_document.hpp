@@ -9,7 +9,7 @@
 #include "beadswim/compare/swarm_statistics.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/json.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 
 // The run record, in memory and as JSON (schemas/run.schema.json, docs/formats/run-record.md). Quantities are
 // in the layout's units.

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "beadswim/io/trajectory_reader.hpp"
-#include "beadswim/layout/layout.hpp"
+#include "beadswim/scene/layout.hpp"
 
 namespace beadswim {
 

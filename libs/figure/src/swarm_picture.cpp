@@ -1,0 +1,238 @@
+#include "beadswim/figure/swarm_picture.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+#include "palette.hpp"
+#include "perspective.hpp"
+
+namespace beadswim {
+namespace {
+
+// The page, in px.
+constexpr double margin = 16;
+constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
+constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
+constexpr double arm_width = 0.26;  // of the mean radius
+constexpr double mark_size = 17, halo = 3.5;
+const svg::Stroke edge_stroke{"#8a8a8a", 0.8, ""};
+const svg::Stroke hidden_edge_stroke{"#bdbdbd", 0.8, "3 3"};
+const svg::Stroke distance_stroke{"#000000", 1.1, ""}, witness_stroke{"#000000", 0.6, ""};
+
+/// A bead or an arm on the page.
+struct Piece {
+  double depth = 0;
+  std::string element;
+};
+
+/// Few digits: a swarm has many pieces.
+std::string bead_element(svg::Point centre, double radius, int colour) {
+  return fmt::format("<circle class=\"b{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
+                     palette_place(colour), centre.x, centre.y, radius);
+}
+
+Piece bead_piece(const Perspective& view, const Vec3& centre, double radius, int colour) {
+  return {view.depth(centre), bead_element(view.at(centre), view.size_at(centre, radius), colour)};
+}
+
+/// From surface to surface, so that it ends on the side of a bead that it comes from.
+Piece arm_piece(const Perspective& view, const PicturedSwimmer& swimmer, int arm) {
+  const Vec3 along = (swimmer.beads[arm + 1] - swimmer.beads[arm]).normalized();
+  const Vec3 from = swimmer.beads[arm] + swimmer.radii[arm] * along;
+  const Vec3 to = swimmer.beads[arm + 1] - swimmer.radii[arm + 1] * along;
+  const svg::Point a = view.at(from), b = view.at(to);
+  return {view.depth((from + to) / 2),
+          fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", a.x, a.y, b.x, b.y)};
+}
+
+/// The far ones first, so that the near hide them.
+std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) {
+  std::vector<Piece> pieces;
+  for (const PicturedSwimmer& swimmer : picture.swimmers) {
+    for (int bead = 0; bead < 3; ++bead) {
+      pieces.push_back(bead_piece(view, swimmer.beads[bead], swimmer.radii[bead], swimmer.colour));
+    }
+    for (int arm = 0; arm < 2; ++arm) pieces.push_back(arm_piece(view, swimmer, arm));
+  }
+  std::ranges::stable_sort(pieces, std::ranges::greater(), &Piece::depth);
+  std::string elements = "<g class=\"s\" fill=\"none\">\n";
+  for (const Piece& piece : pieces) elements += piece.element;
+  return elements + "</g>\n";
+}
+
+/// "#rrggbb" mixed with white or black, level 255 or 0, by that share.
+std::string mixed(const std::string& colour, int level, double share) {
+  std::string result = "#";
+  for (int channel = 0; channel < 3; ++channel) {
+    const int own = std::stoi(colour.substr(1 + 2 * static_cast<std::size_t>(channel), 2), nullptr, 16);
+    result += fmt::format("{:02x}", std::lround(own + share * (level - own)));
+  }
+  return result;
+}
+
+/// Shading for each colour of the palette, lit from above left, and the style of beads and arms.
+std::string definitions(double arm_stroke, double outline) {
+  std::string gradients, fills;
+  for (std::size_t i = 0; i < palette.size(); ++i) {
+    gradients += fmt::format(
+        "<radialGradient id=\"g{}\" cx=\"0.36\" cy=\"0.32\" r=\"0.72\"><stop offset=\"0\" stop-color=\"{}\"/>"
+        "<stop offset=\"0.45\" stop-color=\"{}\"/><stop offset=\"1\" stop-color=\"{}\"/></radialGradient>\n",
+        i, mixed(palette[i], 255, 0.62), palette[i], mixed(palette[i], 0, 0.42));
+    fills += fmt::format(".b{0}{{fill:url(#g{0})}}", i);
+  }
+  return fmt::format(
+      "<defs>\n{}<style>{} .s circle{{stroke:#222222;stroke-width:{:.2f}}} "
+      ".s path{{stroke:#6e6e6e;stroke-width:{:.2f};stroke-linecap:butt}}</style>\n</defs>\n",
+      gradients, fills, outline, arm_stroke);
+}
+
+struct Edge {
+  int from = 0, to = 0;  ///< of box_corners
+};
+
+std::vector<Edge> box_edges() {
+  std::vector<Edge> edges;
+  for (int from = 0; from < 8; ++from) {
+    for (int axis = 1; axis < 8; axis *= 2) {
+      if ((from & axis) == 0) edges.push_back({from, from | axis});
+    }
+  }
+  return edges;
+}
+
+/// The edges that meet at the farthest corner, behind everything, or the others.
+std::string draw_edges(const SwarmPicture& picture, const Perspective& view, bool hidden) {
+  const std::vector<Vec3> corners = box_corners(Vec3::Zero(), picture.box);
+  const auto farther = [&](const Vec3& a, const Vec3& b) { return view.depth(a) < view.depth(b); };
+  const auto far =
+      static_cast<int>(std::max_element(corners.begin(), corners.end(), farther) - corners.begin());
+  std::string elements;
+  for (const Edge& edge : box_edges()) {
+    if ((edge.from == far || edge.to == far) != hidden) continue;
+    elements += svg::line(view.at(corners[edge.from]), view.at(corners[edge.to]),
+                          hidden ? hidden_edge_stroke : edge_stroke);
+  }
+  return elements;
+}
+
+/// At the middles of three edges of the outline, where few beads are.
+std::string draw_axis_names(const SwarmPicture& picture, const Perspective& view) {
+  const Vec3& box = picture.box;
+  const svg::Point x = view.at({box.x() / 2, box.y(), box.z()}), y = view.at({0, box.y() / 2, box.z()}),
+                   z = view.at({0, 0, box.z() / 2});
+  const svg::TextStyle style{label_size, svg::Anchor::middle};
+  return svg::text({x.x, x.y - 8}, "x", style) + svg::text({y.x - 8, y.y - 8}, "y", style) +
+         svg::text({z.x - 10, z.y + 4}, "z", style);
+}
+
+/// Above the beads.
+std::string draw_marks(const SwarmPicture& picture, const Perspective& view) {
+  std::string elements;
+  for (const PictureMark& mark : picture.marks) {
+    const svg::Point at = view.at(mark.bead);
+    const double above = view.size_at(mark.bead, mark.radius) + 4;
+    elements += svg::text({at.x, at.y - above}, mark.name, {mark_size, svg::Anchor::middle, 0, "bold", halo});
+  }
+  return elements;
+}
+
+/// The label stands beside an upright arrow, and above or below a level one, away from the beads.
+std::string draw_distance(const PictureDistance& distance, const Perspective& view) {
+  const Vec3 from = distance.from + distance.aside, to = distance.to + distance.aside;
+  const svg::Point a = view.at(from), b = view.at(to), bead = view.at(distance.from);
+  std::string elements = svg::line(bead, a, witness_stroke) +
+                         svg::line(view.at(distance.to), b, witness_stroke) +
+                         svg::double_arrow(a, b, distance_stroke);
+  svg::Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  const bool level = std::abs(b.x - a.x) > 3 * std::abs(b.y - a.y);
+  if (level) {
+    middle.y += a.y > bead.y ? 1.3 * label_size : -0.5 * label_size;
+  } else {
+    middle.x += 0.6 * label_size;
+    middle.y += 0.6 * label_size;
+  }
+  return elements +
+         svg::formula(middle, distance.label,
+                      {label_size, level ? svg::Anchor::middle : svg::Anchor::start, 0, "normal", halo});
+}
+
+std::string draw_distances(const SwarmPicture& picture, const Perspective& view) {
+  std::string elements;
+  for (const PictureDistance& distance : picture.distances) elements += draw_distance(distance, view);
+  return elements;
+}
+
+std::string draw_keys(const SwarmPicture& picture, double top) {
+  std::string elements;
+  double x = margin + 6;
+  for (const PictureKey& key : picture.keys) {
+    elements += bead_element({x, top - 4}, 6, key.colour);
+    elements += svg::text({x + 12, top}, key.label, {label_size});
+    x += 12 + svg::text_width(key.label, label_size) + 20;
+  }
+  return elements;
+}
+
+void require_swimmers(const SwarmPicture& picture) {
+  if (picture.swimmers.empty()) throw InputError("figure", "no swimmer to draw");
+}
+
+struct Block {
+  Vec3 low, high;
+};
+
+/// The box, all beads, and place for distances and their labels.
+Block extent_of(const SwarmPicture& picture) {
+  Block block{Vec3::Zero(), picture.box};
+  for (const PicturedSwimmer& swimmer : picture.swimmers) {
+    for (int bead = 0; bead < 3; ++bead) {
+      const Vec3 radius = Vec3::Constant(swimmer.radii[bead]);
+      block.low = block.low.cwiseMin(swimmer.beads[bead] - radius);
+      block.high = block.high.cwiseMax(swimmer.beads[bead] + radius);
+    }
+  }
+  for (const PictureDistance& distance : picture.distances) {
+    for (const Vec3& bead : {distance.from, distance.to}) {
+      block.low = block.low.cwiseMin(bead + 2 * distance.aside);
+      block.high = block.high.cwiseMax(bead + 2 * distance.aside);
+    }
+  }
+  return block;
+}
+
+/// Of labels beside the swarm [px].
+double label_room(const SwarmPicture& picture) {
+  double room = 0;
+  for (const PictureDistance& distance : picture.distances)
+    room = std::max(room, svg::text_width(distance.label, label_size));
+  return room;
+}
+
+}  // namespace
+
+std::string swarm_picture_to_svg(const SwarmPicture& picture) {
+  require_swimmers(picture);
+  const Block extent = extent_of(picture);
+  const Perspective view(extent.low, extent.high, {margin, picture_top}, picture_width, picture_height);
+  const double radius = view.size_at(picture.box / 2, picture.swimmers.front().radii[0]);
+  const double width = std::max(view.width() + label_room(picture) + 2 * margin, 420.0);
+  double top = picture_top + view.height() + 12;
+
+  std::string elements = definitions(std::max(0.3, arm_width * radius), std::clamp(radius / 15, 0.1, 0.6));
+  elements += svg::text({margin, 28}, picture.title, {title_size, svg::Anchor::start, 0, "bold"});
+  elements += draw_edges(picture, view, true);
+  elements += draw_swimmers(picture, view);
+  elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);
+  elements += draw_distances(picture, view) + draw_marks(picture, view);
+  if (!picture.keys.empty()) elements += draw_keys(picture, top += line_pitch);
+  for (const std::string& note : picture.notes) {
+    top += line_pitch;
+    elements += svg::text({margin, top}, note, {note_size});
+  }
+  return svg::document(width, top + margin, picture.title, elements);
+}
+
+}  // namespace beadswim

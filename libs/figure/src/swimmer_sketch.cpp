@@ -1,0 +1,173 @@
+#include "beadswim/figure/swimmer_sketch.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "palette.hpp"
+#include "svg.hpp"
+
+namespace beadswim {
+namespace {
+
+// The page, in px.
+constexpr double margin = 24;
+constexpr double widest = 620, largest_radius = 58;  // of the swimmer
+constexpr double forces_height = 44;                 // from the title to the largest bead, if level
+constexpr double lengths_height = 66;                // from there to the notes
+constexpr double force_length = 64, force_gap = 14;
+constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
+constexpr double spring_height = 8, dashpot_height = 7, apart = 13;  // apart: a spring and its dashpot
+constexpr int spring_turns = 7;
+
+const std::string bead_fill = "#cfe3f1";
+const svg::Stroke bead_stroke{palette[0], 1.4, ""}, spring_stroke{"#333333", 1.4, ""};
+const svg::Stroke force_stroke{palette[1], 2, ""}, length_stroke{"#000000", 0.9, ""};
+const svg::Stroke witness_stroke{"#8a8a8a", 0.7, ""}, axis_stroke{"#8a8a8a", 0.9, "8 3 2 3"};
+
+/// Where things are on the page.
+struct Placed {
+  double scale = 1;  ///< px a length
+  std::array<svg::Point, 3> centres;
+  std::array<double, 3> radii{};
+  double top = 0, bottom = 0;  ///< of the largest bead
+
+  double end() const { return centres[2].x + radii[2]; }
+};
+
+Placed placed(const SwimmerSketch& sketch) {
+  const auto& [first, second] = sketch.rest_lengths;
+  const double most = *std::ranges::max_element(sketch.radii);
+  Placed page;
+  page.scale = std::min(widest / (sketch.radii[0] + first + second + sketch.radii[2]), largest_radius / most);
+  for (std::size_t b = 0; b < 3; ++b) page.radii[b] = page.scale * sketch.radii[b];
+  page.top = 2 * margin + forces_height + force_length * std::abs(std::sin(sketch.force_angle));
+  page.bottom = page.top + 2 * page.scale * most;
+  const double y = (page.top + page.bottom) / 2, start = margin + std::max(page.radii[0], 60.0);
+  page.centres = {svg::Point{start, y}, svg::Point{start + page.scale * first, y},
+                  svg::Point{start + page.scale * (first + second), y}};
+  return page;
+}
+
+/// From surface to surface; its straight ends are an eighth of it each.
+std::string draw_spring(svg::Point from, double length) {
+  std::vector<svg::Point> points{from, {from.x + length / 8, from.y}};
+  const double turn = 0.75 * length / spring_turns;
+  for (int i = 0; i < spring_turns; ++i) {
+    const double x = from.x + length / 8 + i * turn;
+    points.push_back({x + turn / 4, from.y - spring_height});
+    points.push_back({x + 3 * turn / 4, from.y + spring_height});
+  }
+  points.push_back({from.x + 7 * length / 8, from.y});
+  points.push_back({from.x + length, from.y});
+  return svg::polyline(points, spring_stroke);
+}
+
+/// A piston in a cylinder that is open at its right.
+std::string draw_dashpot(svg::Point from, double length) {
+  const double left = from.x + 0.36 * length, piston = from.x + 0.52 * length, right = from.x + 0.64 * length;
+  const double up = from.y - dashpot_height, down = from.y + dashpot_height;
+  return svg::polyline({{right, up}, {left, up}, {left, down}, {right, down}}, spring_stroke) +
+         svg::line(from, {left, from.y}, spring_stroke) +
+         svg::line({piston, up + 2}, {piston, down - 2}, spring_stroke) +
+         svg::line({piston, from.y}, {from.x + length, from.y}, spring_stroke);
+}
+
+/// Between the surfaces of two beads [px].
+double gap(const Placed& page, std::size_t arm) {
+  return page.centres[arm + 1].x - page.radii[arm + 1] - page.centres[arm].x - page.radii[arm];
+}
+
+/// Whether springs' and dashpots' labels have room between the beads; else they stand below the lengths.
+bool labels_fit(const SwimmerSketch& sketch, const Placed& page) {
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    for (const std::string& label : {sketch.spring_labels[arm], sketch.dashpot_labels[arm]})
+      if (svg::text_width(label, label_size) > gap(page, arm)) return false;
+  }
+  return true;
+}
+
+std::string draw_arm(const SwimmerSketch& sketch, const Placed& page, std::size_t arm) {
+  const svg::Point from{page.centres[arm].x + page.radii[arm], page.centres[arm].y};
+  const double length = gap(page, arm), middle = from.x + length / 2;
+  const bool damped = !sketch.dashpot_labels[arm].empty();
+  const double up = damped ? from.y - apart : from.y, down = from.y + apart;
+  const bool inside = labels_fit(sketch, page);
+  const double below = page.bottom + lengths_height;
+  std::string elements = draw_spring({from.x, up}, length);
+  if (damped) {
+    elements += draw_dashpot({from.x, down}, length);
+    for (const double x : {from.x, from.x + length}) elements += svg::line({x, up}, {x, down}, spring_stroke);
+    elements += svg::text({middle, inside ? down + dashpot_height + 15 : below + line_pitch},
+                          sketch.dashpot_labels[arm], {label_size, svg::Anchor::middle});
+  }
+  return elements + svg::text({middle, inside ? up - spring_height - 7 : below}, sketch.spring_labels[arm],
+                              {label_size, svg::Anchor::middle});
+}
+
+/// The radius as a line to the surface, its label below the bead.
+std::string draw_bead(const SwimmerSketch& sketch, const Placed& page, std::size_t bead) {
+  const svg::Point centre = page.centres[bead];
+  const double radius = page.radii[bead], slant = radius * std::sqrt(0.5);
+  return svg::disc(centre, radius, bead_fill, bead_stroke) +
+         svg::line(centre, {centre.x + slant, centre.y + slant}, length_stroke) +
+         svg::text({centre.x, centre.y - 4}, fmt::format("{}", bead + 1),
+                   {std::clamp(radius / 2, 7.0, label_size), svg::Anchor::middle, 0, "bold"}) +
+         svg::text({centre.x + 5, page.bottom + 15}, sketch.radius_labels[bead], {label_size});
+}
+
+/// Above its bead; that on the middle one points the other way.
+std::string draw_force(const SwimmerSketch& sketch, const Placed& page, std::size_t bead) {
+  const double sign = bead == 1 ? -1 : 1;
+  const svg::Point half{sign * force_length / 2 * std::cos(sketch.force_angle),
+                        -sign * force_length / 2 * std::sin(sketch.force_angle)};
+  const svg::Point middle{page.centres[bead].x, page.top - force_gap - std::abs(half.y)};
+  return svg::arrow({middle.x - half.x, middle.y - half.y}, {middle.x + half.x, middle.y + half.y},
+                    force_stroke) +
+         svg::text({middle.x, middle.y - std::abs(half.y) - 10}, sketch.force_labels[bead],
+                   {label_size, svg::Anchor::middle});
+}
+
+std::string draw_length(const SwimmerSketch& sketch, const Placed& page, std::size_t arm) {
+  const double y = page.bottom + 34;
+  const svg::Point from{page.centres[arm].x, y}, to{page.centres[arm + 1].x, y};
+  return svg::double_arrow(from, to, length_stroke) + svg::text({(from.x + to.x) / 2, y + 16},
+                                                                sketch.length_labels[arm],
+                                                                {label_size, svg::Anchor::middle});
+}
+
+std::string draw_axis(const Placed& page) {
+  const double y = page.centres[0].y;
+  std::string elements = svg::arrow({page.end(), y}, {page.end() + 46, y}, axis_stroke) +
+                         svg::text({page.end() + 52, y + 4}, "axis", {label_size});
+  for (const svg::Point& centre : page.centres)
+    elements += svg::line(centre, {centre.x, page.bottom + 38}, witness_stroke);
+  return elements;
+}
+
+double page_width(const SwimmerSketch& sketch, const Placed& page) {
+  double right = page.end() + 90;
+  for (const std::string& note : sketch.notes)
+    right = std::max(right, margin + svg::text_width(note, note_size));
+  return std::max(right, page.centres[2].x + svg::text_width(sketch.force_labels[2], label_size) / 2) +
+         margin;
+}
+
+}  // namespace
+
+std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch) {
+  const Placed page = placed(sketch);
+  std::string elements = svg::text({margin, 28}, sketch.title, {title_size, svg::Anchor::start, 0, "bold"});
+  elements += draw_axis(page);
+  for (std::size_t bead = 0; bead < 3; ++bead)
+    elements += draw_bead(sketch, page, bead) + draw_force(sketch, page, bead);
+  for (std::size_t arm = 0; arm < 2; ++arm)
+    elements += draw_arm(sketch, page, arm) + draw_length(sketch, page, arm);
+  double top = page.bottom + lengths_height + (labels_fit(sketch, page) ? 0 : 2 * line_pitch);
+  for (const std::string& note : sketch.notes)
+    elements += svg::text({margin, top += line_pitch}, note, {note_size});
+  return svg::document(page_width(sketch, page), top + margin, sketch.title, elements);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "beadswim/scene/layout.hpp"
+
+// Distances between the beads of a scene at rest, periodic images included. Cell lists: the cost grows as the
+// number of beads.
+
+namespace beadswim {
+
+/// One bead of a scene at rest.
+struct PlacedBead {
+  Vec3 centre;              ///< unwrapped [length]
+  double radius = 0;        ///< [length]
+  std::size_t swimmer = 0;  ///< index in Layout::swimmers
+  int bead = 0;             ///< 0, 1 or 2
+};
+
+/// Three beads a swimmer, in order. Every swimmer's type must exist.
+std::vector<PlacedBead> placed_beads(const Layout& layout);
+
+/// Two beads, or one and its own periodic image (first == second).
+struct BeadPair {
+  std::size_t first = 0;   ///< index in the list of beads
+  std::size_t second = 0;  ///< not greater than `first`
+  double distance = 0;     ///< between centres of the nearest images [length]
+};
+
+/// Pairs whose surfaces touch or cross, at most `most` of them.
+std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
+                                        const std::optional<Domain>& domain, std::size_t most);
+
+/// Smallest distance between two surfaces: beads, their periodic images, and walls [length].
+double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Domain>& domain);
+
+}  // namespace beadswim

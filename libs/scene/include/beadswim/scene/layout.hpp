@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "beadswim/swimmers/swimmer_type.hpp"
+#include "beadswim/core/vec3.hpp"
+
+// A scene: fluid, domain, types of swimmer and the swimmers, in one coherent unit system. The in-memory
+// twin of layout.json (schemas/layout.schema.json); it knows nothing of JSON, cells or time steps.
+
+namespace beadswim {
+
+/// "lattice" (all factors 1), or named units with their size in SI.
+struct Units {
+  struct Unit {
+    std::string name;
+    double si_factor = 1;  ///< how many metres, seconds or kilograms one unit is
+  };
+  bool lattice = true;
+  Unit length, time, mass;
+};
+
+struct Fluid {
+  double density = 1;              ///< rho [mass/length^3]
+  double kinematic_viscosity = 0;  ///< nu [length^2/time]
+
+  double dynamic_viscosity() const { return density * kinematic_viscosity; }  ///< eta
+};
+
+enum class Boundary { periodic, free_slip, no_slip };
+
+/// A box from the origin to `lengths`.
+struct Domain {
+  Vec3 lengths = Vec3::Zero();
+  std::array<Boundary, 3> boundary{};
+
+  bool operator==(const Domain&) const = default;
+};
+
+/// One swimmer: its type, where it is, and its own driving (its type's unless overridden).
+struct Swimmer {
+  int id = 0;
+  std::string type;
+  Vec3 position = Vec3::Zero();  ///< centre of bead 2, unwrapped [length]
+  Vec3 axis = Vec3::UnitX();     ///< unit vector from bead 1 to bead 3
+  std::optional<Driving> driving{};
+};
+
+/// How a resolved run should discretise the scene; a hint only.
+struct Resolution {
+  double cells_per_radius = 0;
+  double relaxation_time = 0;
+};
+
+struct Layout {
+  Units units;
+  Fluid fluid;
+  std::optional<Domain> domain;  ///< none: unbounded fluid
+  std::map<std::string, SwimmerType> types;
+  std::vector<Swimmer> swimmers;
+  std::optional<Resolution> resolution;
+
+  /// The swimmer's type with the swimmer's own driving in place.
+  SwimmerType resolved_type(const Swimmer& swimmer) const;
+};
+
+/// Of all beads that the layout's swimmers have [length].
+double smallest_radius(const Layout& layout);
+
+/// Centres of beads 1, 2, 3 at rest: position - l1 axis, position, position + l2 axis.
+std::array<Vec3, 3> rest_positions(const Swimmer& swimmer, const SwimmerType& type);
+
+}  // namespace beadswim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "beadswim/scene/layout.hpp"
+
+namespace beadswim {
+
+enum class Quantity { length, time, mass };
+
+/// Names that need no definition, with their size in SI: m ... nm, s ... ns, kg ... fg.
+const std::vector<Units::Unit>& known_units(Quantity quantity);
+
+/// The known unit of that name, or nullptr.
+const Units::Unit* find_known_unit(Quantity quantity, const std::string& name);
+
+/// As figures call them: "um" and "um/s"; "lattice units" in lattice units.
+std::string length_unit(const Units& units);
+std::string velocity_unit(const Units& units);
+
+}  // namespace beadswim

@@ -1,0 +1,81 @@
+#include "beadswim/scene/bead_gaps.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cell_list.hpp"
+
+namespace beadswim {
+namespace {
+
+double surface_gap(const std::vector<PlacedBead>& beads, const BeadPair& pair) {
+  return pair.distance - beads[pair.first].radius - beads[pair.second].radius;
+}
+
+/// The pairs of each bead with its own nearest image, one a periodic axis.
+std::vector<BeadPair> own_image_pairs(const std::vector<PlacedBead>& beads,
+                                      const std::optional<Domain>& domain) {
+  std::vector<BeadPair> pairs;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!domain || domain->boundary[axis] != Boundary::periodic) continue;
+    for (std::size_t i = 0; i < beads.size(); ++i) pairs.push_back({i, i, domain->lengths[axis]});
+  }
+  return pairs;
+}
+
+double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Domain& domain) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    if (domain.boundary[axis] == Boundary::periodic) continue;
+    for (const PlacedBead& bead : beads) {
+      const double x = bead.centre[axis];
+      gap = std::min({gap, x - bead.radius, domain.lengths[axis] - x - bead.radius});
+    }
+  }
+  return gap;
+}
+
+}  // namespace
+
+std::vector<PlacedBead> placed_beads(const Layout& layout) {
+  std::vector<PlacedBead> beads;
+  beads.reserve(3 * layout.swimmers.size());
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const SwimmerType& type = layout.types.at(layout.swimmers[s].type);
+    const auto centres = rest_positions(layout.swimmers[s], type);
+    for (int i = 0; i < 3; ++i) beads.push_back({centres[i], type.beads[i].radius, s, i});
+  }
+  return beads;
+}
+
+std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
+                                        const std::optional<Domain>& domain, std::size_t most) {
+  std::vector<BeadPair> found;
+  const auto keep_overlap = [&](const BeadPair& pair) {
+    if (surface_gap(beads, pair) <= 0) found.push_back(pair);
+    return found.size() < most;
+  };
+  for (const BeadPair& pair : own_image_pairs(beads, domain)) {
+    if (!keep_overlap(pair)) return found;
+  }
+  visit_close_pairs(beads, domain, 2 * largest_radius(beads), keep_overlap);
+  return found;
+}
+
+double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Domain>& domain) {
+  double gap = domain ? smallest_wall_gap(beads, *domain) : std::numeric_limits<double>::infinity();
+  for (const BeadPair& pair : own_image_pairs(beads, domain)) gap = std::min(gap, surface_gap(beads, pair));
+  for (std::size_t i = 1; i < beads.size(); ++i) {  // beads that follow one another: the arms among them
+    const BeadPair pair{i, i - 1, (beads[i].centre - beads[i - 1].centre).norm()};
+    gap = std::min(gap, surface_gap(beads, pair));
+  }
+  const double reach = 2 * largest_radius(beads) + gap;
+  visit_close_pairs(beads, domain, reach, [&](const BeadPair& pair) {
+    gap = std::min(gap, surface_gap(beads, pair));
+    return true;
+  });
+  return gap;
+}
+
+}  // namespace beadswim

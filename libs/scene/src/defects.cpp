@@ -1,0 +1,340 @@
+#include "beadswim/scene/defects.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/keyed_random.hpp"
+#include "beadswim/scene/bead_gaps.hpp"
+#include "cell_list.hpp"
+
+namespace beadswim {
+namespace {
+
+/// What random numbers are for, so that one seed does not move and turn by the same ones.
+/// Their values are part of what a seed means.
+enum Purpose : std::uint64_t { draw = 0, place, turn, region, offset, strength, frequency, layer };
+
+KeyedRandom random_of(const Swimmer& swimmer, std::uint64_t seed, Purpose purpose) {
+  return {seed, static_cast<std::uint64_t>(swimmer.id), purpose};
+}
+
+std::size_t number_of(const HowMany& how_many, std::size_t all, const std::string& things) {
+  if (const auto* fraction = std::get_if<double>(&how_many))
+    return static_cast<std::size_t>(std::lround(*fraction * static_cast<double>(all)));
+  const auto count = static_cast<std::size_t>(std::get<std::int64_t>(how_many));
+  if (count <= all) return count;
+  throw InputError("--count", fmt::format("{}: more than there are {}, {}; take fewer", count, things, all));
+}
+
+/// That many of 0 ... keys.size() - 1, those whose random numbers are least, in ascending order.
+std::vector<std::size_t> drawn(const std::vector<std::uint64_t>& keys, std::size_t count, std::uint64_t seed,
+                               Purpose purpose) {
+  std::vector<std::pair<std::uint64_t, std::size_t>> tickets;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    tickets.emplace_back(KeyedRandom(seed, keys[i], purpose).bits(), i);
+  std::ranges::sort(tickets);
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < count; ++i) result.push_back(tickets[i].second);
+  std::ranges::sort(result);
+  return result;
+}
+
+const Domain& box_of(const Layout& layout, const char* defect) {
+  if (layout.domain) return *layout.domain;
+  throw InputError("/domain", fmt::format("is null (unbounded fluid), which {} has no places in", defect));
+}
+
+/// Between surfaces that interstitials and repairs leave [length].
+double clearance_in(const Layout& layout) {
+  return 0.1 * smallest_radius(layout);
+}
+
+Driving own_driving(const Layout& layout, const Swimmer& swimmer) {
+  return layout.resolved_type(swimmer).driving;
+}
+
+double positive_factor(const Swimmer& swimmer, double factor, const char* what) {
+  if (factor > 0) return factor;
+  throw InputError("--sigma",
+                   fmt::format("the {} of swimmer {} would change by a factor of {:.3g}; a smaller "
+                               "--sigma, or another --seed, keeps it positive",
+                               what, swimmer.id, factor));
+}
+
+/// What moves a swimmer as a whole when several of its beads are pushed: the mean of beads' pushes, and of
+/// walls', across each, the largest.
+class Push {
+ public:
+  void by_bead(const Vec3& push) {
+    beads_ += push;
+    ++number_;
+  }
+  void by_wall(int axis, double push) {
+    if (std::abs(push) > std::abs(walls_[axis])) walls_[axis] = push;
+  }
+  Vec3 move() const { return walls_ + beads_ / std::max(number_, 1); }
+
+ private:
+  Vec3 beads_ = Vec3::Zero(), walls_ = Vec3::Zero();
+  int number_ = 0;
+};
+
+/// Changes the drivings of the chosen, each with random numbers of its own.
+void change_driving(Layout& layout, const std::vector<std::size_t>& chosen, std::uint64_t seed,
+                    Purpose purpose,
+                    const std::function<void(const Swimmer&, Driving&, KeyedRandom&)>& change) {
+  for (const std::size_t s : chosen) {
+    Swimmer& swimmer = layout.swimmers[s];
+    Driving driving = own_driving(layout, swimmer);
+    KeyedRandom random = random_of(swimmer, seed, purpose);
+    change(swimmer, driving, random);
+    swimmer.driving = driving;
+  }
+}
+
+}  // namespace
+
+std::vector<std::size_t> drawn_swimmers(const Layout& layout, const HowMany& how_many, std::uint64_t seed) {
+  std::vector<std::uint64_t> ids;
+  for (const Swimmer& swimmer : layout.swimmers) ids.push_back(static_cast<std::uint64_t>(swimmer.id));
+  return drawn(ids, number_of(how_many, ids.size(), "swimmers"), seed, Purpose::draw);
+}
+
+void add_vacancies(Layout& layout, const HowMany& how_many, std::uint64_t seed) {
+  std::vector<Swimmer> left;
+  const std::vector<std::size_t> gone = drawn_swimmers(layout, how_many, seed);
+  if (gone.size() == layout.swimmers.size())
+    throw InputError("vacancy", "leaves no swimmer; take a smaller --count or --fraction");
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    if (!std::ranges::binary_search(gone, s)) left.push_back(layout.swimmers[s]);
+  }
+  layout.swimmers = std::move(left);
+}
+
+void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t seed) {
+  const Domain domain = box_of(layout, "an interstitial");
+  std::vector<PlacedBead> beads = placed_beads(layout);
+  const double clearance = clearance_in(layout), reach = 2 * largest_radius(beads) + clearance;
+  CellList cells(layout.domain, reach);
+  for (std::size_t b = 0; b < beads.size(); ++b) cells.insert(b, beads[b].centre);
+
+  const auto is_free = [&](const Vec3& centre, double radius) {
+    for (int a = 0; a < 3; ++a) {
+      if (domain.boundary[a] == Boundary::periodic) continue;
+      if (centre[a] < radius + clearance || centre[a] > domain.lengths[a] - radius - clearance) return false;
+    }
+    return cells.visit_near(centre, [&](std::size_t b) {
+      const double distance = nearest_separation(centre, beads[b].centre, domain).norm();
+      return distance > radius + beads[b].radius + clearance;
+    });
+  };
+  const std::size_t count = std::holds_alternative<double>(how_many)
+                                ? number_of(how_many, layout.swimmers.size(), "swimmers")
+                                : static_cast<std::size_t>(std::get<std::int64_t>(how_many));
+  Swimmer added = layout.swimmers.front();
+  added.driving.reset();
+  for (const Swimmer& swimmer : layout.swimmers) added.id = std::max(added.id, swimmer.id);
+  const auto ids_left = static_cast<std::size_t>(std::numeric_limits<int>::max() - added.id);
+  if (count > ids_left) {
+    throw InputError("interstitial",
+                     fmt::format("ids end at {}, and swimmers have ids up to {} already; give them "
+                                 "smaller ones",
+                                 std::numeric_limits<int>::max(), added.id));
+  }
+  const SwimmerType& type = layout.types.at(added.type);
+  constexpr int most_trials = 100000;
+  for (std::size_t n = 0; n < count; ++n) {
+    ++added.id;
+    KeyedRandom random = random_of(added, seed, Purpose::place);
+    bool found = false;
+    for (int trial = 0; trial < most_trials && !found; ++trial) {
+      for (int a = 0; a < 3; ++a) added.position[a] = domain.lengths[a] * random.uniform();
+      const auto centres = rest_positions(added, type);
+      found = is_free(centres[0], type.beads[0].radius) && is_free(centres[1], type.beads[1].radius) &&
+              is_free(centres[2], type.beads[2].radius);
+    }
+    if (!found) {
+      throw InputError("interstitial",
+                       fmt::format("no free place for swimmer {} in {} trials; the box is too "
+                                   "full, add fewer",
+                                   added.id, most_trials));
+    }
+    const auto centres = rest_positions(added, type);
+    for (int b = 0; b < 3; ++b) {
+      cells.insert(beads.size(), centres[b]);
+      beads.push_back({centres[b], type.beads[b].radius, layout.swimmers.size(), b});
+    }
+    layout.swimmers.push_back(added);
+  }
+}
+
+void jitter(Layout& layout, const std::vector<std::size_t>& chosen, double sigma, std::uint64_t seed) {
+  for (const std::size_t s : chosen) {
+    Swimmer& swimmer = layout.swimmers[s];
+    KeyedRandom random = random_of(swimmer, seed, Purpose::place);
+    swimmer.position = folded(swimmer.position + sigma * random.normal3(), layout.domain);
+  }
+}
+
+void rotate(Layout& layout, const std::vector<std::size_t>& chosen, std::optional<double> sigma,
+            std::uint64_t seed) {
+  for (const std::size_t s : chosen) {
+    Swimmer& swimmer = layout.swimmers[s];
+    KeyedRandom random = random_of(swimmer, seed, Purpose::turn);
+    if (!sigma) {
+      swimmer.axis = random.direction();
+      continue;
+    }
+    Vec3 across = random.direction().cross(swimmer.axis);
+    while (across.norm() < 1e-3) across = random.direction().cross(swimmer.axis);
+    const double angle = *sigma * random.normal();
+    swimmer.axis = (std::cos(angle) * swimmer.axis + std::sin(angle) * across.normalized()).normalized();
+  }
+}
+
+void add_domains(Layout& layout, std::int64_t domains, std::uint64_t seed) {
+  const Domain& box = box_of(layout, "a pattern of domains");
+  std::vector<Vec3> points, directions;
+  for (std::int64_t d = 0; d < domains; ++d) {
+    KeyedRandom random(seed, static_cast<std::uint64_t>(d), Purpose::region);
+    const double x = random.uniform(), y = random.uniform(), z = random.uniform();
+    points.push_back(box.lengths.cwiseProduct(Vec3(x, y, z)));
+    directions.push_back(random.direction());
+  }
+  for (Swimmer& swimmer : layout.swimmers) {
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t d = 0; d < points.size(); ++d) {
+      const double distance = nearest_separation(swimmer.position, points[d], layout.domain).norm();
+      if (distance < least) nearest = d;
+      least = std::min(least, distance);
+    }
+    swimmer.axis = directions[nearest];
+  }
+}
+
+void disorder_phases(Layout& layout, const std::vector<std::size_t>& chosen, std::optional<double> sigma,
+                     std::uint64_t seed) {
+  change_driving(layout, chosen, seed, Purpose::offset,
+                 [&](const Swimmer&, Driving& driving, KeyedRandom& random) {
+                   driving.phase_offset +=
+                       sigma ? *sigma * random.normal() : std::numbers::pi * (2 * random.uniform() - 1);
+                   driving.phase_offset = std::remainder(driving.phase_offset, 2 * std::numbers::pi);
+                 });
+}
+
+void disorder_amplitudes(Layout& layout, const std::vector<std::size_t>& chosen, double sigma,
+                         std::uint64_t seed) {
+  change_driving(layout, chosen, seed, Purpose::strength,
+                 [&](const Swimmer& swimmer, Driving& driving, KeyedRandom& random) {
+                   const double factor = positive_factor(swimmer, 1 + sigma * random.normal(), "amplitudes");
+                   for (double& amplitude : driving.amplitude) amplitude *= factor;
+                 });
+}
+
+void disorder_frequencies(Layout& layout, const std::vector<std::size_t>& chosen, double sigma,
+                          std::uint64_t seed) {
+  change_driving(layout, chosen, seed, Purpose::frequency,
+                 [&](const Swimmer& swimmer, Driving& driving, KeyedRandom& random) {
+                   driving.period /= positive_factor(swimmer, 1 + sigma * random.normal(), "frequency");
+                 });
+}
+
+void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& how_many, std::uint64_t seed) {
+  const int axis = spacing.axis;
+  const bool periodic = layout.domain && layout.domain->boundary[axis] == Boundary::periodic;
+  for (Swimmer& swimmer : layout.swimmers) swimmer.position = folded(swimmer.position, layout.domain);
+  std::vector<std::size_t> order(layout.swimmers.size());
+  for (std::size_t s = 0; s < order.size(); ++s) order[s] = s;
+  const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
+  std::ranges::sort(order, {}, [&](std::size_t s) { return height(s); });
+  const double same = 1e-6 * smallest_radius(layout);
+  if (periodic) {  // a layer at the box's face stays in one piece
+    const double length = layout.domain->lengths[axis];
+    while (height(order.back()) > length - same && height(order.front()) < same) {
+      height(order.back()) -= length;
+      std::rotate(order.begin(), order.end() - 1, order.end());
+    }
+  }
+  std::vector<std::vector<std::size_t>> layers;
+  for (const std::size_t s : order) {
+    if (layers.empty() || height(s) - height(layers.back().back()) > same) layers.emplace_back();
+    layers.back().push_back(s);
+  }
+
+  const std::size_t first =
+      periodic ? 0 : 1;  // in a periodic box the first gap ends at the last layer's image
+  std::vector<std::uint64_t> numbers;
+  for (std::size_t n = first; n < layers.size(); ++n) numbers.push_back(n);
+  const std::vector<std::size_t> moved =
+      drawn(numbers, number_of(how_many, numbers.size(), "gaps between layers"), seed, Purpose::draw);
+  double shift = 0, before = periodic ? height(layers.back().front()) - layout.domain->lengths[axis] : 0;
+  for (std::size_t n = 0; n < layers.size(); ++n) {
+    const double here = height(layers[n].front());
+    if (n >= first && std::ranges::binary_search(moved, n - first)) {
+      double more = spacing.sigma * KeyedRandom(seed, n, Purpose::layer).normal();
+      if (spacing.whole > 0) more = spacing.whole * std::round(more / spacing.whole);
+      if (here - before + more <= 0) {
+        throw InputError("--sigma",
+                         fmt::format("of {} layers, two are {:.4g} apart, which would change by {:.4g}; "
+                                     "take a smaller one or another --seed, and jitter afterwards",
+                                     layers.size(), here - before, more));
+      }
+      shift += more;
+    }
+    before = here;
+    for (const std::size_t s : layers[n]) height(s) += shift;
+  }
+  if (!layout.domain) return;
+  layout.domain->lengths[axis] += shift;
+  for (Swimmer& swimmer : layout.swimmers) swimmer.position = folded(swimmer.position, layout.domain);
+}
+
+void repair_overlaps(Layout& layout) {
+  constexpr int most_passes = 1000;
+  const double clearance = clearance_in(layout);
+  const double tolerance = 0.5 * clearance;  // pushes aim further than they must, and so come to an end
+  for (int pass = 0; pass < most_passes; ++pass) {
+    const std::vector<PlacedBead> beads = placed_beads(layout);
+    std::vector<Push> pushes(layout.swimmers.size());
+    bool any = false;
+    const double reach = 2 * largest_radius(beads) + clearance;
+    visit_close_pairs(beads, layout.domain, reach, [&](const BeadPair& pair) {
+      const PlacedBead &one = beads[pair.first], &other = beads[pair.second];
+      const double lack = one.radius + other.radius + clearance - pair.distance;
+      if (one.swimmer == other.swimmer || lack <= tolerance) return true;
+      any = true;
+      const Vec3 separation = nearest_separation(one.centre, other.centre, layout.domain);
+      const Vec3 away = pair.distance > 0 ? Vec3(separation / pair.distance) : Vec3(Vec3::UnitZ());
+      pushes[one.swimmer].by_bead(-0.5 * lack * away);
+      pushes[other.swimmer].by_bead(0.5 * lack * away);
+      return true;
+    });
+    for (const PlacedBead& bead : beads) {
+      for (int a = 0; layout.domain && a < 3; ++a) {
+        if (layout.domain->boundary[a] == Boundary::periodic) continue;
+        const double low = bead.radius + clearance, high = layout.domain->lengths[a] - low;
+        const double inward = std::clamp(bead.centre[a], low, std::max(low, high)) - bead.centre[a];
+        if (std::abs(inward) <= tolerance) continue;
+        any = true;
+        pushes[bead.swimmer].by_wall(a, inward);
+      }
+    }
+    if (!any) return;
+    for (std::size_t s = 0; s < pushes.size(); ++s)
+      layout.swimmers[s].position = folded(layout.swimmers[s].position + pushes[s].move(), layout.domain);
+  }
+  throw InputError("--repair",
+                   fmt::format("beads are still too close after {} passes; there is too little room for "
+                               "them where they are",
+                               most_passes));
+}
+
+}  // namespace beadswim

@@ -1,0 +1,69 @@
+#include "beadswim/scene/presets.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace beadswim {
+
+namespace {
+
+/// What all the paper's scenes have in common: equal beads and arms, A = B, alpha = pi/2, densities 1, nu =
+/// 1/3.
+Layout paper_scene(double radius, double arm, double stiffness, double amplitude, double period) {
+  const Bead bead{.radius = radius, .density = 1};
+  const Spring spring{.stiffness = stiffness, .rest_length = arm, .damping = 0};
+  const Driving driving{.amplitude = {amplitude, amplitude}, .phase = std::numbers::pi / 2, .period = period};
+  SwimmerType type{.beads = {bead, bead, bead}, .springs = {spring, spring}, .driving = driving};
+  type.angular_stiffness = straightening_stiffness(type);
+
+  Layout layout;
+  layout.fluid = {.density = 1, .kinematic_viscosity = 1.0 / 3};
+  layout.types["a"] = type;
+  layout.resolution = unit_resolution(type, layout.fluid);
+  return layout;
+}
+
+}  // namespace
+
+Layout paper_single() {
+  Layout layout = paper_scene(4, 20, 0.0347, 0.2, 4800);
+  layout.domain = Domain{.lengths = Vec3(1200, 800, 800),
+                         .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
+  layout.swimmers = {
+      {.type = "a", .position = centred_position(layout.types.at("a"), Vec3::UnitX(), layout.domain)}};
+  return layout;
+}
+
+Layout paper_swarm() {
+  return paper_scene(6, 32, 0.2, 2, 2000);
+}
+
+SwarmPlan paper_uniform_plan() {
+  return {.core_gap = Vec3::Constant(32), .block_gap = Vec3::Constant(32)};
+}
+
+SwarmPlan paper_defect_plan() {
+  return {.core_gap = Vec3::Constant(37), .block_gap = Vec3(56, 46, 46)};
+}
+
+double straightening_stiffness(const SwimmerType& type) {
+  constexpr double sideways_over_along = 10;
+  const double stiffness = (type.springs[0].stiffness + type.springs[1].stiffness) / 2;
+  const double length = (type.springs[0].rest_length + type.springs[1].rest_length) / 2;
+  return sideways_over_along * stiffness * length * length;
+}
+
+Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid) {
+  const auto smaller = [](const Bead& a, const Bead& b) { return a.radius < b.radius; };
+  const Bead& smallest = *std::min_element(type.beads.begin(), type.beads.end(), smaller);
+  return {.cells_per_radius = smallest.radius, .relaxation_time = 3 * fluid.kinematic_viscosity + 0.5};
+}
+
+Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Domain>& domain) {
+  if (!domain) return Vec3::Zero();
+  const double ahead = type.springs[1].rest_length + type.beads[2].radius;
+  const double behind = type.springs[0].rest_length + type.beads[0].radius;
+  return domain->lengths / 2 - (ahead - behind) / 2 * axis;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,49 @@
+#include "beadswim/scene/swarm.hpp"
+
+namespace beadswim {
+namespace {
+
+/// From a swimmer to the next of its block, between the centres of their beads 2.
+Vec3 pitch(const SwarmPlan& plan, const SwimmerType& type) {
+  return plan.core_gap + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX();
+}
+
+/// Calls visit(i, j, k) for each cell of a grid, x fastest.
+template <typename Visit>
+void for_each_place(const Index3& grid, Visit&& visit) {
+  for (int k = 0; k < grid[2]; ++k) {
+    for (int j = 0; j < grid[1]; ++j) {
+      for (int i = 0; i < grid[0]; ++i) visit(Vec3(i, j, k));
+    }
+  }
+}
+
+}  // namespace
+
+Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type) {
+  // n swimmers, n - 1 gaps between them, and one to the next block
+  const Vec3 last = (plan.block_swimmers - 1).cast<double>().matrix().cwiseProduct(pitch(plan, type));
+  return last + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX() + plan.block_gap;
+}
+
+Domain swarm_box(const SwarmPlan& plan, const SwimmerType& type) {
+  return {.lengths = block_lengths(plan, type).cwiseProduct(plan.blocks.cast<double>().matrix()),
+          .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
+}
+
+std::vector<Swimmer> swarm_swimmers(const SwarmPlan& plan, const SwimmerType& type,
+                                    const std::string& type_name) {
+  const Vec3 block = block_lengths(plan, type), apart = pitch(plan, type);
+  const Vec3 first = plan.block_gap / 2 + type.springs[0].rest_length * Vec3::UnitX();
+  std::vector<Swimmer> swimmers;
+  for_each_place(plan.blocks, [&](const Vec3& in_swarm) {
+    for_each_place(plan.block_swimmers, [&](const Vec3& in_block) {
+      swimmers.push_back({.id = static_cast<int>(swimmers.size()),
+                          .type = type_name,
+                          .position = block.cwiseProduct(in_swarm) + first + apart.cwiseProduct(in_block)});
+    });
+  });
+  return swimmers;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,196 @@
+#include "beadswim/swimmers/near_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace beadswim {
+namespace {
+
+/// Where an increasing function changes its sign, between low and high: the last bit of bisection.
+template <class Function>
+double root_of(const Function& increasing, double low, double high) {
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) {
+    (increasing(middle) < 0 ? low : high) = middle;
+  }
+  return high;
+}
+
+/// The pair as seen along its line.
+struct Approach {
+  double gap, reduced_mass, stiffness, damping;
+  double film;  ///< part of the film's resistance that counts
+};
+
+/// Impulses that push the beads apart.
+struct NormalImpulse {
+  double total, contact;
+};
+
+NormalImpulse normal_impulse(const NearContactLaw& law, const CloseBead& first, const CloseBead& second,
+                             const Approach& pair, double velocity, double step) {
+  const auto contact_force = [&](double v) {
+    const double overlap = -(pair.gap + step * v);
+    return overlap > 0 ? std::max(0.0, pair.stiffness * overlap - pair.damping * v) : 0.0;
+  };
+  const auto momentum = [&](double h) {
+    return pair.film * squeezing(first.radius, second.radius, law.viscosity, law.range, h).momentum;
+  };
+  const double momentum_now = momentum(pair.gap);
+  const auto excess = [&](double v) {
+    return pair.reduced_mass * (v - velocity) + momentum(pair.gap + step * v) - momentum_now -
+           step * contact_force(v);
+  };
+  if (excess(velocity) == 0) return {.total = 0, .contact = 0};
+  const double end = root_of(excess, std::min(velocity, 0.0), std::max({velocity, -pair.gap / step, 0.0}));
+  const double total = pair.reduced_mass * (end - velocity);
+  const double by_film = momentum_now - momentum(pair.gap + step * end);
+  return {.total = total, .contact = std::max(0.0, total - by_film)};
+}
+
+/// Rates w of a pair and what sets them in motion: beads' turning relative to the line of centres.
+struct TurningPair {
+  Vec3 first, second;                                     ///< w, across the line
+  double first_mobility, second_mobility, line_mobility;  ///< 1/I, 1/I, 1/(m r^2)
+
+  /// What angular impulses on the beads do, balanced by forces across the line.
+  void turn(const Vec3& on_first, const Vec3& on_second) {
+    const Vec3 of_line = line_mobility * (on_first + on_second);
+    first += first_mobility * on_first + of_line;
+    second += second_mobility * on_second + of_line;
+  }
+};
+
+/// Angular impulses on both beads.
+struct Turns {
+  Vec3 first, second;
+};
+
+/// (1 + M C) w = w*, C = step ((c_aa, c_ab), (c_ab, c_bb)); impulses -C w.
+Turns film_turns(const TurningPair& w, const Sliding& film, double step) {
+  const double c11 = step * film.aa, c12 = step * film.ab, c22 = step * film.bb;
+  const double m11 = w.first_mobility + w.line_mobility, m12 = w.line_mobility,
+               m22 = w.second_mobility + w.line_mobility;
+  const double a11 = 1 + m11 * c11 + m12 * c12, a12 = m11 * c12 + m12 * c22, a21 = m12 * c11 + m22 * c12,
+               a22 = 1 + m12 * c12 + m22 * c22;
+  const double determinant = a11 * a22 - a12 * a21;
+  const Vec3 first = (a22 * w.first - a12 * w.second) / determinant,
+             second = (a11 * w.second - a21 * w.first) / determinant;
+  return {-c11 * first - c12 * second, -c12 * first - c22 * second};
+}
+
+/// What stops the surfaces at the point of contact, as far as `most` does: surfaces there slide with n x (r_a
+/// w_a + r_b w_b), r_a, r_b the distances of the point from the centres.
+Turns friction_turns(const TurningPair& w, double r_a, double r_b, double most) {
+  const Vec3 sliding = r_a * w.first + r_b * w.second;
+  const double mobility = r_a * r_a * w.first_mobility + r_b * r_b * w.second_mobility +
+                          (r_a + r_b) * (r_a + r_b) * w.line_mobility;
+  const double speed = sliding.norm();
+  if (speed == 0) return {Vec3::Zero(), Vec3::Zero()};
+  const Vec3 impulse = -std::min(speed / mobility, most) / speed * sliding;
+  return {r_a * impulse, r_b * impulse};
+}
+
+}  // namespace
+
+PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& first, const CloseBead& second,
+                                 const Vec3& separation, double step) {
+  const double a = first.radius, b = second.radius, distance = separation.norm();
+  const Vec3 n = separation / distance;
+  const Vec3 velocity = second.velocity - first.velocity;
+  const double gap = distance - a - b;
+  const double split_mass = 1 / (first.pairs / first.mass + second.pairs / second.mass);
+  const double whole_mass = 1 / (1 / first.mass + 1 / second.mass);
+  // Beads in n firm pairs: limits of what a film does in a step.
+  const double others = std::max(first.pairs, second.pairs) - 1;
+  const auto part_of = [&](double resistance, double mobility) {
+    return others * step * resistance * mobility > 1 ? 1 / (others * step * resistance * mobility) : 1.0;
+  };
+  const double resistance = squeezing(a, b, law.viscosity, law.range, gap).resistance;
+  Approach approach{.gap = gap,
+                    .reduced_mass = split_mass,
+                    .stiffness = whole_mass * law.stiffness_rate * law.stiffness_rate,
+                    .damping = 2 * law.damping_ratio * whole_mass * law.stiffness_rate,
+                    .film = part_of(resistance, 1 / whole_mass)};
+  const double spring = gap < 0 ? step * approach.stiffness + approach.damping : 0;
+  const double taken = step * (resistance + spring) / whole_mass;
+  const NormalImpulse push = normal_impulse(law, first, second, approach, velocity.dot(n), step);
+
+  const auto across = [&](const Vec3& v) -> Vec3 { return v - v.dot(n) * n; };
+  const Vec3 line_turns = n.cross(velocity) / distance;
+  TurningPair turning{.first = across(first.angular_velocity) - line_turns,
+                      .second = across(second.angular_velocity) - line_turns,
+                      .first_mobility = first.pairs / first.inertia,
+                      .second_mobility = second.pairs / second.inertia,
+                      .line_mobility = 1 / (split_mass * distance * distance)};
+  const Sliding film = sliding(a, b, law.viscosity, law.range, gap);
+  const double rate = film.aa / first.inertia + film.bb / second.inertia;
+  Turns turns = film_turns(turning, film, step * part_of(rate, 1));
+  if (push.contact > 0) {
+    turning.turn(turns.first, turns.second);
+    const double r_a = distance * a / (a + b);
+    const Turns friction = friction_turns(turning, r_a, distance - r_a, law.friction * push.contact);
+    turns.first += friction.first;
+    turns.second += friction.second;
+  }
+  const Vec3 both = turns.first + turns.second;
+  return {.linear = push.total * n + n.cross(both) / distance,
+          .first_angular = turns.first,
+          .second_angular = turns.second,
+          .firmness = taken / (1 + taken)};
+}
+
+ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
+                           const std::array<Vec3, 3>& positions, double step) {
+  constexpr std::array<std::array<int, 2>, 3> all_pairs{{{0, 1}, {1, 2}, {0, 2}}};
+  ChainContact result;
+  std::array<bool, 3> close{};
+  for (int p = 0; p < 3; ++p) {
+    const auto [i, j] = all_pairs[p];
+    close[p] = (positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius < law.reach();
+  }
+  std::array<PairImpulse, 3> impulses;
+  const auto sum_up = [&] {
+    result.linear.fill(Vec3::Zero());
+    result.angular.fill(Vec3::Zero());
+    for (int p = 0; p < 3; ++p) {
+      const auto [i, j] = all_pairs[p];
+      result.linear[i] -= impulses[p].linear;
+      result.linear[j] += impulses[p].linear;
+      result.angular[i] += impulses[p].first_angular;
+      result.angular[j] += impulses[p].second_angular;
+    }
+  };
+  const auto moved = [&](int b) {
+    CloseBead bead = beads[b];
+    bead.pairs = 1;
+    bead.velocity += result.linear[b] / bead.mass;
+    bead.angular_velocity += result.angular[b] / bead.inertia;
+    return bead;
+  };
+  double scale = 0;
+  for (const CloseBead& bead : beads) scale = std::max(scale, bead.mass * bead.velocity.norm());
+  constexpr int most_sweeps = 50;
+  constexpr double roundoff = 1e-14;
+  const bool is_alone = std::ranges::count(close, true) == 1;  // nothing to iterate for
+  for (int sweep = 0; sweep < (is_alone ? 1 : most_sweeps); ++sweep) {
+    double change = 0;
+    for (int p = 0; p < 3; ++p) {
+      if (!close[p]) continue;
+      const auto [i, j] = all_pairs[p];
+      const PairImpulse before = std::exchange(impulses[p], {});
+      sum_up();
+      impulses[p] = near_contact_impulse(law, moved(i), moved(j), positions[j] - positions[i], step);
+      change = std::max(change, (impulses[p].linear - before.linear).norm());
+    }
+    if (change <= roundoff * scale) break;
+  }
+  sum_up();
+  for (int p = 0; p < 3; ++p) {
+    for (const int b : all_pairs[p]) result.firmness[b] += impulses[p].firmness;
+  }
+  return result;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "beadswim/scene/layout.hpp"
+#include "beadswim/theory/collinear_swimmer.hpp"
+
+// The dimensionless numbers of a scene, and first-order estimates of what its swimmers will do.
+
+namespace beadswim {
+
+/// One type of swimmer, driven as its type is.
+struct TypeNumbers {
+  double reynolds = 0;           ///< 2 lambda v / nu of the fastest bead, v the amplitude of its velocity
+  double penetration_depth = 0;  ///< delta = sqrt(2 nu / omega) [length]
+  double radius_over_penetration_depth = 0;  ///< lambda / delta, lambda the largest radius
+  std::array<double, 2> arm_over_radius{};   ///< l_i / lambda, lambda the mean radius of the arm's beads
+  std::array<double, 2> drag_over_spring{};  ///< gamma omega / k_i, gamma = 6 pi eta lambda
+  std::array<double, 2> arm_amplitude{};     ///< d_i to first order in A, B with Rotne-Prager pairs [length]
+  std::array<double, 2> arm_gap{};           ///< between the surfaces of the arm's beads at rest [length]
+  std::optional<std::array<double, 3>> box_over_length;  ///< box edges over the swimmer's length
+};
+
+/// What the layout's hint means in a resolved run.
+struct ResolutionNumbers {
+  double cell = 0;                                 ///< [length]
+  double time_step = 0;                            ///< (tau - 1/2)/3 cell^2/nu [time]
+  std::map<std::string, double> steps_per_period;  ///< of each type
+  std::optional<double> cells_in_box;
+  double mach = 0;  ///< of the fastest bead of any type: v sqrt(3) time_step / cell
+};
+
+struct SceneNumbers {
+  std::map<std::string, TypeNumbers> types;
+  double smallest_gap = 0;  ///< between any two surfaces at rest: beads, images, walls [length]
+  std::optional<ResolutionNumbers> resolution;
+};
+
+/// Amplitudes of the three beads' velocities to first order, v = mu F, by Rotne-Prager pairs [length/time].
+std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer);
+
+/// The numbers of a layout that check_layout finds no fault with.
+SceneNumbers scene_numbers(const Layout& layout);
+
+}  // namespace beadswim

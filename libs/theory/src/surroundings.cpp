@@ -1,0 +1,64 @@
+#include "beadswim/theory/surroundings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadswim {
+namespace {
+
+/// 0, 1 or 2 for an axis along x, y or z, either way; none otherwise.
+std::optional<int> coordinate_axis(const Vec3& axis) {
+  constexpr double largest_sine = 1e-9;  // as left by normalising
+  for (int i = 0; i < 3; ++i) {
+    if (axis.cross(Vec3::Unit(i)).norm() <= largest_sine * axis.norm()) return i;
+  }
+  return std::nullopt;
+}
+
+/// A periodic coordinate inside the box, or one between walls as it is.
+double inside(double place, double length, Boundary boundary) {
+  return boundary == Boundary::periodic ? place - length * std::floor(place / length) : place;
+}
+
+/// The box with the swimmer's axis first; an axis that points backwards counts from the far end.
+BoxPlace place_in(const Domain& domain, const Swimmer& swimmer, int axis) {
+  BoxPlace place;
+  for (int i = 0; i < 3; ++i) {
+    const int from = (axis + i) % 3;
+    const double length = domain.lengths[from];
+    const double x = inside(swimmer.position[from], length, domain.boundary[from]);
+    place.box.lengths[i] = length;
+    place.box.free_slip[i] = domain.boundary[from] == Boundary::free_slip;
+    place.middle_bead[i] = i == 0 && swimmer.axis[from] < 0 ? length - x : x;
+  }
+  return place;
+}
+
+}  // namespace
+
+Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
+  if (!layout.domain) return {};
+  if (layout.swimmers.size() > 1) {
+    return {.box = {},
+            .obstacle = fmt::format(
+                "its box holds {} swimmers, and theory knows one in a box; beadswim-layout reduce finds the "
+                "cell of one, and a layout without box (beadswim-layout swimmer --unbounded) leaves "
+                "neighbours out",
+                layout.swimmers.size())};
+  }
+  const auto& boundary = layout.domain->boundary;
+  if (std::find(boundary.begin(), boundary.end(), Boundary::no_slip) != boundary.end()) {
+    return {.box = {}, .obstacle = "its box has no-slip walls, and theory knows periodic and free-slip ones"};
+  }
+  const std::optional<int> axis = coordinate_axis(swimmer.axis);
+  if (!axis)
+    return {.box = {},
+            .obstacle =
+                "it lies aslant in its box, where images push it off its line; theory treats axes along x, y "
+                "or z"};
+  return {.box = place_in(*layout.domain, swimmer, *axis), .obstacle = {}};
+}
+
+}  // namespace beadswim

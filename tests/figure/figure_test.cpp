@@ -1,0 +1,133 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "beadswim/figure/figure.hpp"
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+Figure figure_with(std::vector<double> x, std::vector<double> y) {
+  return {"Speed & <stroke>",
+          {{{"T"}, {"v", "um/s"}, {{"lbm \"run\"", std::move(x), std::move(y)}}}},
+          {"l/λ = 5"}};
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(Figure, SameFigureGivesTheSameBytes) {
+  EXPECT_EQ(figure_to_svg(figure_with({1, 2}, {0.1, 0.3})), figure_to_svg(figure_with({1, 2}, {0.1, 0.3})));
+}
+
+TEST(Figure, TextIsEscaped) {
+  const std::string svg = figure_to_svg(figure_with({1}, {2}));
+  EXPECT_THAT(svg, HasSubstr("Speed &amp; &lt;stroke&gt;"));
+  EXPECT_THAT(svg, HasSubstr("lbm &quot;run&quot;"));
+  EXPECT_THAT(svg, HasSubstr("l/λ = 5"));
+}
+
+TEST(Figure, EveryFinitePointIsDrawnOnceAndOnceInTheLegend) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::string svg = figure_to_svg(figure_with({1, 2, 3}, {0.1, nan, 0.3}));
+  EXPECT_EQ(count(svg, "<circle"), 3U);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(Figure, SmallNumbersLeaveTheirPowerOfTenToTheUnit) {
+  EXPECT_THAT(figure_to_svg(figure_with({1, 2}, {6e-5, 7e-5})), HasSubstr(">v (10⁻⁵ um/s)<"));
+  EXPECT_THAT(figure_to_svg(figure_with({1, 2}, {6, 7})), HasSubstr(">v (um/s)<"));
+}
+
+TEST(Figure, RefusesAPanelWithoutPoints) {
+  EXPECT_THROW(figure_to_svg(figure_with({}, {})), InputError);
+}
+
+TEST(Figure, GreaterValuesAreHigherOnThePage) {
+  Figure figure = figure_with({1, 1}, {0, 1});
+  figure.panels[0].series[0].mark = Mark::points;
+  const std::string svg = figure_to_svg(figure);
+  const auto y_of = [&svg](std::size_t from) { return std::stod(svg.substr(svg.find("cy=\"", from) + 4)); };
+  const std::size_t first = svg.find("<circle");
+  EXPECT_GT(y_of(first), y_of(svg.find("<circle", first + 1)));
+}
+
+/// The values of an attribute such as cy="..." in the order of the document.
+std::vector<double> numbers(const std::string& svg, const std::string& attribute) {
+  std::vector<double> found;
+  const std::string start = attribute + "=\"";
+  for (auto at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
+    found.push_back(std::stod(svg.substr(at + start.size())));
+  }
+  return found;
+}
+
+Figure figure_with_line(std::vector<double> y) {
+  Figure figure = figure_with({}, std::move(y));
+  Series& series = figure.panels[0].series[0];
+  for (std::size_t i = 0; i < series.y.size(); ++i) series.x.push_back(static_cast<double>(i));
+  series.mark = Mark::line;
+  return figure;
+}
+
+constexpr std::size_t legend_line = 1;
+
+TEST(Figure, ALineBreaksWhereAValueIsMissing) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(count(figure_to_svg(figure_with_line({1, 2, 3, 4, 5})), "<polyline"), 1 + legend_line);
+  EXPECT_EQ(count(figure_to_svg(figure_with_line({1, 2, nan, 4, 5})), "<polyline"), 2 + legend_line);
+}
+
+TEST(Figure, ALineBreaksWhereALogarithmicAxisHasNoPlace) {
+  Figure figure = figure_with_line({1, 20, -30, 400, 5000});
+  figure.panels[0].y_scale = ScaleKind::logarithmic;
+  const std::string svg = figure_to_svg(figure);
+  EXPECT_EQ(count(svg, "<polyline"), 2 + legend_line);
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  figure.panels[0].series[0].y.assign(5, -1);
+  EXPECT_THROW(figure_to_svg(figure), InputError);
+}
+
+TEST(Figure, EqualRatiosAreEqualHeightsOnALogarithmicAxis) {
+  Figure figure = figure_with({1, 2, 3}, {1, 100, 10000});
+  figure.panels[0].y_scale = ScaleKind::logarithmic;
+  const std::vector<double> heights = numbers(figure_to_svg(figure), "cy");
+  constexpr double rounding = 0.011;  // coordinates have two decimals
+  EXPECT_NEAR(heights[0] - heights[1], heights[1] - heights[2], rounding);
+}
+
+// A pole in a faint series must not squeeze the others, nor leave the frame.
+TEST(Figure, FaintValuesDoNotMoveTheAxisAndStayInTheFrame) {
+  Figure figure = figure_with_line({1, 2, 3, 2, 1});
+  const std::string alone = figure_to_svg(figure);
+  Series pole = figure.panels[0].series[0];
+  pole.label.clear();
+  pole.emphasis = Emphasis::faint;
+  pole.y = {2, 1e6, -1e12, 1e300, 2};
+  figure.panels[0].series.push_back(pole);
+  const std::string with_pole = figure_to_svg(figure);
+  const std::size_t line = alone.find("<polyline");
+  EXPECT_THAT(with_pole, HasSubstr(alone.substr(line, alone.find("/>", line) - line)));
+  // From the first point to the frame's edge, and back in to the last: nothing across the pole.
+  EXPECT_EQ(count(with_pole, "<polyline"), 3 + legend_line);
+  const std::string frame_top = ",52.00";
+  EXPECT_EQ(count(with_pole, frame_top), 2U);
+  EXPECT_THAT(with_pole, Not(HasSubstr("00000.00")));
+}
+
+TEST(Figure, ASeriesWithoutLabelHasNoLegend) {
+  Figure figure = figure_with({1, 2}, {1, 2});
+  figure.panels[0].series[0].label.clear();
+  EXPECT_EQ(count(figure_to_svg(figure), "<circle"), 2U);
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,150 @@
+#include "beadswim/figure/swarm_picture.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+using testing::HasSubstr;
+
+/// One along x, its middle bead there.
+PicturedSwimmer swimmer_at(const Vec3& middle, int colour) {
+  const Vec3 arm(20, 0, 0);
+  return {.beads = {middle - arm, middle, middle + arm}, .radii = {4, 4, 4}, .colour = colour};
+}
+
+SwarmPicture picture_of(std::vector<PicturedSwimmer> swimmers) {
+  return {.title = "swarm", .box = Vec3(120, 80, 60), .swimmers = std::move(swimmers)};
+}
+
+struct Disc {
+  int colour = 0;
+  double x = 0, y = 0, radius = 0;
+};
+
+/// In the order of drawing.
+std::vector<Disc> discs(const std::string& svg) {
+  static const std::regex circle(R"re(<circle class="b(\d)" cx="([\d.]+)" cy="([\d.]+)" r="([\d.]+)")re");
+  std::vector<Disc> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), circle), end; at != end; ++at) {
+    found.push_back({std::stoi((*at)[1]), std::stod((*at)[2]), std::stod((*at)[3]), std::stod((*at)[4])});
+  }
+  return found;
+}
+
+std::vector<Disc> discs_of(const std::vector<PicturedSwimmer>& swimmers) {
+  return discs(swarm_picture_to_svg(picture_of(swimmers)));
+}
+
+TEST(SwarmPicture, SamePictureGivesTheSameBytes) {
+  const SwarmPicture picture = picture_of({swimmer_at({60, 40, 30}, 0), swimmer_at({60, 10, 30}, 1)});
+  EXPECT_EQ(swarm_picture_to_svg(picture), swarm_picture_to_svg(picture));
+}
+
+TEST(SwarmPicture, XIsToTheRightAndZUp) {
+  const auto row = discs_of({swimmer_at({60, 40, 30}, 0)});
+  ASSERT_EQ(row.size(), 3U);
+  EXPECT_LT(std::min(row[0].x, row[2].x), row[1].x);
+  EXPECT_GT(std::max(row[0].x, row[2].x), row[1].x);
+  const auto column = discs_of({swimmer_at({60, 40, 10}, 0), swimmer_at({60, 40, 50}, 1)});
+  ASSERT_EQ(column.size(), 6U);
+  for (const Disc& low : column) {
+    for (const Disc& high : column) {
+      if (low.colour == 0 && high.colour == 1) {
+        EXPECT_GT(low.y, high.y);
+      }
+    }
+  }
+}
+
+// The wrong order would show the swarm's far side in front.
+TEST(SwarmPicture, NearBeadsAreDrawnLastAndLarger) {
+  for (const bool near_first : {true, false}) {
+    const PicturedSwimmer near = swimmer_at({60, 10, 30}, 0), far = swimmer_at({60, 70, 30}, 1);
+    const auto all = near_first ? discs_of({near, far}) : discs_of({far, near});
+    ASSERT_EQ(all.size(), 6U);
+    for (int i = 0; i < 6; ++i) EXPECT_EQ(all[i].colour, i < 3 ? 1 : 0);
+    EXPECT_GT(all[5].radius, 1.1 * all[0].radius);
+  }
+}
+
+TEST(SwarmPicture, ColoursWrapRound) {
+  EXPECT_EQ(discs_of({swimmer_at({60, 40, 30}, 8)})[0].colour, 1);
+}
+
+// What sticks out of a periodic box belongs to the page too.
+TEST(SwarmPicture, AllIsOnThePage) {
+  const std::string svg = swarm_picture_to_svg(
+      picture_of({swimmer_at({0, 0, 0}, 0), swimmer_at({120, 80, 60}, 1), swimmer_at({120, 0, 0}, 2)}));
+  std::smatch size;
+  ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(width="([\d.]+)" height="([\d.]+)")re")));
+  for (const Disc& disc : discs(svg)) {
+    EXPECT_GT(disc.x - disc.radius, 0);
+    EXPECT_GT(disc.y - disc.radius, 0);
+    EXPECT_LT(disc.x + disc.radius, std::stod(size[1]));
+    EXPECT_LT(disc.y + disc.radius, std::stod(size[2]));
+  }
+}
+
+TEST(SwarmPicture, KeysAndNotesAreWritten) {
+  SwarmPicture picture = picture_of({swimmer_at({60, 40, 30}, 0)});
+  picture.keys = {{"a & b", 0}, {"c", 1}};
+  picture.notes = {"one box"};
+  const std::string svg = swarm_picture_to_svg(picture);
+  EXPECT_THAT(svg, HasSubstr(">a &amp; b<"));
+  EXPECT_THAT(svg, HasSubstr(">one box<"));
+  EXPECT_EQ(discs(svg).size(), 5U);
+}
+
+/// The whole element <text> that begins with this.
+std::string text_element(const std::string& svg, const std::string& beginning) {
+  const std::size_t content = svg.find(">" + beginning);
+  if (content == std::string::npos) return {};
+  const std::size_t start = svg.rfind("<text", content);
+  return svg.substr(start, svg.find("</text>", start) - start);
+}
+
+double attribute(const std::string& element, const std::string& name) {
+  return std::stod(element.substr(element.find(name + "=\"") + name.size() + 2));
+}
+
+// Behind a near bead a name could not be read; above its bead it says whose it is.
+TEST(SwarmPicture, NamesAreDrawnLastAndAboveTheirBeads) {
+  SwarmPicture picture = picture_of({swimmer_at({60, 70, 30}, 0), swimmer_at({60, 10, 30}, 1)});
+  picture.marks = {{"A", picture.swimmers[0].beads[1], 4}};
+  const std::string svg = swarm_picture_to_svg(picture);
+  const std::string name = text_element(svg, "A");
+  ASSERT_FALSE(name.empty());
+  EXPECT_GT(svg.find(name), svg.rfind("<circle class"));
+  const Disc bead = discs(svg)[1];
+  EXPECT_NEAR(attribute(name, " x"), bead.x, 0.06);
+  EXPECT_LT(attribute(name, " y"), bead.y - bead.radius);
+}
+
+// An arrow with a head at either end, no longer than the beads are apart, its label on the page.
+TEST(SwarmPicture, DistancesRunFromBeadToBead) {
+  SwarmPicture picture = picture_of({swimmer_at({60, 10, 30}, 0), swimmer_at({60, 50, 30}, 1)});
+  const Vec3 from = picture.swimmers[0].beads[2], to = picture.swimmers[1].beads[2];
+  picture.distances = {{"C_y = 40", from, to, {0, 0, -12}}};
+  const std::string svg = swarm_picture_to_svg(picture);
+  EXPECT_THAT(svg, HasSubstr("<tspan dy=\"3.50\" font-size=\"9.00\" stroke=\"none\">y</tspan>"));
+  const std::string label = text_element(svg, "C<");
+  ASSERT_FALSE(label.empty());
+  const auto all = discs(svg);
+  EXPECT_GT(attribute(label, " y"), std::min(all[2].y, all[5].y));
+  std::smatch size;
+  ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(width="([\d.]+)")re")));
+  EXPECT_LT(attribute(label, " x") + 60, std::stod(size[1]));
+}
+
+TEST(SwarmPicture, RefusesAnEmptySwarm) {
+  EXPECT_THROW(swarm_picture_to_svg(picture_of({})), InputError);
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,69 @@
+#include "beadswim/scene/presets.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "beadswim/swimmers/swimmer_forces.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr double roundoff = 1e-12;
+
+// The paper, section 4.
+TEST(PaperSingle, HasThePapersNumbers) {
+  const Layout layout = paper_single();
+  const SwimmerType& type = layout.types.at("a");
+  for (const Bead& bead : type.beads) EXPECT_EQ(bead.radius, 4);
+  for (const Spring& spring : type.springs) {
+    EXPECT_EQ(spring.rest_length, 20);
+    EXPECT_EQ(spring.stiffness, 0.0347);
+    EXPECT_EQ(spring.damping, 0);
+  }
+  EXPECT_EQ(type.driving.amplitude, (std::array{0.2, 0.2}));
+  EXPECT_EQ(type.driving.phase, std::numbers::pi / 2);
+  EXPECT_EQ(type.driving.period, 4800);
+  EXPECT_EQ(layout.fluid.kinematic_viscosity, 1.0 / 3);
+  EXPECT_EQ(layout.domain->lengths, Vec3(1200, 800, 800));
+  EXPECT_EQ(layout.swimmers[0].position, Vec3(600, 400, 400));
+}
+
+// nu = (tau - 1/2)/3 in units of the cell and the step.
+TEST(UnitResolution, GivesCellAndStepOfOne) {
+  const Layout layout = paper_single();
+  EXPECT_EQ(layout.resolution->cells_per_radius, 4);
+  EXPECT_NEAR((layout.resolution->relaxation_time - 0.5) / 3, layout.fluid.kinematic_viscosity, roundoff);
+}
+
+// The force, by the force law itself, of moving bead 3 sideways by a small way is ten times that of moving it
+// along the arm.
+TEST(StraighteningStiffness, ResistsTenTimesMoreSideways) {
+  const SwimmerType type = paper_single().types.at("a");
+  const double small = 1e-4;
+  const BeadVectors still{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  const BeadVectors bent{Vec3(-20, 0, 0), Vec3(0, 0, 0), Vec3(20, small, 0)};
+  const BeadVectors stretched{Vec3(-20, 0, 0), Vec3(0, 0, 0), Vec3(20 + small, 0, 0)};
+  const double sideways = -angular_spring_forces(type.angular_stiffness, bent)[2].y();
+  const double along = -spring_forces(type.springs, stretched, still)[2].x();
+  const double truncation = 1e-6;  // second order in small/arm, and cancellation in the arm's change
+  EXPECT_NEAR(sideways / along, 10, 10 * truncation);
+}
+
+TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddle) {
+  SwimmerType type = paper_single().types.at("a");
+  type.beads[0].radius = 3;
+  type.beads[2].radius = 5;
+  type.springs[0].rest_length = 18;
+  type.springs[1].rest_length = 27;
+  const Domain box{.lengths = Vec3(100, 60, 40), .boundary = {}};
+  const Vec3 axis(0, 0.6, 0.8);
+  const Vec3 bead_2 = centred_position(type, axis, box);
+  const Vec3 tail = bead_2 - (18 + 3) * axis;
+  const Vec3 head = bead_2 + (27 + 5) * axis;
+  EXPECT_NEAR(((tail + head) / 2 - Vec3(50, 30, 20)).norm(), 0, roundoff);
+  EXPECT_EQ(centred_position(type, axis, std::nullopt), Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "beadswim/scene/presets.hpp"
+#include "beadswim/scene/swarm.hpp"
+
+namespace beadswim {
+
+/// The swarm of a plan in its periodic box.
+inline Layout swarm_of(const SwarmPlan& plan, const SwimmerType& type) {
+  Layout layout = paper_swarm();
+  layout.types["a"] = type;
+  layout.domain = swarm_box(plan, type);
+  layout.swimmers = swarm_swimmers(plan, type, "a");
+  return layout;
+}
+
+}  // namespace beadswim
