@@ -1,11 +1,54 @@
 include(GoogleTest)
 
-# beadswim_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE target...])
+# What makes a build short. Most of a small file's compile time is headers, so targets of one family share a precompiled
+# header (numerics: Eigen and the standard library; tests: GoogleTest too). Where headers are heavy templates or virtual
+# classes, which each object would compile anew (nlohmann-json, CLI11), the files of a target are compiled together.
+# Off, every file is compiled by itself: for work on single files, and to find missing includes.
+option(BEADSWIM_SHARED_HEADERS "Precompile shared headers, and compile the files of a program together" ON)
+
+# beadswim_header_family(NAME HEADERS header... DEPENDS target...)
+function(beadswim_header_family name)
+  cmake_parse_arguments(arg "" "" "HEADERS;DEPENDS" ${ARGN})
+  if(NOT BEADSWIM_SHARED_HEADERS)
+    return()
+  endif()
+  set(source ${CMAKE_BINARY_DIR}/headers_of_${name}.cpp)
+  file(CONFIGURE OUTPUT ${source} CONTENT "// Its precompiled headers are shared by the family of ${name}.\n")
+  add_library(beadswim_headers_of_${name} OBJECT ${source})
+  target_link_libraries(beadswim_headers_of_${name} PRIVATE ${arg_DEPENDS})
+  target_precompile_headers(beadswim_headers_of_${name} PRIVATE ${arg_HEADERS})
+endfunction()
+
+# beadswim_share_headers(TARGET numerics|tests|together)
+function(beadswim_share_headers target family)
+  if(NOT BEADSWIM_SHARED_HEADERS)
+    return()
+  endif()
+  if(family STREQUAL together)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+  else()
+    target_precompile_headers(${target} REUSE_FROM beadswim_headers_of_${family})
+  endif()
+endfunction()
+
+set(numerics_headers <algorithm> <array> <cmath> <complex> <functional> <map> <memory> <optional> <span> <string>
+    <variant> <vector> <fmt/format.h> <Eigen/Dense>)
+beadswim_header_family(numerics HEADERS ${numerics_headers} DEPENDS Eigen3::Eigen fmt::fmt)
+if(BUILD_TESTING)
+  beadswim_header_family(tests HEADERS ${numerics_headers} <random> <gtest/gtest.h> <gmock/gmock.h>
+    DEPENDS Eigen3::Eigen fmt::fmt GTest::gtest GTest::gmock)
+endif()
+
+# beadswim_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE target...] [HEADERS numerics|together])
 # Target Beadswim::NAME of the folder's src/ files, with its public headers under include/beadswim/NAME; installed, and
 # found by find_package(Beadswim), but for those of the programs in tools/.
 function(beadswim_library name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(arg "" "HEADERS" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
+  if(NOT arg_HEADERS)
+    set(arg_HEADERS numerics)
+  endif()
   add_library(beadswim_${name} STATIC ${arg_SOURCES})
+  beadswim_share_headers(beadswim_${name} ${arg_HEADERS})
   add_library(Beadswim::${name} ALIAS beadswim_${name})
   target_include_directories(beadswim_${name} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
                                                      $<INSTALL_INTERFACE:include>)
@@ -51,11 +94,13 @@ function(beadswim_program name)
     add_library(${library} STATIC ${arg_SOURCES})
     target_include_directories(${library} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
     target_link_libraries(${library} PUBLIC ${arg_DEPENDS})
+    beadswim_share_headers(${library} together)
     set(arg_SOURCES main.cpp)
     set(arg_DEPENDS ${library})
   endif()
   add_executable(beadswim-${name} ${arg_SOURCES})
   target_link_libraries(beadswim-${name} PRIVATE ${arg_DEPENDS})
+  beadswim_share_headers(beadswim-${name} together)
 endfunction()
 
 # Seconds that one test may take; the sanitizers slow it by some five times.
@@ -70,6 +115,7 @@ function(beadswim_test name)
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gtest_main GTest::gmock)
+  beadswim_share_headers(${name} tests)
   gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${BEADSWIM_TEST_TIMEOUT})
 endfunction()
 
@@ -83,6 +129,7 @@ function(beadswim_mpi_test name)
   cmake_parse_arguments(arg "" "" "RANKS;SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi_main.cpp)
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} MPI::MPI_C GTest::gtest GTest::gmock)
+  beadswim_share_headers(${name} tests)
   foreach(ranks ${arg_RANKS})
     add_test(NAME ${name}.np${ranks}
              COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)

@@ -8,7 +8,7 @@ namespace {
 
 /// The paper's swarm [cell, step].
 constexpr double radius = 6, arm = 32, spacing = 32, length = 3 * arm;
-constexpr double stiffness = 0.2, amplitude = 2, period = 2000, relaxation_time = 1.5;
+constexpr double stiffness = 0.2, amplitude = 2, period = 2000, swarm_relaxation_time = 1.5;
 
 SwimmerType swimmer(double scale) {
   SwimmerType type;
@@ -28,7 +28,7 @@ CoupledScene swarm_scene(int edge, int ranks, Precision precision, BeadScheme be
   const double scale = std::min(1.0, edge / length);
   CoupledScene scene{.cells = {edge, edge, edge * ranks},
                      .walls = {Wall::periodic, Wall::periodic, Wall::periodic},
-                     .relaxation_time = relaxation_time,
+                     .relaxation_time = swarm_relaxation_time,
                      .precision = precision,
                      .bead_boundary = bead_boundary,
                      .types = {swimmer(scale)},

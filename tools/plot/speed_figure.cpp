@@ -109,7 +109,7 @@ double cost_of(const PlottedRun& run) {
 }
 
 /// What sets runs apart beside the resolution: "mr, τ = 1.5, single".
-std::string setting_of(const RunRecord& record) {
+std::string setting_name(const RunRecord& record) {
   if (!record.resolution) return record.model;
   return fmt::format("{}, τ = {:g}, {}", record.resolution->bead_boundary,
                      std::round(100 * record.resolution->relaxation_time) / 100,
@@ -154,7 +154,7 @@ BySetting measured_by_setting(const PlotInputs& inputs, const ErrorReference& re
                               const CycleChoice& cycle) {
   BySetting all;
   for (const PlottedRun& run : inputs.runs) {
-    const std::string name = setting_of(run.record);
+    const std::string name = setting_name(run.record);
     auto setting = std::ranges::find(all, name, &BySetting::value_type::first);
     if (setting == all.end()) setting = all.insert(all.end(), {name, {}});
     const double cells = run.record.resolution ? run.record.resolution->cells_per_radius : 0;

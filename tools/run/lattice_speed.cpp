@@ -19,7 +19,7 @@
 namespace beadswim {
 namespace {
 
-constexpr std::array precisions{Precision::fp64, Precision::fp32};
+constexpr std::array all_precisions{Precision::fp64, Precision::fp32};
 constexpr std::array edges{12, 24, 48, 96};  // of a rank's block: in cache, and far out of it
 constexpr double stretch = 0.06;             // one timed stretch [s]
 constexpr int rounds = 3;
@@ -117,7 +117,7 @@ std::string speed_cache(int ranks) {
 LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
   LatticeSpeed speed;
   speed.ranks_ = communicator.size();
-  for (const Precision precision : precisions) {
+  for (const Precision precision : all_precisions) {
     OfPrecision& own = speed.precisions_.emplace_back();
     const auto cost_of = [&](const CoupledScene& scene) {
       return communicator.size() * seconds_of_step(scene, communicator);
@@ -177,7 +177,7 @@ double LatticeSpeed::step(const CoupledScene& scene) const {
 
 Json LatticeSpeed::to_json() const {
   Json json = key(ranks_);
-  for (const Precision precision : precisions) {
+  for (const Precision precision : all_precisions) {
     const OfPrecision& own = precisions_.at(static_cast<std::size_t>(precision));
     json["precisions"].push_back({{"cells", own.cells},
                                   {"seconds_per_cell", own.seconds_per_cell},
@@ -206,7 +206,7 @@ LatticeSpeed LatticeSpeed::from_json(const Json& json) {
            std::ranges::min(own.seconds_per_cell) > 0 && std::ranges::max(own.seconds_per_cell) < longest &&
            std::ranges::min(own.seconds_per_area) >= 0 && std::ranges::max(own.seconds_per_area) < longest;
   };
-  if (speed.precisions_.size() != precisions.size() || !std::ranges::all_of(speed.precisions_, is_sound))
+  if (speed.precisions_.size() != all_precisions.size() || !std::ranges::all_of(speed.precisions_, is_sound))
     throw InputError("precisions", "are not what this version writes");
   return speed;
 }
