@@ -17,7 +17,7 @@ RunRecord full_record() {
   record.model = "lbm";
   record.status = RunStatus::stopped_signal;
   record.units = {false, {"um", 1e-6}, {"ms", 1e-3}, {"pg", 1e-15}};
-  record.domain = Domain{{120, 80, 70}, {Boundary::periodic, Boundary::free_slip, Boundary::no_slip}};
+  record.domain = Box{{120, 80, 70}, {Boundary::periodic, Boundary::free_slip, Boundary::no_slip}};
   record.driving_period = 4800.5;
   record.driving = DrivingRecord{{0.2, 0.4}, -1.5};
   CycleStatistics cycle;
@@ -108,11 +108,6 @@ TEST(RunRecord, LeavesOutWhatDiffersFromRunToRun) {
   EXPECT_FALSE(document.contains("cost"));
   EXPECT_FALSE(document.contains("provenance"));
   EXPECT_NO_THROW(run_record_from_json(document, "r.json"));
-}
-
-TEST(RunRecord, OnlyPeriodicAxesArePeriodic) {
-  EXPECT_EQ(full_record().periodic_axes(), (std::array{true, false, false}));
-  EXPECT_EQ(RunRecord{}.periodic_axes(), (std::array{false, false, false}));
 }
 
 TEST(RunRecord, RefusesValuesThatCannotBe) {

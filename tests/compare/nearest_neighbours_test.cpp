@@ -14,20 +14,16 @@
 namespace beadswim {
 namespace {
 
+using enum Boundary;
+
 constexpr std::uint64_t seed = 11;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct Box {
-  const char* name;
-  Vec3 lengths;
-  std::array<bool, 3> periodic;
-};
-
 const std::vector<Box> boxes{
-    {"cube", {10, 10, 10}, {true, true, true}},         {"open", {10, 10, 10}, {false, false, false}},
-    {"walls in y", {20, 5, 10}, {true, false, true}},   {"channel along z", {8, 5, 30}, {false, false, true}},
-    {"plate", {20, 0.3, 15}, {true, true, true}},       {"thread", {0.2, 50, 0.1}, {true, true, true}},
-    {"thin walls", {20, 0.3, 15}, {true, false, true}},
+    {{10, 10, 10}, {periodic, periodic, periodic}},   {{10, 10, 10}, {free_slip, free_slip, free_slip}},
+    {{20, 5, 10}, {periodic, free_slip, periodic}},   {{8, 5, 30}, {free_slip, free_slip, periodic}},
+    {{20, 0.3, 15}, {periodic, periodic, periodic}},  {{0.2, 50, 0.1}, {periodic, periodic, periodic}},
+    {{20, 0.3, 15}, {periodic, free_slip, periodic}},
 };
 
 std::vector<Vec3> random_points(const Box& box, std::uint64_t count) {
@@ -42,7 +38,7 @@ std::vector<Vec3> random_points(const Box& box, std::uint64_t count) {
 
 /// All images up to two boxes away of points in the box.
 std::vector<double> brute_force(const std::vector<Vec3>& points, const Box& box) {
-  const auto reach = [&](int axis) { return box.periodic[axis] ? 2 : 0; };
+  const auto reach = [&](int axis) { return box.is_periodic(axis) ? 2 : 0; };
   std::vector<double> nearest(points.size(), infinity);
   for (std::size_t i = 0; i < points.size(); ++i) {
     for (std::size_t j = 0; j < points.size(); ++j) {
@@ -61,7 +57,7 @@ std::vector<double> brute_force(const std::vector<Vec3>& points, const Box& box)
 }
 
 std::vector<double> distances_in(const Box& box, const std::vector<Vec3>& points) {
-  return nearest_neighbour_distances(points, box.lengths, box.periodic);
+  return nearest_neighbour_distances(points, box);
 }
 
 void expect_same(const std::vector<double>& distances, const std::vector<double>& expected,
@@ -80,7 +76,8 @@ void expect_same(const std::vector<double>& distances, const std::vector<double>
 TEST(NearestNeighbours, AreThoseAmongAllPairsOfImages) {
   for (const Box& box : boxes) {
     for (const std::uint64_t count : {1, 2, 3, 7, 60, 200}) {
-      SCOPED_TRACE(testing::Message() << box.name << ", " << count << " points, seed " << seed);
+      SCOPED_TRACE(testing::Message()
+                   << "box " << box.lengths.transpose() << ", " << count << " points, seed " << seed);
       const std::vector<Vec3> points = random_points(box, count);
       expect_same(distances_in(box, points), brute_force(points, box), 50 * roundoff(4));
     }
@@ -90,14 +87,14 @@ TEST(NearestNeighbours, AreThoseAmongAllPairsOfImages) {
 // Swimmers are unwrapped: would catch images sought around the box alone.
 TEST(NearestNeighbours, DoNotDependOnWholePeriods) {
   for (const Box& box : boxes) {
-    SCOPED_TRACE(testing::Message() << box.name << ", seed " << seed);
+    SCOPED_TRACE(testing::Message() << "box " << box.lengths.transpose() << ", seed " << seed);
     const std::vector<Vec3> points = random_points(box, 100);
     std::vector<Vec3> shifted = points;
     for (std::size_t i = 0; i < points.size(); ++i) {
       KeyedRandom random(seed, i, 0);
       for (int axis = 0; axis < 3; ++axis) {
         const double periods = std::floor(2001 * random.uniform()) - 1000;
-        if (box.periodic[axis]) shifted[i][axis] += periods * box.lengths[axis];
+        if (box.is_periodic(axis)) shifted[i][axis] += periods * box.lengths[axis];
       }
     }
     const double largest = 1001 * box.lengths.maxCoeff();
@@ -117,16 +114,16 @@ TEST(NearestNeighbours, OfACubicLatticeAreItsSpacingAway) {
   constexpr int n = 8;
   constexpr double spacing = 32;
   const std::vector<double> expected(n * n * n, spacing);
-  for (const bool periodic : {true, false}) {
-    const Box box{"lattice", Vec3::Constant(n * spacing), {periodic, periodic, periodic}};
+  for (const Boundary boundary : {periodic, free_slip}) {
+    const Box box{Vec3::Constant(n * spacing), {boundary, boundary, boundary}};
     expect_same(distances_in(box, cubic_lattice(n, spacing)), expected, 0);
   }
 }
 
 // A run of a unit cell says what one of many cells would: would catch own images counted by lone points only.
 TEST(NearestNeighbours, OfAUnitCellAreThoseOfManyCells) {
-  const Box cell{"cell", {90, 7, 11}, {true, true, true}};
-  const Box cells{"2 x 3 x 2 cells", {180, 21, 22}, {true, true, true}};
+  const Box cell{{90, 7, 11}, {periodic, periodic, periodic}};
+  const Box cells{{180, 21, 22}, {periodic, periodic, periodic}};
   const std::vector<Vec3> in_cell = random_points(cell, 4);
   std::vector<Vec3> in_cells;
   for (int i = 0; i < 12; ++i) {
@@ -143,10 +140,10 @@ TEST(NearestNeighbours, OfAUnitCellAreThoseOfManyCells) {
 
 TEST(NearestNeighbours, OfALonePointAreItsOwnImages) {
   const std::vector<Vec3> point{{-3, 40, 7}};
-  EXPECT_EQ(distances_in({"periodic", {9, 5, 6}, {true, true, true}}, point).front(), 5);
-  EXPECT_EQ(distances_in({"walls in y", {9, 5, 6}, {true, false, true}}, point).front(), 6);
-  EXPECT_EQ(distances_in({"open", {9, 5, 6}, {false, false, false}}, point).front(), infinity);
-  EXPECT_TRUE(distances_in({"periodic", {9, 5, 6}, {true, true, true}}, {}).empty());
+  EXPECT_EQ(distances_in(Box{{9, 5, 6}, {periodic, periodic, periodic}}, point).front(), 5);
+  EXPECT_EQ(distances_in(Box{{9, 5, 6}, {periodic, free_slip, periodic}}, point).front(), 6);
+  EXPECT_EQ(distances_in(Box{{9, 5, 6}, {free_slip, free_slip, free_slip}}, point).front(), infinity);
+  EXPECT_TRUE(distances_in(Box{{9, 5, 6}, {periodic, periodic, periodic}}, {}).empty());
 }
 
 TEST(NearestNeighbours, InOnePlaceAreNoDistanceAway) {
@@ -161,7 +158,7 @@ TEST(NearestNeighbours, OfACrowdWithAStragglerAreFoundAtOnce) {
   std::vector<double> expected(points.size(), 1);
   points.push_back(Vec3(-far, 0, 0));
   expected.push_back(far);
-  expect_same(distances_in({"open", {1, 1, 1}, {false, false, false}}, points), expected, 0);
+  expect_same(distances_in(Box{{1, 1, 1}, {free_slip, free_slip, free_slip}}, points), expected, 0);
 }
 
 // NaN has no place in an order: would catch a sort of such points, which is undefined.

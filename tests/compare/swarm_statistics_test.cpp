@@ -16,15 +16,15 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr std::uint64_t seed = 5;
-constexpr std::array all_periodic{true, true, true};
-constexpr std::array no_periodic{false, false, false};
+const Box periodic_box{.lengths = {100, 80, 60}, .boundary = {}};
+const Box closed_box{.lengths = {100, 80, 60},
+                     .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
 
-const Vec3 box_lengths(100, 80, 60);
 const Vec3 tilted = Vec3(2, -1, 2) / 3;
 const Vec3 across = Vec3(1, 2, 0) / std::sqrt(5.0);  // to tilted
 
 SwarmStatistics statistics_of(const std::vector<SwarmMember>& members) {
-  return swarm_statistics(1, members, box_lengths, all_periodic);
+  return swarm_statistics(1, members, periodic_box);
 }
 
 SwarmMember with_axis(const Vec3& axis) {
@@ -243,7 +243,7 @@ TEST(SwarmSpreads, OfNearestNeighboursAreThoseOfCentres) {
 TEST(SwarmStatistics, TakesSwimmingFromThoseWithACycleAlone) {
   std::vector<SwarmMember> members = ladder(3, Vec3::Zero());
   members[1].last_cycle.reset();
-  const SwarmStatistics swarm = swarm_statistics(4, members, box_lengths, no_periodic);
+  const SwarmStatistics swarm = swarm_statistics(4, members, closed_box);
   EXPECT_EQ(swarm.index, 4);
   EXPECT_EQ(swarm.swimmers, 3);
   EXPECT_EQ(swarm.swimming->swimmers, 2);
@@ -260,7 +260,7 @@ TEST(SwarmStatistics, KnowsNoSwimmingBeforeACycleHasEnded) {
 TEST(SwarmStatistics, OfALoneSwimmer) {
   const std::vector<SwarmMember> lone{with_axis(tilted)};
   EXPECT_EQ(statistics_of(lone).nearest_neighbour->mean, 60);
-  EXPECT_FALSE(swarm_statistics(1, lone, box_lengths, no_periodic).nearest_neighbour.has_value());
+  EXPECT_FALSE(swarm_statistics(1, lone, closed_box).nearest_neighbour.has_value());
 }
 
 TEST(SwarmStatistics, OfNobodyAreNone) {

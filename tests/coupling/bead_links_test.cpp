@@ -12,24 +12,25 @@ namespace {
 
 const Index3 lattice(22, 15, 13);
 
-/// A block of the lattice, and which axes are periodic.
+/// A block of the lattice, and what closes the lattice.
 struct Shape {
   Block block;
-  std::array<bool, 3> periodic;
+  std::array<Boundary, 3> boundary;
 };
-const std::array shapes{Shape{{.offset = {0, 4, 3}, .size = {22, 7, 6}}, {true, true, true}},
-                        Shape{{.offset = {7, 0, 3}, .size = {8, 15, 6}}, {true, true, true}},
-                        Shape{{.offset = {0, 5, 0}, .size = {22, 1, 13}}, {true, true, true}},
-                        Shape{{.offset = {0, 0, 9}, .size = {22, 15, 1}}, {true, true, true}},
-                        Shape{{.offset = {21, 0, 0}, .size = {1, 15, 13}}, {true, true, true}},
-                        Shape{{.offset = {0, 8, 6}, .size = {22, 7, 7}}, {true, false, false}}};
+const std::array shapes{Shape{{.offset = {0, 4, 3}, .size = {22, 7, 6}}, {}},
+                        Shape{{.offset = {7, 0, 3}, .size = {8, 15, 6}}, {}},
+                        Shape{{.offset = {0, 5, 0}, .size = {22, 1, 13}}, {}},
+                        Shape{{.offset = {0, 0, 9}, .size = {22, 15, 1}}, {}},
+                        Shape{{.offset = {21, 0, 0}, .size = {1, 15, 13}}, {}},
+                        Shape{{.offset = {0, 8, 6}, .size = {22, 7, 7}},
+                              {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}}};
 
 /// Covered cell, direction, whether the fluid cell is the block's own, and if so how many cells behind are
 /// fluid, as far as the scheme reads.
 using Link = std::tuple<int, int, int, int, bool, int>;
 
 /// Two beads, in every third scene almost in contact; off the walls, if there are any.
-std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<bool, 3>& periodic) {
+std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<Boundary, 3>& boundary) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> part(0, 1), radius(1.1, 3.4);
   std::vector<BeadOnLattice> beads;
@@ -38,13 +39,13 @@ std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<bool, 3>
     bead.name = {0, b};
     bead.radius = radius(random);
     for (int a = 0; a < 3; ++a) {
-      const double low = periodic[a] ? -5 : bead.radius + 0.6;
-      const double high = periodic[a] ? 25 : lattice[a] - bead.radius - 0.6;
+      const double low = boundary[a] == Boundary::periodic ? -5 : bead.radius + 0.6;
+      const double high = boundary[a] == Boundary::periodic ? 25 : lattice[a] - bead.radius - 0.6;
       bead.motion.position[a] = low + (high - low) * part(random);
     }
     beads.push_back(bead);
   }
-  if (seed % 3 == 0 && periodic[1]) {
+  if (seed % 3 == 0 && boundary[1] == Boundary::periodic) {
     const Vec3 apart = (Vec3(part(random), part(random), part(random)) - Vec3::Constant(0.5)).normalized();
     beads[1].motion.position = beads[0].motion.position + (beads[0].radius + beads[1].radius + 0.8) * apart;
   }
@@ -53,11 +54,11 @@ std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<bool, 3>
 
 /// Bead that covers the cell (its global coordinates), by the distance to the nearest image; -1: none.
 int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell,
-                  const std::array<bool, 3>& periodic) {
+                  const std::array<Boundary, 3>& boundary) {
   for (int b = 0; b < std::ssize(beads); ++b) {
     Vec3 apart = cell.cast<double>() + 0.5 - beads[b].motion.position.array();
     for (int a = 0; a < 3; ++a) {
-      if (periodic[a]) apart[a] -= lattice[a] * std::round(apart[a] / lattice[a]);
+      if (boundary[a] == Boundary::periodic) apart[a] -= lattice[a] * std::round(apart[a] / lattice[a]);
     }
     if (apart.norm() < beads[b].radius) return b;
   }
@@ -65,9 +66,9 @@ int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell,
 }
 
 /// A cell beyond a mirror is the mirror image of one before it.
-Index3 before_mirror(Index3 cell, const std::array<bool, 3>& periodic) {
+Index3 before_mirror(Index3 cell, const std::array<Boundary, 3>& boundary) {
   for (int a = 0; a < 3; ++a) {
-    if (periodic[a]) continue;
+    if (boundary[a] == Boundary::periodic) continue;
     if (cell[a] < 0) cell[a] = -1 - cell[a];
     if (cell[a] >= lattice[a]) cell[a] = 2 * lattice[a] - 1 - cell[a];
   }
@@ -83,15 +84,15 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
     for (int y = -1; y <= block.size[1]; ++y) {
       for (int x = -1; x <= block.size[0]; ++x) {
         const Index3 p(x, y, z);
-        if (covering_bead(beads, p + block.offset, shape.periodic) < 0) continue;
+        if (covering_bead(beads, p + block.offset, shape.boundary) < 0) continue;
         for (int out = 1; out < d3q19::directions; ++out) {
           const auto& c = d3q19::velocity[out];
           const Index3 q = p + Index3(c[0], c[1], c[2]);
           if (!is_own(p) && !is_own(q)) continue;
-          if (covering_bead(beads, q + block.offset, shape.periodic) >= 0) continue;
+          if (covering_bead(beads, q + block.offset, shape.boundary) >= 0) continue;
           const auto is_fluid = [&](int on) {
             const Index3 behind = q + block.offset + on * Index3(c[0], c[1], c[2]);
-            return covering_bead(beads, before_mirror(behind, shape.periodic), shape.periodic) < 0;
+            return covering_bead(beads, before_mirror(behind, shape.boundary), shape.boundary) < 0;
           };
           int behind = 0;
           if (is_own(q)) {
@@ -109,13 +110,13 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
 struct Scene {
   Scene(unsigned seed, const Shape& shape, BeadScheme scheme)
       : shape(shape),
-        beads(random_beads(seed, shape.periodic)),
-        at{.block = shape.block, .cells = lattice, .periodic = shape.periodic},
+        beads(random_beads(seed, shape.boundary)),
+        at{.block = shape.block, .cells = lattice, .boundary = shape.boundary},
         populations(at.block.size),
         coverage(at, populations),
         links(scheme) {
     // Beads that overlap are of no interest here.
-    for (unsigned other = seed + 999; !covers(); other += 3) beads = random_beads(other, shape.periodic);
+    for (unsigned other = seed + 999; !covers(); other += 3) beads = random_beads(other, shape.boundary);
     links.find(coverage);
   }
 

@@ -24,7 +24,7 @@ struct OneBlock {
       : decomposition(cells, 1), populations(cells, Precision::fp64, HaloContent::entering) {}
 
   BlockInLattice at() const {
-    return block_in_lattice(decomposition, 0, {Wall::periodic, Wall::periodic, Wall::periodic});
+    return block_in_lattice(decomposition, 0, {Boundary::periodic, Boundary::periodic, Boundary::periodic});
   }
 
   Decomposition decomposition;
@@ -130,10 +130,10 @@ TEST(CloseBeads, ReportADeepOverlap) {
 }
 
 /// One swimmer in a box; a bead of radius 1 weighs 4 pi/3.
-CoupledScene swimmer_scene(Wall across_x, Precision precision) {
+CoupledScene swimmer_scene(Boundary across_x, Precision precision) {
   SwimmerType type;
   type.beads.fill({.radius = 1, .density = 1});
-  return {.walls = {across_x, Wall::periodic, Wall::periodic},
+  return {.boundary = {across_x, Boundary::periodic, Boundary::periodic},
           .precision = precision,
           .types = {type},
           .swimmers = {{.id = 0, .type = 0}}};
@@ -142,7 +142,7 @@ CoupledScene swimmer_scene(Wall across_x, Precision precision) {
 // Beads of a scene that meet head on at the speed limit, no film between them, turn round and part again
 // before they are in each other by half a cell, a quarter of what stops a run at this radius.
 TEST(NearContactLaw, TurnsBeadsAtTheSpeedLimit) {
-  CoupledScene scene = swimmer_scene(Wall::periodic, Precision::fp64);
+  CoupledScene scene = swimmer_scene(Boundary::periodic, Precision::fp64);
   scene.types[0].beads.fill({.radius = 10, .density = 1});
   scene.lubrication = false;
   const NearContactLaw law = near_contact_law(scene);
@@ -165,9 +165,9 @@ TEST(NearContactLaw, TurnsBeadsAtTheSpeedLimit) {
 // What is lost or gained beyond roundoff is a fault; walls may take momentum, but nothing takes mass, and
 // what is no number is always one.
 TEST(Conservation, IsWatched) {
-  const CoupledScene box = swimmer_scene(Wall::periodic, Precision::fp64);
-  const CoupledScene single = swimmer_scene(Wall::periodic, Precision::fp32);
-  const CoupledScene mirrors = swimmer_scene(Wall::free_slip, Precision::fp64);
+  const CoupledScene box = swimmer_scene(Boundary::periodic, Precision::fp64);
+  const CoupledScene single = swimmer_scene(Boundary::periodic, Precision::fp32);
+  const CoupledScene mirrors = swimmer_scene(Boundary::free_slip, Precision::fp64);
   const SceneTotals start{};
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const auto kind_of = [&](const CoupledScene& scene, const SceneTotals& now) -> std::optional<FaultKind> {

@@ -59,7 +59,8 @@ class FixedSphere {
     return beads[0].impulse.value();
   }
 
-  static constexpr std::array<Wall, 3> periodic{Wall::periodic, Wall::periodic, Wall::periodic};
+  static constexpr std::array<Boundary, 3> periodic{Boundary::periodic, Boundary::periodic,
+                                                    Boundary::periodic};
   FluidBox fluid;
   Coverage coverage;
   BeadLinks links;

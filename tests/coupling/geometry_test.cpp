@@ -4,11 +4,11 @@
 #include <random>
 #include <set>
 
-#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/coupling/bead_images.hpp"
 #include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/lattice/trt.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 
 namespace beadswim {
 namespace {
@@ -59,7 +59,7 @@ TEST(BeadImages, AreThoseFoundBySearchingAllCells) {
   std::uniform_real_distribution<double> coordinate(-22, 22);
   for (const int rank : {0, 1, 3}) {
     const BlockInLattice at = block_in_lattice(Decomposition(Index3(9, 8, 7), 4), rank,
-                                               {Wall::periodic, Wall::periodic, Wall::periodic});
+                                               {Boundary::periodic, Boundary::periodic, Boundary::periodic});
     for (int trial = 0; trial < 60; ++trial) {
       const Vec3 position(coordinate(random), coordinate(random), coordinate(random));
       ASSERT_EQ(covered_by_images(at, position, 2.3), covered_by_search(at, position, 2.3))

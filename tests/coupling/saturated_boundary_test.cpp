@@ -17,9 +17,7 @@ constexpr double viscosity = 0.4;
 struct Scene {
   explicit Scene(const std::vector<BeadOnLattice>& beads, Precision precision)
       : populations(cells, precision),
-        saturated({.block = {.offset = Index3::Zero(), .size = cells},
-                   .cells = cells,
-                   .periodic = {true, true, true}}),
+        saturated({.block = {.offset = Index3::Zero(), .size = cells}, .cells = cells, .boundary = {}}),
         beads(beads),
         sums(beads.size()) {
     saturated.find(beads);

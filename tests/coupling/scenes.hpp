@@ -18,7 +18,7 @@ inline CoupledScene small_swimmer(const Index3& cells, const Vec3& position, con
                   .period = 120,
                   .frame = DrivingFrame::initial_axis};
   return {.cells = cells,
-          .walls = {Wall::periodic, Wall::periodic, Wall::periodic},
+          .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic},
           .relaxation_time = 1.2,
           .types = {type},
           .swimmers = {{.id = 0, .type = 0, .position = position, .axis = axis}}};

@@ -46,14 +46,14 @@ CoupledScene cut_across_x() {
 /// The same between mirrors, a bead within a cell of one of them.
 CoupledScene between_mirrors_along_x() {
   CoupledScene scene = small_swimmer(Index3(36, 8, 8), Vec3(10.1, 4.1, 3.7), Vec3::UnitX());
-  scene.walls[0] = Wall::free_slip;
+  scene.boundary[0] = Boundary::free_slip;
   return scene;
 }
 
 /// Between walls of both kinds, beads within a cell of each.
 CoupledScene between_walls() {
   CoupledScene scene = small_swimmer(Index3(26, 14, 12), Vec3(13, 3.2, 8.7), Vec3::UnitX());
-  scene.walls = {Wall::periodic, Wall::free_slip, Wall::no_slip};
+  scene.boundary = {Boundary::periodic, Boundary::free_slip, Boundary::no_slip};
   scene.types[0].driving.frame = DrivingFrame::body;
   return scene;
 }

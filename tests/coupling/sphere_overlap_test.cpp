@@ -81,7 +81,7 @@ TEST_P(SaturatedCellsOf, ABeadAddUpToItsVolumeAndCentre) {
     Vec3 moment = Vec3::Zero();
     for (int rank = 0; rank < 4; ++rank) {
       const BlockInLattice at =
-          block_in_lattice(decomposition, rank, {Wall::periodic, Wall::periodic, Wall::periodic});
+          block_in_lattice(decomposition, rank, {Boundary::periodic, Boundary::periodic, Boundary::periodic});
       SaturatedCells cells(at);
       cells.find(beads);
       for (int z = 0; z < at.block.size[2]; ++z) {

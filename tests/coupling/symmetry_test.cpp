@@ -75,9 +75,9 @@ TEST_P(SlowSwimmer, IsNotKickedByTheMassThatBeadsReturn) {
 TEST(Swimmer, TakesAFreeSlipWallForItsMirrorImage) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene walled = small_swimmer(Index3(26, 12, 12), Vec3(13, 3.4, 6), Vec3::UnitX());
-  walled.walls = {Wall::periodic, Wall::free_slip, Wall::periodic};
+  walled.boundary = {Boundary::periodic, Boundary::free_slip, Boundary::periodic};
   CoupledScene mirrored = walled;
-  mirrored.walls.fill(Wall::periodic);
+  mirrored.boundary.fill(Boundary::periodic);
   mirrored.cells[1] = 24;
   mirrored.swimmers.push_back({.id = 1, .type = 0, .position = Vec3(13, 24 - 3.4, 6), .axis = Vec3::UnitX()});
   CoupledSystem beside_wall(walled, self), beside_image(mirrored, self);
@@ -96,7 +96,7 @@ TEST(Swimmer, TakesAFreeSlipWallForItsMirrorImage) {
 TEST(Walls, StopABeadThatTouchesThem) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3(30, 16, 16), Vec3(19, 8, 8), Vec3::UnitX());
-  scene.walls.fill(Wall::no_slip);
+  scene.boundary.fill(Boundary::no_slip);
   scene.types[0].springs.fill({.stiffness = 0, .rest_length = 7, .damping = 0});
   scene.types[0].driving = {.amplitude = {0, 0.6}, .phase = 1.57, .period = 1e4, .frame = DrivingFrame::lab};
   CoupledSystem system(scene, self);

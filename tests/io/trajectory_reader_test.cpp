@@ -30,8 +30,7 @@ struct Folder {
 };
 
 TrajectoryHeader two_swimmers() {
-  return {.box_lengths = Vec3(10, 20, 40),
-          .periodic = {true, true, false},
+  return {.box = Box{{10, 20, 40}, {Boundary::periodic, Boundary::periodic, Boundary::free_slip}},
           .swimmer = {4, 4, 4, 7, 7, 7},
           .bead = {1, 2, 3, 1, 2, 3},
           .radius = {1, 1.5, 1, 0.5, 0.5, 0.25},
@@ -92,11 +91,10 @@ void expect_equal(const TrajectoryFrame& read, const TrajectoryFrame& written) {
 TEST(TrajectoryReader, ReadsOpenSpaceWhichHasNoBox) {
   const Folder folder;
   TrajectoryHeader open_space = two_swimmers();
-  open_space.box_lengths = Vec3::Zero();
-  open_space.periodic = {};
+  open_space.box.reset();
   write(folder.file("open.h5md"), 2, open_space);
   const TrajectoryReader reader(folder.file("open.h5md"));
-  EXPECT_EQ(reader.header().box_lengths, Vec3(0, 0, 0));
+  EXPECT_FALSE(reader.header().box.has_value());
   EXPECT_EQ(reader.frame(1).positions, frame_number(1).positions);
 }
 
@@ -138,8 +136,7 @@ TEST(TrajectoryReader, GivesBackWhatWasWritten) {
   write(folder.file("run.h5md"), 5);
   const TrajectoryReader reader(folder.file("run.h5md"));
   const TrajectoryHeader written = two_swimmers();
-  EXPECT_EQ(reader.header().box_lengths, written.box_lengths);
-  EXPECT_EQ(reader.header().periodic, written.periodic);
+  EXPECT_EQ(reader.header().box, written.box);
   EXPECT_EQ(reader.header().swimmer, written.swimmer);
   EXPECT_EQ(reader.header().bead, written.bead);
   EXPECT_EQ(reader.header().radius, written.radius);

@@ -12,7 +12,7 @@
 namespace beadswim::test {
 namespace {
 
-constexpr std::array<Wall, 3> all_periodic{Wall::periodic, Wall::periodic, Wall::periodic};
+constexpr std::array<Boundary, 3> all_periodic{Boundary::periodic, Boundary::periodic, Boundary::periodic};
 
 /// A rough state that is a function of the global cell alone.
 CellMoments rough_state(const Index3& cell) {
@@ -23,7 +23,7 @@ CellMoments rough_state(const Index3& cell) {
 }
 
 /// Cells along z: 8 leave no plane inside a block to be swept while messages are under way, 24 do.
-class Decomposed : public testing::TestWithParam<std::tuple<std::array<Wall, 3>, Precision, int>> {};
+class Decomposed : public testing::TestWithParam<std::tuple<std::array<Boundary, 3>, Precision, int>> {};
 
 // Catches any exchange that is missing or out of order, at faces, edges and wall corners alike, and row ends
 // that the sweep fills otherwise than the halo does: the block of one piece leaves them to the halo.
@@ -48,10 +48,11 @@ TEST_P(Decomposed, GivesTheBitsOfOneBlock) {
 INSTANTIATE_TEST_SUITE_P(
     Walls, Decomposed,
     testing::Combine(testing::Values(all_periodic,
-                                     std::array{Wall::free_slip, Wall::free_slip, Wall::free_slip},
-                                     std::array{Wall::no_slip, Wall::no_slip, Wall::no_slip},
-                                     std::array{Wall::periodic, Wall::no_slip, Wall::free_slip},
-                                     std::array{Wall::free_slip, Wall::periodic, Wall::no_slip}),
+                                     std::array{Boundary::free_slip, Boundary::free_slip,
+                                                Boundary::free_slip},
+                                     std::array{Boundary::no_slip, Boundary::no_slip, Boundary::no_slip},
+                                     std::array{Boundary::periodic, Boundary::no_slip, Boundary::free_slip},
+                                     std::array{Boundary::free_slip, Boundary::periodic, Boundary::no_slip}),
                      testing::Values(Precision::fp64, Precision::fp32), testing::Values(8, 24)));
 
 // Catches row ends that are believed although a cell there has been set since the sweep.

@@ -14,14 +14,14 @@ namespace beadswim::test {
 
 /// A box of fluid without beads, optionally under a uniform body force.
 struct FluidBox {
-  FluidBox(const Index3& cells, const std::array<Wall, 3>& walls, double relaxation_time,
+  FluidBox(const Index3& cells, const std::array<Boundary, 3>& boundary, double relaxation_time,
            MPI_Comm comm = MPI_COMM_SELF, Precision precision = Precision::fp64,
            HaloContent content = HaloContent::entering)
       : communicator(comm),
         decomposition(cells, communicator.size()),
         block(decomposition.block(communicator.rank())),
         populations(block.size, precision, content),
-        halo(communicator, decomposition, walls, content),
+        halo(communicator, decomposition, boundary, content),
         rates(relaxation_rates(relaxation_time)) {}
 
   void step() {

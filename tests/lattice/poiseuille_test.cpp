@@ -36,8 +36,8 @@ TEST_P(TrtPoiseuille, WallSitsHalfwayAtMagic3Over16) {
   constexpr int n = 6;
   Index3 cells = Index3::Constant(2);
   cells[across] = n;
-  std::array<Wall, 3> walls{Wall::periodic, Wall::periodic, Wall::periodic};
-  walls[across] = Wall::no_slip;
+  std::array<Boundary, 3> walls{Boundary::periodic, Boundary::periodic, Boundary::periodic};
+  walls[across] = Boundary::no_slip;
   FluidBox box(cells, walls, relaxation_time);
   const double viscosity = lattice_viscosity(relaxation_time);
   box.body_force[along] = 1e-6;
@@ -57,7 +57,7 @@ INSTANTIATE_TEST_SUITE_P(TausAndAxes, TrtPoiseuille,
 
 double duct_error(int n) {
   constexpr double tau = 1.5;
-  FluidBox box(Index3(1, n, n), {Wall::periodic, Wall::no_slip, Wall::no_slip}, tau);
+  FluidBox box(Index3(1, n, n), {Boundary::periodic, Boundary::no_slip, Boundary::no_slip}, tau);
   const double viscosity = lattice_viscosity(tau);
   box.body_force = Vec3(1e-6, 0, 0);
   box.steps(static_cast<int>(25 * n * n / viscosity / 19.7));

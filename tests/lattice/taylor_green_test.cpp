@@ -23,7 +23,7 @@ CellMoments taylor_green(double speed, int n, const Index3& cell) {
 /// speed ~ 1/n at fixed tau, so that the time and compressibility errors fall with 1/n^2 as well.
 double decay_error(int n) {
   const double speed = 0.5 / n;
-  FluidBox box(Index3(n, n, 1), {Wall::periodic, Wall::periodic, Wall::periodic}, tau);
+  FluidBox box(Index3(n, n, 1), {Boundary::periodic, Boundary::periodic, Boundary::periodic}, tau);
   box.set([&](const Index3& p) { return taylor_green(speed, n, p); });
   const double rate = 2 * lattice_viscosity(tau) * std::pow(2 * std::numbers::pi / n, 2);
   const int steps = n * n / 8;
@@ -54,8 +54,9 @@ TEST(TaylorGreen, DecaysWithViscosityToSecondOrder) {
 TEST(FreeSlipWall, IsAMirrorPlaneOfTheTaylorGreenVortex) {
   constexpr int n = 16;
   const auto shifted = [](const Index3& p) { return taylor_green(0.02, n, p + Index3(n / 4, n / 4, 0)); };
-  FluidBox periodic(Index3(n, n, 1), {Wall::periodic, Wall::periodic, Wall::periodic}, tau);
-  FluidBox walled(Index3(n / 2, n / 2, 1), {Wall::free_slip, Wall::free_slip, Wall::periodic}, tau);
+  FluidBox periodic(Index3(n, n, 1), {Boundary::periodic, Boundary::periodic, Boundary::periodic}, tau);
+  FluidBox walled(Index3(n / 2, n / 2, 1), {Boundary::free_slip, Boundary::free_slip, Boundary::periodic},
+                  tau);
   periodic.set(shifted);
   walled.set(shifted);
   periodic.steps(100);

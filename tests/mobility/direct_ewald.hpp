@@ -2,13 +2,14 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
 #include <numbers>
 #include <utility>
 #include <vector>
+
+#include "beadswim/core/box.hpp"
 
 // Velocities of spheres of any radii in Stokes flow, by sums that hide nothing: every pair in open fluid, and
 // in a box every pair with every image near enough, and every wavevector small enough.
@@ -231,15 +232,12 @@ inline Spheres with_mirror(Spheres spheres, int axis) {
 }
 
 /// Velocities [length/time] in a box whose axes are periodic or have free-slip walls at 0 and the length.
-inline Vectors box_velocities(Law law, Spheres spheres, double viscosity, Eigen::Vector3d lengths,
-                              const std::array<bool, 3>& free_slip) {
+inline Vectors box_velocities(Law law, Spheres spheres, double viscosity, const Box& box) {
   const std::size_t count = spheres.places.size();
   for (int axis = 0; axis < 3; ++axis) {
-    if (!free_slip[axis]) continue;
-    spheres = with_mirror(std::move(spheres), axis);
-    lengths[axis] *= 2;
+    if (box.boundary[axis] == Boundary::free_slip) spheres = with_mirror(std::move(spheres), axis);
   }
-  Vectors velocities = periodic_velocities(law, spheres, viscosity, lengths);
+  Vectors velocities = periodic_velocities(law, spheres, viscosity, mirrored_lengths(box));
   velocities.resize(count);
   return velocities;
 }

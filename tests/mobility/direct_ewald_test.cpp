@@ -249,10 +249,9 @@ Eigen::MatrixXd turned_mobility(int axis, const Box& box, const Eigen::Vector2d&
     spheres.places.emplace_back(place.data());
     spheres.radii.push_back(radii[i]);
   }
-  const std::array lengths = turned(box.lengths);
-  const Eigen::MatrixXd all = mobility_matrix(spheres, [&](const Spheres& s) {
-    return box_velocities(Law::rotne_prager, s, eta, Eigen::Vector3d(lengths.data()), turned(box.free_slip));
-  });
+  const Box turned_box{.lengths = Vec3(turned(box.lengths).data()), .boundary = turned(box.boundary)};
+  const Eigen::MatrixXd all = mobility_matrix(
+      spheres, [&](const Spheres& s) { return box_velocities(Law::rotne_prager, s, eta, turned_box); });
   return all(Eigen::seqN(axis, x.size(), 3), Eigen::seqN(axis, x.size(), 3));
 }
 
@@ -262,10 +261,13 @@ TEST(DirectEwald, AgreesWithFlowAlongALine) {
   constexpr double truncation = 1e-13;  // of a sphere's own; both sums are cut off
   const std::vector<double> x{27, 47, 71}, radii{4, 3, 5};
   for (const Box& box :
-       {Box{.lengths = {100, 40, 40}, .free_slip = {}}, Box{.lengths = {100, 60, 35}, .free_slip = {}},
-        Box{.lengths = {100, 60, 35}, .free_slip = {true, false, false}},
-        Box{.lengths = {100, 60, 35}, .free_slip = {false, true, false}},
-        Box{.lengths = {100, 60, 35}, .free_slip = {true, true, true}}}) {
+       {Box{.lengths = {100, 40, 40}, .boundary = {}}, Box{.lengths = {100, 60, 35}, .boundary = {}},
+        Box{.lengths = {100, 60, 35},
+        .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::periodic}},
+        Box{.lengths = {100, 60, 35},
+        .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::periodic}},
+        Box{.lengths = {100, 60, 35},
+        .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}}}) {
     const Eigen::MatrixXd expected = line_mobility(LineFlow(eta, box, 22, 10), x, radii);
     for (int axis = 0; axis < 3; ++axis) {
       const Eigen::MatrixXd difference = turned_mobility(axis, box, {22, 10}, x, radii) - expected;
@@ -282,9 +284,10 @@ TEST(DirectEwald, IsReciprocalForUnequalRadii) {
   const Eigen::Vector3d lengths(20, 26, 15);
   const Spheres spheres = random_spheres(seed, 4, lengths);
   for (const Law law : both_laws) {
-    for (const std::array<bool, 3>& walls : {std::array{false, false, false}, {true, false, true}}) {
-      const Eigen::MatrixXd mobility = mobility_matrix(
-          spheres, [&](const Spheres& s) { return box_velocities(law, s, eta, lengths, walls); });
+    for (const Box& box :
+         {Box{lengths, {}}, Box{lengths, {Boundary::free_slip, Boundary::periodic, Boundary::free_slip}}}) {
+      const Eigen::MatrixXd mobility =
+          mobility_matrix(spheres, [&](const Spheres& s) { return box_velocities(law, s, eta, box); });
       EXPECT_LT((mobility - mobility.transpose()).lpNorm<Eigen::Infinity>(), roundoff) << "seed " << seed;
     }
   }
@@ -299,9 +302,9 @@ TEST(DirectEwald, MovesNothingThroughAFreeSlipWall) {
     Spheres spheres = random_spheres(seed, 6, lengths);
     spheres.places[0][axis] = 0;
     spheres.places[1][axis] = lengths[axis];
-    std::array<bool, 3> walls{};
-    walls[axis] = true;
-    const Vectors velocities = box_velocities(Law::rotne_prager, spheres, eta, lengths, walls);
+    Box box{.lengths = lengths, .boundary = {}};
+    box.boundary[axis] = Boundary::free_slip;
+    const Vectors velocities = box_velocities(Law::rotne_prager, spheres, eta, box);
     for (int wall = 0; wall < 2; ++wall) {
       EXPECT_NEAR(velocities[wall][axis], 0, roundoff) << "seed " << seed;
       EXPECT_GT(velocities[wall].norm(), 1e-3);

@@ -56,8 +56,11 @@ TEST(LineFlow, IsRotnePragerInUnboundedFluid) {
 // A line midway between mirrors has its copies one box length apart: as in a periodic box of that length.
 TEST(LineFlow, MidwayBetweenSideWallsIsAsInAPeriodicBox) {
   constexpr double roundoff = 1e-15;
-  const LineFlow walls(eta, {.lengths = {90, 60, 50}, .free_slip = {false, true, true}}, 30, 25);
-  const LineFlow periodic(eta, {.lengths = {90, 60, 50}, .free_slip = {}}, 3, 4);
+  const LineFlow walls(
+      eta,
+      {.lengths = {90, 60, 50}, .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}},
+      30, 25);
+  const LineFlow periodic(eta, {.lengths = {90, 60, 50}, .boundary = {}}, 3, 4);
   EXPECT_NEAR(walls.steady(50, 30).oseen.value, periodic.steady(50, 30).oseen.value, roundoff);
   EXPECT_NEAR(walls.steady(50, 30).laplacian.value, periodic.steady(50, 30).laplacian.value, roundoff);
   EXPECT_NEAR(walls.steady_images(30).oseen.value, periodic.steady_images(30).oseen.value, roundoff);
@@ -68,7 +71,10 @@ TEST(LineFlow, MidwayBetweenSideWallsIsAsInAPeriodicBox) {
 // exponentially across. Catches a mirror of wrong sign or place.
 TEST(LineFlow, InAClosedBoxIsTheSumOverMirrorCopies) {
   const double lx = 30, ly = 26, lz = 34, y = 7, z = 15;
-  const LineFlow flow(eta, {.lengths = {lx, ly, lz}, .free_slip = {true, true, true}}, y, z);
+  const LineFlow flow(
+      eta,
+      {.lengths = {lx, ly, lz}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}},
+      y, z);
   const double receiver = 21, source = 9;
   double pair = 0, images = 0;
   for (int m = -14; m <= 14; ++m) {
@@ -87,7 +93,8 @@ TEST(LineFlow, InAClosedBoxIsTheSumOverMirrorCopies) {
 }
 
 TEST(LineFlow, DoesNotCrossAFreeSlipWall) {
-  const Box box{.lengths = {90, 60, 50}, .free_slip = {true, true, false}};
+  const Box box{.lengths = {90, 60, 50},
+                .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}};
   const LineFlow flow(eta, box, 20, 10);
   const double near = 1e-9;
   constexpr double slope_over_near_wall = 1e-10;
@@ -100,7 +107,10 @@ TEST(LineFlow, DoesNotCrossAFreeSlipWall) {
 
 TEST(LineFlow, IsReciprocal) {
   constexpr double roundoff = 1e-16;
-  const LineFlow flow(eta, {.lengths = {90, 60, 50}, .free_slip = {true, true, false}}, 20, 10);
+  const LineFlow flow(
+      eta,
+      {.lengths = {90, 60, 50}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}},
+      20, 10);
   const SteadyFlow there = flow.steady(65, 20), back = flow.steady(20, 65);
   EXPECT_NEAR(there.oseen.value, back.oseen.value, roundoff);
   EXPECT_NEAR(there.oseen.by_receiver, back.oseen.by_source, roundoff);
@@ -108,7 +118,10 @@ TEST(LineFlow, IsReciprocal) {
 }
 
 TEST(LineFlow, DerivativesByPlacesAreDerivatives) {
-  const LineFlow flow(eta, {.lengths = {90, 60, 50}, .free_slip = {true, true, false}}, 20, 10);
+  const LineFlow flow(
+      eta,
+      {.lengths = {90, 60, 50}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}},
+      20, 10);
   const double h = 1e-3, receiver = 70, source = 25;
   const SteadyFlow here = flow.steady(receiver, source);
   const double by_receiver =
@@ -127,12 +140,13 @@ TEST(LineFlow, DerivativesByPlacesAreDerivatives) {
 }
 
 TEST(LineFlow, RefusesPlacesThatHaveNoFlow) {
-  const Box walls{.lengths = {90, 60, 50}, .free_slip = {true, true, false}};
+  const Box walls{.lengths = {90, 60, 50},
+                  .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}};
   EXPECT_THROW(LineFlow(eta, walls, 60, 10), InputError);
-  EXPECT_THROW(LineFlow(eta, {.lengths = {90, 0, 50}, .free_slip = {}}, 1, 1), InputError);
+  EXPECT_THROW(LineFlow(eta, {.lengths = {90, 0, 50}, .boundary = {}}, 1, 1), InputError);
   EXPECT_THROW(LineFlow(eta).steady(3, 3), InputError);
   EXPECT_THROW(LineFlow(eta, walls, 20, 10).steady(90, 3), InputError);
-  EXPECT_THROW(LineFlow(eta, {.lengths = {90, 60, 50}, .free_slip = {}}, 1, 1).steady(93, 3), InputError);
+  EXPECT_THROW(LineFlow(eta, {.lengths = {90, 60, 50}, .boundary = {}}, 1, 1).steady(93, 3), InputError);
 }
 
 }  // namespace

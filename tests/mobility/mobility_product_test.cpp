@@ -13,7 +13,7 @@ namespace {
 constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 
 /// Spheres anywhere in a box, radii from `smallest` to twice it (or all alike), forces that sum to zero.
-direct::Spheres random_spheres(int count, const std::array<double, 3>& lengths, double smallest, bool alike) {
+direct::Spheres random_spheres(int count, const Vec3& lengths, double smallest, bool alike) {
   std::mt19937 random(static_cast<unsigned>(count));  // seed: the count
   std::uniform_real_distribution<double> uniform(0, 1);
   direct::Spheres spheres;
@@ -46,28 +46,24 @@ double relative_error(const direct::Vectors& a, const direct::Vectors& exact) {
   return std::sqrt(difference / size);
 }
 
-struct Case {
-  std::array<double, 3> lengths;
-  std::array<bool, 3> free_slip;
-};
-constexpr Case boxes[] = {{{20, 20, 20}, {}},
-                          {{48, 16, 20}, {}},
-                          {{15, 24, 30}, {true, false, false}},
-                          {{16, 15, 20}, {true, true, true}}};
+const Box boxes[] = {{{20, 20, 20}, {}},
+                     {{48, 16, 20}, {}},
+                     {{15, 24, 30}, {Boundary::free_slip, Boundary::periodic, Boundary::periodic}},
+                     {{16, 15, 20}, {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}}};
 
 // Against the sum over all images and wavevectors of another splitting: the error is what was asked for,
 // however small. A wrong share of the windows, size term, self term or mirror is far outside of it.
 TEST(MobilityProduct, InABoxIsTheDirectSumToItsTolerance) {
   for (const PointModel model : {PointModel::rotne_prager, PointModel::oseen}) {
     const auto law = model == PointModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
-    for (const Case& box : boxes) {
+    for (const Box& box : boxes) {
       for (const bool alike : {true, false}) {
         const direct::Spheres spheres = random_spheres(24, box.lengths, 1, alike);
-        const auto exact = direct::box_velocities(law, spheres, eta, Vec3(box.lengths.data()), box.free_slip);
+        const auto exact = direct::box_velocities(law, spheres, eta, box);
         for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
-          const MobilityScene scene{model, eta, Box{box.lengths, box.free_slip}, spheres.radii, tolerance};
+          const MobilityScene scene{model, eta, box, spheres.radii, tolerance};
           EXPECT_LT(relative_error(product(scene, spheres), exact), tolerance)
-              << box.lengths[0] << " long, walls " << box.free_slip[0] << ", alike " << alike;
+              << box.lengths.transpose() << ", alike " << alike;
         }
       }
     }

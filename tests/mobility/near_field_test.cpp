@@ -139,8 +139,9 @@ TEST(NearField, IsSymmetricAndPositiveDefinite) {
   const Vec3 lengths(6, 7, 8);
   for (const unsigned seed : {1, 2}) {
     const Crowd crowd(seed, 4, lengths);
-    for (const auto& box : {std::optional<Box>{}, std::optional(Box{{6.6, 7, 8}, {}}),
-                            std::optional(Box{{6.6, 7, 8}, {true, false, true}})}) {
+    for (const auto& box :
+         {std::optional<Box>{}, std::optional(Box{{6.6, 7, 8}, {}}),
+          std::optional(Box{{6.6, 7, 8}, {Boundary::free_slip, Boundary::periodic, Boundary::free_slip}})}) {
       MobilityScene scene = near_scene(crowd.radii, box);
       scene.tolerance = 1e-5;
       const Eigen::MatrixXd matrix = matrix_of(scene, crowd.places);

@@ -31,8 +31,9 @@ TEST(NearFieldImages, CountsAllImagesInAPeriodicBox) {
 // Walls are mirrors: the box of beads and their copies, twice as long, has the same velocities.
 TEST(NearFieldImages, CountsMirrorImagesBehindWalls) {
   const Crowd crowd(8, 3, {9, 8, 9});
-  const Vectors expected =
-      velocities(near_scene(crowd.radii, Box{{9, 8, 9}, {true, false, true}}), crowd.places, crowd.forces);
+  const Vectors expected = velocities(
+      near_scene(crowd.radii, Box{{9, 8, 9}, {Boundary::free_slip, Boundary::periodic, Boundary::free_slip}}),
+      crowd.places, crowd.forces);
   Vectors places = crowd.places, forces = crowd.forces;
   Numbers radii = crowd.radii;
   for (const int a : {0, 2}) {
@@ -60,7 +61,8 @@ TEST(NearFieldImages, MovesABeadAtAWallAsItsImageHasIt) {
     const double to_wall = 1 + gap / 2;
     const Vectors places{{to_wall, 100, 100}, {70, 100, 100}, {135, 100, 100}};
     const Vectors forces{{1, 0, 0}, Vec3::Zero(), Vec3::Zero()};
-    MobilityScene scene = near_scene(radii, Box{{200, 200, 200}, {true, false, false}});
+    MobilityScene scene = near_scene(
+        radii, Box{{200, 200, 200}, {Boundary::free_slip, Boundary::periodic, Boundary::periodic}});
     const double near = velocities(scene, places, forces)[0][0];
     scene.model = PointModel::rotne_prager;
     const double plain = velocities(scene, places, forces)[0][0];

@@ -14,13 +14,13 @@ constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 constexpr double pi = std::numbers::pi;
 
 PeriodicStokes periodic_box(double x, double y, double z) {
-  return {eta, periodic_line({.lengths = {x, y, z}, .free_slip = {}}, 0, 0)};
+  return {eta, periodic_line({.lengths = {x, y, z}, .boundary = {}}, 0, 0)};
 }
 
 /// The flow at (d, y, z) of a lattice of forces at the origin: what mirrored copies at y and z add.
-SteadyLine off_the_line(double d, double y, double z, std::array<double, 3> periods) {
+SteadyLine off_the_line(double d, double y, double z, const Vec3& periods) {
   const auto with_copies = [&](double at_y, double at_z) {
-    PeriodicLine line = periodic_line({.lengths = periods, .free_slip = {}}, 0, 0);
+    PeriodicLine line = periodic_line({.lengths = periods, .boundary = {}}, 0, 0);
     line.y.mirror = at_y;
     line.z.mirror = at_z;
     return PeriodicStokes(eta, line).at(d);
@@ -48,7 +48,9 @@ TEST(PeriodicStokes, SlowsACubicArrayOfSpheresAsHasimotoFound) {
 
 // The splitting is an arbitrary number: a missing or doubled piece of either sum depends on it.
 TEST(PeriodicStokes, DoesNotDependOnSplitting) {
-  PeriodicLine line = periodic_line({.lengths = {128, 80, 96}, .free_slip = {false, true, true}}, 31, 40);
+  PeriodicLine line = periodic_line(
+      {.lengths = {128, 80, 96}, .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}},
+      31, 40);
   const double balanced = line.splitting, unit = self_mobility(4, eta);
   const PeriodicStokes reference(eta, line);
   for (const double ratio : {0.5, 1.5, 2.5}) {
@@ -94,10 +96,10 @@ TEST(PeriodicStokes, TendsToUnboundedFlowInLargeBoxes) {
 
 // The size term against fourth-order differences of the Oseen term at a point off the line.
 TEST(PeriodicStokes, SizeTermIsLaplacianOfOseenTerm) {
-  const std::array<double, 3> periods{60, 50, 40}, place{9, 7, 11};
+  const Vec3 periods(60, 50, 40), place(9, 7, 11);
   const double h = 0.05;
   const auto oseen = [&](int axis, double step) {
-    auto at = place;
+    Vec3 at = place;
     at[axis] += step;
     return off_the_line(at[0], at[1], at[2], periods).oseen.value;
   };
@@ -114,7 +116,9 @@ TEST(PeriodicStokes, SizeTermIsLaplacianOfOseenTerm) {
 
 TEST(PeriodicStokes, SlopesAreDerivatives) {
   const PeriodicStokes flow(
-      eta, periodic_line({.lengths = {128, 80, 96}, .free_slip = {false, true, false}}, 11, 40));
+      eta, periodic_line({.lengths = {128, 80, 96},
+                          .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::periodic}},
+                         11, 40));
   const double h = 1e-3;
   constexpr double truncation = 1e-7;  // of order (h/d)^2, relative
   for (const double d : {-50.0, 8.0, 30.0}) {

@@ -30,7 +30,9 @@ void expect_near(const UnsteadyLine& a, const UnsteadyLine& b, double of_whole, 
 
 // Splitting also chooses between Ewald's sum and plain images: all must agree. Catches a wrong own term.
 TEST(PeriodicUnsteadyStokes, DoesNotDependOnSplitting) {
-  PeriodicLine line = periodic_line({.lengths = {128, 80, 96}, .free_slip = {false, true, true}}, 31, 40);
+  PeriodicLine line = periodic_line(
+      {.lengths = {128, 80, 96}, .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}},
+      31, 40);
   const double balanced = line.splitting;
   const PeriodicStokes steady(eta, line);
   for (const double modulus : {1e-5, 1e-3, 0.06, 0.12, 0.14}) {
@@ -52,7 +54,9 @@ TEST(PeriodicUnsteadyStokes, DoesNotDependOnSplitting) {
 // Three sums of different origin: the whole, and its parts, of which the harmonic is of the steady lattice.
 TEST(PeriodicUnsteadyStokes, WholeIsSumOfParts) {
   const PeriodicStokes steady(
-      eta, periodic_line({.lengths = {128, 80, 96}, .free_slip = {false, true, false}}, 31, 40));
+      eta, periodic_line({.lengths = {128, 80, 96},
+                          .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::periodic}},
+                         31, 40));
   for (const double modulus : {1e-3, 1e-2, 0.1, 0.2}) {
     const PeriodicUnsteadyStokes flow(steady, alpha_of_modulus(modulus));
     const double roundoff = 1e-13 * std::abs(flow.at(9).harmonic.value);  // the largest part
@@ -74,7 +78,7 @@ Complex form_factor(Complex kappa, double x) {
 // helmholtz flow grows by exp(alpha^2 smear) and harmonic flow not at all, as long as it stays in the gap.
 TEST(PeriodicUnsteadyStokes, AgreesWithSumOverWavesOfTwoSpheres) {
   const double a = 4, b = 3, d = 19, smear = 1.5;  // gap^2/(4 smear) = 24
-  const std::array<double, 3> box{44, 36, 40};
+  const Vec3 box(44, 36, 40);
   const int last = 36;  // k^2 smear = 40
   for (const double modulus : {0.02, 0.15}) {
     const Complex alpha = alpha_of_modulus(modulus), alpha2 = alpha * alpha;
@@ -92,7 +96,7 @@ TEST(PeriodicUnsteadyStokes, AgreesWithSumOverWavesOfTwoSpheres) {
       }
     }
     sum /= eta * box[0] * box[1] * box[2];
-    const LineFlow flow(eta, {.lengths = box, .free_slip = {}}, 1, 2);
+    const LineFlow flow(eta, {.lengths = box, .boundary = {}}, 1, 2);
     const SizeFactor spread{std::exp(alpha2 * smear) - 1.0};
     const auto pair =
         combined(flow.unsteady(alpha, d, 0), sphere_factor(alpha * a) * sphere_factor(alpha * b) * spread);
@@ -104,7 +108,8 @@ TEST(PeriodicUnsteadyStokes, AgreesWithSumOverWavesOfTwoSpheres) {
 // Differences between places know nothing of the uniform flow; they differ from steady flow as omega. The own
 // place has the regular part of its own flow, -alpha/(6 pi eta) (Basset's force), beside its images.
 TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowOfForcesThatSumToZero) {
-  const Box box{.lengths = {128, 80, 80}, .free_slip = {false, true, false}};
+  const Box box{.lengths = {128, 80, 80},
+                .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
   const LineFlow flow(eta, box, 31, 40);
   const auto difference = [&](double modulus) {
     const Complex alpha = alpha_of_modulus(modulus);
@@ -118,7 +123,10 @@ TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowOfForcesThatSumToZero) {
 
 // Walls on x leave no uniform flow at all.
 TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowBetweenEndWalls) {
-  const LineFlow flow(eta, {.lengths = {128, 80, 80}, .free_slip = {true, true, false}}, 31, 40);
+  const LineFlow flow(
+      eta,
+      {.lengths = {128, 80, 80}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}},
+      31, 40);
   const auto difference = [&](double modulus) {
     const Complex alpha = alpha_of_modulus(modulus);
     const auto unsteady = flow.unsteady(alpha, 60, 40).whole;
@@ -130,9 +138,12 @@ TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowBetweenEndWalls) {
 }
 
 TEST(PeriodicUnsteadyStokes, IsUnchangedByDoublingTheBoxWithItsForces) {
-  const LineFlow single(eta, {.lengths = {60, 50, 40}, .free_slip = {}}, 3, 4);
-  const LineFlow doubled(eta, {.lengths = {120, 50, 40}, .free_slip = {}}, 3, 4);
-  const LineFlow walls(eta, {.lengths = {60, 50, 40}, .free_slip = {false, true, true}}, 25, 20);
+  const LineFlow single(eta, {.lengths = {60, 50, 40}, .boundary = {}}, 3, 4);
+  const LineFlow doubled(eta, {.lengths = {120, 50, 40}, .boundary = {}}, 3, 4);
+  const LineFlow walls(
+      eta,
+      {.lengths = {60, 50, 40}, .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}},
+      25, 20);
   constexpr double roundoff = 1e-13;
   for (const double modulus : {0.01, 0.1, 1.0}) {
     const Complex alpha = alpha_of_modulus(modulus);
@@ -145,7 +156,10 @@ TEST(PeriodicUnsteadyStokes, IsUnchangedByDoublingTheBoxWithItsForces) {
 }
 
 TEST(PeriodicUnsteadyStokes, DoesNotCrossAFreeSlipWall) {
-  const LineFlow flow(eta, {.lengths = {90, 60, 50}, .free_slip = {true, true, false}}, 20, 10);
+  const LineFlow flow(
+      eta,
+      {.lengths = {90, 60, 50}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}},
+      20, 10);
   constexpr double near = 1e-9, slope_over_near_wall = 1e-9;
   for (const double modulus : {1e-3, 0.1, 1.0}) {
     const auto by_wall = flow.unsteady(alpha_of_modulus(modulus), near, 30);
@@ -155,7 +169,10 @@ TEST(PeriodicUnsteadyStokes, DoesNotCrossAFreeSlipWall) {
 }
 
 TEST(PeriodicUnsteadyStokes, DerivativesByPlacesAreDerivatives) {
-  const LineFlow flow(eta, {.lengths = {90, 60, 50}, .free_slip = {true, true, false}}, 20, 10);
+  const LineFlow flow(
+      eta,
+      {.lengths = {90, 60, 50}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}},
+      20, 10);
   const double h = 1e-3, receiver = 70, source = 55;
   constexpr double truncation = 1e-6;  // of order (h/distance)^2 and (alpha h)^2, relative
   for (const double modulus : {1e-3, 0.1, 1.0}) {
@@ -174,7 +191,7 @@ TEST(PeriodicUnsteadyStokes, DerivativesByPlacesAreDerivatives) {
 
 // With the viscous layer far shorter than the box, images reach over it by potential flow alone.
 TEST(PeriodicUnsteadyStokes, FeelsImagesAsPotentialFlowAtHighFrequency) {
-  const PeriodicStokes steady(eta, periodic_line({.lengths = {60, 60, 60}, .free_slip = {}}, 0, 0));
+  const PeriodicStokes steady(eta, periodic_line({.lengths = {60, 60, 60}, .boundary = {}}, 0, 0));
   constexpr double roundoff = 1e-12;
   for (const double modulus : {2.0, 1000.0 / 60}) {
     const Complex alpha = alpha_of_modulus(modulus);

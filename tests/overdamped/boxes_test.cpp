@@ -18,7 +18,7 @@ TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInBoxes) {
   scene.tolerance = 1e-6;
   scene.box = Box{{120, 80, 80}, {}};
   expect_theory(scene, steps, 3, truncation);
-  scene.box = Box{{100, 40, 40}, {false, true, false}};
+  scene.box = Box{{100, 40, 40}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
   scene.swimmers[0].position = {50, 20, 20};
   expect_theory(scene, steps, 3, truncation);
 }
@@ -39,7 +39,8 @@ TEST(OverdampedSwimmer, HasTheBoxFactorsOnRecord) {
   for (const auto& [lengths, has_walls, factor, printed_digits] :
        {Case{{60, 60, 60}, false, 1.3228, 1e-4}, Case{{100, 100, 100}, false, 1.0287, 1e-4},
         Case{{100, 40, 40}, false, 0.768, 1e-3}, Case{{160, 80, 80}, true, 0.99226, 1e-4}}) {
-    scene.box = Box{{lengths[0], lengths[1], lengths[2]}, {has_walls, has_walls, has_walls}};
+    scene.box = Box{.lengths = lengths};
+    scene.box->boundary.fill(has_walls ? Boundary::free_slip : Boundary::periodic);
     scene.swimmers[0].position = lengths / 2;
     EXPECT_NEAR(swimming_of(scene, steps, 3).velocity / open, factor, printed_digits) << lengths.transpose();
   }

@@ -41,8 +41,7 @@ direct::Vectors by_runge_kutta(const OverdampedScene& scene, direct::Vectors x, 
   const auto velocity = [&](const direct::Vectors& places, double time) {
     const direct::Spheres spheres = spheres_of(scene, places, time);
     if (!scene.box) return direct::open_velocities(direct::Law::rotne_prager, spheres, scene.viscosity);
-    return direct::box_velocities(direct::Law::rotne_prager, spheres, scene.viscosity,
-                                  Vec3(scene.box->lengths.data()), scene.box->free_slip);
+    return direct::box_velocities(direct::Law::rotne_prager, spheres, scene.viscosity, *scene.box);
   };
   const auto ahead = [&](const direct::Vectors& v, double by) {
     direct::Vectors places = x;
@@ -74,7 +73,7 @@ TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInABoxWithWalls) {
   constexpr int steps = 300;
   constexpr double truncation = 1e-3;
   OverdampedScene scene = three_swimmers(steps);
-  scene.box = Box{{110, 90, 80}, {false, true, false}};
+  scene.box = Box{{110, 90, 80}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
   scene.tolerance = 1e-6;
   const auto start = positions_after(scene, 0);
   const double end = scene.step * 30;
@@ -167,7 +166,7 @@ TEST(OverdampedSwarm, PartsBeadsThatTouch) {
 // Driven against a wall beads stay on their side of it.
 TEST(OverdampedSwarm, StaysBetweenWalls) {
   OverdampedScene scene = scene_of(paper_swimmer(), 800);
-  scene.box = Box{{60, 40, 40}, {true, true, true}};
+  scene.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
   scene.types[0].driving.amplitude = {0.8, 0.8};
   scene.tolerance = 1e-3;
   const Communicator world(MPI_COMM_WORLD);
@@ -201,7 +200,7 @@ TEST(OverdampedSwarm, MeetsWallsAndOthersInFewSteps) {
   OverdampedScene wall = scene_of(paper_swimmer(), 50);
   wall.types[0].driving.amplitude = {0.5, 0.5};
   wall.tolerance = 1e-4;
-  wall.box = Box{{60, 40, 40}, {true, false, false}};
+  wall.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::periodic, Boundary::periodic}};
   wall.swimmers[0].position = {26, 20, 20};
   OverdampedScene others = scene_of(paper_swimmer(), 50);
   others.types[0].driving.amplitude = {0.5, 0.5};

@@ -23,12 +23,12 @@ CollinearSwimmer swimmer(double radius, double arm, double stiffness, double amp
           .viscosity = 1.0 / 3};
 }
 
-Question question_in(const CollinearSwimmer& swimmer, std::array<double, 3> lengths,
-                     std::array<bool, 3> walls = {}) {
+Question question_in(const CollinearSwimmer& swimmer, const Vec3& lengths,
+                     const std::array<Boundary, 3>& boundary = {}) {
   Question question;
   question.swimmer = swimmer;
   question.fluid_density = 1;
-  question.box = BoxPlace{.box = {.lengths = lengths, .free_slip = walls},
+  question.box = BoxPlace{.box = {.lengths = lengths, .boundary = boundary},
                           .middle_bead = {lengths[0] / 2, lengths[1] / 2, lengths[2] / 2}};
   return question;
 }
@@ -106,7 +106,8 @@ TEST(LatticeLag, IsLargerWithoutTheDelaysCorrection) {
 constexpr double sound_speed = 0.3;
 
 TEST(SoundFlow, HasTheSlopeOfItsValue) {
-  Question question = question_in(swimmer(6, 32, 0.2, 2, 2000), {100, 40, 50}, {true, false, true});
+  Question question = question_in(swimmer(6, 32, 0.2, 2, 2000), {100, 40, 50},
+                                  {Boundary::free_slip, Boundary::periodic, Boundary::free_slip});
   question.box->middle_bead = {46, 20, 21};
   InertialScene scene = inertial_scene(question);
   const SoundFlow flow = sound_flow(scene, question.box, sound_speed);
@@ -123,7 +124,8 @@ TEST(SoundFlow, HasTheSlopeOfItsValue) {
 // A wall is a mirror: across y as the sum of two periodic boxes' lines, which is a box of half the length.
 TEST(SoundFlow, SeesWallsAsMirrors) {
   const CollinearSwimmer shape = swimmer(6, 32, 0.2, 2, 2000);
-  const Question walled = question_in(shape, {100, 40, 40}, {false, true, false});
+  const Question walled =
+      question_in(shape, {100, 40, 40}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic});
   const Question periodic = question_in(shape, {100, 40, 40});  // in the middle: copies are a box apart
   const SoundFlow a = sound_flow(inertial_scene(walled), walled.box, sound_speed);
   const SoundFlow b = sound_flow(inertial_scene(periodic), periodic.box, sound_speed);

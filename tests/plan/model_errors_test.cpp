@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/scene/presets.hpp"
 #include "beadswim/plan/representatives.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
+#include "beadswim/scene/presets.hpp"
 #include "beadswim/theory/methods.hpp"
 
 namespace beadswim {
@@ -17,7 +17,7 @@ namespace {
 /// The paper's swimmer in the middle of a periodic box.
 Layout single(const Vec3& box, double period = 2000) {
   Layout layout = paper_single();
-  layout.domain = Domain{.lengths = box, .boundary = {}};
+  layout.domain = Box{.lengths = box, .boundary = {}};
   SwimmerType& type = layout.types.at("a");
   type.driving.period = period;
   layout.swimmers.front().position = box / 2;
@@ -204,7 +204,7 @@ TEST(SufficientBox, IsTheSmallestThatChangesLittle) {
   EXPECT_LE(tight->change, 0.005);
   Question boxed = question;
   const Vec3& lengths = tight->lengths;
-  boxed.box = BoxPlace{.box = {.lengths = {lengths[0], lengths[1], lengths[2]}, .free_slip = {}},
+  boxed.box = BoxPlace{.box = {.lengths = lengths, .boundary = {}},
                        .middle_bead = {lengths[0] / 2, lengths[1] / 2, lengths[2] / 2}};
   EXPECT_NEAR(best_known(boxed).velocity / best_known(question).velocity, 1, 0.005);
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(std::fmod(lengths[a], 4), 0, 1e-9);

@@ -11,11 +11,11 @@ namespace {
 
 constexpr double roundoff = 1e-12;  // a few hundred units in the last place of distances of order 10
 
-const Domain mixed_box{.lengths = Vec3(9, 30, 17),
-                       .boundary = {Boundary::periodic, Boundary::no_slip, Boundary::periodic}};
+const Box mixed_box{.lengths = Vec3(9, 30, 17),
+                    .boundary = {Boundary::periodic, Boundary::no_slip, Boundary::periodic}};
 
 /// Smallest distance of bead i to any image of bead j, by trying all shifts: i itself only as an image.
-double nearest_image_distance(const PlacedBead& i, const PlacedBead& j, const std::optional<Domain>& domain) {
+double nearest_image_distance(const PlacedBead& i, const PlacedBead& j, const std::optional<Box>& domain) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < 27 * 27; ++shift) {
     const Eigen::Array3i n(shift % 9 - 4, shift / 9 % 9 - 4, shift / 81 - 4);
@@ -67,7 +67,7 @@ TEST_P(BeadGaps, FindEveryOverlapThatTryingAllImagesFinds) {
 
 TEST_P(BeadGaps, SmallestGapIsThatOfAllPairsImagesAndWalls) {
   RecordProperty("seed", GetParam());
-  for (const std::optional<Domain>& domain : {std::optional<Domain>(mixed_box), std::optional<Domain>()}) {
+  for (const std::optional<Box>& domain : {std::optional<Box>(mixed_box), std::optional<Box>()}) {
     const auto beads = random_beads(GetParam(), 4);
     double expected = std::numeric_limits<double>::infinity();
     for (const PlacedBead& i : beads) {
@@ -88,7 +88,7 @@ TEST(BeadGapsOfTwoBeads, AreFoundInEveryDirectionFromEveryPlace) {
   RecordProperty("seed", seed);
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> place(0, 12);
-  const Domain box{.lengths = Vec3(12, 12, 12), .boundary = {}};
+  const Box box{.lengths = Vec3(12, 12, 12), .boundary = {}};
   for (int direction = 0; direction < 27; ++direction) {
     const Vec3 offset(direction % 3 - 1, direction / 3 % 3 - 1, direction / 9 - 1);
     for (int trial = 0; trial < 500; ++trial) {
@@ -101,7 +101,7 @@ TEST(BeadGapsOfTwoBeads, AreFoundInEveryDirectionFromEveryPlace) {
 }
 
 TEST(BeadGapsOfOneBead, ABoxNarrowerThanTheBeadMakesItOverlapItself) {
-  const Domain box{.lengths = Vec3(10, 4, 10), .boundary = {}};
+  const Box box{.lengths = Vec3(10, 4, 10), .boundary = {}};
   const std::vector<PlacedBead> beads{{Vec3(5, 2, 5), 2, 0, 0}};
   const auto pairs = overlapping_pairs(beads, box, 10);
   ASSERT_EQ(pairs.size(), 1u);

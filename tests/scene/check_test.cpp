@@ -15,7 +15,7 @@ using testing::HasSubstr;
 /// The paper's swimmer, beads at x = 16, 36, 56, in a small periodic box.
 Layout small_scene() {
   Layout layout = paper_single();
-  layout.domain = Domain{.lengths = Vec3(72, 30, 30), .boundary = {}};
+  layout.domain = Box{.lengths = Vec3(72, 30, 30), .boundary = {}};
   layout.swimmers[0].position = Vec3(36, 15, 15);
   return layout;
 }

@@ -56,7 +56,7 @@ TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddle) {
   type.beads[2].radius = 5;
   type.springs[0].rest_length = 18;
   type.springs[1].rest_length = 27;
-  const Domain box{.lengths = Vec3(100, 60, 40), .boundary = {}};
+  const Box box{.lengths = Vec3(100, 60, 40), .boundary = {}};
   const Vec3 axis(0, 0.6, 0.8);
   const Vec3 bead_2 = centred_position(type, axis, box);
   const Vec3 tail = bead_2 - (18 + 3) * axis;

@@ -34,9 +34,8 @@ TEST(RpyBox, VelocityIsThatOfAnIndependentEwaldSum) {
               {periodic_box(100, 40, 40), 0.768, 5e-4},    {walled_box(200, 120, 120), 1.00297, 5e-6},
               {walled_box(160, 80, 80), 0.99226, 5e-6},    {walled_box(1200, 800, 800), 1.00003, 5e-6}};
   for (const auto& row : rows) {
-    const auto& [x, y, z] = row.box.lengths;
     EXPECT_NEAR(over_unbounded(paper_swimmer(4800), row.box), row.ratio, row.last_digit)
-        << x << " x " << y << " x " << z;
+        << row.box.lengths.transpose();
   }
 }
 
@@ -90,22 +89,30 @@ class BoxMethod : public testing::TestWithParam<std::string> {
 
 // Midway between side walls the mirror copies lie where the images of a periodic box of the same width do.
 TEST_P(BoxMethod, MidwayBetweenSideWallsIsPeriodic) {
-  const Box walls{.lengths = {120, 70, 50}, .free_slip = {false, true, true}};
+  const Box walls{.lengths = {120, 70, 50},
+                  .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}};
   expect_same(in_box(walls, {10, 35, 25}), in_box(periodic_box(120, 70, 50), {77, 3, 60}));
 }
 
 // Elsewhere between them they lie differently: near a wall the swimmer has its own copy beside it.
 TEST_P(BoxMethod, ElsewhereBetweenSideWallsIsNot) {
-  const Box walls{.lengths = {120, 70, 50}, .free_slip = {false, true, true}};
+  const Box walls{.lengths = {120, 70, 50},
+                  .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}};
   const double midway = in_box(walls, {10, 35, 25}).velocity, aside = in_box(walls, {10, 7, 25}).velocity;
   EXPECT_GT(std::abs(aside / midway - 1), 1e-3);
 }
 
 // Which side wall is which, and which of the two widths comes first, is nothing to a swimmer.
 TEST_P(BoxMethod, SideAxesMayBeSwappedAndReflected) {
-  const Prediction p = in_box({.lengths = {120, 70, 50}, .free_slip = {true, true, false}}, {50, 20, 3});
-  expect_same(p, in_box({.lengths = {120, 50, 70}, .free_slip = {true, false, true}}, {50, 40, 20}));
-  expect_same(p, in_box({.lengths = {120, 70, 50}, .free_slip = {true, true, false}}, {50, 50, 3}));
+  const Prediction p = in_box(
+      {.lengths = {120, 70, 50}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}},
+      {50, 20, 3});
+  expect_same(p, in_box({.lengths = {120, 50, 70},
+                         .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::free_slip}},
+                        {50, 40, 20}));
+  expect_same(p, in_box({.lengths = {120, 70, 50},
+                         .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}},
+                        {50, 50, 3}));
 }
 
 TEST_P(BoxMethod, PlaceAlongPeriodicAxisDoesNotMatter) {
@@ -115,7 +122,8 @@ TEST_P(BoxMethod, PlaceAlongPeriodicAxisDoesNotMatter) {
 
 // With walls across the axis it does, and the mirrored swimmer at the mirrored place moves the other way.
 TEST_P(BoxMethod, WallsAcrossTheAxisFeelPlaceAndMirror) {
-  const Box box{.lengths = {110, 90, 80}, .free_slip = {true, false, false}};
+  const Box box{.lengths = {110, 90, 80},
+                .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::periodic}};
   const Prediction near = in_box(box, {35, 45, 40}), far = in_box(box, {55, 45, 40});
   EXPECT_GT(std::abs(near.velocity / far.velocity - 1), 1e-3);
   const CollinearSwimmer mirror_image = mirrored(with_amplitude(unequal_swimmer(), 0.2));
@@ -148,7 +156,9 @@ Eigen::MatrixXd periodic_mobility(const LineFlow& flow, const std::vector<double
 // with the opposite forces. Six beads, of which three are read.
 TEST(RpyBox, WallsAcrossTheAxisAreAMirroredSwimmer) {
   const CollinearSwimmer swimmer = unequal_swimmer();
-  const BoxPlace place{{.lengths = {110, 90, 80}, .free_slip = {true, false, false}}, {45, 0, 0}};
+  const BoxPlace place{
+      {.lengths = {110, 90, 80}, .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::periodic}},
+      {45, 0, 0}};
   const CollinearMobility walls =
       rotne_prager_in(flow_in(place, swimmer.viscosity), swimmer, rest_positions(swimmer, place));
   std::vector<double> radii(swimmer.radius.begin(), swimmer.radius.end());
@@ -231,9 +241,12 @@ TEST(RpyBox, RefusesUnboundedLayouts) {
 TEST(BoxMethods, RefuseImagesThatOverlap) {
   using testing::HasSubstr;
   const CollinearSwimmer swimmer = paper_swimmer(2000);  // radius 4, from -24 to 24 about its middle
-  const Box x_walls{.lengths = {100, 60, 60}, .free_slip = {true, false, false}};
-  const Box y_walls{.lengths = {100, 60, 60}, .free_slip = {false, true, false}};
-  const Box z_walls{.lengths = {100, 60, 60}, .free_slip = {false, false, true}};
+  const Box x_walls{.lengths = {100, 60, 60},
+                    .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::periodic}};
+  const Box y_walls{.lengths = {100, 60, 60},
+                    .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::periodic}};
+  const Box z_walls{.lengths = {100, 60, 60},
+                    .boundary = {Boundary::periodic, Boundary::periodic, Boundary::free_slip}};
   for (const char* method :
        {"rpy-box-perturbation", "rpy-box-ode", "unsteady-response", "inertia-corrected"}) {
     SCOPED_TRACE(method);

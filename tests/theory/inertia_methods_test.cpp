@@ -113,7 +113,8 @@ TEST_P(InertialMethod, DoesNotDependOnUnits) {
   for (double& amplitude : other.amplitude) amplitude *= mass * length / (time * time);
   other.period *= time;
   other.viscosity *= mass / (length * time);
-  const Box box{.lengths = {120, 70, 60}, .free_slip = {true, false, true}};
+  const Box box{.lengths = {120, 70, 60},
+                .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::free_slip}};
   Question a = ask_in_box(swimmer, box, {50, 30, 20}), b = ask(other);
   b.fluid_density = mass / (length * length * length);
   b.box = a.box;

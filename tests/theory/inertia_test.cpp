@@ -166,7 +166,8 @@ TEST(UnsteadyResponse, TendsToRotnePragerForSlowDriving) {
 }
 
 TEST(UnsteadyResponse, TendsToRotnePragerInABoxAsDensityVanishes) {
-  const Box walls{.lengths = {120, 70, 60}, .free_slip = {true, true, false}};
+  const Box walls{.lengths = {120, 70, 60},
+                  .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::periodic}};
   for (const BoxPlace& place :
        {BoxPlace{periodic_box(128, 80, 80), {64, 40, 40}}, BoxPlace{walls, {50, 30, 20}}}) {
     const auto deviation = [&](double density) {

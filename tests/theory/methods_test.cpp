@@ -16,7 +16,8 @@ namespace {
 /// In a periodic box and with a measured stroke: all methods can be asked.
 Question ask_all(const CollinearSwimmer& swimmer) {
   Question asked = ask(swimmer);
-  asked.box = BoxPlace{.box = {.lengths = {160, 120, 120}, .free_slip = {false, false, false}},
+  asked.box = BoxPlace{.box = {.lengths = {160, 120, 120},
+                               .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}},
                        .middle_bead = {80, 60, 60}};
   asked.measured_stroke = Stroke{.amplitude = {3.5, 5.5}, .phase = {1.0, -0.2}};
   return asked;

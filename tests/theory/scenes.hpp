@@ -24,16 +24,15 @@ inline Question ask_in_box(const CollinearSwimmer& swimmer, const Box& box,
 
 /// The same with its middle bead in the middle of the box.
 inline Question ask_in_box(const CollinearSwimmer& swimmer, const Box& box) {
-  const auto& [x, y, z] = box.lengths;
-  return ask_in_box(swimmer, box, {x / 2, y / 2, z / 2});
+  return ask_in_box(swimmer, box, {box.lengths[0] / 2, box.lengths[1] / 2, box.lengths[2] / 2});
 }
 
 inline Box periodic_box(double x, double y, double z) {
-  return {.lengths = {x, y, z}, .free_slip = {}};
+  return {.lengths = {x, y, z}, .boundary = {}};
 }
 
 inline Box walled_box(double x, double y, double z) {
-  return {.lengths = {x, y, z}, .free_slip = {true, true, true}};
+  return {.lengths = {x, y, z}, .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
 }
 
 inline Prediction predicted(const std::string& method, const Question& question) {

@@ -165,7 +165,8 @@ TEST(Methods, DoNotDependOnUnits) {
   constexpr double resolved = 1e-9;  // relative: of iterations that end at a tolerance
   Question lattice = ask(paper_swimmer(2000));
   lattice.swimmer.amplitude = {0.2, 0.2};
-  lattice.box = BoxPlace{.box = {.lengths = {128, 80, 80}, .free_slip = {false, false, false}},
+  lattice.box = BoxPlace{.box = {.lengths = {128, 80, 80},
+                                 .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}},
                          .middle_bead = {64, 40, 40}};
   lattice.measured_stroke = Stroke{.amplitude = {2.5, 3.6}, .phase = {1.0, 0.2}};
   lattice = with_exact_reference(lattice);

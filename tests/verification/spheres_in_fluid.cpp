@@ -7,7 +7,7 @@
 namespace beadswim::verification {
 namespace {
 
-constexpr std::array<Wall, 3> periodic{Wall::periodic, Wall::periodic, Wall::periodic};
+constexpr std::array<Boundary, 3> periodic{Boundary::periodic, Boundary::periodic, Boundary::periodic};
 
 double volume_of(const BeadOnLattice& bead) {
   return 4.0 / 3 * std::numbers::pi * std::pow(bead.radius, 3);

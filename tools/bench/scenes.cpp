@@ -14,8 +14,8 @@
 namespace beadswim {
 namespace {
 
-constexpr std::array periodic{Wall::periodic, Wall::periodic, Wall::periodic};
-constexpr std::array walls{Wall::free_slip, Wall::no_slip, Wall::free_slip};
+constexpr std::array periodic{Boundary::periodic, Boundary::periodic, Boundary::periodic};
+constexpr std::array walls{Boundary::free_slip, Boundary::no_slip, Boundary::free_slip};
 constexpr double relaxation_time = 1.5;
 
 /// A slow uniform flow in every cell, so that no number is too small for its format.

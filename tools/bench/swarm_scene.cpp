@@ -27,7 +27,7 @@ SwimmerType swimmer(double scale) {
 CoupledScene swarm_scene(int edge, int ranks, Precision precision, BeadScheme bead_boundary) {
   const double scale = std::min(1.0, edge / length);
   CoupledScene scene{.cells = {edge, edge, edge * ranks},
-                     .walls = {Wall::periodic, Wall::periodic, Wall::periodic},
+                     .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic},
                      .relaxation_time = swarm_relaxation_time,
                      .precision = precision,
                      .bead_boundary = bead_boundary,

@@ -61,7 +61,7 @@ class PlaceFlags {
   void apply(Layout& layout) const;
 
  private:
-  void apply_domain(std::optional<Domain>& domain) const;
+  void apply_domain(std::optional<Box>& domain) const;
 
   std::string box_, boundary_;
   bool unbounded_ = false;

@@ -133,7 +133,7 @@ Layout SwimmerFlags::layout(const std::vector<std::string>& further) const {
   return layout;
 }
 
-void PlaceFlags::apply_domain(std::optional<Domain>& domain) const {
+void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
   if (unbounded_) {
     domain.reset();
     return;

@@ -71,7 +71,7 @@ Series run_by_cycle(const PlotInputs& inputs, std::size_t run_index, const Strok
   for (const SwimmerRecord& swimmer : record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
       series.x.push_back(cycle.index);
-      series.y.push_back(number.in(swimming_in(cycle, record.periodic_axes())));
+      series.y.push_back(number.in(swimming_in(cycle, record.domain)));
     }
   }
   return series;

@@ -20,7 +20,7 @@ constexpr std::size_t most_swimmers = 200000;  // that a page has room for
 
 void require_repeatable(const SwarmScene& scene, const Three& repeat) {
   for (int a = 0; a < 3; ++a) {
-    if (repeat[a] == 1 || scene.periodic[a]) continue;
+    if (repeat[a] == 1 || scene.is_periodic(a)) continue;
     throw InputError("--repeat", fmt::format("{} along {}, where the box of {} is not periodic; give 1 there",
                                              repeat[a], "xyz"[a], scene.source));
   }

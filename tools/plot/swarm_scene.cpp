@@ -30,17 +30,17 @@ std::size_t chosen_frame(const TrajectoryFile& file, std::optional<std::size_t> 
   throw InputError("--frame", fmt::format("no frame {} in {}; the last is {}", frame, file.source, last));
 }
 
-/// Moves each swimmer by whole boxes so that its middle bead is in the box; in open space, where there is
-/// none, puts one around them all.
-void put_in_box(SwarmScene& scene) {
+/// Moves each swimmer by multiples of the box so that its middle bead is in the box.
+void wrap_swimmers(SwarmScene& scene, const Box& box) {
+  scene.box = box.lengths;
   for (PicturedSwimmer& swimmer : scene.swimmers) {
-    for (int a = 0; a < 3; ++a) {
-      if (!scene.periodic[a]) continue;
-      const double shift = -scene.box[a] * std::floor(swimmer.beads[1][a] / scene.box[a]);
-      for (Vec3& bead : swimmer.beads) bead[a] += shift;
-    }
+    const Vec3 shift = box.lengths.cwiseProduct(image_number(swimmer.beads[1], box));
+    for (Vec3& bead : swimmer.beads) bead -= shift;
   }
-  if (scene.layout.domain) return;
+}
+
+/// Puts a box around all swimmers, which are in open space.
+void put_box_around(SwarmScene& scene) {
   Vec3 low = Vec3::Constant(INFINITY), high = -low;
   for (const PicturedSwimmer& swimmer : scene.swimmers) {
     for (std::size_t b = 0; b < 3; ++b) {
@@ -62,9 +62,7 @@ SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wante
                    .laid_out = false,
                    .layout = file.layout,
                    .in_layout = file.in_layout,
-                   .swimmers = {},
-                   .box = header.box_lengths,
-                   .periodic = header.periodic};
+                   .swimmers = {}};
   for (std::size_t bead = 0; bead < frame.positions.size(); bead += 3) {
     PicturedSwimmer swimmer;
     for (std::size_t b = 0; b < 3; ++b) {
@@ -82,8 +80,7 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
                    .laid_out = true,
                    .layout = std::move(layout),
                    .in_layout = {},
-                   .swimmers = {},
-                   .box = Vec3::Zero()};
+                   .swimmers = {}};
   for (const Swimmer& swimmer : scene.layout.swimmers) {
     const SwimmerType& type = scene.layout.types.at(swimmer.type);
     scene.in_layout.push_back(scene.in_layout.size());
@@ -91,9 +88,6 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
     for (std::size_t b = 0; b < 3; ++b) pictured.radii[b] = type.beads[b].radius;
     scene.swimmers.push_back(pictured);
   }
-  if (scene.layout.domain) scene.box = scene.layout.domain->lengths;
-  for (std::size_t a = 0; a < 3; ++a)
-    scene.periodic[a] = scene.layout.domain && scene.layout.domain->boundary[a] == Boundary::periodic;
   return scene;
 }
 
@@ -106,7 +100,10 @@ SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> 
   }
   SwarmScene scene = is_trajectory(path) ? scene_of(open_trajectory(path), frame)
                                          : scene_of(read_layout(path).layout, source_name(path));
-  put_in_box(scene);
+  if (scene.layout.domain)
+    wrap_swimmers(scene, *scene.layout.domain);
+  else
+    put_box_around(scene);
   return scene;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,8 +17,9 @@ struct SwarmScene {
   Layout layout;
   std::vector<std::size_t> in_layout;     ///< index among the layout's swimmers of each of `swimmers`
   std::vector<PicturedSwimmer> swimmers;  ///< each with its middle bead in the box
-  Vec3 box = Vec3::Zero();  ///< in open space one around the swimmers, which begins at the origin
-  std::array<bool, 3> periodic{};
+  Vec3 box = Vec3::Zero();  ///< lengths; in open space of one around the swimmers, which begins at the origin
+
+  bool is_periodic(int axis) const { return layout.domain && layout.domain->is_periodic(axis); }
 };
 
 /// Of a layout (JSON, "-" for standard input), or of a trajectory at one frame, none: its last. Throws

@@ -98,8 +98,8 @@ void require_few(std::size_t curves) {
 }
 
 std::string space_of(const TrajectoryFile& file) {
-  const Vec3& box = file.reader.header().box_lengths;
   if (!file.layout.domain) return "open space";
+  const Vec3& box = file.layout.domain->lengths;
   return fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
 }
 

@@ -27,7 +27,7 @@ constexpr int rounds = 3;
 CoupledScene fluid_alone(int edge, Precision precision, int ranks) {
   CoupledScene scene;
   scene.cells = {edge, edge, edge * ranks};
-  scene.walls.fill(Wall::periodic);
+  scene.boundary.fill(Boundary::periodic);
   scene.precision = precision;
   scene.bead_boundary = BeadScheme::mr;
   return scene;

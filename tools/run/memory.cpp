@@ -39,7 +39,7 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   double lack = needed - installed_bytes();
   MPI_Allreduce(MPI_IN_PLACE, &lack, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
   if (lack <= 0) return;
-  const bool has_walls = std::ranges::count(scene.walls, Wall::no_slip) > 0;  // no mobility there
+  const bool has_walls = std::ranges::count(scene.boundary, Boundary::no_slip) > 0;  // no mobility there
   throw InputError("box",
                    fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
                                "{}fewer --cells-per-radius, a smaller --box in the layout (beadswim-layout "

@@ -24,20 +24,14 @@ std::string name_of(PointModel model) {
   return std::ranges::find_if(point_models, is_it)->first;
 }
 
-std::optional<Box> mobility_box(const Layout& layout, const std::string& source) {
-  if (!layout.domain) return std::nullopt;
-  Box box;
-  for (int a = 0; a < 3; ++a) {
-    box.lengths[a] = layout.domain->lengths[a];
-    if (layout.domain->boundary[a] == Boundary::no_slip) {
-      throw InputError(
-          fmt::format("{}:/domain/boundary/{}", source, a),
-          "is no-slip, for which there is no mobility here; make the layout with --boundary periodic or "
-          "free-slip, or run it with --model lbm");
-    }
-    box.free_slip[a] = layout.domain->boundary[a] == Boundary::free_slip;
+void refuse_no_slip(const Layout& layout, const std::string& source) {
+  for (int a = 0; a < 3 && layout.domain; ++a) {
+    if (layout.domain->boundary[a] != Boundary::no_slip) continue;
+    throw InputError(
+        fmt::format("{}:/domain/boundary/{}", source, a),
+        "is no-slip, for which there is no mobility here; make the layout with --boundary periodic or "
+        "free-slip, or run it with --model lbm");
   }
-  return box;
 }
 
 /// Ewald's sum meets each pair once, and beads' contacts have room.
@@ -67,7 +61,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
   options = asked;
   scene.model = point_models.at(asked.model);
   scene.viscosity = layout.fluid.dynamic_viscosity();
-  scene.box = mobility_box(layout, source);
+  refuse_no_slip(layout, source);
+  scene.box = layout.domain;
   scene.tolerance = asked.tolerance;
   TypedSwimmers typed = typed_swimmers(layout);
   scene.types = std::move(typed.types);

@@ -94,7 +94,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       communicator_(communicator),
       steps_per_cycle_(plan.steps_per_cycle),
       frames_per_cycle_(static_cast<int>(std::min<long>(plan.options.frames_per_cycle, steps_per_cycle_))),
-      box_(box_of(layout)),
+      box_(layout.domain),
       trajectory_(trajectory),
       schedules_(plan.periods, frames_per_cycle_) {
   if (!communicator.is_root()) return;
@@ -246,8 +246,7 @@ void Recorder::append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec
     }
   }
   const int index = static_cast<int>(next_frame_ / frames_per_cycle_);
-  swarm_.push_back(
-      {.statistics = swarm_statistics(index, members, box_.lengths, box_.periodic), .momentum = momentum});
+  swarm_.push_back({.statistics = swarm_statistics(index, members, box_), .momentum = momentum});
 }
 
 template <class Message>

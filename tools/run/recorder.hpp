@@ -80,7 +80,7 @@ class Recorder {
   const Communicator& communicator_;
   long steps_per_cycle_;
   int frames_per_cycle_;
-  SceneBox box_;
+  std::optional<Box> box_;
   TrajectoryWriter& trajectory_;
   SamplingSchedules schedules_;
   long next_frame_ = 0;

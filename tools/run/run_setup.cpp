@@ -3,7 +3,6 @@
 #include "beadswim/core/version.hpp"
 #include "lattice_model.hpp"
 #include "overdamped_model.hpp"
-#include "scene_facts.hpp"
 
 namespace beadswim {
 
@@ -16,9 +15,7 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
 
 TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
   TrajectoryHeader header;
-  const SceneBox box = box_of(document.layout);
-  header.box_lengths = box.lengths;
-  header.periodic = box.periodic;
+  header.box = document.layout.domain;
   for (const PlannedSwimmer& swimmer : plan.swimmers) {
     for (int b = 0; b < 3; ++b) {
       header.swimmer.push_back(swimmer.name.id);

@@ -53,12 +53,4 @@ DimensionlessNumbers dimensionless_numbers(std::span<const SwimmerType> types, d
           .mach = std::nullopt};
 }
 
-SceneBox box_of(const Layout& layout) {
-  SceneBox box;
-  if (!layout.domain) return box;
-  box.lengths = layout.domain->lengths;
-  for (int a = 0; a < 3; ++a) box.periodic[a] = layout.domain->boundary[a] == Boundary::periodic;
-  return box;
-}
-
 }  // namespace beadswim

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -34,12 +33,5 @@ double largest_radius(std::span<const SwimmerType> types);
 /// In any coherent units; speed: the largest of any bead.
 DimensionlessNumbers dimensionless_numbers(std::span<const SwimmerType> types, double speed,
                                            double kinematic_viscosity, double period);
-
-/// Edges of the box and which of its axes are periodic; in unbounded fluid zero and none.
-struct SceneBox {
-  Vec3 lengths = Vec3::Zero();
-  std::array<bool, 3> periodic{};
-};
-SceneBox box_of(const Layout& layout);
 
 }  // namespace beadswim

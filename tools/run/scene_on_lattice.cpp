@@ -36,7 +36,7 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
     const std::array<Vec3, 3> beads = rest_positions(layout.swimmers[s], type);
     for (int b = 0; b < 3; ++b) {
       for (int a = 0; a < 3; ++a) {
-        if (layout.domain->boundary[a] == Boundary::periodic) continue;
+        if (layout.domain->is_periodic(a)) continue;
         const double to_wall = std::min(beads[b][a], layout.domain->lengths[a] - beads[b][a]);
         const double gap = to_wall - type.beads[b].radius;
         if (gap >= nearest_to_wall * cell) continue;
@@ -121,18 +121,6 @@ LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double 
           relaxation_time, steps, late, latest));
 }
 
-Wall wall_of(Boundary boundary) {
-  switch (boundary) {
-    case Boundary::periodic:
-      return Wall::periodic;
-    case Boundary::free_slip:
-      return Wall::free_slip;
-    case Boundary::no_slip:
-      return Wall::no_slip;
-  }
-  throw SolverError("unknown boundary");
-}
-
 SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {
   SwimmerType result = in_lattice_units(type, lattice.scales);
   if (corrects_delay) {
@@ -186,7 +174,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   scene.lubrication = options.lubrication;
   scene.friction = options.friction;
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
-  for (int a = 0; a < 3; ++a) scene.walls[a] = wall_of(layout.domain->boundary[a]);
+  scene.boundary = layout.domain->boundary;
   add_swimmers(scene, layout, result.lattice, options.delay_correction);
   for (SwimmerType& type : scene.types) {
     const SwimmerType steady = with_steady_vibrations(type, 1);

@@ -53,8 +53,11 @@ Json scene_of(const TrajectoryFile& file, const std::vector<std::size_t>& frames
              {"velocity_unit", velocity_unit(layout.units)},
              {"period", period},
              {"box", nullptr},
-             {"periodic", header.periodic}};
-  if (layout.domain) scene["box"] = std::vector<double>(header.box_lengths.begin(), header.box_lengths.end());
+             {"periodic", std::vector<bool>(3)}};
+  if (const auto& box = layout.domain) {
+    scene["box"] = std::vector<double>(box->lengths.begin(), box->lengths.end());
+    scene["periodic"] = {box->is_periodic(0), box->is_periodic(1), box->is_periodic(2)};
+  }
   Json ids = Json::array(), blocks = Json::array(), times = Json::array(), cycle_times = Json::array();
   for (const std::size_t index : file.in_layout) {
     const int id = layout.swimmers[index].id;
@@ -108,19 +111,19 @@ std::string cycle_blocks(const std::string& name, const std::vector<TrajectoryCy
   return block("cycle-" + name + "-step", table.steps) + block("cycle-" + name, table.values);
 }
 
-double velocity_of(const TrajectoryCycle& cycle, std::size_t s, const std::array<bool, 3>& periodic) {
+double velocity_of(const TrajectoryCycle& cycle, std::size_t s, const std::optional<Box>& box) {
   CycleStatistics statistics;
   statistics.velocity = Vec3(&cycle.velocity[3 * s]);
   statistics.axis = Vec3(&cycle.axis[3 * s]);
   statistics.mean_flow = Vec3(&cycle.mean_flow[3 * s]);
-  return velocity_against_fluid(statistics, periodic);
+  return velocity_against_fluid(statistics, box);
 }
 
-std::string all_cycle_blocks(const std::vector<TrajectoryCycle>& cycles, const TrajectoryHeader& header) {
-  const std::size_t swimmers = header.swimmer.size() / 3;
+std::string all_cycle_blocks(const std::vector<TrajectoryCycle>& cycles, const Layout& layout) {
+  const std::size_t swimmers = layout.swimmers.size();
   using Cycle = const TrajectoryCycle&;
   std::string text = cycle_blocks("velocity", cycles, swimmers, [&](Cycle cycle, std::size_t s) {
-    return velocity_of(cycle, s, header.periodic);
+    return velocity_of(cycle, s, layout.domain);
   });
   for (const std::size_t arm : {0, 1}) {
     const std::string n = std::to_string(arm + 1);
@@ -153,7 +156,7 @@ std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
   for (std::size_t f = 0; f < frames.size(); ++f) {
     text += block(fmt::format("frame-{}", f), changes(file.reader.frame(frames[f]), first, steps));
   }
-  return text + all_cycle_blocks(cycles, header);
+  return text + all_cycle_blocks(cycles, file.layout);
 }
 
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options) {

@@ -50,23 +50,23 @@ double nearest_squared(std::span<const Node> tree, const Node& self, const Vec3&
 }
 
 /// Into the box around the origin, along periodic axes. A remainder is exact: nothing is lost on the way.
-Vec3 folded(Vec3 place, const Vec3& box_lengths, const std::array<bool, 3>& periodic) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (periodic[axis]) place[axis] = std::remainder(place[axis], box_lengths[axis]);
+Vec3 folded(Vec3 place, const std::optional<Box>& box) {
+  for (int axis = 0; axis < 3 && box; ++axis) {
+    if (box->is_periodic(axis)) place[axis] = std::remainder(place[axis], box->lengths[axis]);
   }
   return place;
 }
 
 /// From a box to those around it, at most 26. Folded points are at most one period apart along an axis, so
 /// that images further away are not the nearest.
-std::vector<Vec3> shifts_to_images(const Vec3& box_lengths, const std::array<bool, 3>& periodic) {
+std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
   std::vector<Vec3> shifts{Vec3::Zero()};
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!periodic[axis]) continue;
+  for (int axis = 0; axis < 3 && box; ++axis) {
+    if (!box->is_periodic(axis)) continue;
     const std::size_t count = shifts.size();
     for (const double sign : {-1.0, 1.0}) {
       for (std::size_t i = 0; i < count; ++i) {
-        shifts.push_back(shifts[i] + sign * box_lengths[axis] * Vec3::Unit(axis));
+        shifts.push_back(shifts[i] + sign * box->lengths[axis] * Vec3::Unit(axis));
       }
     }
   }
@@ -75,30 +75,29 @@ std::vector<Vec3> shifts_to_images(const Vec3& box_lengths, const std::array<boo
 }
 
 /// Distance from a point to its own nearest image.
-double shortest_period(const Vec3& box_lengths, const std::array<bool, 3>& periodic) {
+double shortest_period(const std::optional<Box>& box) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (periodic[axis]) shortest = std::min(shortest, box_lengths[axis]);
+  for (int axis = 0; axis < 3 && box; ++axis) {
+    if (box->is_periodic(axis)) shortest = std::min(shortest, box->lengths[axis]);
   }
   return shortest;
 }
 
 }  // namespace
 
-std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, const Vec3& box_lengths,
-                                                const std::array<bool, 3>& periodic) {
+std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, const std::optional<Box>& box) {
   std::vector<double> distances(points.size(), std::numeric_limits<double>::quiet_NaN());
   if (!std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); }))
     return distances;
 
   std::vector<Node> tree;
   tree.reserve(points.size());
-  for (const Vec3& point : points) tree.push_back({folded(point, box_lengths, periodic), tree.size()});
+  for (const Vec3& point : points) tree.push_back({folded(point, box), tree.size()});
   make_tree(tree);
 
   const Eigen::AlignedBox3d extent = extent_of(tree);
-  const std::vector<Vec3> shifts = shifts_to_images(box_lengths, periodic);
-  const double own_image = shortest_period(box_lengths, periodic);
+  const std::vector<Vec3> shifts = shifts_to_images(box);
+  const double own_image = shortest_period(box);
   for (const Node& node : tree) {
     double nearest = nearest_squared(tree, node, node.place, own_image * own_image);
     for (const Vec3& shift : shifts) {

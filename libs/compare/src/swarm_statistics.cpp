@@ -107,20 +107,18 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
-std::optional<Spread> nearest_neighbours_of(Members members, const Vec3& box_lengths,
-                                            const std::array<bool, 3>& periodic) {
+std::optional<Spread> nearest_neighbours_of(Members members, const std::optional<Box>& box) {
   std::vector<Vec3> centres;
   centres.reserve(members.size());
   for (const SwarmMember& member : members) centres.push_back(member.centre);
-  const std::vector<double> distances = nearest_neighbour_distances(centres, box_lengths, periodic);
+  const std::vector<double> distances = nearest_neighbour_distances(centres, box);
   if (std::isinf(distances.front())) return std::nullopt;
   return spread_of(distances);
 }
 
 }  // namespace
 
-SwarmStatistics swarm_statistics(int index, Members members, const Vec3& box_lengths,
-                                 const std::array<bool, 3>& periodic) {
+SwarmStatistics swarm_statistics(int index, Members members, const std::optional<Box>& box) {
   SwarmStatistics swarm;
   swarm.index = index;
   if (members.empty()) return swarm;
@@ -135,7 +133,7 @@ SwarmStatistics swarm_statistics(int index, Members members, const Vec3& box_len
 
   swarm.rotation =
       spread_over(members, [](const SwarmMember& m) { return angle_between(m.axis, m.initial_axis); });
-  swarm.nearest_neighbour = nearest_neighbours_of(members, box_lengths, periodic);
+  swarm.nearest_neighbour = nearest_neighbours_of(members, box);
   for (const SwarmMember& member : members) swarm.kinetic_energy += member.kinetic_energy;
   return swarm;
 }

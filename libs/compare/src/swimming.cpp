@@ -23,18 +23,18 @@ std::optional<ComparedQuantity> quantity_named(const std::string& name) {
   return found == compared_quantities.end() ? std::nullopt : std::optional(*found);
 }
 
-double velocity_against_fluid(const CycleStatistics& cycle, const std::array<bool, 3>& periodic) {
+double velocity_against_fluid(const CycleStatistics& cycle, const std::optional<Box>& box) {
   Vec3 relative = cycle.velocity;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (periodic[axis]) relative[axis] -= cycle.mean_flow[axis];
+  for (int axis = 0; axis < 3 && box; ++axis) {
+    if (box->is_periodic(axis)) relative[axis] -= cycle.mean_flow[axis];
   }
   return relative.dot(cycle.axis);
 }
 
-Swimming swimming_in(const CycleStatistics& cycle, const std::array<bool, 3>& periodic) {
+Swimming swimming_in(const CycleStatistics& cycle, const std::optional<Box>& box) {
   const auto& [d1, d2] = cycle.arm_amplitudes;
   const auto& [delta1, delta2] = cycle.arm_phases;
-  return {{ComparedQuantity::velocity, {velocity_against_fluid(cycle, periodic)}},
+  return {{ComparedQuantity::velocity, {velocity_against_fluid(cycle, box)}},
           {ComparedQuantity::arm_amplitudes, {d1, d2}},
           {ComparedQuantity::sin_phase_shift, {std::sin(delta1 - delta2)}}};
 }

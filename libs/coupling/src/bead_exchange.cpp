@@ -32,7 +32,7 @@ bool within(const BlockInLattice& a, const BlockInLattice& b, double distance) {
   for (int axis = 0; axis < 3; ++axis) {
     const double half = 0.5 * (a.block.size[axis] + b.block.size[axis]) + distance;
     double gap = std::abs(a.block.offset[axis] + 0.5 * a.block.size[axis] - centre[axis]);
-    if (a.periodic[axis]) gap = std::min(gap, a.cells[axis] - gap);
+    if (a.is_periodic(axis)) gap = std::min(gap, a.cells[axis] - gap);
     if (gap > half) return false;
   }
   return true;
@@ -52,7 +52,7 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
                            [&](const Bead& bead) { return scene.radius_on_lattice(bead); });
   }
   for (int r = 0; r < communicator.size(); ++r) {
-    blocks_.push_back(block_in_lattice(decomposition, r, scene.walls));
+    blocks_.push_back(block_in_lattice(decomposition, r, scene.boundary));
   }
   for (int r = 0; r < communicator.size(); ++r) {
     if (within(blocks_[rank_], blocks_[r], reach(scene))) peers_.push_back(r);
@@ -63,7 +63,7 @@ int BeadExchange::owner_of(const Vec3& position) const {
   Index3 cell = position.array().floor().cast<int>();
   const Index3& cells = decomposition_.cells();
   for (int a = 0; a < 3; ++a) {
-    const bool periodic = blocks_[rank_].periodic[a];
+    const bool periodic = blocks_[rank_].is_periodic(a);
     cell[a] = periodic ? ((cell[a] % cells[a]) + cells[a]) % cells[a] : std::clamp(cell[a], 0, cells[a] - 1);
   }
   return decomposition_.rank_of_cell(cell);
@@ -84,7 +84,7 @@ std::optional<Fault> BeadExchange::out_of_reach(const SwimmerState& swimmer) con
   for (int b = 0; b < 3; ++b) {
     const BlockInLattice& at = blocks_[rank_];
     for (int axis = 0; axis < 3; ++axis) {
-      if (at.periodic[axis]) continue;
+      if (at.is_periodic(axis)) continue;
       const double place = swimmer.motion[b].position[axis];
       const double gap = std::min(place, at.cells[axis] - place) - radii_[swimmer.type][b];
       if (gap >= nearest_to_wall) continue;

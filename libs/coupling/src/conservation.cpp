@@ -31,7 +31,8 @@ std::optional<Fault> conservation_fault(const CoupledScene& scene, const SceneTo
   const double lost_mass = std::abs(now.mass_excess - first.mass_excess);
   if (!(lost_mass <= limit.mass)) return Fault{.kind = FaultKind::mass, .value = lost_mass};
 
-  const bool periodic = std::ranges::all_of(scene.walls, [](Wall wall) { return wall == Wall::periodic; });
+  const bool periodic =
+      std::ranges::all_of(scene.boundary, [](Boundary ends) { return ends == Boundary::periodic; });
   constexpr double slowest = 1e-9;  // beads at rest: roundoff of the fluid alone [cell/step]
   const double scale = mass_of_beads(scene) * std::max(bead_speed, slowest);
   const double gained = (now.momentum - first.momentum).norm() / scale;

@@ -35,12 +35,12 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       decomposition_(scene.cells, communicator.size()),
       populations_(decomposition_.block(communicator.rank()).size, scene.precision,
                    halo_content(scene.bead_boundary)),
-      halo_(communicator, decomposition_, scene.walls, halo_content(scene.bead_boundary)),
+      halo_(communicator, decomposition_, scene.boundary, halo_content(scene.bead_boundary)),
       exchange_(communicator, decomposition_, scene_),
       near_contact_(near_contact_law(scene_)),
-      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.walls), populations_),
+      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.boundary), populations_),
       links_(scene.bead_boundary),
-      saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.walls)),
+      saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.boundary)),
       smallest_gap_(std::numeric_limits<double>::infinity()) {
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   for (const CoupledScene::Swimmer& swimmer : scene_.swimmers) {

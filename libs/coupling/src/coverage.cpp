@@ -70,10 +70,10 @@ Coverage::Coverage(const BlockInLattice& at, const Populations& populations)
 bool Coverage::is_fluid(const Index3& cell) const {
   Index3 inside = cell;
   for (int axis = 0; axis < 3; ++axis) {
-    if (at_.periodic[axis]) continue;
+    if (at_.is_periodic(axis)) continue;
     const int place = cell[axis] + at_.block.offset[axis], end = at_.cells[axis];
     if (place >= 0 && place < end) continue;
-    if (at_.no_slip[axis]) return false;
+    if (at_.boundary[axis] == Boundary::no_slip) return false;
     inside[axis] = (place < 0 ? -1 - place : 2 * end - 1 - place) - at_.block.offset[axis];
   }
   return !is_covered(inside[0], inside[1], inside[2]);
@@ -83,7 +83,7 @@ bool Coverage::is_near_wall(const BeadImage& image, int distance) const {
   for (int axis = 0; axis < 3; ++axis) {
     const int low = image.low[axis] + at_.block.offset[axis],
               high = image.high[axis] + at_.block.offset[axis];
-    if (!at_.periodic[axis] && (low < distance || high > at_.cells[axis] - distance)) return true;
+    if (!at_.is_periodic(axis) && (low < distance || high > at_.cells[axis] - distance)) return true;
   }
   return false;
 }

@@ -79,17 +79,16 @@ struct WrappedPositions {
   std::vector<int> image;
 };
 
-WrappedPositions wrap(const std::vector<Vec3>& positions, const Vec3& lengths,
-                      const std::array<bool, 3>& periodic) {
-  WrappedPositions wrapped;
+WrappedPositions wrap(const std::vector<Vec3>& positions, const std::optional<Box>& box) {
+  WrappedPositions result;
   for (const Vec3& position : positions) {
+    const Vec3 image = box ? image_number(position, *box) : Vec3::Zero(), inside = wrapped(position, box);
     for (int a = 0; a < 3; ++a) {
-      const double image = periodic[a] ? std::floor(position[a] / lengths[a]) : 0;
-      wrapped.image.push_back(static_cast<int>(image));
-      wrapped.position.push_back(static_cast<float>(position[a] - image * lengths[a]));
+      result.image.push_back(static_cast<int>(image[a]));
+      result.position.push_back(static_cast<float>(inside[a]));
     }
   }
-  return wrapped;
+  return result;
 }
 
 }  // namespace
@@ -107,8 +106,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
     : path_(path),
       root_(communicator.is_root()),
       comm_(communicator.get()),
-      box_lengths_(header.box_lengths),
-      periodic_(header.periodic),
+      box_(header.box),
       beads_(header.bead.size()),
       goes_on_(checkpoint != nullptr),
       lock_(lock_output(path, communicator)),
@@ -141,7 +139,7 @@ void TrajectoryWriter::create_groups(const TrajectoryHeader& header) {
   const H5Handle box = create_group(beads, "box");
   write_attribute(box, "dimension", 3);
   std::array<std::string, 3> boundary;
-  for (int a = 0; a < 3; ++a) boundary[a] = periodic_[a] ? "periodic" : "none";
+  for (int a = 0; a < 3; ++a) boundary[a] = box_ && box_->is_periodic(a) ? "periodic" : "none";
   write_attribute(box, "boundary", boundary);
   write_dataset(beads, "species", header.bead);
   write_dataset(beads, "swimmer", header.swimmer);
@@ -248,9 +246,9 @@ void TrajectoryWriter::require_written(herr_t status) const {
 }
 
 void TrajectoryWriter::append(const TrajectoryFrame& frame) {
-  const WrappedPositions wrapped = wrap(frame.positions, box_lengths_, periodic_);
+  const WrappedPositions wrapped = wrap(frame.positions, box_);
   const std::vector<float> velocities = flattened(frame.velocities);
-  const Eigen::Matrix3d edges = box_lengths_.asDiagonal();
+  const Eigen::Matrix3d edges = (box_ ? box_->lengths : Vec3::Zero()).asDiagonal();
   append_row(frames_.step_name, &frame.step);
   append_row(frames_.time_name, &frame.time);
   append_row("particles/beads/box/edges/value", edges.data());

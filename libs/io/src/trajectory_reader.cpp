@@ -241,27 +241,29 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
   return result;
 }
 
-std::array<bool, 3> TrajectoryReader::periodic_axes() const {
+std::array<Boundary, 3> TrajectoryReader::boundary() const {
   const std::string box = "particles/beads/box";
-  const std::vector<std::string> boundary = text_attribute(file_, path_, box, "boundary");
-  if (boundary.size() != 3) refuse(path_ + ":/" + box, "has not three boundaries");
-  return {boundary[0] == "periodic", boundary[1] == "periodic", boundary[2] == "periodic"};
+  const std::vector<std::string> names = text_attribute(file_, path_, box, "boundary");
+  if (names.size() != 3) refuse(path_ + ":/" + box, "has not three boundaries");
+  std::array<Boundary, 3> boundary;
+  for (int a = 0; a < 3; ++a) boundary[a] = names[a] == "periodic" ? Boundary::periodic : Boundary::free_slip;
+  return boundary;
 }
 
-Vec3 TrajectoryReader::box_lengths(std::size_t frame) const {
+std::optional<Box> TrajectoryReader::box(std::size_t frame) const {
   const std::vector<double> edges = read_rows<double>(edges_, frame, 1);
-  const Vec3 lengths(edges[0], edges[4], edges[8]);
+  const Box box{.lengths = {edges[0], edges[4], edges[8]}, .boundary = boundary_};
   for (int a = 0; a < 3; ++a) {
-    if (!(lengths[a] > 0) && (header_.periodic[a] || lengths[a] != 0)) {
+    if (!(box.lengths[a] > 0) && (box.is_periodic(a) || box.lengths[a] != 0)) {
       refuse(edges_.place, "holds a box without volume");
     }
   }
-  return lengths;
+  return box.lengths == Vec3::Zero() ? std::nullopt : std::optional(box);
 }
 
 void TrajectoryReader::read_header() {
-  header_.periodic = periodic_axes();
-  header_.box_lengths = box_lengths(0);
+  boundary_ = boundary();
+  header_.box = box(0);
   header_.swimmer = read_all<int>("particles/beads/swimmer");
   header_.bead = read_all<int>("particles/beads/species");
   header_.radius = read_all<double>("particles/beads/radius");
@@ -292,8 +294,9 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   frame.positions = vectors(position_, index);
   frame.velocities = vectors(velocity_, index);
   const std::vector<Vec3> images = vectors(image_, index);
-  const Vec3 lengths = box_lengths(index);
-  for (std::size_t b = 0; b < beads_; ++b) frame.positions[b] += images[b].cwiseProduct(lengths);
+  const std::optional<Box> around = box(index);
+  for (std::size_t b = 0; b < beads_ && around; ++b)
+    frame.positions[b] += images[b].cwiseProduct(around->lengths);
   if (!std::ranges::all_of(frame.positions, [](const Vec3& position) { return position.allFinite(); }))
     refuse(image_.place, "leads to a position that is not finite");
   frame.mean_flow = vectors(mean_flow_, index)[0];

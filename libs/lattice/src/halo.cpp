@@ -195,7 +195,7 @@ void for_each_kind(HaloContent together, Visit&& visit) {
 }  // namespace
 
 Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
-           const std::array<Wall, 3>& walls, HaloContent content)
+           const std::array<Boundary, 3>& boundary, HaloContent content)
     : comm_(communicator.get()), rank_(communicator.rank()), content_(content) {
   if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
     throw InputError(fmt::format(
@@ -212,7 +212,7 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
       const bool outside = neighbour[axis] < 0 || neighbour[axis] >= blocks;
       neighbour[axis] = (neighbour[axis] + blocks) % blocks;
       Face& face = faces_[axis][side];
-      face.closed_by = outside ? walls[axis] : Wall::periodic;
+      face.closed_by = outside ? boundary[axis] : Boundary::periodic;
       face.neighbour = face.is_open() ? decomposition.rank_at(neighbour) : MPI_PROC_NULL;
     }
   }
@@ -258,7 +258,7 @@ void Halo::finish(Populations& populations) {
 }
 
 RowEnds Halo::row_ends() const {
-  if (at_wall(0, 0, Wall::free_slip) && at_wall(0, 1, Wall::free_slip)) return RowEnds::mirrored;
+  if (at_wall(0, 0, Boundary::free_slip) && at_wall(0, 1, Boundary::free_slip)) return RowEnds::mirrored;
   return faces_[0][0].neighbour == rank_ ? RowEnds::wrapped : RowEnds::left_to_halo;
 }
 
@@ -288,7 +288,7 @@ void Halo::start_across(Populations& populations, HaloContent together, int axis
   for_each_kind(together, [&](Numbers numbers) {
     if (faces_[axis][0].neighbour == rank_) wrap_around<Real>(populations, numbers, axis);
     for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Wall::free_slip)) fill_free_slip<Real>(populations, numbers, axis, side);
+      if (at_wall(axis, side, Boundary::free_slip)) fill_free_slip<Real>(populations, numbers, axis, side);
     }
   });
 }
@@ -297,7 +297,7 @@ template <class Real>
 void Halo::bounce_back_at_walls(Populations& populations, int low_z, int high_z) {
   for (int axis = 0; axis < 3; ++axis) {
     for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Wall::no_slip))
+      if (at_wall(axis, side, Boundary::no_slip))
         bounce_back_at_face<Real>(populations, axis, side, low_z, high_z);
     }
   }

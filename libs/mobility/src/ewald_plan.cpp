@@ -71,7 +71,7 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
 EwaldPlan plan_ewald(const EwaldScene& scene) {
   if (!(scene.tolerance >= 1e-12 && scene.tolerance <= 1e-2))
     throw InputError("--tolerance", fmt::format("{} is not between 1e-12 and 1e-2", scene.tolerance));
-  const double shortest = *std::ranges::min_element(scene.lengths);
+  const double shortest = scene.lengths.minCoeff();
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
   // From cut-offs of half the shortest edge, or of all beads, down to that of the nearest neighbours.
   const double longest = scene.is_periodic ? shortest / 2 : std::cbrt(volume);

@@ -59,7 +59,7 @@ void check_alpha(std::complex<double> alpha) {
 
 LineFlow::LineFlow(double viscosity, const Box& box, double y, double z)
     : viscosity_(viscosity), periodic_(PeriodicStokes(viscosity, periodic_line(box, y, z))) {
-  if (box.free_slip[0]) wall_ = box.lengths[0];
+  if (box.has_mirrors(0)) wall_ = box.lengths[0];
 }
 
 void LineFlow::check_places(double receiver, double source) const {

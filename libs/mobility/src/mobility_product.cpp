@@ -32,8 +32,7 @@ void check(const MobilityScene& scene) {
 
 int mirrors(const std::optional<Box>& box) {
   int count = 0;
-  if (box)
-    for (const bool wall : box->free_slip) count += wall ? 1 : 0;
+  for (int a = 0; a < 3 && box; ++a) count += box->has_mirrors(a) ? 1 : 0;
   return count;
 }
 
@@ -86,7 +85,7 @@ struct MobilityProduct::Parts {
 MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> positions,
                                  const Communicator& communicator) {
   check(scene);
-  const std::array<double, 3> lengths = mirrored_lengths(scene.box);
+  const Vec3 lengths = mirrored_lengths(scene.box);
   std::vector<double> radii = scene.radii;
   for (int m = 0; m < mirrors(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
   parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}, {}, {}, {}});

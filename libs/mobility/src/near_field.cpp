@@ -15,7 +15,7 @@ namespace {
 /// Places in the periodic box, in order of their cells: for a first look at distances.
 class Folded {
  public:
-  Folded(std::span<const Vec3> places, std::span<const int> order, const std::array<double, 3>& lengths) {
+  Folded(std::span<const Vec3> places, std::span<const int> order, const Vec3& lengths) {
     places_.reserve(order.size());
     for (int a = 0; a < 3; ++a) lengths_[a] = lengths[a] > 0 ? lengths[a] : INFINITY;
     for (const int p : order) {
@@ -38,8 +38,7 @@ class Folded {
 
 /// Calls visit(separation, is_direct) for all images of a separation in the periodic box shorter than `most`.
 template <class Visitor>
-void for_each_image(const Vec3& direct, const std::array<double, 3>& lengths, double most,
-                    const Visitor& visit) {
+void for_each_image(const Vec3& direct, const Vec3& lengths, double most, const Visitor& visit) {
   Vec3 nearest = direct, edges = Vec3::Zero();
   std::array<double, 3> around{};  // images that are this many edges farther may be near too
   for (int a = 0; a < 3; ++a) {
@@ -52,7 +51,7 @@ void for_each_image(const Vec3& direct, const std::array<double, 3>& lengths, do
     for (double y = -around[1]; y <= around[1]; ++y)
       for (double z = -around[2]; z <= around[2]; ++z) {
         const Vec3 farther(x, y, z);
-        const Vec3 separation = nearest + farther.cwiseProduct(Vec3(lengths.data()));
+        const Vec3 separation = nearest + farther.cwiseProduct(lengths);
         if (separation.squaredNorm() < most * most) visit(separation, (edges + farther).isZero(0));
       }
 }

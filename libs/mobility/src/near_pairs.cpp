@@ -114,7 +114,7 @@ void NearPairs::add_velocities(std::span<const Vec3> positions, std::span<const 
   const auto& kernels = mobility_kernels();
   SortedSpheres spheres{
       work.places[0].data(), work.places[1].data(), work.places[2].data(), work.is_receiver.data(), {}};
-  std::ranges::copy(law_.lengths, spheres.lengths);
+  std::copy_n(law_.lengths.data(), 3, spheres.lengths);
   const auto [first, last] = rank_share(std::ssize(order), communicator.rank(), communicator.size());
   for (int s = static_cast<int>(first); s < last; ++s) {
     work.cells.for_each_stretch_after(s, [&](int begin, int end) {

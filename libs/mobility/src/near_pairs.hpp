@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -19,8 +18,8 @@ class NearPairs {
   struct Law {
     PointModel model;
     double viscosity;
-    std::vector<double> radii;      ///< of all sources
-    std::array<double, 3> lengths;  ///< of the periodic box; 0: open space
+    std::vector<double> radii;  ///< of all sources
+    Vec3 lengths;               ///< of the periodic box; 0: open space
     double xi, cut_off;
   };
 

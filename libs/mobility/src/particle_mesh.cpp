@@ -101,7 +101,7 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 // laplacian/6.
 struct ParticleMesh::Mesh {
   EwaldPlan plan;
-  std::array<double, 3> lengths;
+  Vec3 lengths;
   Beads beads;
   const Communicator& communicator;
   bool is_periodic;
@@ -125,7 +125,7 @@ struct ParticleMesh::Mesh {
   void multiply_open();
 };
 
-ParticleMesh::ParticleMesh(const EwaldPlan& plan, const std::array<double, 3>& lengths, Beads beads,
+ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads beads,
                            const Communicator& communicator)
     : mesh_(new Mesh{
           plan, lengths, std::move(beads), communicator, lengths[0] > 0, 1, 0, {}, {}, {}, {}, {}, {}}) {

@@ -22,7 +22,7 @@ void check(const Box& box) {
 
 PeriodicLine::Axis transverse_axis(const Box& box, int axis, double place) {
   const double length = box.lengths[axis];
-  if (!box.free_slip[axis]) return {.period = length, .mirror = 0};
+  if (!box.has_mirrors(axis)) return {.period = length, .mirror = 0};
   if (!(place > 0 && place < length)) {
     throw InputError("box", std::string("the line at ") + axis_names[axis] + " = " + std::to_string(place) +
                                 " is not between the walls at 0 and " + std::to_string(length));
@@ -64,7 +64,7 @@ PeriodicLine periodic_line(const Box& box, double y, double z) {
   // Images nearer than 6/xi = V^(1/3): about four of them, whatever the shape of the box.
   constexpr double splitting_of_unit_volume = 6;
   const double volume = box.lengths[0] * box.lengths[1] * box.lengths[2];
-  return {.period = (box.free_slip[0] ? 2 : 1) * box.lengths[0],
+  return {.period = (box.has_mirrors(0) ? 2 : 1) * box.lengths[0],
           .y = transverse_axis(box, 1, y),
           .z = transverse_axis(box, 2, z),
           .splitting = splitting_of_unit_volume / std::cbrt(volume)};

@@ -50,7 +50,7 @@ std::vector<Contact> find_contacts(const ContactScale& scale, const std::optiona
                                    std::span<const double> radii, std::span<const Vec3> positions) {
   std::vector<Contact> contacts;
   Finder finder(scale, contacts);
-  const std::array<double, 3> lengths = mirrored_lengths(box);  // so that nothing is nearer through a wall
+  const Vec3 lengths = mirrored_lengths(box);  // so that nothing is nearer through a wall
   const NeighbourCells cells(positions, (2 + scale.share) * scale.largest_radius, lengths);
   const std::vector<int>& order = cells.order();
   for (int s = 0; s < std::ssize(order); ++s) {
@@ -66,7 +66,7 @@ std::vector<Contact> find_contacts(const ContactScale& scale, const std::optiona
     });
     if (!box) continue;
     for (int a = 0; a < 3; ++a) {
-      if (!box->free_slip[a]) continue;
+      if (!box->has_mirrors(a)) continue;
       const double to_far_wall = box->lengths[a] - positions[i][a];
       finder.meet_wall(i, positions[i][a], Vec3::Unit(a), radii[i]);
       finder.meet_wall(i, to_far_wall, -Vec3::Unit(a), radii[i]);

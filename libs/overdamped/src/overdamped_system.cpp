@@ -134,7 +134,7 @@ void OverdampedSystem::look_for_faults() {
     if (moved > 1) note(OverdampedFaultKind::speed, b, number, moved);
     for (int a = 0; a < 3 && scene_.box; ++a) {
       const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
-      if (scene_.box->free_slip[a] && beyond > 0) note(OverdampedFaultKind::wall, b, number, beyond);
+      if (scene_.box->has_mirrors(a) && beyond > 0) note(OverdampedFaultKind::wall, b, number, beyond);
     }
     if (number == 3) continue;
     const double length =

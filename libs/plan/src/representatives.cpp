@@ -16,12 +16,11 @@ namespace {
 /// About a box of one swimmer's share of the whole: along x as long as the box is along the swimmer, or a
 /// whole part of that where swimmers stand one behind the other; periodic. Larger than the share where that
 /// would leave no room for a swimmer, or for four radii across.
-BoxPlace share_of(const Domain& domain, std::size_t swimmers, const CollinearSwimmer& swimmer,
-                  const Vec3& axis) {
+BoxPlace share_of(const Box& box, std::size_t swimmers, const CollinearSwimmer& swimmer, const Vec3& axis) {
   constexpr double room = 1.2, radii_across = 4;
   int along = 0;
   axis.cwiseAbs().maxCoeff(&along);
-  const double whole = domain.lengths[along], share = domain.lengths.prod() / static_cast<double>(swimmers);
+  const double whole = box.lengths[along], share = box.lengths.prod() / static_cast<double>(swimmers);
   const double least = room * length_of(swimmer);
   const double blocks = std::max(1.0, std::floor(whole / std::max(least, std::cbrt(share))));
   const double x = std::max(whole / blocks, least);

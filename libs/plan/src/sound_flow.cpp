@@ -29,8 +29,7 @@ double shell_integral_from(double first, double radius) {
 
 /// The box with walls mirrored away, and its waves.
 struct Waves {
-  Waves(const BoxPlace& place, double shortest_radius) : place(place) {
-    for (int a = 0; a < 3; ++a) lengths[a] = (place.box.free_slip[a] ? 2 : 1) * place.box.lengths[a];
+  Waves(const BoxPlace& place, double shortest_radius) : place(place), lengths(mirrored_lengths(place.box)) {
     const double volume = lengths[0] * lengths[1] * lengths[2];
     constexpr double most = 2e5, shells = 6;
     cut = std::min(shells / shortest_radius, std::cbrt(6 * pi * pi * most / volume));
@@ -42,11 +41,11 @@ struct Waves {
 
   /// Of the copies behind walls across y and z, at their distance from the line.
   double copies(int axis, double wave) const {
-    return place.box.free_slip[axis] ? 1 + std::cos(2 * wave * place.middle_bead[axis]) : 1;
+    return place.box.has_mirrors(axis) ? 1 + std::cos(2 * wave * place.middle_bead[axis]) : 1;
   }
 
   const BoxPlace& place;
-  std::array<double, 3> lengths{};
+  Vec3 lengths;
   double cut = 0;  ///< largest wavenumber [1/length]
 };
 
@@ -68,7 +67,7 @@ SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& 
     return flow;
   }
   const Waves waves(*place, *std::ranges::min_element(radius));
-  const bool walls_across = place->box.free_slip[0];
+  const bool walls_across = place->box.has_mirrors(0);
   for (int nx = 1; nx <= waves.count(0); ++nx) {
     const double kx = waves.wave(0, nx);
     // Complex amplitude of all waves with this k_x, for each size of bead: shells depend on |k|.

@@ -12,7 +12,7 @@ inline double length_of(const CollinearSwimmer& swimmer) {
 
 /// In the middle of a periodic box of which the first edge is along the swimmer.
 inline BoxPlace in_the_middle(const Vec3& lengths) {
-  return {.box = {.lengths = {lengths[0], lengths[1], lengths[2]}, .free_slip = {}},
+  return {.box = {.lengths = lengths, .boundary = {}},
           .middle_bead = {lengths[0] / 2, lengths[1] / 2, lengths[2] / 2}};
 }
 

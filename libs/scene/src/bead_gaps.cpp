@@ -15,19 +15,19 @@ double surface_gap(const std::vector<PlacedBead>& beads, const BeadPair& pair) {
 
 /// The pairs of each bead with its own nearest image, one a periodic axis.
 std::vector<BeadPair> own_image_pairs(const std::vector<PlacedBead>& beads,
-                                      const std::optional<Domain>& domain) {
+                                      const std::optional<Box>& domain) {
   std::vector<BeadPair> pairs;
   for (int axis = 0; axis < 3; ++axis) {
-    if (!domain || domain->boundary[axis] != Boundary::periodic) continue;
+    if (!domain || !domain->is_periodic(axis)) continue;
     for (std::size_t i = 0; i < beads.size(); ++i) pairs.push_back({i, i, domain->lengths[axis]});
   }
   return pairs;
 }
 
-double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Domain& domain) {
+double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Box& domain) {
   double gap = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
-    if (domain.boundary[axis] == Boundary::periodic) continue;
+    if (domain.is_periodic(axis)) continue;
     for (const PlacedBead& bead : beads) {
       const double x = bead.centre[axis];
       gap = std::min({gap, x - bead.radius, domain.lengths[axis] - x - bead.radius});
@@ -50,7 +50,7 @@ std::vector<PlacedBead> placed_beads(const Layout& layout) {
 }
 
 std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
-                                        const std::optional<Domain>& domain, std::size_t most) {
+                                        const std::optional<Box>& domain, std::size_t most) {
   std::vector<BeadPair> found;
   const auto keep_overlap = [&](const BeadPair& pair) {
     if (surface_gap(beads, pair) <= 0) found.push_back(pair);
@@ -63,7 +63,7 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
   return found;
 }
 
-double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Domain>& domain) {
+double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain) {
   double gap = domain ? smallest_wall_gap(beads, *domain) : std::numeric_limits<double>::infinity();
   for (const BeadPair& pair : own_image_pairs(beads, domain)) gap = std::min(gap, surface_gap(beads, pair));
   for (std::size_t i = 1; i < beads.size(); ++i) {  // beads that follow one another: the arms among them

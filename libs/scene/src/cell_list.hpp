@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 
 namespace beadswim {
@@ -16,10 +17,10 @@ namespace beadswim {
 /// around it. Cells are hashed: an unbounded scene needs no more memory than its beads.
 class CellList {
  public:
-  CellList(const std::optional<Domain>& domain, double reach) : width_(Vec3::Constant(reach)) {
+  CellList(const std::optional<Box>& domain, double reach) : width_(Vec3::Constant(reach)) {
     if (!domain) return;
     for (int axis = 0; axis < 3; ++axis) {
-      if (domain->boundary[axis] != Boundary::periodic) continue;
+      if (!domain->is_periodic(axis)) continue;
       period_[axis] = std::max<std::int64_t>(1, clamped(std::floor(domain->lengths[axis] / reach)));
       width_[axis] = domain->lengths[axis] / static_cast<double>(period_[axis]);
     }
@@ -84,33 +85,11 @@ inline double largest_radius(const std::vector<PlacedBead>& beads) {
   return radius;
 }
 
-/// Into the box, along its periodic axes.
-inline Vec3 folded(Vec3 position, const std::optional<Domain>& domain) {
-  if (!domain) return position;
-  for (int a = 0; a < 3; ++a) {
-    const double length = domain->lengths[a];
-    if (domain->boundary[a] == Boundary::periodic) position[a] -= length * std::floor(position[a] / length);
-  }
-  return position;
-}
-
-/// From one bead to the nearest image of another.
-inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::optional<Domain>& domain) {
-  Vec3 separation = to - from;
-  if (!domain) return separation;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (domain->boundary[axis] != Boundary::periodic) continue;
-    const double length = domain->lengths[axis];
-    separation[axis] -= length * std::round(separation[axis] / length);
-  }
-  return separation;
-}
-
 /// Calls visit(pair) for each pair of beads, and maybe some more, whose nearest images are within `reach`
 /// between centres, until it returns false.
 template <typename Visit>
-void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Domain>& domain,
-                       double reach, Visit&& visit) {
+void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double reach,
+                       Visit&& visit) {
   CellList cells(domain, reach);
   for (std::size_t i = 0; i < beads.size(); ++i) {
     const bool go_on = cells.visit_near(beads[i].centre, [&](std::size_t j) {

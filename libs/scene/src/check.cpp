@@ -90,7 +90,7 @@ void check_axes(const std::vector<Swimmer>& swimmers, Faults& faults) {
   }
 }
 
-void check_positions(const Domain& domain, const std::vector<Swimmer>& swimmers, Faults& faults) {
+void check_positions(const Box& domain, const std::vector<Swimmer>& swimmers, Faults& faults) {
   for (std::size_t i = 0; i < swimmers.size(); ++i) {
     const Vec3& x = swimmers[i].position;
     if ((x.array() >= 0).all() && (x.array() <= domain.lengths.array()).all()) continue;
@@ -101,11 +101,11 @@ void check_positions(const Domain& domain, const std::vector<Swimmer>& swimmers,
   }
 }
 
-void check_walls(const Domain& domain, const std::vector<PlacedBead>& beads, Faults& faults) {
+void check_walls(const Box& domain, const std::vector<PlacedBead>& beads, Faults& faults) {
   constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
   for (const PlacedBead& bead : beads) {
     for (int axis = 0; axis < 3; ++axis) {
-      if (domain.boundary[axis] == Boundary::periodic) continue;
+      if (domain.is_periodic(axis)) continue;
       const double lowest = bead.radius;
       const double highest = domain.lengths[axis] - bead.radius;
       if (bead.centre[axis] > lowest && bead.centre[axis] < highest) continue;

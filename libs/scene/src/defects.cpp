@@ -46,7 +46,7 @@ std::vector<std::size_t> drawn(const std::vector<std::uint64_t>& keys, std::size
   return result;
 }
 
-const Domain& box_of(const Layout& layout, const char* defect) {
+const Box& box_of(const Layout& layout, const char* defect) {
   if (layout.domain) return *layout.domain;
   throw InputError("/domain", fmt::format("is null (unbounded fluid), which {} has no places in", defect));
 }
@@ -119,7 +119,7 @@ void add_vacancies(Layout& layout, const HowMany& how_many, std::uint64_t seed) 
 }
 
 void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t seed) {
-  const Domain domain = box_of(layout, "an interstitial");
+  const Box domain = box_of(layout, "an interstitial");
   std::vector<PlacedBead> beads = placed_beads(layout);
   const double clearance = clearance_in(layout), reach = 2 * largest_radius(beads) + clearance;
   CellList cells(layout.domain, reach);
@@ -127,7 +127,7 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
 
   const auto is_free = [&](const Vec3& centre, double radius) {
     for (int a = 0; a < 3; ++a) {
-      if (domain.boundary[a] == Boundary::periodic) continue;
+      if (domain.is_periodic(a)) continue;
       if (centre[a] < radius + clearance || centre[a] > domain.lengths[a] - radius - clearance) return false;
     }
     return cells.visit_near(centre, [&](std::size_t b) {
@@ -179,7 +179,7 @@ void jitter(Layout& layout, const std::vector<std::size_t>& chosen, double sigma
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
     KeyedRandom random = random_of(swimmer, seed, Purpose::place);
-    swimmer.position = folded(swimmer.position + sigma * random.normal3(), layout.domain);
+    swimmer.position = wrapped(swimmer.position + sigma * random.normal3(), layout.domain);
   }
 }
 
@@ -200,7 +200,7 @@ void rotate(Layout& layout, const std::vector<std::size_t>& chosen, std::optiona
 }
 
 void add_domains(Layout& layout, std::int64_t domains, std::uint64_t seed) {
-  const Domain& box = box_of(layout, "a pattern of domains");
+  const Box& box = box_of(layout, "a pattern of domains");
   std::vector<Vec3> points, directions;
   for (std::int64_t d = 0; d < domains; ++d) {
     KeyedRandom random(seed, static_cast<std::uint64_t>(d), Purpose::region);
@@ -249,8 +249,8 @@ void disorder_frequencies(Layout& layout, const std::vector<std::size_t>& chosen
 
 void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& how_many, std::uint64_t seed) {
   const int axis = spacing.axis;
-  const bool periodic = layout.domain && layout.domain->boundary[axis] == Boundary::periodic;
-  for (Swimmer& swimmer : layout.swimmers) swimmer.position = folded(swimmer.position, layout.domain);
+  const bool periodic = layout.domain && layout.domain->is_periodic(axis);
+  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain);
   std::vector<std::size_t> order(layout.swimmers.size());
   for (std::size_t s = 0; s < order.size(); ++s) order[s] = s;
   const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
@@ -294,7 +294,7 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& ho
   }
   if (!layout.domain) return;
   layout.domain->lengths[axis] += shift;
-  for (Swimmer& swimmer : layout.swimmers) swimmer.position = folded(swimmer.position, layout.domain);
+  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain);
 }
 
 void repair_overlaps(Layout& layout) {
@@ -319,7 +319,7 @@ void repair_overlaps(Layout& layout) {
     });
     for (const PlacedBead& bead : beads) {
       for (int a = 0; layout.domain && a < 3; ++a) {
-        if (layout.domain->boundary[a] == Boundary::periodic) continue;
+        if (layout.domain->is_periodic(a)) continue;
         const double low = bead.radius + clearance, high = layout.domain->lengths[a] - low;
         const double inward = std::clamp(bead.centre[a], low, std::max(low, high)) - bead.centre[a];
         if (std::abs(inward) <= tolerance) continue;
@@ -329,7 +329,7 @@ void repair_overlaps(Layout& layout) {
     }
     if (!any) return;
     for (std::size_t s = 0; s < pushes.size(); ++s)
-      layout.swimmers[s].position = folded(layout.swimmers[s].position + pushes[s].move(), layout.domain);
+      layout.swimmers[s].position = wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain);
   }
   throw InputError("--repair",
                    fmt::format("beads are still too close after {} passes; there is too little room for "

@@ -27,8 +27,8 @@ Layout paper_scene(double radius, double arm, double stiffness, double amplitude
 
 Layout paper_single() {
   Layout layout = paper_scene(4, 20, 0.0347, 0.2, 4800);
-  layout.domain = Domain{.lengths = Vec3(1200, 800, 800),
-                         .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
+  layout.domain = Box{.lengths = Vec3(1200, 800, 800),
+                      .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
   layout.swimmers = {
       {.type = "a", .position = centred_position(layout.types.at("a"), Vec3::UnitX(), layout.domain)}};
   return layout;
@@ -59,7 +59,7 @@ Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid) {
   return {.cells_per_radius = smallest.radius, .relaxation_time = 3 * fluid.kinematic_viscosity + 0.5};
 }
 
-Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Domain>& domain) {
+Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain) {
   if (!domain) return Vec3::Zero();
   const double ahead = type.springs[1].rest_length + type.beads[2].radius;
   const double behind = type.springs[0].rest_length + type.beads[0].radius;

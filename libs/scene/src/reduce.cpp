@@ -13,7 +13,7 @@ namespace {
 /// Middle beads in a periodic box, to be found by place.
 class Places {
  public:
-  Places(const Layout& layout, const Domain& box, std::size_t expected)
+  Places(const Layout& layout, const Box& box, std::size_t expected)
       : layout_(layout), box_(box), list_(box_, spacing(box, expected)) {}
 
   void insert(std::size_t s) { list_.insert(s, layout_.swimmers[s].position); }
@@ -32,7 +32,7 @@ class Places {
 
  private:
   /// Edge of cells that hold about one swimmer each.
-  static double spacing(const Domain& box, std::size_t swimmers) {
+  static double spacing(const Box& box, std::size_t swimmers) {
     return std::cbrt(box.lengths.prod() / static_cast<double>(std::max<std::size_t>(swimmers, 1)));
   }
 
@@ -45,7 +45,7 @@ class Places {
   }
 
   const Layout& layout_;
-  std::optional<Domain> box_;
+  std::optional<Box> box_;
   CellList list_;
 };
 
@@ -71,7 +71,7 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   Places places(layout, *layout.domain, all);
   for (std::size_t s = 0; s < all; ++s) places.insert(s);
   for (int axis = 0; axis < 3; ++axis) {
-    if (layout.domain->boundary[axis] != Boundary::periodic) continue;
+    if (!layout.domain->is_periodic(axis)) continue;
     for (std::size_t parts = all; parts > 1; --parts) {
       if (all % parts != 0) continue;
       const double shift = shift_of(layout, places, axis, parts, tolerance);
@@ -82,9 +82,9 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
     }
   }
 
-  Domain& cell = *result.layout.domain;
+  Box& cell = *result.layout.domain;
   cell.lengths = layout.domain->lengths.cwiseQuotient(result.cells.cast<double>().matrix());
-  for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = folded(swimmer.position, cell);
+  for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = wrapped(swimmer.position, cell);
   // One of each that have become the same; twins of twins are within twice the tolerance.
   Places kept(result.layout, cell, all);
   std::vector<Swimmer> firsts;

@@ -26,7 +26,7 @@ Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type) {
   return last + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX() + plan.block_gap;
 }
 
-Domain swarm_box(const SwarmPlan& plan, const SwimmerType& type) {
+Box swarm_box(const SwarmPlan& plan, const SwimmerType& type) {
   return {.lengths = block_lengths(plan, type).cwiseProduct(plan.blocks.cast<double>().matrix()),
           .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
 }

@@ -60,7 +60,7 @@ LinePositions rest_positions(const CollinearSwimmer& swimmer, const BoxPlace& pl
 std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const BoxPlace& place) {
   const LinePositions x = rest_positions(swimmer, place);
   const auto& [box, middle] = place;
-  if (!box.free_slip[0]) {
+  if (!box.has_mirrors(0)) {
     if (auto overlap = overlap_along(swimmer, x, box.lengths[0])) return overlap;
   } else if (x[0] < swimmer.radius[0] || x[2] > box.lengths[0] - swimmer.radius[2]) {
     return fmt::format("an end bead reaches through a wall across the swimmer (box {:.6g})", box.lengths[0]);
@@ -68,7 +68,7 @@ std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const 
   const double largest = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
   for (const int axis : {1, 2}) {
     const double length = box.lengths[axis];
-    const double room = box.free_slip[axis] ? std::min(middle[axis], length - middle[axis]) : length / 2;
+    const double room = box.has_mirrors(axis) ? std::min(middle[axis], length - middle[axis]) : length / 2;
     if (room < largest) {
       return fmt::format("the box of {:.6g} beside the swimmer has no room for a bead of radius {:.6g} there",
                          length, largest);

@@ -62,8 +62,7 @@ double root_of_squares(std::initializer_list<double> parts) {
 /// most 1.
 double unknown_share_of_reynolds(const Question& question) {
   if (!question.box) return 0;
-  const auto& lengths = question.box->box.lengths;
-  const double narrowest = *std::min_element(lengths.begin(), lengths.end());
+  const double narrowest = question.box->box.lengths.minCoeff();
   return std::min(1.0, (question.swimmer.arm[0] + question.swimmer.arm[1]) / narrowest);
 }
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numbers>
 
-#include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/theory/linear_response.hpp"
 
 namespace beadswim {
@@ -17,7 +17,7 @@ CollinearSwimmer along_own_axis(const SwimmerType& type, const Fluid& fluid) {
   return collinear_swimmer(type, Vec3::UnitX(), fluid.dynamic_viscosity());
 }
 
-std::array<double, 3> box_over_length(const Domain& domain, const SwimmerType& type) {
+std::array<double, 3> box_over_length(const Box& domain, const SwimmerType& type) {
   const double length =
       type.beads[0].radius + type.springs[0].rest_length + type.springs[1].rest_length + type.beads[2].radius;
   return {domain.lengths[0] / length, domain.lengths[1] / length, domain.lengths[2] / length};

@@ -17,20 +17,15 @@ std::optional<int> coordinate_axis(const Vec3& axis) {
   return std::nullopt;
 }
 
-/// A periodic coordinate inside the box, or one between walls as it is.
-double inside(double place, double length, Boundary boundary) {
-  return boundary == Boundary::periodic ? place - length * std::floor(place / length) : place;
-}
-
 /// The box with the swimmer's axis first; an axis that points backwards counts from the far end.
-BoxPlace place_in(const Domain& domain, const Swimmer& swimmer, int axis) {
+BoxPlace place_in(const Box& box, const Swimmer& swimmer, int axis) {
+  const Vec3 position = wrapped(swimmer.position, box);
   BoxPlace place;
   for (int i = 0; i < 3; ++i) {
     const int from = (axis + i) % 3;
-    const double length = domain.lengths[from];
-    const double x = inside(swimmer.position[from], length, domain.boundary[from]);
+    const double length = box.lengths[from], x = position[from];
     place.box.lengths[i] = length;
-    place.box.free_slip[i] = domain.boundary[from] == Boundary::free_slip;
+    place.box.boundary[i] = box.boundary[from];
     place.middle_bead[i] = i == 0 && swimmer.axis[from] < 0 ? length - x : x;
   }
   return place;

@@ -12,9 +12,9 @@ Json vec3_to_json(const Vec3& vector);
 Vec3 vec3_from_json(const Json& json);
 
 /// { "lengths", "boundary" }, or null for unbounded fluid.
-Json domain_to_json(const std::optional<Domain>& domain);
+Json domain_to_json(const std::optional<Box>& domain);
 
 /// The inverse, of JSON that a schema has let through.
-std::optional<Domain> domain_from_json(const Json& json);
+std::optional<Box> domain_from_json(const Json& json);
 
 }  // namespace beadswim

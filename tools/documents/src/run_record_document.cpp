@@ -291,12 +291,6 @@ RunCost cost_from(const Json& json) {
 
 }  // namespace
 
-std::array<bool, 3> RunRecord::periodic_axes() const {
-  std::array<bool, 3> periodic{};
-  for (std::size_t i = 0; i < 3; ++i) periodic[i] = domain && domain->boundary[i] == Boundary::periodic;
-  return periodic;
-}
-
 std::string name_of(RunStatus status) {
   return name_in(status_names, status);
 }

@@ -67,7 +67,7 @@ Swimming swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const C
                      const std::string& source) {
   std::vector<Swimming> cycles;
   for (const CycleStatistics& cycle : chosen_cycles(swimmer.cycles, choice, source)) {
-    cycles.push_back(swimming_in(cycle, run.periodic_axes()));
+    cycles.push_back(swimming_in(cycle, run.domain));
   }
   return mean_swimming(cycles);
 }

@@ -12,6 +12,10 @@
 namespace beadswim {
 namespace {
 
+bool have_equal_lengths(const std::optional<Box>& a, const std::optional<Box>& b) {
+  return a && b ? a->lengths == b->lengths : a.has_value() == b.has_value();
+}
+
 Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   const auto& parameters = reader.header().parameters;
   const auto found = parameters.find("layout");
@@ -25,8 +29,7 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
                                         "beadswim-run wrote it",
                                         layout.swimmers.size(), reader.header().swimmer.size() / 3));
   }
-  const Vec3 box = layout.domain ? layout.domain->lengths : Vec3::Zero();
-  if (reader.header().box_lengths != box) {
+  if (!have_equal_lengths(reader.header().box, layout.domain)) {
     throw InputError(path + ":/particles/beads/box/edges",
                      "is not the layout's box; give a trajectory as beadswim-run wrote it");
   }

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 
 namespace beadswim {
@@ -12,9 +13,8 @@ namespace beadswim {
 /// other points and, along periodic axes, the periodic images of all points, the point's own too: so a unit
 /// cell has the distances of the lattice that it stands for. Infinite where there is no neighbour; NaN for
 /// all points if one is not finite.
-///   points       anywhere, any number of periods outside of the box too
-///   box_lengths  > 0 along periodic axes; not used along others
-std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, const Vec3& box_lengths,
-                                                const std::array<bool, 3>& periodic);
+///   points  anywhere, any number of periods outside of the box too
+///   box     of lengths > 0 along periodic axes; its other axes are not used; none: open space
+std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, const std::optional<Box>& box);
 
 }  // namespace beadswim

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 
 // How a swarm swims and stands at the end of a base cycle. See docs/method/swarm-statistics.md.
@@ -54,9 +55,9 @@ struct SwarmStatistics {
 };
 
 /// Statistics of a swarm at the end of base cycle `index`. Nearest neighbours are between centres and count
-/// periodic images as nearest_neighbours.hpp has it; box_lengths > 0 along periodic axes. All swimmers count
+/// periodic images as nearest_neighbours.hpp has it. All swimmers count
 /// alike, so that the order of members matters to roundoff only. Without members everything is zero or none.
-SwarmStatistics swarm_statistics(int index, std::span<const SwarmMember> members, const Vec3& box_lengths,
-                                 const std::array<bool, 3>& periodic);
+SwarmStatistics swarm_statistics(int index, std::span<const SwarmMember> members,
+                                 const std::optional<Box>& box);
 
 }  // namespace beadswim

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/core/box.hpp"
 
 // What runs and predictions are compared by.
 
@@ -29,9 +30,9 @@ using Swimming = std::map<ComparedQuantity, std::vector<double>>;
 
 /// velocity - mean_flow along the periodic axes, projected on the swimmer's axis. Across a wall-bounded axis
 /// the walls fix the frame, and the mean flow stays in.
-double velocity_against_fluid(const CycleStatistics& cycle, const std::array<bool, 3>& periodic);
+double velocity_against_fluid(const CycleStatistics& cycle, const std::optional<Box>& box);
 
-Swimming swimming_in(const CycleStatistics& cycle, const std::array<bool, 3>& periodic);
+Swimming swimming_in(const CycleStatistics& cycle, const std::optional<Box>& box);
 
 /// Arithmetic mean of each quantity over cycles that hold the same quantities; `cycles` is not empty.
 Swimming mean_swimming(std::span<const Swimming> cycles);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/block.hpp"
-#include "beadswim/lattice/halo.hpp"
 
 // Where a bead, whose coordinates are never wrapped, meets a block of a lattice that may be periodic.
 
@@ -23,16 +23,17 @@ inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
   return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
 }
 
-/// The lattice as seen by beads: its size, which axes are periodic, and one block of it.
+/// The lattice as seen by beads: its size, what closes it, and one block of it.
 struct BlockInLattice {
   Block block;
   Index3 cells;
-  std::array<bool, 3> periodic;
-  std::array<bool, 3> no_slip{};  ///< axes that end in such walls; others that are not periodic in mirrors
+  std::array<Boundary, 3> boundary;  ///< of the lattice
+
+  bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
 };
 
 BlockInLattice block_in_lattice(const Decomposition& decomposition, int rank,
-                                const std::array<Wall, 3>& walls);
+                                const std::array<Boundary, 3>& boundary);
 
 namespace detail {
 
@@ -50,7 +51,7 @@ void for_each_image_on_axis(const BlockInLattice& at, int axis, int margin, int 
     const int first = std::max(low - shift, -margin), end = std::min(high - shift, size + margin);
     if (first < end) visit(Interval{first, end, shift});
   };
-  if (!at.periodic[axis]) return visit_if_met(offset);
+  if (!at.is_periodic(axis)) return visit_if_met(offset);
   const int lowest = low - (size + margin) - offset, highest = high + margin - offset;
   const auto floor_division = [](int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); };
   for (int k = floor_division(lowest, period); k * period <= highest; ++k) visit_if_met(offset + k * period);

@@ -149,7 +149,7 @@ class Coverage {
   /// (RowEnds::wrapped), the cell of the row that it is an image of.
   std::ptrdiff_t wrapped_along_x(std::ptrdiff_t cell, int x) const {
     const int cells = at_.block.size[0];
-    if (!at_.periodic[0] || cells != at_.cells[0] || (x >= 0 && x < cells)) return cell;
+    if (!at_.is_periodic(0) || cells != at_.cells[0] || (x >= 0 && x < cells)) return cell;
     return x < 0 ? cell + cells : cell - cells;
   }
 

@@ -3,12 +3,12 @@
 #include <array>
 #include <vector>
 
-#include "beadswim/swimmers/swimmer_type.hpp"
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/hydrodynamic_radius.hpp"
-#include "beadswim/lattice/halo.hpp"
 #include "beadswim/lattice/precision.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 
 namespace beadswim {
 
@@ -26,7 +26,7 @@ struct CoupledScene {
   };
 
   Index3 cells = Index3::Zero();
-  std::array<Wall, 3> walls{};
+  std::array<Boundary, 3> boundary{};
   double relaxation_time = 1;
   Precision precision = Precision::fp64;  ///< of the populations
   BeadScheme bead_boundary = BeadScheme::staircase;

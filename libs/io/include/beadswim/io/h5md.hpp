@@ -1,13 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <exception>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
@@ -20,8 +21,7 @@ namespace beadswim {
 
 /// What does not change in a trajectory.
 struct TrajectoryHeader {
-  Vec3 box_lengths = Vec3::Zero();  ///< zero in open space
-  std::array<bool, 3> periodic{};
+  std::optional<Box> box{};    ///< none: open space
   std::vector<int> swimmer;    ///< id of the swimmer of each bead
   std::vector<int> bead;       ///< 1, 2 or 3 within the swimmer, of each bead
   std::vector<double> radius;  ///< of each bead
@@ -110,8 +110,7 @@ class TrajectoryWriter {
   std::string path_;
   bool root_;
   MPI_Comm comm_;
-  Vec3 box_lengths_;
-  std::array<bool, 3> periodic_;
+  std::optional<Box> box_;
   std::size_t beads_;
   bool goes_on_;  ///< with a file that a checkpoint held
   Lock lock_;

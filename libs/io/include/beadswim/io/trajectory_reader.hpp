@@ -5,7 +5,8 @@
 namespace beadswim {
 
 /// Reads a trajectory that TrajectoryWriter wrote, by one process and without MPI. FILE.part of a run that
-/// goes on or was killed can be read too; its frames are those that are whole.
+/// goes on or was killed can be read too; its frames are those that are whole. H5MD does not record the kind
+/// of a wall: walls are read as free-slip.
 class TrajectoryReader {
  public:
   /// Throws InputError naming file, place in it and remedy, as all of it does, for what cannot be read, is no
@@ -43,8 +44,8 @@ class TrajectoryReader {
   std::vector<Vec3> vectors(const Table& table, std::size_t frame) const;
   std::string text(const std::string& name) const;
   std::map<std::string, std::string> texts(const std::string& group) const;
-  std::array<bool, 3> periodic_axes() const;
-  Vec3 box_lengths(std::size_t frame) const;
+  std::array<Boundary, 3> boundary() const;
+  std::optional<Box> box(std::size_t frame) const;
   void read_header();
   void require_whole_swimmers() const;
 
@@ -53,6 +54,7 @@ class TrajectoryReader {
   std::size_t frames_;
   std::size_t beads_;
   Table step_, time_, edges_, position_, image_, velocity_, mean_flow_, momentum_;
+  std::array<Boundary, 3> boundary_;
   TrajectoryHeader header_;
 };
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/traffic.hpp"
 #include "beadswim/lattice/block.hpp"
@@ -12,15 +13,9 @@
 
 namespace beadswim {
 
-/// What closes the lattice on both sides of an axis.
-enum class Wall {
-  periodic,
-  free_slip,  ///< mirror: no flux, no shear stress
-  no_slip,    ///< bounce-back: fluid at rest half a cell outside the last cell
-};
-
 /// Fills the halo of a block before each step: from neighbouring ranks, from the block itself where a
-/// periodic axis is not cut, and by the wall's rule where the lattice ends.
+/// periodic axis is not cut, and by the wall's rule where the lattice ends: free-slip walls mirror, and
+/// no-slip walls bounce back, fluid at rest half a cell outside the last cell.
 ///
 /// Axis by axis, each over the halo already filled, so that edges and corners need no case of their own;
 /// no-slip walls, which are local to a cell, come last. Only the five directions that enter the block through
@@ -32,8 +27,8 @@ class Halo {
  public:
   /// Throws InputError if a block is a single cell thick and content is `behind`. The populations that it
   /// fills must have been made for this content.
-  Halo(const Communicator& communicator, const Decomposition& decomposition, const std::array<Wall, 3>& walls,
-       HaloContent content = HaloContent::entering);
+  Halo(const Communicator& communicator, const Decomposition& decomposition,
+       const std::array<Boundary, 3>& boundary, HaloContent content = HaloContent::entering);
   ~Halo();
 
   Halo(const Halo&) = delete;
@@ -66,14 +61,14 @@ class Halo {
 
  private:
   struct Face {
-    Wall closed_by = Wall::periodic;  ///< periodic: open to a neighbour
-    int neighbour = MPI_PROC_NULL;    ///< rank across an open face; this rank if the block is its own image
+    Boundary closed_by = Boundary::periodic;  ///< periodic: open to a neighbour
+    int neighbour = MPI_PROC_NULL;  ///< rank across an open face; this rank if the block is its own image
     std::vector<std::byte> send, receive;
 
-    bool is_open() const { return closed_by == Wall::periodic; }
+    bool is_open() const { return closed_by == Boundary::periodic; }
   };
 
-  bool at_wall(int axis, int side, Wall wall) const { return faces_[axis][side].closed_by == wall; }
+  bool at_wall(int axis, int side, Boundary wall) const { return faces_[axis][side].closed_by == wall; }
 
   /// Whether a face across the axis leads to another rank.
   bool is_cut(int axis) const {

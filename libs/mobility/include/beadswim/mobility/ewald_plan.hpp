@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "beadswim/core/vec3.hpp"
 
 // How a sum over beads is shared between pairs and a mesh, and how fine the mesh is, for a stated error.
@@ -10,8 +8,7 @@ namespace beadswim {
 
 /// Sizes that decide cost and error of an Ewald sum.
 struct EwaldScene {
-  std::array<double, 3>
-      lengths{};  ///< of the periodic box, or of what holds all beads in open space [length]
+  Vec3 lengths = Vec3::Zero();  ///< of the periodic box, or of what holds all beads in open space [length]
   bool is_periodic = true;
   double beads = 0;           ///< in the box
   double typical_radius = 0;  ///< the largest [length]

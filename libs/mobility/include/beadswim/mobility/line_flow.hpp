@@ -3,7 +3,7 @@
 #include <complex>
 #include <optional>
 
-#include "beadswim/mobility/box.hpp"
+#include "beadswim/core/box.hpp"
 #include "beadswim/mobility/line_kernel.hpp"
 #include "beadswim/mobility/periodic_stokes.hpp"
 

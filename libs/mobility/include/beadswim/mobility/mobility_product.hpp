@@ -1,14 +1,13 @@
 #pragma once
 
-#include <array>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/box.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 
 // Velocities of many spheres by forces on them, in Stokes flow: v_i = sum_j mu_ij f_j, with mu_ii = I/(6 pi

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/box.hpp"
 #include "beadswim/mobility/line_map_table.hpp"
 #include "beadswim/mobility/near_map.hpp"
 
@@ -52,7 +52,7 @@ class NearField {
 
   std::vector<double> radii_;
   std::optional<Box> box_;
-  std::array<double, 3> lengths_;  ///< of the periodic box of all images; 0 without
+  Vec3 lengths_;  ///< of the periodic box of all images; 0 without
   std::vector<TripletMapTable> triplet_tables_;
   std::vector<int> triplet_table_of_;  ///< each swimmer
   mutable std::map<std::array<double, 2>, PairMapTable> pair_tables_;

@@ -17,8 +17,7 @@ namespace beadswim {
 class NeighbourCells {
  public:
   /// lengths: of the periodic box; 0: open space.
-  NeighbourCells(std::span<const Vec3> positions, double cut_off, const std::array<double, 3>& lengths)
-      : lengths_(lengths) {
+  NeighbourCells(std::span<const Vec3> positions, double cut_off, const Vec3& lengths) : lengths_(lengths) {
     const Bounds bounds(positions);
     if (!is_periodic()) low_ = bounds.low;
     for (int a = 0; a < 3; ++a) {
@@ -97,7 +96,7 @@ class NeighbourCells {
     }
   }
 
-  std::array<double, 3> lengths_;
+  Vec3 lengths_;
   Vec3 low_ = Vec3::Zero();
   std::array<double, 3> inverse_edge_{};
   std::array<int, 3> counts_{};

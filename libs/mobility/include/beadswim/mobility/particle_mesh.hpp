@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/mobility/box.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 
 // The far part of the Ewald sum by a mesh: forces are spread by Gaussian windows W, transformed, multiplied,
@@ -33,8 +33,7 @@ class ParticleMesh {
   };
 
   /// lengths: of the periodic box; in open space 0, and the mesh follows the beads. Collective.
-  ParticleMesh(const EwaldPlan& plan, const std::array<double, 3>& lengths, Beads beads,
-               const Communicator& communicator);
+  ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads beads, const Communicator& communicator);
   ~ParticleMesh();
   ParticleMesh(const ParticleMesh&) = delete;
   ParticleMesh& operator=(const ParticleMesh&) = delete;

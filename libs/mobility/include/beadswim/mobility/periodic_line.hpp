@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "beadswim/mobility/box.hpp"
+#include "beadswim/core/box.hpp"
 
 // The lattice of images of a force on a line along x, and the waves of the same lattice. Walls are taken as
 // mirrors, so axes with walls have twice the period and y and z bring mirrored copies of the line itself;

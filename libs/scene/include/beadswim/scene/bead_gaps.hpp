@@ -30,9 +30,9 @@ struct BeadPair {
 
 /// Pairs whose surfaces touch or cross, at most `most` of them.
 std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
-                                        const std::optional<Domain>& domain, std::size_t most);
+                                        const std::optional<Box>& domain, std::size_t most);
 
 /// Smallest distance between two surfaces: beads, their periodic images, and walls [length].
-double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Domain>& domain);
+double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain);
 
 }  // namespace beadswim

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/swimmers/swimmer_type.hpp"
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 
 // A scene: fluid, domain, types of swimmer and the swimmers, in one coherent unit system. The in-memory
 // twin of layout.json (schemas/layout.schema.json); it knows nothing of JSON, cells or time steps.
@@ -31,16 +32,6 @@ struct Fluid {
   double dynamic_viscosity() const { return density * kinematic_viscosity; }  ///< eta
 };
 
-enum class Boundary { periodic, free_slip, no_slip };
-
-/// A box from the origin to `lengths`.
-struct Domain {
-  Vec3 lengths = Vec3::Zero();
-  std::array<Boundary, 3> boundary{};
-
-  bool operator==(const Domain&) const = default;
-};
-
 /// One swimmer: its type, where it is, and its own driving (its type's unless overridden).
 struct Swimmer {
   int id = 0;
@@ -59,7 +50,7 @@ struct Resolution {
 struct Layout {
   Units units;
   Fluid fluid;
-  std::optional<Domain> domain;  ///< none: unbounded fluid
+  std::optional<Box> domain;  ///< none: unbounded fluid
   std::map<std::string, SwimmerType> types;
   std::vector<Swimmer> swimmers;
   std::optional<Resolution> resolution;

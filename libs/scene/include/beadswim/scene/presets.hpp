@@ -32,6 +32,6 @@ Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid);
 
 /// The place of bead 2 that puts the middle of a swimmer, from the far side of bead 1 to that of bead 3, in
 /// the middle of the box; the origin in unbounded fluid.
-Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Domain>& domain);
+Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain);
 
 }  // namespace beadswim

@@ -21,7 +21,7 @@ struct SwarmPlan {
 Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type);
 
 /// The periodic box of all blocks.
-Domain swarm_box(const SwarmPlan& plan, const SwimmerType& type);
+Box swarm_box(const SwarmPlan& plan, const SwimmerType& type);
 
 /// The swarm in its box; the outer gaps are those between blocks, so that periodic images carry
 /// it on. Ids count up block by block, x fastest, and within each block likewise: id / (swimmers of a block)

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/mobility/box.hpp"
+#include "beadswim/core/box.hpp"
 #include "beadswim/mobility/collinear_mobility.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/perturbation.hpp"

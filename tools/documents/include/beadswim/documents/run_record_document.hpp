@@ -110,7 +110,7 @@ struct RunRecord {
   RunStatus status = RunStatus::finished;
   std::string reason;  ///< why it ended before its time; empty if it did not
   Units units;
-  std::optional<Domain> domain;          ///< none: unbounded fluid
+  std::optional<Box> domain;             ///< none: unbounded fluid
   double driving_period = 0;             ///< base period, by which cycles of the run are counted
   std::optional<DrivingRecord> driving;  ///< none where the swimmers' differ
   std::vector<SwimmerRecord> swimmers;   ///< none if there are more than most_swimmers_listed
@@ -124,9 +124,6 @@ struct RunRecord {
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;  ///< none after a fault
   std::optional<Json> provenance;
-
-  /// Which axes of the box are periodic; none in unbounded fluid.
-  std::array<bool, 3> periodic_axes() const;
 };
 
 /// Whether to write cost and provenance, which differ from run to run.

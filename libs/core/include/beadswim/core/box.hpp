@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "beadswim/core/vec3.hpp"
+
+// The box that holds fluid and swimmers, and its periodic and mirror images. Any coherent unit system.
+//
+//   L_a  length of the box along axis a
+//   x_a  coordinate of a position; n_a = floor(x_a / L_a) numbers the periodic image that holds it
+
+namespace beadswim {
+
+/// What closes the box at both ends of an axis.
+enum class Boundary {
+  periodic,
+  free_slip,  ///< wall: no flow through it, no shear stress on it; acts as a mirror
+  no_slip,    ///< wall: the fluid at it is at rest
+};
+
+/// A rectangular box from the origin to `lengths`.
+struct Box {
+  Vec3 lengths = Vec3::Zero();         ///< along x, y, z [length]
+  std::array<Boundary, 3> boundary{};  ///< of each axis
+
+  bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
+  bool has_mirrors(int axis) const { return boundary[axis] == Boundary::free_slip; }
+
+  bool operator==(const Box&) const = default;
+};
+
+/// Returns n_a along periodic axes, 0 along others.
+inline Vec3 image_number(const Vec3& position, const Box& box) {
+  Vec3 image = Vec3::Zero();
+  for (int a = 0; a < 3; ++a)
+    if (box.is_periodic(a)) image[a] = std::floor(position[a] / box.lengths[a]);
+  return image;
+}
+
+/// Wraps the periodic coordinates of a position into the box, x_a - L_a n_a. Leaves the others unchanged, and
+/// all in open space (no box).
+inline Vec3 wrapped(const Vec3& position, const std::optional<Box>& box) {
+  return box ? Vec3(position - box->lengths.cwiseProduct(image_number(position, *box))) : position;
+}
+
+/// Returns the separation from `from` to the nearest periodic image of `to`.
+inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::optional<Box>& box) {
+  Vec3 separation = to - from;
+  for (int a = 0; a < 3 && box; ++a) {
+    if (!box->is_periodic(a)) continue;
+    const double length = box->lengths[a];
+    separation[a] -= length * std::round(separation[a] / length);
+  }
+  return separation;
+}
+
+/// Returns the lengths of the periodic box that holds the box and its mirror images: 2 L_a across free-slip
+/// walls, L_a along periodic axes; 0 in open space.
+inline Vec3 mirrored_lengths(const std::optional<Box>& box) {
+  Vec3 lengths = Vec3::Zero();
+  for (int a = 0; a < 3 && box; ++a) lengths[a] = box->lengths[a] * (box->has_mirrors(a) ? 2 : 1);
+  return lengths;
+}
+
+/// Appends the mirror images of positions, or of other vectors. Each free-slip axis in turn doubles the
+/// vectors: the images have the component along that axis reversed.
+inline void add_mirror_images(const std::optional<Box>& box, std::vector<Vec3>& vectors) {
+  for (int a = 0; a < 3 && box; ++a) {
+    if (!box->has_mirrors(a)) continue;
+    const std::size_t count = vectors.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      Vec3 mirrored = vectors[i];
+      mirrored[a] = -mirrored[a];
+      vectors.push_back(mirrored);
+    }
+  }
+}
+
+}  // namespace beadswim
