@@ -133,10 +133,12 @@ TEST(CloseBeads, ReportADeepOverlap) {
 CoupledScene swimmer_scene(Boundary across_x, Precision precision) {
   SwimmerType type;
   type.beads.fill({.radius = 1, .density = 1});
-  return {.boundary = {across_x, Boundary::periodic, Boundary::periodic},
-          .precision = precision,
-          .types = {type},
-          .swimmers = {{.id = 0, .type = 0}}};
+  CoupledScene scene;
+  scene.boundary[0] = across_x;
+  scene.precision = precision;
+  scene.types = {type};
+  scene.swimmers = {{.id = 0, .type = 0}};
+  return scene;
 }
 
 // Beads of a scene that meet head on at the speed limit, no film between them, turn round and part again

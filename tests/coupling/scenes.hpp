@@ -17,11 +17,12 @@ inline CoupledScene small_swimmer(const Index3& cells, const Vec3& position, con
                   .phase = std::numbers::pi / 2,
                   .period = 120,
                   .frame = DrivingFrame::initial_axis};
-  return {.cells = cells,
-          .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic},
-          .relaxation_time = 1.2,
-          .types = {type},
-          .swimmers = {{.id = 0, .type = 0, .position = position, .axis = axis}}};
+  CoupledScene scene;
+  scene.cells = cells;
+  scene.relaxation_time = 1.2;
+  scene.types = {type};
+  scene.swimmers = {{.id = 0, .type = 0, .position = position, .axis = axis}};
+  return scene;
 }
 
 inline void advance(CoupledSystem& system, int steps) {

@@ -8,9 +8,9 @@
 #include <memory>
 #include <string>
 
-#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/rotne_prager_tensor.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {
 namespace {
@@ -56,13 +56,14 @@ Matrix9 mobility_of(const SwimmerType& type, const Vector9& x, double viscosity)
 }
 
 /// dy/dt of displacements y since the start, and what CVODE asks of it.
-class Swarm {
+class SwarmRates {
  public:
-  explicit Swarm(const OverdampedScene& scene)
+  explicit SwarmRates(const OverdampedScene& scene)
       : scene_(scene),
         world_(MPI_COMM_WORLD),
-        start_(rest_places(scene)),
-        product_({scene.model, scene.viscosity, scene.box, radii_of(scene), scene.tolerance}, start_, world_),
+        start_(rest_positions(scene)),
+        product_({scene.model, scene.viscosity, scene.box, bead_radii(scene), scene.tolerance}, start_,
+                 world_),
         preconditioner_(scene.swimmers.size()) {}
 
   std::size_t unknowns() const { return 3 * start_.size(); }
@@ -78,7 +79,7 @@ class Swarm {
     const Beads places = positions(y);
     Beads forces(places.size());
     for (std::size_t s = 0; s < scene_.swimmers.size(); ++s) {
-      const SwimmerType& type = scene_.type_of(s);
+      const SwimmerType& type = scene_.type_of(scene_.swimmers[s]);
       const Vector9 springs = spring_forces_of(type, own(places, s));
       const BeadVectors driving = driving_forces(
           type.driving, time, {places[3 * s], places[3 * s + 1], places[3 * s + 2]}, scene_.swimmers[s].axis);
@@ -93,14 +94,15 @@ class Swarm {
     Beads forces(places.size());
     for (std::size_t s = 0; s < scene_.swimmers.size(); ++s)
       Eigen::Map<Vector9>(forces[3 * s].data()) =
-          -stiffness_of(scene_.type_of(s), own(places, s)) * Eigen::Map<const Vector9>(z + 9 * s);
+          -stiffness_of(scene_.type_of(scene_.swimmers[s]), own(places, s)) *
+          Eigen::Map<const Vector9>(z + 9 * s);
     multiply(places, forces, result);
   }
 
   void prepare_preconditioner(const double* y, double gamma) {
     const Beads places = positions(y);
     for (std::size_t s = 0; s < scene_.swimmers.size(); ++s) {
-      const SwimmerType& type = scene_.type_of(s);
+      const SwimmerType& type = scene_.type_of(scene_.swimmers[s]);
       const Vector9 x = own(places, s);
       preconditioner_[s].compute(Matrix9::Identity() +
                                  gamma * mobility_of(type, x, scene_.viscosity) * stiffness_of(type, x));
@@ -137,25 +139,25 @@ double* data_of(N_Vector vector) {
 }
 
 int right_hand_side(realtype time, N_Vector y, N_Vector result, void* swarm) {
-  static_cast<Swarm*>(swarm)->velocities(time, data_of(y), data_of(result));
+  static_cast<SwarmRates*>(swarm)->velocities(time, data_of(y), data_of(result));
   return 0;
 }
 
 int jacobian_times(N_Vector z, N_Vector result, realtype, N_Vector y, N_Vector, void* swarm, N_Vector) {
-  static_cast<Swarm*>(swarm)->relax(data_of(y), data_of(z), data_of(result));
+  static_cast<SwarmRates*>(swarm)->relax(data_of(y), data_of(z), data_of(result));
   return 0;
 }
 
 int set_up_preconditioner(realtype, N_Vector y, N_Vector, booleantype, booleantype* is_new, realtype gamma,
                           void* swarm) {
-  static_cast<Swarm*>(swarm)->prepare_preconditioner(data_of(y), gamma);
+  static_cast<SwarmRates*>(swarm)->prepare_preconditioner(data_of(y), gamma);
   *is_new = SUNTRUE;
   return 0;
 }
 
 int solve_preconditioner(realtype, N_Vector, N_Vector, N_Vector r, N_Vector z, realtype, realtype, int,
                          void* swarm) {
-  static_cast<const Swarm*>(swarm)->precondition(data_of(r), data_of(z));
+  static_cast<const SwarmRates*>(swarm)->precondition(data_of(r), data_of(z));
   return 0;
 }
 
@@ -166,7 +168,7 @@ void require(int flag, const char* what) {
 /// What CVODE holds in memory.
 class Solver {
  public:
-  Solver(Swarm& swarm, const CvodeSettings& settings) {
+  Solver(SwarmRates& swarm, const CvodeSettings& settings) {
     require(SUNContext_Create(nullptr, &context_), "SUNContext_Create");
     displacements_ = N_VNew_Serial(static_cast<sunindextype>(swarm.unknowns()), context_);
     N_VConst(0, displacements_);
@@ -216,7 +218,7 @@ class Solver {
 }  // namespace
 
 CvodeResult by_cvode(const OverdampedScene& scene, double end, const CvodeSettings& settings) {
-  Swarm swarm(scene);
+  SwarmRates swarm(scene);
   Solver solver(swarm, settings);
   const double* displacements = solver.advance(end);
   return {.positions = swarm.positions(displacements), .products = swarm.products(), .steps = solver.steps()};

@@ -34,13 +34,13 @@ inline SwimmerType odd_swimmer() {
 }
 
 inline OverdampedScene scene_of(const SwimmerType& type, int steps_per_cycle) {
-  return {.model = PointModel::rotne_prager,
-          .viscosity = 1.0 / 3,
-          .box = {},
-          .types = {type},
-          .swimmers = {{.id = 0, .type = 0, .position = {60, 40, 40}, .axis = Vec3::UnitX()}},
-          .step = type.driving.period / steps_per_cycle,
-          .tolerance = 1e-9};
+  OverdampedScene scene;
+  scene.viscosity = 1.0 / 3;
+  scene.types = {type};
+  scene.swimmers = {{.id = 0, .type = 0, .position = {60, 40, 40}, .axis = Vec3::UnitX()}};
+  scene.step = type.driving.period / steps_per_cycle;
+  scene.tolerance = 1e-9;
+  return scene;
 }
 
 /// Three of the paper's swimmers in open space, turned and near each other, with the presets' stiff angular
@@ -82,7 +82,7 @@ inline OverdampedScene lattice_of(std::array<int, 2> rows, double distance, int 
 
 /// Turns swimmers by up to some 0.03 and moves them by up to 0.5, each differently.
 inline void disturb(OverdampedScene& scene) {
-  for (OverdampedScene::Swimmer& swimmer : scene.swimmers) {
+  for (PlacedSwimmer& swimmer : scene.swimmers) {
     const double s = 1 + swimmer.id;
     swimmer.axis = Vec3(1, 0.02 * std::sin(2 * s), 0.02 * std::cos(3 * s)).normalized();
     swimmer.position += 0.5 * Vec3(std::sin(5 * s), std::sin(7 * s), std::cos(11 * s));

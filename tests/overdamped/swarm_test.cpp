@@ -23,10 +23,10 @@ OverdampedScene three_swimmers(int steps_per_cycle) {
 }
 
 direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& places, double time) {
-  direct::Spheres spheres{places, radii_of(scene), {}};
+  direct::Spheres spheres{places, bead_radii(scene), {}};
   const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
-    const SwimmerType& type = scene.type_of(s);
+    const SwimmerType& type = scene.type_of(scene.swimmers[s]);
     const BeadVectors beads{places[3 * s], places[3 * s + 1], places[3 * s + 2]};
     const BeadVectors springs = spring_forces(type.springs, beads, at_rest);
     const BeadVectors bending = angular_spring_forces(type.angular_stiffness, beads);

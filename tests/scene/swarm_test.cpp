@@ -7,6 +7,7 @@
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/reduce.hpp"
+#include "beadswim/swimmers/rest_positions.hpp"
 #include "swarm_scene.hpp"
 
 namespace beadswim {
@@ -52,7 +53,8 @@ TEST(Swarm, KeepsTheGapsOfThePlan) {
   EXPECT_EQ(gaps_along(1), (std::vector<double>{25, 25, 50}));
   EXPECT_EQ(gaps_along(2), (std::vector<double>{60, 60, 60}));
   // Half an outer gap at the box's faces.
-  EXPECT_EQ(rest_positions(layout.swimmers.front(), type)[0][0], 20);
+  const Swimmer& first = layout.swimmers.front();
+  EXPECT_EQ(rest_positions(type, first.position, first.axis)[0][0], 20);
   // Block by block: the six of a block are in its sixth of the box.
   const Vec3 block = block_lengths(plan, type);
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {

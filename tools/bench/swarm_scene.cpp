@@ -26,13 +26,12 @@ SwimmerType swimmer(double scale) {
 
 CoupledScene swarm_scene(int edge, int ranks, Precision precision, BeadScheme bead_boundary) {
   const double scale = std::min(1.0, edge / length);
-  CoupledScene scene{.cells = {edge, edge, edge * ranks},
-                     .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic},
-                     .relaxation_time = swarm_relaxation_time,
-                     .precision = precision,
-                     .bead_boundary = bead_boundary,
-                     .types = {swimmer(scale)},
-                     .swimmers = {}};
+  CoupledScene scene;
+  scene.cells = {edge, edge, edge * ranks};
+  scene.relaxation_time = swarm_relaxation_time;
+  scene.precision = precision;
+  scene.bead_boundary = bead_boundary;
+  scene.types = {swimmer(scale)};
   const Index3 swimmers =
       (scene.cells.cast<double>() / (scale * Vec3(length, spacing, spacing).array()) + 1e-9)
           .floor()

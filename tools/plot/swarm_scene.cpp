@@ -9,6 +9,7 @@
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
+#include "beadswim/swimmers/rest_positions.hpp"
 
 namespace beadswim {
 namespace {
@@ -84,7 +85,7 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
   for (const Swimmer& swimmer : scene.layout.swimmers) {
     const SwimmerType& type = scene.layout.types.at(swimmer.type);
     scene.in_layout.push_back(scene.in_layout.size());
-    PicturedSwimmer pictured{.beads = rest_positions(swimmer, type)};
+    PicturedSwimmer pictured{.beads = rest_positions(type, swimmer.position, swimmer.axis)};
     for (std::size_t b = 0; b < 3; ++b) pictured.radii[b] = type.beads[b].radius;
     scene.swimmers.push_back(pictured);
   }

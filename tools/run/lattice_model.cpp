@@ -28,14 +28,6 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
 }
 
-PlannedSwimmer planned(const CoupledScene::Swimmer& swimmer, const SceneOnLattice& on_lattice) {
-  PlannedSwimmer result{.name = {.id = swimmer.id, .type = swimmer.type}};
-  for (int b = 0; b < 3; ++b) {
-    result.radii[b] = on_lattice.scene.types[swimmer.type].beads[b].radius * on_lattice.lattice.scales.cell;
-  }
-  return result;
-}
-
 std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) {
   if (!plan.options.flow_every) return std::nullopt;
   return FlowOutput(plan.options.output, plan.on_lattice.lattice.scales,
@@ -59,9 +51,12 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const st
   base_period = on_lattice.period;
   time_step = lattice.scales.step;
   steps_per_cycle = lattice.steps_per_period;
-  for (const SwimmerType& type : on_lattice.scene.types) periods.push_back(type.driving.period);
-  for (const CoupledScene::Swimmer& swimmer : on_lattice.scene.swimmers)
-    swimmers.push_back(planned(swimmer, on_lattice));
+  for (const SwimmerType& type : on_lattice.scene.types) {
+    const auto& [first, second, third] = type.beads;
+    periods.push_back(type.driving.period);
+    radii.push_back({first.radius * units.length, second.radius * units.length, third.radius * units.length});
+  }
+  swimmers = on_lattice.scene.swimmers;
   cells = on_lattice.scene.cells.cast<double>().prod();
   announcement = announcement_of(on_lattice, communicator);
   const long steps = total_steps(options.cycles, steps_per_cycle);

@@ -5,7 +5,7 @@
 
 #include "beadswim/coupling/gather.hpp"
 #include "beadswim/lattice/trt.hpp"
-#include "scene_facts.hpp"
+#include "record.hpp"
 
 namespace beadswim {
 namespace {

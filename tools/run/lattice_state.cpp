@@ -40,7 +40,7 @@ void read_populations(const CheckpointReader& file, Populations& populations, co
 /// Farther from the box, in cells, no bead has ever come.
 constexpr double farthest = 1e9;
 
-bool is_sound(const SwimmerState& swimmer, const CoupledScene::Swimmer& of_scene) {
+bool is_sound(const SwimmerState& swimmer, const PlacedSwimmer& of_scene) {
   return swimmer.id == of_scene.id && swimmer.type == of_scene.type &&
          std::ranges::all_of(swimmer.motion, [](const BeadMotion& bead) {
            return (bead.position.array().abs() < farthest).all() && bead.velocity.allFinite() &&
@@ -51,7 +51,7 @@ bool is_sound(const SwimmerState& swimmer, const CoupledScene::Swimmer& of_scene
 /// Of all swimmers, which must be the scene's, those that this rank owns, read some thousands at a time.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
   const std::uint64_t all = file.size(swimmers_section), some = 4096 * snapshot_size();
-  const std::vector<CoupledScene::Swimmer>& of_scene = system.scene().swimmers;
+  const std::vector<PlacedSwimmer>& of_scene = system.scene().swimmers;
   if (all != of_scene.size() * snapshot_size())
     throw SolverError(
         file.path() +

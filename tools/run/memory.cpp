@@ -18,8 +18,8 @@ double installed_bytes() {
 
 double bead_surface(const CoupledScene& scene) {
   double area = 0;
-  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
-    for (const Bead& bead : scene.types[swimmer.type].beads)
+  for (const PlacedSwimmer& swimmer : scene.swimmers) {
+    for (const Bead& bead : scene.type_of(swimmer).beads)
       area += 4 * std::numbers::pi * bead.radius * bead.radius;
   }
   return area;

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "options.hpp"
 
 // What a run drives: swimmers in a fluid, whatever the model of the fluid. A ModelPlan says what the run will
@@ -92,12 +93,6 @@ class Model {
   virtual void restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) = 0;
 };
 
-/// A swimmer of a scene, as a model has it.
-struct PlannedSwimmer {
-  SwimmerName name;
-  std::array<double, 3> radii{};  ///< of beads 1, 2, 3 [length]
-};
-
 /// What is known of a model's run before it takes memory for it.
 struct ModelPlan {
   ModelPlan() = default;
@@ -114,11 +109,12 @@ struct ModelPlan {
   double base_period = 0;  ///< by which cycles of the run are counted [time]
   double time_step = 0;    ///< [time]
   long steps_per_cycle = 0;
-  std::vector<double> periods;           ///< of each type's driving [step]
-  std::vector<PlannedSwimmer> swimmers;  ///< in order of their ids
-  std::optional<double> cells;           ///< none: no lattice
-  std::string announcement;              ///< what the run is, in a line
-  std::vector<std::string> warnings;     ///< what may go wrong, each a line
+  std::vector<double> periods;               ///< of each type's driving [step]
+  std::vector<std::array<double, 3>> radii;  ///< of each type's beads 1, 2, 3 [length]
+  std::vector<PlacedSwimmer> swimmers;       ///< in order of their ids [ModelUnits]
+  std::optional<double> cells;               ///< none: no lattice
+  std::string announcement;                  ///< what the run is, in a line
+  std::vector<std::string> warnings;         ///< what may go wrong, each a line
 };
 
 }  // namespace beadswim

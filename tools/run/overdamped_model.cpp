@@ -8,7 +8,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
-#include "scene_facts.hpp"
+#include "record.hpp"
 
 namespace beadswim {
 namespace {
@@ -64,20 +64,18 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
   refuse_no_slip(layout, source);
   scene.box = layout.domain;
   scene.tolerance = asked.tolerance;
-  TypedSwimmers typed = typed_swimmers(layout);
-  scene.types = std::move(typed.types);
-  for (const auto& [swimmer, type] : typed.members) {
-    scene.swimmers.push_back({swimmer->id, type, swimmer->position, swimmer->axis});
-    PlannedSwimmer planned{.name = {.id = swimmer->id, .type = type}};
-    for (int b = 0; b < 3; ++b) planned.radii[b] = scene.types[type].beads[b].radius;
-    swimmers.push_back(planned);
-  }
+  static_cast<Swarm&>(scene) = placed_swimmers(layout);
+  swimmers = scene.swimmers;
   require_room(scene, source);
   base_period = beadswim::base_period(layout);
   steps_per_cycle = std::lround(
       std::ceil(asked.steps_per_cycle * base_period / std::min(base_period, shortest_period(layout)) - 1e-9));
   time_step = scene.step = base_period / static_cast<double>(steps_per_cycle);
-  for (const SwimmerType& type : scene.types) periods.push_back(type.driving.period / time_step);
+  for (const SwimmerType& type : scene.types) {
+    const auto& [first, second, third] = type.beads;
+    periods.push_back(type.driving.period / time_step);
+    radii.push_back({first.radius, second.radius, third.radius});
+  }
   announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
                              asked.model, swimmers.size(), scene.box ? "a box" : "open space",
                              scene.tolerance, steps_per_cycle, communicator.size());
@@ -96,7 +94,8 @@ int OverdampedModel::own_swimmers() const {
 }
 
 SwimmerName OverdampedModel::own_swimmer(int number) const {
-  return plan_.swimmers[system_.own_swimmers().first + number].name;
+  const PlacedSwimmer& swimmer = plan_.swimmers[system_.own_swimmers().first + number];
+  return {.id = swimmer.id, .type = swimmer.type};
 }
 
 std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) const {
@@ -115,8 +114,7 @@ std::vector<SwimmerSight> OverdampedModel::gather_swimmers() const {
   std::vector<SwimmerSight> sights;
   if (!plan_.communicator.is_root()) return sights;
   for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
-    SwimmerSight sight{
-        .id = plan_.swimmers[s].name.id, .initial_axis = plan_.scene.swimmers[s].axis, .motion = {}};
+    SwimmerSight sight{.id = plan_.swimmers[s].id, .initial_axis = plan_.swimmers[s].axis, .motion = {}};
     for (int b = 0; b < 3; ++b) {
       sight.motion[b].position = system_.positions()[3 * s + b];
       sight.motion[b].velocity = system_.velocities()[3 * s + b];

@@ -18,13 +18,13 @@ constexpr std::array models{std::pair{MobilityModel::oseen, "oseen"}, std::pair{
 
 /// Core-seconds of a product, timed.
 double product_seconds(const OverdampedScene& scene, const Communicator& communicator) {
-  const Beads places = rest_places(scene);
+  const Beads places = rest_positions(scene);
   Beads forces(places.size()), velocities(places.size());
   for (std::size_t b = 0; b < forces.size(); ++b) forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2.0 : 1.0);
   const MobilityProduct product({.model = scene.model,
                                  .viscosity = scene.viscosity,
                                  .box = scene.box,
-                                 .radii = radii_of(scene),
+                                 .radii = bead_radii(scene),
                                  .tolerance = scene.tolerance},
                                 places, communicator);
   product.apply(places, forces, velocities);  // makes its plans and tables

@@ -2,6 +2,10 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace beadswim {
 namespace {
 
@@ -56,6 +60,17 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   record.provenance = document.provenance;
   record.provenance->push_back(parts.plan.options.provenance);
   return record;
+}
+
+DimensionlessNumbers dimensionless_numbers(std::span<const SwimmerType> types, double speed,
+                                           double kinematic_viscosity, double period) {
+  const double largest = largest_radius(types), omega = 2 * std::numbers::pi / period;
+  double smallest = largest;
+  for (const SwimmerType& type : types)
+    for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);
+  return {.reynolds_bead = speed * 2 * largest / kinematic_viscosity,
+          .penetration_depth_over_radius = std::sqrt(2 * kinematic_viscosity / omega) / smallest,
+          .mach = std::nullopt};
 }
 
 }  // namespace beadswim

@@ -109,7 +109,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
                                 .period = period == plan.base_period ? std::nullopt : std::optional(period)},
                      .beads = type.beads,
                      .period = period,
-                     .samples_per_cycle = schedules_.of(plan.swimmers[s].name.type).per_cycle(),
+                     .samples_per_cycle = schedules_.of(plan.swimmers[s].type).per_cycle(),
                      .samples = {}});
   }
 }

@@ -8,7 +8,6 @@
 #include "beadswim/io/h5md.hpp"
 #include "model.hpp"
 #include "sampling_schedule.hpp"
-#include "scene_facts.hpp"
 
 namespace beadswim {
 

@@ -16,11 +16,11 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
 TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
   TrajectoryHeader header;
   header.box = document.layout.domain;
-  for (const PlannedSwimmer& swimmer : plan.swimmers) {
+  for (const PlacedSwimmer& swimmer : plan.swimmers) {
     for (int b = 0; b < 3; ++b) {
-      header.swimmer.push_back(swimmer.name.id);
+      header.swimmer.push_back(swimmer.id);
       header.bead.push_back(b + 1);
-      header.radius.push_back(swimmer.radii[b]);
+      header.radius.push_back(plan.radii[swimmer.type][b]);
     }
   }
   header.creator_version = version() + " (" + revision() + ")";

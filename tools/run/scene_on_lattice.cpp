@@ -6,13 +6,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
-#include "scene_facts.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
+#include "beadswim/swimmers/rest_positions.hpp"
 
 namespace beadswim {
 namespace {
@@ -32,8 +34,9 @@ void require_box(const Layout& layout, const std::string& source) {
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
-    const SwimmerType& type = layout.types.at(layout.swimmers[s].type);
-    const std::array<Vec3, 3> beads = rest_positions(layout.swimmers[s], type);
+    const Swimmer& swimmer = layout.swimmers[s];
+    const SwimmerType& type = layout.types.at(swimmer.type);
+    const std::array<Vec3, 3> beads = rest_positions(type, swimmer.position, swimmer.axis);
     for (int b = 0; b < 3; ++b) {
       for (int a = 0; a < 3; ++a) {
         if (layout.domain->is_periodic(a)) continue;
@@ -132,15 +135,10 @@ SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattic
 /// The layout's swimmers and their types, in lattice units.
 void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice& lattice,
                   bool corrects_delay) {
-  const TypedSwimmers typed = typed_swimmers(layout);
-  for (const SwimmerType& type : typed.types)
-    scene.types.push_back(type_on_lattice(type, lattice, corrects_delay));
-  for (const auto& [swimmer, type] : typed.members) {
-    scene.swimmers.push_back({.id = swimmer->id,
-                              .type = type,
-                              .position = swimmer->position / lattice.scales.cell,
-                              .axis = swimmer->axis});
-  }
+  Swarm swarm = placed_swimmers(layout);
+  for (SwimmerType& type : swarm.types) type = type_on_lattice(type, lattice, corrects_delay);
+  for (PlacedSwimmer& swimmer : swarm.swimmers) swimmer.position /= lattice.scales.cell;
+  static_cast<Swarm&>(scene) = std::move(swarm);
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ constexpr Limits limits(Precision precision) {
 
 double mass_of_beads(const CoupledScene& scene) {
   double sum = 0;
-  for (const CoupledScene::Swimmer& swimmer : scene.swimmers) {
-    for (const Bead& bead : scene.types[swimmer.type].beads) sum += mass(bead);
+  for (const PlacedSwimmer& swimmer : scene.swimmers) {
+    for (const Bead& bead : scene.type_of(swimmer).beads) sum += mass(bead);
   }
   return sum;
 }

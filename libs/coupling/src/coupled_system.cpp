@@ -13,8 +13,8 @@
 namespace beadswim {
 namespace {
 
-SwimmerState at_rest(const CoupledScene& scene, const CoupledScene::Swimmer& swimmer) {
-  const SwimmerType& type = scene.types[swimmer.type];
+SwimmerState at_rest(const CoupledScene& scene, const PlacedSwimmer& swimmer) {
+  const SwimmerType& type = scene.type_of(swimmer);
   SwimmerState state{.id = swimmer.id,
                      .type = swimmer.type,
                      .initial_axis = swimmer.axis,
@@ -43,7 +43,7 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.boundary)),
       smallest_gap_(std::numeric_limits<double>::infinity()) {
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
-  for (const CoupledScene::Swimmer& swimmer : scene_.swimmers) {
+  for (const PlacedSwimmer& swimmer : scene_.swimmers) {
     if (exchange_.owner_of(swimmer.position) == communicator.rank())
       owned_.push_back(at_rest(scene_, swimmer));
   }

@@ -36,11 +36,11 @@ class Finder {
 
 }  // namespace
 
-ContactScale::ContactScale(const OverdampedScene& scene) {
+ContactScale::ContactScale(const OverdampedScene& scene)
+    : largest_radius(beadswim::largest_radius(scene.types)) {
   double spring = 0;
   for (const SwimmerType& type : scene.types) {
     strength = std::max(strength, type.driving.amplitude[0] + type.driving.amplitude[1]);
-    for (const Bead& bead : type.beads) largest_radius = std::max(largest_radius, bead.radius);
     spring = std::max({spring, type.springs[0].stiffness, type.springs[1].stiffness});
   }
   if (strength == 0) strength = spring * largest_radius;

@@ -53,7 +53,7 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
   }
   parts_.reserve(last_ - first_);
   for (std::size_t s = first_; s < last_; ++s)
-    parts_.push_back(implicit_swimmer(rule, {.type = scene.type_of(s),
+    parts_.push_back(implicit_swimmer(rule, {.type = scene.type_of(scene.swimmers[s]),
                                              .initial_axis = scene.swimmers[s].axis,
                                              .now = nine(now, s),
                                              .from = nine(from, s),

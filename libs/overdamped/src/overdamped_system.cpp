@@ -23,12 +23,12 @@ Beads combined(std::initializer_list<std::pair<double, const Beads*>> terms) {
 OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& communicator)
     : scene_(std::move(scene)),
       communicator_(communicator),
-      radii_(radii_of(scene_)),
-      mobility_({scene_.model, scene_.viscosity, scene_.box, radii_, scene_.tolerance}, rest_places(scene_),
-                communicator),
+      radii_(bead_radii(scene_)),
+      mobility_({scene_.model, scene_.viscosity, scene_.box, radii_, scene_.tolerance},
+                rest_positions(scene_), communicator),
       implicit_step_(std::make_unique<ImplicitStep>(scene_, radii_, mobility_, communicator_)) {
   const Beads nowhere(radii_.size(), Vec3::Zero());
-  state_.positions.fill(rest_places(scene_));
+  state_.positions.fill(rest_positions(scene_));
   state_.velocities.fill(nowhere);
   state_.distant.fill(nowhere);
   find_velocities();
@@ -138,7 +138,7 @@ void OverdampedSystem::look_for_faults() {
     }
     if (number == 3) continue;
     const double length =
-        (now[b + 1] - now[b]).norm() / scene_.type_of(b / 3).springs[number - 1].rest_length;
+        (now[b + 1] - now[b]).norm() / scene_.type_of(scene_.swimmers[b / 3]).springs[number - 1].rest_length;
     if (length > 2) note(OverdampedFaultKind::torn_arm, b, number, length);
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "beadswim/swimmers/rest_positions.hpp"
 #include "cell_list.hpp"
 
 namespace beadswim {
@@ -43,7 +44,7 @@ std::vector<PlacedBead> placed_beads(const Layout& layout) {
   beads.reserve(3 * layout.swimmers.size());
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     const SwimmerType& type = layout.types.at(layout.swimmers[s].type);
-    const auto centres = rest_positions(layout.swimmers[s], type);
+    const auto centres = rest_positions(type, layout.swimmers[s].position, layout.swimmers[s].axis);
     for (int i = 0; i < 3; ++i) beads.push_back({centres[i], type.beads[i].radius, s, i});
   }
   return beads;

@@ -12,6 +12,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/keyed_random.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
+#include "beadswim/swimmers/rest_positions.hpp"
 #include "cell_list.hpp"
 
 namespace beadswim {
@@ -156,7 +157,7 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
     bool found = false;
     for (int trial = 0; trial < most_trials && !found; ++trial) {
       for (int a = 0; a < 3; ++a) added.position[a] = domain.lengths[a] * random.uniform();
-      const auto centres = rest_positions(added, type);
+      const auto centres = rest_positions(type, added.position, added.axis);
       found = is_free(centres[0], type.beads[0].radius) && is_free(centres[1], type.beads[1].radius) &&
               is_free(centres[2], type.beads[2].radius);
     }
@@ -166,7 +167,7 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
                                    "full, add fewer",
                                    added.id, most_trials));
     }
-    const auto centres = rest_positions(added, type);
+    const auto centres = rest_positions(type, added.position, added.axis);
     for (int b = 0; b < 3; ++b) {
       cells.insert(beads.size(), centres[b]);
       beads.push_back({centres[b], type.beads[b].radius, layout.swimmers.size(), b});

@@ -1,7 +1,5 @@
 #include "beadswim/scene/layout.hpp"
 
-#include "beadswim/swimmers/rest_positions.hpp"
-
 #include <algorithm>
 #include <limits>
 
@@ -21,8 +19,18 @@ double smallest_radius(const Layout& layout) {
   return smallest;
 }
 
-std::array<Vec3, 3> rest_positions(const Swimmer& swimmer, const SwimmerType& type) {
-  return rest_positions(type, swimmer.position, swimmer.axis);
+double base_period(const Layout& layout) {
+  const auto own = [&](const Swimmer& swimmer) { return layout.resolved_type(swimmer).driving.period; };
+  const double first = own(layout.swimmers.front());
+  if (std::ranges::all_of(layout.swimmers, [&](const Swimmer& s) { return own(s) == first; })) return first;
+  return layout.types.at(layout.swimmers.front().type).driving.period;
+}
+
+double shortest_period(const Layout& layout) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (const Swimmer& swimmer : layout.swimmers)
+    shortest = std::min(shortest, layout.resolved_type(swimmer).driving.period);
+  return shortest;
 }
 
 }  // namespace beadswim

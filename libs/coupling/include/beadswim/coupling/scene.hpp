@@ -8,7 +8,7 @@
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/hydrodynamic_radius.hpp"
 #include "beadswim/lattice/precision.hpp"
-#include "beadswim/swimmers/swimmer_type.hpp"
+#include "beadswim/scene/placed_swimmers.hpp"
 
 namespace beadswim {
 
@@ -17,14 +17,7 @@ constexpr double speed_limit = 0.5;
 
 /// A scene in lattice units: cell = step = mean fluid density = 1. Cell (i,j,k) is the cube from (i,j,k) to
 /// (i+1,j+1,k+1).
-struct CoupledScene {
-  struct Swimmer {
-    int id = 0;
-    int type = 0;                  ///< index into types
-    Vec3 position = Vec3::Zero();  ///< centre of bead 2
-    Vec3 axis = Vec3::UnitX();     ///< unit vector from bead 1 to bead 3
-  };
-
+struct CoupledScene : Swarm {
   Index3 cells = Index3::Zero();
   std::array<Boundary, 3> boundary{};
   double relaxation_time = 1;
@@ -33,8 +26,6 @@ struct CoupledScene {
   bool corrects_radii = false;  ///< gives beads the radii for which their hydrodynamic radii are the types'
   bool lubrication = true;  ///< adds the resistance of films between beads that the lattice does not resolve
   double friction = 0;      ///< Coulomb's coefficient, of beads in contact
-  std::vector<SwimmerType> types;
-  std::vector<Swimmer> swimmers;
 
   /// Radius of a bead of a type as the fluid meets it [cell].
   double radius_on_lattice(const Bead& bead) const {

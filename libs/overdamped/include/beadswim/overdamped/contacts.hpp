@@ -24,7 +24,7 @@ struct ContactScale {
   double share = 0.2;  ///< reach over the mean radius
   double strength =
       0;  ///< largest driving force; where there is none, that which stretches a spring by a radius
-  double largest_radius = 0;  ///< [length]
+  double largest_radius;  ///< [length]
 
   explicit ContactScale(const OverdampedScene& scene);
 };

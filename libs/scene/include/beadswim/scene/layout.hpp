@@ -62,7 +62,10 @@ struct Layout {
 /// Of all beads that the layout's swimmers have [length].
 double smallest_radius(const Layout& layout);
 
-/// Centres of beads 1, 2, 3 at rest: position - l1 axis, position, position + l2 axis.
-std::array<Vec3, 3> rest_positions(const Swimmer& swimmer, const SwimmerType& type);
+/// Returns the period that all swimmers share, else that of the first one's type [time].
+double base_period(const Layout& layout);
+
+/// Returns the shortest period of any swimmer's driving [time].
+double shortest_period(const Layout& layout);
 
 }  // namespace beadswim

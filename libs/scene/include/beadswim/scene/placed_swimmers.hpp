@@ -1,0 +1,41 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/scene/layout.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
+
+// Swimmers as all models place them. Any coherent unit system.
+
+namespace beadswim {
+
+/// A swimmer at the start of a run, at rest.
+struct PlacedSwimmer {
+  int id = 0;
+  int type = 0;                  ///< index into Swarm::types
+  Vec3 position = Vec3::Zero();  ///< centre of bead 2, unwrapped [length]
+  Vec3 axis = Vec3::UnitX();     ///< unit vector from bead 1 to bead 3
+};
+
+/// Swimmers and the types that they share.
+struct Swarm {
+  std::vector<SwimmerType> types;
+  std::vector<PlacedSwimmer> swimmers;  ///< in order of their ids
+
+  const SwimmerType& type_of(const PlacedSwimmer& swimmer) const { return types[swimmer.type]; }
+};
+
+/// Returns the layout's swimmers. A swimmer with driving of its own has a type of its own.
+Swarm placed_swimmers(const Layout& layout);
+
+/// Returns the centres of all beads at rest, three per swimmer, in order of the swimmers.
+std::vector<Vec3> rest_positions(const Swarm& swarm);
+
+/// Returns the radii of all beads in the same order.
+std::vector<double> bead_radii(const Swarm& swarm);
+
+double largest_radius(std::span<const SwimmerType> types);
+
+}  // namespace beadswim

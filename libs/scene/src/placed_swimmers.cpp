@@ -1,0 +1,47 @@
+#include "beadswim/scene/placed_swimmers.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+#include "beadswim/swimmers/rest_positions.hpp"
+
+namespace beadswim {
+
+Swarm placed_swimmers(const Layout& layout) {
+  Swarm swarm;
+  std::map<std::string, int> shared_types;  // of swimmers that do not override their type's driving
+  for (const Swimmer& swimmer : layout.swimmers) {
+    int type = static_cast<int>(swarm.types.size());
+    if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
+    if (type == std::ssize(swarm.types)) swarm.types.push_back(layout.resolved_type(swimmer));
+    swarm.swimmers.push_back({swimmer.id, type, swimmer.position, swimmer.axis});
+  }
+  std::ranges::sort(swarm.swimmers, {}, &PlacedSwimmer::id);
+  return swarm;
+}
+
+std::vector<Vec3> rest_positions(const Swarm& swarm) {
+  std::vector<Vec3> positions;
+  for (const PlacedSwimmer& swimmer : swarm.swimmers) {
+    for (const Vec3& bead : rest_positions(swarm.type_of(swimmer), swimmer.position, swimmer.axis))
+      positions.push_back(bead);
+  }
+  return positions;
+}
+
+std::vector<double> bead_radii(const Swarm& swarm) {
+  std::vector<double> radii;
+  for (const PlacedSwimmer& swimmer : swarm.swimmers)
+    for (const Bead& bead : swarm.type_of(swimmer).beads) radii.push_back(bead.radius);
+  return radii;
+}
+
+double largest_radius(std::span<const SwimmerType> types) {
+  double largest = 0;
+  for (const SwimmerType& type : types)
+    for (const Bead& bead : type.beads) largest = std::max(largest, bead.radius);
+  return largest;
+}
+
+}  // namespace beadswim
