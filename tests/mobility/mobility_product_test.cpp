@@ -54,8 +54,8 @@ const Box boxes[] = {{{20, 20, 20}, {}},
 // Against the sum over all images and wavevectors of another splitting: the error is what was asked for,
 // however small. A wrong share of the windows, size term, self term or mirror is far outside of it.
 TEST(MobilityProduct, InABoxIsTheDirectSumToItsTolerance) {
-  for (const PointModel model : {PointModel::rotne_prager, PointModel::oseen}) {
-    const auto law = model == PointModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
+  for (const MobilityModel model : {MobilityModel::rpy, MobilityModel::oseen}) {
+    const auto law = model == MobilityModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
     for (const Box& box : boxes) {
       for (const bool alike : {true, false}) {
         const direct::Spheres spheres = random_spheres(24, box.lengths, 1, alike);
@@ -78,7 +78,7 @@ TEST(MobilityProduct, InOpenSpaceIsTheSumOfPairsToItsTolerance) {
       const direct::Spheres spheres = random_spheres(1001, {edge, edge, edge / 2}, 1, alike);
       const auto exact = direct::open_velocities(direct::Law::rotne_prager, spheres, eta);
       for (const double tolerance : {1e-3, 1e-4, 1e-6}) {
-        const MobilityScene scene{PointModel::rotne_prager, eta, {}, spheres.radii, tolerance};
+        const MobilityScene scene{MobilityModel::rpy, eta, {}, spheres.radii, tolerance};
         EXPECT_LT(relative_error(product(scene, spheres), exact), tolerance)
             << "edge " << edge << ", alike " << alike;
       }
@@ -93,9 +93,8 @@ TEST(MobilityProduct, KeepsNearPairsOfSpheresThatAreFarFromOthers) {
     spheres.places[b] = spheres.places[b - b % 3] + Vec3(5.0 * static_cast<double>(b % 3), 0, 0);
   const auto exact = direct::open_velocities(direct::Law::rotne_prager, spheres, eta);
   const double tolerance = 1e-6;
-  EXPECT_LT(
-      relative_error(product({PointModel::rotne_prager, eta, {}, spheres.radii, tolerance}, spheres), exact),
-      tolerance);
+  EXPECT_LT(relative_error(product({MobilityModel::rpy, eta, {}, spheres.radii, tolerance}, spheres), exact),
+            tolerance);
 }
 
 // Spheres at one place, and all but, move as one: nothing cancels.
@@ -105,7 +104,7 @@ TEST(MobilityProduct, SumsSpheresThatCoincide) {
   spheres.places[3] = spheres.places[2] + Vec3(1e-6, 0, 0);
   const double tolerance = 1e-4;
   const direct::Vectors velocities =
-      product({PointModel::rotne_prager, eta, {}, spheres.radii, tolerance}, spheres);
+      product({MobilityModel::rpy, eta, {}, spheres.radii, tolerance}, spheres);
   EXPECT_LT((velocities[0] - velocities[1]).norm(), 1e-3 * velocities[0].norm());
   EXPECT_LT((velocities[2] - velocities[3]).norm(), 1e-3 * velocities[2].norm());
 }
@@ -115,7 +114,7 @@ TEST(MobilityProduct, BearsPlacesThatAreNoNumbers) {
   for (const bool is_periodic : {false, true}) {
     direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, true);
     const Communicator world(MPI_COMM_WORLD);
-    MobilityScene scene{PointModel::rotne_prager, eta, {}, spheres.radii};
+    MobilityScene scene{MobilityModel::rpy, eta, {}, spheres.radii};
     if (is_periodic) scene.box = Box{{40, 40, 40}, {}};
     const MobilityProduct mobility(scene, spheres.places, world);
     spheres.places[7] = Vec3::Constant(std::nan(""));
@@ -130,8 +129,8 @@ TEST(MobilityProduct, BearsPlacesThatAreNoNumbers) {
 
 TEST(MobilityProduct, SumsFewSpheresInOpenSpaceToRoundoff) {
   constexpr double roundoff = 1e-14;
-  for (const PointModel model : {PointModel::rotne_prager, PointModel::oseen}) {
-    const auto law = model == PointModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
+  for (const MobilityModel model : {MobilityModel::rpy, MobilityModel::oseen}) {
+    const auto law = model == MobilityModel::oseen ? direct::Law::oseen : direct::Law::rotne_prager;
     const direct::Spheres spheres = random_spheres(30, {10, 10, 10}, 1, false);
     EXPECT_LT(relative_error(product({model, eta, {}, spheres.radii}, spheres),
                              direct::open_velocities(law, spheres, eta)),
@@ -142,7 +141,7 @@ TEST(MobilityProduct, SumsFewSpheresInOpenSpaceToRoundoff) {
 // Where positions differ by whole edges of the box, and however the swarm has moved in open space.
 TEST(MobilityProduct, DoesNotHangOnImagesOrPlace) {
   direct::Spheres spheres = random_spheres(40, {20, 24, 30}, 1, false);
-  const MobilityScene in_box{PointModel::rotne_prager, eta, Box{{20, 24, 30}}, spheres.radii, 1e-6};
+  const MobilityScene in_box{MobilityModel::rpy, eta, Box{{20, 24, 30}}, spheres.radii, 1e-6};
   const auto before = product(in_box, spheres);
   for (std::size_t b = 0; b < spheres.places.size(); ++b)
     spheres.places[b] +=
@@ -153,8 +152,7 @@ TEST(MobilityProduct, DoesNotHangOnImagesOrPlace) {
   direct::Spheres many = random_spheres(1001, {40, 40, 40}, 1, true);
   const Communicator world(MPI_COMM_WORLD);
   const double tolerance = 1e-4;
-  const MobilityProduct mobility({PointModel::rotne_prager, eta, {}, many.radii, tolerance}, many.places,
-                                 world);
+  const MobilityProduct mobility({MobilityModel::rpy, eta, {}, many.radii, tolerance}, many.places, world);
   for (Vec3& place : many.places) place = 1.3 * place + Vec3(1e4, -300, 7);  // the mesh follows, and grows
   direct::Vectors velocities(many.places.size());
   mobility.apply(many.places, many.forces, velocities);
@@ -165,7 +163,7 @@ TEST(MobilityProduct, DoesNotHangOnImagesOrPlace) {
 // <f, mu g> = <g, mu f>, and f does work: pairs and mesh together, to roundoff, whatever the tolerance.
 TEST(MobilityProduct, IsReciprocalAndDissipates) {
   direct::Spheres spheres = random_spheres(60, {20, 24, 30}, 1, false);
-  const MobilityScene scene{PointModel::rotne_prager, eta, Box{{20, 24, 30}}, spheres.radii, 1e-3};
+  const MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 24, 30}}, spheres.radii, 1e-3};
   const direct::Vectors f = spheres.forces, by_f = product(scene, spheres);
   std::ranges::rotate(spheres.forces, spheres.forces.begin() + 7);
   const direct::Vectors g = spheres.forces, by_g = product(scene, spheres);
@@ -183,13 +181,13 @@ TEST(MobilityProduct, IsReciprocalAndDissipates) {
 // The same bits again on as many ranks: FFTW's plans and the order of sums do not hang on time or luck.
 TEST(MobilityProduct, RepeatsItsBits) {
   const direct::Spheres spheres = random_spheres(1200, {40, 40, 40}, 1, false);
-  const MobilityScene scene{PointModel::rotne_prager, eta, {}, spheres.radii, 1e-4};
+  const MobilityScene scene{MobilityModel::rpy, eta, {}, spheres.radii, 1e-4};
   EXPECT_EQ(product(scene, spheres), product(scene, spheres));
 }
 
 TEST(MobilityProduct, RefusesWhatItCannotSum) {
   const direct::Spheres spheres = random_spheres(5, {20, 20, 20}, 1, true);
-  MobilityScene scene{PointModel::rotne_prager, eta, Box{{20, 20, 3}}, spheres.radii};
+  MobilityScene scene{MobilityModel::rpy, eta, Box{{20, 20, 3}}, spheres.radii};
   EXPECT_THROW(product(scene, spheres), InputError);
   scene.box->lengths[2] = 20;
   scene.tolerance = 0.1;

@@ -74,7 +74,7 @@ TEST(NearField, MovesTwoBeadsExactlyAlongTheirLine) {
     forces[1] = across;
     forces[5] = -across;
     MobilityScene plain = near_scene(pair.radii);
-    plain.model = PointModel::rotne_prager;
+    plain.model = MobilityModel::rpy;
     EXPECT_LT(largest_difference(velocities(near_scene(pair.radii), pair.places, forces),
                                  velocities(plain, pair.places, forces)),
               others * exact.norm())
@@ -103,7 +103,7 @@ TEST(NearField, IsRotneAndPragersFarApart) {
   forces[1] = Vec3(1, 2, 3);
   forces[5] = Vec3(-2, 1, 0);
   MobilityScene plain = near_scene(pair.radii);
-  plain.model = PointModel::rotne_prager;
+  plain.model = MobilityModel::rpy;
   const Vectors expected = velocities(plain, pair.places, forces);
   constexpr double model = 1e-6;  // 15/4 (a/r)^4 at 64 mean radii, where arms are held
   EXPECT_LT(largest_difference(velocities(near_scene(pair.radii), pair.places, forces), expected),

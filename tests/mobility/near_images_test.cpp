@@ -64,7 +64,7 @@ TEST(NearFieldImages, MovesABeadAtAWallAsItsImageHasIt) {
     MobilityScene scene = near_scene(
         radii, Box{{200, 200, 200}, {Boundary::free_slip, Boundary::periodic, Boundary::periodic}});
     const double near = velocities(scene, places, forces)[0][0];
-    scene.model = PointModel::rotne_prager;
+    scene.model = MobilityModel::rpy;
     const double plain = velocities(scene, places, forces)[0][0];
     const Numbers two{1, 1}, line{0, 2 * to_wall};
     const Eigen::Vector2d opposite(-1, 1);

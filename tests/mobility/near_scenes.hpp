@@ -23,7 +23,7 @@ inline Vectors velocities(const MobilityScene& scene, const Vectors& places, con
 }
 
 inline MobilityScene near_scene(const Numbers& radii, const std::optional<Box>& box = {}) {
-  return {PointModel::rotne_prager_near, eta, box, radii, 1e-8};
+  return {MobilityModel::rpy_near, eta, box, radii, 1e-8};
 }
 
 inline double largest_difference(const Vectors& a, const Vectors& b) {

@@ -11,7 +11,7 @@ namespace {
 TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInOpenSpace) {
   constexpr int steps = 1000;
   constexpr double truncation = 1e-6;
-  for (const PointModel model : {PointModel::rotne_prager, PointModel::oseen}) {
+  for (const MobilityModel model : {MobilityModel::rpy, MobilityModel::oseen}) {
     for (const SwimmerType& type : {paper_swimmer(), odd_swimmer()}) {
       OverdampedScene scene = scene_of(type, steps);
       scene.model = model;
@@ -30,7 +30,7 @@ TEST(OverdampedSwimmer, SwimsAsExactStokesFlowSaysWithNearFields) {
       type.springs[0].rest_length = arm;
       type.springs[1].rest_length = 1.1 * arm;
       OverdampedScene scene = scene_of(type, steps);
-      scene.model = PointModel::rotne_prager_near;
+      scene.model = MobilityModel::rpy_near;
       SCOPED_TRACE(testing::Message() << "arm " << arm << ", radius " << type.beads[0].radius);
       expect_theory(scene, steps, 8, truncation);
     }

@@ -38,10 +38,10 @@ inline Swimming swimming_of(const OverdampedScene& scene, int steps_per_cycle, i
 
 inline PeriodicMotion theory_of(const OverdampedScene& scene) {
   const CollinearSwimmer swimmer = collinear_swimmer(scene.types[0], Vec3::UnitX(), scene.viscosity);
-  if (scene.model == PointModel::rotne_prager_near)
+  if (scene.model == MobilityModel::rpy_near)
     return periodic_motion(swimmer, rest_positions(swimmer),
                            [&](const LinePositions& x) { return exact_mobility(swimmer, x, 1e-9); });
-  const PairLaw law = scene.model == PointModel::oseen ? oseen : rotne_prager;
+  const PairLaw law = scene.model == MobilityModel::oseen ? oseen : rotne_prager;
   if (!scene.box) {
     return periodic_motion(swimmer, rest_positions(swimmer), [&](const LinePositions& x) {
       return pairwise_mobility(law, swimmer.radius, x, scene.viscosity);

@@ -66,7 +66,7 @@ ProductRow measure(const ProductRequest& request, int count, bool is_periodic,
   bool is_on_mesh = false;
   const Beads beads = random_beads(count);
   MobilityScene scene{
-      .model = PointModel::rotne_prager,
+      .model = MobilityModel::rpy,
       .viscosity = 1.0 / 3,
       .box = is_periodic ? std::optional(Box{{beads.edge, beads.edge, beads.edge}, {}}) : std::nullopt,
       .radii = std::vector<double>(count, 6),

@@ -5,6 +5,8 @@
 
 #include <map>
 
+#include "beadswim/mobility/mobility_model.hpp"
+#include "beadswim/scene/names.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
@@ -23,6 +25,13 @@ template <typename Value>
 std::vector<std::string> names_of(const std::map<std::string, Value>& values) {
   std::vector<std::string> names;
   for (const auto& [name, value] : values) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> model_names() {
+  std::vector<std::string> names = all_names(mobility_model_names);
+  names.insert(names.begin(), "lbm");
+  names.push_back("auto");
   return names;
 }
 
@@ -63,7 +72,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->type_name("FILE.h5md")
       ->default_str("");
   add_word(
-      program, "--model", words.model, {"lbm", "rpy", "rpy+near", "oseen", "auto"}, "auto",
+      program, "--model", words.model, model_names(), "auto",
       "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
       "Prager's mobility of all pairs and images; rpy+near: likewise, and exact along the line of a "
       "swimmer's beads and of two that are near each other; oseen: by Oseen's. auto: with --tolerance the "

@@ -4,25 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
+#include "beadswim/scene/names.hpp"
 #include "record.hpp"
 
 namespace beadswim {
 namespace {
 
 constexpr const char* beads_section = "overdamped";
-
-const std::map<std::string, PointModel> point_models{{"oseen", PointModel::oseen},
-                                                     {"rpy", PointModel::rotne_prager},
-                                                     {"rpy+near", PointModel::rotne_prager_near}};
-
-std::string name_of(PointModel model) {
-  const auto is_it = [&](const auto& named) { return named.second == model; };
-  return std::ranges::find_if(point_models, is_it)->first;
-}
 
 void refuse_no_slip(const Layout& layout, const std::string& source) {
   for (int a = 0; a < 3 && layout.domain; ++a) {
@@ -59,7 +50,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
                 "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
                "is of the lattice; leave it out, or run with --model lbm instead of " + asked.model);
   options = asked;
-  scene.model = point_models.at(asked.model);
+  scene.model = *from_name(mobility_model_names, asked.model);
   scene.viscosity = layout.fluid.dynamic_viscosity();
   refuse_no_slip(layout, source);
   scene.box = layout.domain;
@@ -129,7 +120,7 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
   const std::string place =
       fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
   const std::string other_model =
-      plan_.scene.model == PointModel::oseen ? ", or --model rpy, which is sound for near beads too" : "";
+      plan_.scene.model == MobilityModel::oseen ? ", or --model rpy, which is sound for near beads too" : "";
   switch (fault.kind) {
     case OverdampedFaultKind::torn_arm:
       return fmt::format(
@@ -170,7 +161,7 @@ std::optional<ModelFault> OverdampedModel::fault() const {
 
 void OverdampedModel::describe(RunRecord& record) const {
   const OverdampedState& state = system_.state();
-  record.model = name_of(plan_.scene.model);
+  record.model = to_name(mobility_model_names, plan_.scene.model);
   record.dimensionless = dimensionless_numbers(plan_.scene.types, state.largest_speed,
                                                plan_.kinematic_viscosity, plan_.base_period);
   const std::optional<EwaldPlan>& sums = system_.mobility().plan();
@@ -191,7 +182,7 @@ void OverdampedModel::describe(RunRecord& record) const {
 std::vector<std::string> OverdampedModel::warnings() const {
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return {};
-  const bool knows_films = plan_.scene.model == PointModel::rotne_prager_near;
+  const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
   return {fmt::format(
       "beads came as near as {:.3g} to each other or a wall and were repelled; {}: check the run "
       "against --model lbm",

@@ -1,20 +1,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/plan/reason_against.hpp"
+#include "beadswim/scene/names.hpp"
 #include "overdamped_model.hpp"
 #include "planned_scene.hpp"
 #include "run_length.hpp"
 
 namespace beadswim {
 namespace {
-
-constexpr std::array models{std::pair{MobilityModel::oseen, "oseen"}, std::pair{MobilityModel::rpy, "rpy"},
-                            std::pair{MobilityModel::rpy_near, "rpy+near"}};
 
 /// Core-seconds of a product, timed.
 double product_seconds(const OverdampedScene& scene, const Communicator& communicator) {
@@ -88,7 +84,8 @@ std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& fa
                                       const RunOptions& options, const std::string& source,
                                       const Communicator& communicator) {
   std::vector<PlannedRun> runs;
-  for (const auto& [model, name] : models) {
+  for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near}) {
+    const std::string name = to_name(mobility_model_names, model);
     if (options.model != "auto" && options.model != name) continue;
     RunOptions own = options;
     own.model = name;

@@ -89,7 +89,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   std::vector<double> radii = scene.radii;
   for (int m = 0; m < mirrors(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
   parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}, {}, {}, {}});
-  if (scene.model == PointModel::rotne_prager_near) parts_->near_field.emplace(scene.radii, scene.box);
+  if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.box);
   if (scene.box || scene.radii.size() >= fewest_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));

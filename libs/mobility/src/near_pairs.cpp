@@ -35,7 +35,7 @@ Fit fit(const Fit& values) {
 NearPairs::NearPairs(Law law) : law_(std::move(law)) {
   const auto [least, most] = std::ranges::minmax_element(law_.radii);
   touching_ = std::min(2 * *most, law_.cut_off);
-  is_alike_ = *least == *most || law_.model == PointModel::oseen;
+  is_alike_ = *least == *most || law_.model == MobilityModel::oseen;
   tabulate();
 }
 
@@ -157,7 +157,7 @@ void NearPairs::flush(Work& work, int one) const {
   batch.count = 0;
 }
 
-void add_all_pairs(PointModel model, double viscosity, std::span<const double> radii,
+void add_all_pairs(MobilityModel model, double viscosity, std::span<const double> radii,
                    std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
                    const Communicator& communicator) {
   const int n = static_cast<int>(positions.size());
@@ -165,7 +165,7 @@ void add_all_pairs(PointModel model, double viscosity, std::span<const double> r
     for (int j = i + 1; j < n; ++j) {
       const Vec3 d = positions[i] - positions[j];
       const double r = d.norm();
-      const PairTensor tensor = model == PointModel::oseen
+      const PairTensor tensor = model == MobilityModel::oseen
                                     ? oseen_tensor(r, viscosity)
                                     : rotne_prager_tensor(radii[i], radii[j], r, viscosity);
       velocities[i] += tensor.apply(d, r, forces[j]);

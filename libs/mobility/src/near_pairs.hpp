@@ -16,7 +16,7 @@ namespace beadswim {
 class NearPairs {
  public:
   struct Law {
-    PointModel model;
+    MobilityModel model;
     double viscosity;
     std::vector<double> radii;  ///< of all sources
     Vec3 lengths;               ///< of the periodic box; 0: open space
@@ -43,7 +43,7 @@ class NearPairs {
 };
 
 /// All pairs, whole, in open space: adds this rank's.
-void add_all_pairs(PointModel model, double viscosity, std::span<const double> radii,
+void add_all_pairs(MobilityModel model, double viscosity, std::span<const double> radii,
                    std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
                    const Communicator& communicator);
 

@@ -9,6 +9,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
+#include "beadswim/mobility/mobility_model.hpp"
 
 // Velocities of many spheres by forces on them, in Stokes flow: v_i = sum_j mu_ij f_j, with mu_ii = I/(6 pi
 // eta a_i) and
@@ -28,19 +29,8 @@
 
 namespace beadswim {
 
-enum class PointModel {
-  oseen,
-  rotne_prager,
-  rotne_prager_near,  ///< spheres 3k, 3k + 1, 3k + 2 are one swimmer
-};
-
-/// Whether points have a size to others.
-inline bool are_spheres(PointModel model) {
-  return model != PointModel::oseen;
-}
-
 struct MobilityScene {
-  PointModel model = PointModel::rotne_prager;
+  MobilityModel model = MobilityModel::rpy;
   double viscosity = 0;       ///< dynamic, eta [mass/(length time)]
   std::optional<Box> box;     ///< none: open space
   std::vector<double> radii;  ///< of each sphere [length]

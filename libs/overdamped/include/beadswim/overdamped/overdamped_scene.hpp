@@ -14,7 +14,7 @@ using Beads = std::vector<Vec3>;
 
 /// A swarm without inertia. Any coherent unit system.
 struct OverdampedScene : Swarm {
-  PointModel model = PointModel::rotne_prager;
+  MobilityModel model = MobilityModel::rpy;
   double viscosity = 0;     ///< dynamic
   std::optional<Box> box;   ///< none: open space
   double step = 0;          ///< [time]

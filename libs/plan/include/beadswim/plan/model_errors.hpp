@@ -5,6 +5,7 @@
 #include <string>
 
 #include "beadswim/coupling/bead_scheme.hpp"
+#include "beadswim/mobility/mobility_model.hpp"
 #include "beadswim/plan/lattice_lag.hpp"
 #include "beadswim/theory/question.hpp"
 
@@ -34,8 +35,6 @@ struct BestKnown {
 
 /// `inertia-corrected`. Throws InputError where theory has no answer: beads that meet, or overlap.
 BestKnown best_known(const Question& question);
-
-enum class MobilityModel { oseen, rpy, rpy_near };
 
 /// Of a run without inertia: its distance from the best theory, what that does not know, and what steps
 /// leave. Throws InputError where the model's own motion is none, as beads meet.
