@@ -45,8 +45,8 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const st
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
   options = asked;
-  options.cells_per_radius = on_lattice.cells_per_radius;
-  options.relaxation_time = on_lattice.asked_relaxation_time;
+  options.cells_per_radius = on_lattice.resolution.cells_per_radius;
+  options.relaxation_time = on_lattice.resolution.relaxation_time;
   units = {.length = lattice.scales.cell, .time = lattice.scales.step};
   base_period = on_lattice.period;
   time_step = lattice.scales.step;

@@ -31,7 +31,7 @@ DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice&
 
 LatticeResolution resolution_of(const SceneOnLattice& on_lattice) {
   const LatticeScales& scales = on_lattice.lattice.scales;
-  return {.cells_per_radius = on_lattice.cells_per_radius,
+  return {.cells_per_radius = on_lattice.resolution.cells_per_radius,
           .cell_size = scales.cell,
           .time_step = scales.step,
           .relaxation_time = on_lattice.lattice.relaxation_time,

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/plan/reason_against.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
 #include "lattice_speed.hpp"
 #include "memory.hpp"
@@ -87,7 +87,7 @@ double largest_speed(const SceneFacts& facts) {
 ErrorEstimate error_of(const SceneOnLattice& on_lattice, const SceneFacts& facts, double mach,
                        double roundoff) {
   const LatticeScales& scales = on_lattice.lattice.scales;
-  const ResolvedRun run{.cells_per_radius = on_lattice.cells_per_radius,
+  const ResolvedRun run{.cells_per_radius = on_lattice.resolution.cells_per_radius,
                         .scheme = on_lattice.scene.bead_boundary,
                         .smallest_gap = on_lattice.smallest_gap,
                         .cell = scales.cell,

@@ -101,17 +101,14 @@ double phase_of_delay(const LatticeChoice& lattice, double period) {
 }
 
 /// Throws InputError if beads are too small, or steps too long.
-LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double relaxation_time,
-                          double period) {
+LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, double period) {
   constexpr double latest = 0.3;  // [rad]
-  const LatticeChoice lattice =
-      choose_lattice(smallest_radius(layout), cells_per_radius, relaxation_time, layout.fluid.density,
-                     layout.fluid.kinematic_viscosity, period);
-  if (cells_per_radius < smallest_bead) {
+  const LatticeChoice lattice = choose_lattice(smallest_radius(layout), resolution, layout.fluid, period);
+  if (resolution.cells_per_radius < smallest_bead) {
     throw InputError("--cells-per-radius",
                      fmt::format("{} leaves beads that may cover no cell at all; at least {}, and "
                                  "3 or more to resolve them",
-                                 cells_per_radius, smallest_bead));
+                                 resolution.cells_per_radius, smallest_bead));
   }
   const double steps = shortest_period(layout) / lattice.scales.step, late = phase_of_delay(lattice, steps);
   if (late <= latest) return lattice;
@@ -121,7 +118,7 @@ LatticeChoice lattice_for(const Layout& layout, double cells_per_radius, double 
           "{} makes a step so long that a period has {:.6g} of them, and the fluid's force comes late by "
           "{:.2g} radians of it; strokes would be wrong by as much or more. At most {} radians: take a "
           "smaller --relaxation-time or more --cells-per-radius",
-          relaxation_time, steps, late, latest));
+          resolution.relaxation_time, steps, late, latest));
 }
 
 SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {
@@ -156,9 +153,9 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
   const Resolution hint = layout.resolution.value_or(default_resolution);
   SceneOnLattice result;
   result.period = base_period(layout);
-  result.cells_per_radius = options.cells_per_radius.value_or(hint.cells_per_radius);
-  result.asked_relaxation_time = options.relaxation_time.value_or(hint.relaxation_time);
-  result.lattice = lattice_for(layout, result.cells_per_radius, result.asked_relaxation_time, result.period);
+  result.resolution = {.cells_per_radius = options.cells_per_radius.value_or(hint.cells_per_radius),
+                       .relaxation_time = options.relaxation_time.value_or(hint.relaxation_time)};
+  result.lattice = lattice_for(layout, result.resolution, result.period);
   const LatticeScales& scales = result.lattice.scales;
   require_off_walls(layout, scales.cell, source);
   require_viscosity(options.bead_boundary, result.lattice.relaxation_time);

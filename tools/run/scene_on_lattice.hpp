@@ -20,10 +20,9 @@ constexpr double fast_bead = 0.3;
 /// A layout's scene on the lattice that the options, the layout's hint or the defaults ask for.
 struct SceneOnLattice {
   LatticeChoice lattice;
-  double cells_per_radius = 0;
-  double asked_relaxation_time = 0;  ///< before the period was fitted to whole steps
-  double period = 0;                 ///< base period: the swimmers', else that of the first one's type [time]
-  double smallest_gap = 0;           ///< at the start, between beads, images and walls [cell]
+  Resolution resolution;    ///< as requested: relaxation time before the period was fitted to whole steps
+  double period = 0;        ///< base period: the swimmers', else that of the first one's type [time]
+  double smallest_gap = 0;  ///< at the start, between beads, images and walls [cell]
   bool corrects_delay = false;
   bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_steady_vibrations)
   double angular_softening =
@@ -35,7 +34,8 @@ struct SceneOnLattice {
 
   /// With which the fluid meets the smallest bead [cell].
   double radius_on_lattice() const {
-    return scene.corrects_radii ? corrected_radius(scene.bead_boundary, cells_per_radius) : cells_per_radius;
+    const double radius = resolution.cells_per_radius;
+    return scene.corrects_radii ? corrected_radius(scene.bead_boundary, radius) : radius;
   }
 };
 

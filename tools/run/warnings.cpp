@@ -12,17 +12,17 @@ namespace {
 using Lines = std::vector<std::string>;
 
 void warn_of_resolution(Lines& lines, const SceneOnLattice& on_lattice) {
-  if (on_lattice.cells_per_radius < 2) {
+  if (on_lattice.resolution.cells_per_radius < 2) {
     lines.push_back(fmt::format("{:.3g} cells a radius do not resolve a bead; 3 or more do",
-                                on_lattice.cells_per_radius));
+                                on_lattice.resolution.cells_per_radius));
   }
   constexpr double close = 2.5;
   if (on_lattice.smallest_gap < close) {
     lines.push_back(fmt::format(
         "beads, images or walls are {:.2g} cells apart at the start, too few to resolve the flow between: "
         "strokes may be wrong by some tens of per cent; take more --cells-per-radius, {:.2g} for {} cells",
-        on_lattice.smallest_gap, std::ceil(on_lattice.cells_per_radius * close / on_lattice.smallest_gap),
-        close));
+        on_lattice.smallest_gap,
+        std::ceil(on_lattice.resolution.cells_per_radius * close / on_lattice.smallest_gap), close));
   }
 }
 

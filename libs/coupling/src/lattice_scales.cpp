@@ -7,14 +7,13 @@
 
 namespace beadswim {
 
-LatticeChoice choose_lattice(double radius, double cells_per_radius, double relaxation_time, double density,
-                             double kinematic_viscosity, double period) {
-  const double cell = radius / cells_per_radius;
-  const double viscous_step = lattice_viscosity(relaxation_time) * cell * cell / kinematic_viscosity;
+LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period) {
+  const double cell = radius / resolution.cells_per_radius, nu = fluid.kinematic_viscosity;
+  const double viscous_step = lattice_viscosity(resolution.relaxation_time) * cell * cell / nu;
   const long steps = std::max(1L, std::lround(period / viscous_step));
   const double step = period / static_cast<double>(steps);
-  return {.scales = {.cell = cell, .step = step, .density = density},
-          .relaxation_time = relaxation_time_of(kinematic_viscosity * step / (cell * cell)),
+  return {.scales = {.cell = cell, .step = step, .density = fluid.density},
+          .relaxation_time = relaxation_time_of(nu * step / (cell * cell)),
           .steps_per_period = steps};
 }
 

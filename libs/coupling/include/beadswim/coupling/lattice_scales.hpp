@@ -1,7 +1,7 @@
 #pragma once
 
+#include "beadswim/scene/layout.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
-#include "beadswim/core/vec3.hpp"
 
 // Between a layout's units and lattice units (cell = step = mean fluid density = 1; names end in _lu).
 
@@ -31,8 +31,7 @@ struct LatticeChoice {
 /// Cell and step for a fluid of kinematic viscosity nu: cell = radius / cells_per_radius, step = nu_lu cell^2
 /// / nu with nu_lu = (tau - 1/2)/3, and then the nearest step that divides `period` into whole steps, and its
 /// tau.
-LatticeChoice choose_lattice(double radius, double cells_per_radius, double relaxation_time, double density,
-                             double kinematic_viscosity, double period);
+LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period);
 
 SwimmerType in_lattice_units(const SwimmerType& type, const LatticeScales& scales);
 
