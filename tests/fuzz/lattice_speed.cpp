@@ -1,6 +1,7 @@
-#include "lattice_speed.hpp"
+#include "lattice_speed_cache.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include "documents_agree.hpp"
 
@@ -24,19 +25,20 @@ CoupledScene scene_of(int edge, BeadScheme scheme) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Json given;
-  LatticeSpeed speed;
+  std::optional<LatticeSpeed> speed;
   try {
     given = parse_json(text_of(data, size), "cache");
-    speed = LatticeSpeed::from_json(given);
-  } catch (const std::exception&) {  // as LatticeSpeed::of_this_machine takes it
+    speed = lattice_speed_from_json(given);
+  } catch (const std::exception&) {  // as speed_of_this_machine takes it
     return 0;
   }
-  const auto written =
-      written_again(given, [](const Json& json) { return LatticeSpeed::from_json(json).to_json(); });
-  require(written && written->at("precisions") == speed.to_json().at("precisions"), "the same speeds");
+  const auto written = written_again(
+      given, [](const Json& json) { return lattice_speed_to_json(lattice_speed_from_json(json)); });
+  require(written && written->at("precisions") == lattice_speed_to_json(*speed).at("precisions"),
+          "the same speeds");
   for (const int edge : {20, 1000}) {
     for (const BeadScheme scheme : all_bead_schemes) {
-      const double seconds = speed.step(scene_of(edge, scheme));
+      const double seconds = speed->step(scene_of(edge, scheme));
       require(std::isfinite(seconds) && seconds > 0, "a step takes time");
     }
   }

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "beadswim/coupling/fault.hpp"
-#include "scene_on_lattice.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
 
 namespace beadswim {
 

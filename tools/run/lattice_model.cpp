@@ -6,12 +6,12 @@
 
 #include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/fault.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/plan/run_length.hpp"
+#include "beadswim/plan/velocity_roundoff.hpp"
 #include "fault_message.hpp"
 #include "lattice_record.hpp"
 #include "lattice_state.hpp"
-#include "memory.hpp"
-#include "run_length.hpp"
-#include "velocity_roundoff.hpp"
 #include "warnings.hpp"
 
 namespace beadswim {
@@ -29,9 +29,9 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
 }
 
 std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) {
-  if (!plan.options.flow_every) return std::nullopt;
+  if (!plan.options.settings.flow_every) return std::nullopt;
   return FlowOutput(plan.options.output, plan.on_lattice.lattice.scales,
-                    steps_between(*plan.options.flow_every, plan.steps_per_cycle), flow_until,
+                    steps_between(*plan.options.settings.flow_every, plan.steps_per_cycle), flow_until,
                     plan.communicator);
 }
 
@@ -39,14 +39,14 @@ std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) 
 
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const std::string& source,
                          const Communicator& ranks)
-    : communicator(ranks), on_lattice(put_on_lattice(layout, asked, source)) {
+    : communicator(ranks), on_lattice(put_on_lattice(layout, asked.settings.lattice, source)) {
   refuse_flags(asked, {"--tolerance", "--steps-per-cycle"},
                "is of the mobility models; leave it out, or add --model rpy, rpy+near or oseen");
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
   options = asked;
-  options.cells_per_radius = on_lattice.resolution.cells_per_radius;
-  options.relaxation_time = on_lattice.resolution.relaxation_time;
+  options.settings.lattice.cells_per_radius = on_lattice.resolution.cells_per_radius;
+  options.settings.lattice.relaxation_time = on_lattice.resolution.relaxation_time;
   units = {.length = lattice.scales.cell, .time = lattice.scales.step};
   base_period = on_lattice.period;
   time_step = lattice.scales.step;
@@ -59,7 +59,7 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const st
   swimmers = on_lattice.scene.swimmers;
   cells = on_lattice.scene.cells.cast<double>().prod();
   announcement = announcement_of(on_lattice, communicator);
-  const long steps = total_steps(options.cycles, steps_per_cycle);
+  const long steps = total_steps(options.settings.cycles, steps_per_cycle);
   warnings = warnings_before(on_lattice, velocity_roundoff(on_lattice.scene, steps_per_cycle, steps));
 }
 

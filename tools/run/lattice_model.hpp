@@ -1,9 +1,9 @@
 #pragma once
 
 #include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
 #include "flow_output.hpp"
 #include "model.hpp"
-#include "scene_on_lattice.hpp"
 
 // Beads resolved in a lattice-Boltzmann fluid (libs/coupling), as a run drives them.
 

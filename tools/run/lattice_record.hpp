@@ -1,8 +1,8 @@
 #pragma once
 
 #include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/documents/run_record_document.hpp"
-#include "scene_on_lattice.hpp"
 
 namespace beadswim {
 

@@ -7,14 +7,14 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/xdmf.hpp"
+#include "beadswim/plan/run_length.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
+#include "plan_flags.hpp"
 #include "plan_report.hpp"
 #include "record.hpp"
 #include "request.hpp"
-#include "run_length.hpp"
 #include "run_loop.hpp"
-#include "run_plan.hpp"
 #include "run_setup.hpp"
 #include "stop_signal.hpp"
 
@@ -31,7 +31,7 @@ class RunFailed : public SolverError {
 };
 
 void require_steps_left(const ModelPlan& plan, long done) {
-  const double cycles = plan.options.cycles;
+  const double cycles = plan.options.settings.cycles;
   if (done == 0 || done < total_steps(cycles, plan.steps_per_cycle)) return;
   throw InputError("--cycles",
                    fmt::format("{} are behind this checkpoint, of cycle {:.6g}; ask for more", cycles,
@@ -103,25 +103,28 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
 
 /// --plan: prints it, and throws InputError if no run is within the tolerance.
 int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
-  const RunPlan plan = plan_run(document.layout, request.options, request.source(), communicator);
+  const RunPlan plan =
+      plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
   if (communicator.is_root()) {
-    tell(plan_table(plan, communicator));
+    tell(plan_table(plan, request.options, communicator));
     write_text("-", dump_json(plan_to_json(plan, request.options, communicator)));
   }
-  chosen(plan);
+  chosen(plan, request.options);
   return static_cast<int>(ExitStatus::fine);
 }
 
 /// --model auto --tolerance E: the options of the cheapest run within the tolerance. Throws InputError if
 /// there is none.
 void take_planned(const LayoutDocument& document, Request& request, const Communicator& communicator) {
-  const RunPlan plan = plan_run(document.layout, request.options, request.source(), communicator);
-  const PlannedRun& planned = chosen(plan);
-  request.options = planned.options;
+  const RunPlan plan =
+      plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
+  const PlannedRun& planned = chosen(plan, request.options);
+  request.options.settings = planned.settings;
   request.options.given.erase("--tolerance");  // it was of the plan
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   tell(fmt::format("{}: planned: {}, with errors of {:.2g} % expected, at {:.3g} core-seconds\n",
-                   program_name, flags_of(planned), 100 * planned.error.largest(), planned.core_seconds));
+                   program_name, flags_of(planned, request.options), 100 * planned.error.largest(),
+                   planned.core_seconds));
 }
 
 /// Throws InputError alike on all ranks while nothing has begun.
@@ -132,13 +135,13 @@ int run(int argc, char** argv, const Communicator& communicator) {
   Request& request = std::get<Request>(read);
   const LayoutDocument document = read_layout(request, communicator);
   if (request.options.plan) return report_plan(document, request, communicator);
-  if (request.options.model == "auto") take_planned(document, request, communicator);
+  if (request.options.settings.model == "auto") take_planned(document, request, communicator);
   const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
   const ModelPlan& plan = *planned;
   const RunOptions& options = plan.options;
   const long done = request.steps_done;
   require_steps_left(plan, done);
-  Progress progress(options.progress, done, total_steps(options.cycles, plan.steps_per_cycle),
+  Progress progress(options.progress, done, total_steps(options.settings.cycles, plan.steps_per_cycle),
                     static_cast<double>(plan.steps_per_cycle), plan.cells);
   if (communicator.is_root()) announce(plan, request);
 

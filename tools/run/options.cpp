@@ -84,59 +84,61 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       "smaller scene would do: a table on standard error, JSON on standard output. Exit status 2 "
       "if none is within it.");
   program
-      .add_option("--cycles", options.cycles,
+      .add_option("--cycles", options.settings.cycles,
                   "Length of the run, in periods of the first swimmer's type; fractions allowed.")
       ->check(finite_positive());
   program
-      .add_option("--frames-per-cycle", options.frames_per_cycle,
+      .add_option("--frames-per-cycle", options.settings.frames_per_cycle,
                   "Frames of the trajectory in a cycle of the base period, at most one a step; strokes are "
                   "fitted to as many samples "
                   "of each swimmer's own period.")
       ->check(whole_number(4, 1000000));
   program
       .add_option(
-          "--tolerance", options.tolerance,
+          "--tolerance", options.settings.mobility.tolerance,
           "auto, and --plan: largest error of velocity and arms' amplitudes that the run may have, relative. "
           "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
           "their "
           "root mean square.")
       ->check(finite_positive());
   program
-      .add_option("--steps-per-cycle", options.steps_per_cycle,
+      .add_option("--steps-per-cycle", options.settings.mobility.steps_per_cycle,
                   "rpy, rpy+near, oseen: time steps in the shortest period of any swimmer's driving.")
       ->check(whole_number(20, 1000000));
   program
-      .add_option("--cells-per-radius", options.cells_per_radius,
+      .add_option("--cells-per-radius", options.settings.lattice.cells_per_radius,
                   "Cells per smallest bead radius [default: the layout's, else 4]")
       ->check(finite_positive())
       ->default_str("");
   program
       .add_option(
-          "--relaxation-time", options.relaxation_time,
+          "--relaxation-time", options.settings.lattice.relaxation_time,
           "tau, in time steps; sets the step: nu_lattice = (tau - 1/2)/3. Adjusted so that a period is a "
           "whole number of steps [default: the layout's, else 1]")
       ->check(relaxation_time())
       ->default_str("");
   add_word(
-      program, "--bead-boundary", words.bead_boundary, bead_scheme_names(), name_of(options.bead_boundary),
+      program, "--bead-boundary", words.bead_boundary, bead_scheme_names(),
+      name_of(options.settings.lattice.bead_boundary),
       "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
       "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
       "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
       "exact part of it that the bead fills.");
   add_word(program, "--delay-correction", words.delay_correction, {"on", "off"},
-           on_or_off(options.delay_correction),
+           on_or_off(options.settings.lattice.delay_correction),
            "on: beads are heavier on the lattice by what makes up for the time by which the fluid's force "
            "comes late there, 3/2 (tau - 1/2) + 1 steps; the record says the density.");
   add_word(program, "--radius-correction", words.radius_correction, {"on", "off"},
-           on_or_off(options.radius_correction),
+           on_or_off(options.settings.lattice.radius_correction),
            "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
            "cell, is "
            "that of the layout's radius; the record says which.");
-  add_word(program, "--lubrication", words.lubrication, {"on", "off"}, on_or_off(options.lubrication),
+  add_word(program, "--lubrication", words.lubrication, {"on", "off"},
+           on_or_off(options.settings.lattice.lubrication),
            "on: beads closer than the lattice resolves feel the rest of the film's resistance; the record "
            "says below which gaps. Beads that touch repel each other either way.");
   program
-      .add_option("--friction", options.friction,
+      .add_option("--friction", options.settings.lattice.friction,
                   "Coulomb's coefficient of friction between beads that touch, no unit.")
       ->check(finite_non_negative());
   add_word(program, "--precision", words.precision, names_of(precisions), name_of(Precision::fp64),
@@ -144,7 +146,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
            "says when it would change the result.");
   program
       .add_option(
-          "--checkpoint-every", options.checkpoint_every,
+          "--checkpoint-every", options.settings.checkpoint_every,
           "Keep the run's state in FILE.h5md.ckpt.0 and .1 in turn, each so many cycles and at the end; "
           "fractions allowed [default: only when the run is stopped by time or signal]")
       ->check(finite_positive())
@@ -166,7 +168,7 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
       ->default_str("");
   program
       .add_option(
-          "--flow-every", options.flow_every,
+          "--flow-every", options.settings.flow_every,
           "Write velocity, pressure and bead of every cell to FILE.flow.pvd, each so many cycles [default: "
           "none]")
       ->check(finite_positive())
@@ -180,10 +182,11 @@ void add_flags(CLI::App& program, RunOptions& options, Words& words) {
 
 /// What it is of, and how large it may be, depends on the model.
 void require_fitting_tolerance(const RunOptions& options) {
-  if (!options.given.contains("--tolerance") || options.plan || options.model == "lbm" ||
-      options.model == "auto")
+  if (!options.given.contains("--tolerance") || options.plan || options.settings.model == "lbm" ||
+      options.settings.model == "auto")
     return;
-  if (const std::string why = product_tolerance()(fmt::format("{}", options.tolerance)); !why.empty())
+  if (const std::string why = product_tolerance()(fmt::format("{}", options.settings.mobility.tolerance));
+      !why.empty())
     throw InputError("--tolerance", why);
 }
 
@@ -221,13 +224,13 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   if (options.output.empty() && options.restart.empty() && !options.plan)
     throw InputError("--output", "is missing; name the trajectory to write, -o FILE.h5md");
   const bool is_to_be_planned = options.plan || options.given.contains("--tolerance");
-  options.model = words.model == "auto" && !is_to_be_planned ? "lbm" : words.model;
+  options.settings.model = words.model == "auto" && !is_to_be_planned ? "lbm" : words.model;
   require_fitting_tolerance(options);
-  options.bead_boundary = bead_scheme_named(words.bead_boundary);
-  options.delay_correction = words.delay_correction == "on";
-  options.radius_correction = words.radius_correction == "on";
-  options.lubrication = words.lubrication == "on";
-  options.precision = precisions.at(words.precision);
+  options.settings.lattice.bead_boundary = bead_scheme_named(words.bead_boundary);
+  options.settings.lattice.delay_correction = words.delay_correction == "on";
+  options.settings.lattice.radius_correction = words.radius_correction == "on";
+  options.settings.lattice.lubrication = words.lubrication == "on";
+  options.settings.lattice.precision = precisions.at(words.precision);
   options.progress = progress_styles.at(words.progress);
   options.provenance = provenance_record(*program);
   return options;
@@ -239,30 +242,39 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
     if (options.given.contains(flag)) throw InputError(flag, why);
 }
 
-FlagValues course_of(const RunOptions& o) {
-  if (o.model != "lbm") {
-    return {{"--model", o.model},
-            {"--frames-per-cycle", fmt::format("{}", o.frames_per_cycle)},
-            {"--tolerance", fmt::format("{}", o.tolerance)},
-            {"--steps-per-cycle", fmt::format("{}", o.steps_per_cycle)}};
+void refuse_lattice_flags(const RunOptions& options, const std::string& model) {
+  refuse_flags(options,
+               {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
+                "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
+               "is of the lattice; leave it out, or run with --model lbm instead of " + model);
+}
+
+FlagValues course_of(const RunSettings& settings) {
+  if (settings.model != "lbm") {
+    return {{"--model", settings.model},
+            {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
+            {"--tolerance", fmt::format("{}", settings.mobility.tolerance)},
+            {"--steps-per-cycle", fmt::format("{}", settings.mobility.steps_per_cycle)}};
   }
-  FlagValues values{{"--model", o.model},
-                    {"--frames-per-cycle", fmt::format("{}", o.frames_per_cycle)},
-                    {"--bead-boundary", name_of(o.bead_boundary)},
-                    {"--delay-correction", on_or_off(o.delay_correction)},
-                    {"--radius-correction", on_or_off(o.radius_correction)},
-                    {"--lubrication", on_or_off(o.lubrication)},
-                    {"--friction", fmt::format("{}", o.friction)},
-                    {"--precision", name_of(o.precision)}};
-  if (o.cells_per_radius) values["--cells-per-radius"] = fmt::format("{}", *o.cells_per_radius);
-  if (o.relaxation_time) values["--relaxation-time"] = fmt::format("{}", *o.relaxation_time);
+  FlagValues values{{"--model", settings.model},
+                    {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
+                    {"--bead-boundary", name_of(settings.lattice.bead_boundary)},
+                    {"--delay-correction", on_or_off(settings.lattice.delay_correction)},
+                    {"--radius-correction", on_or_off(settings.lattice.radius_correction)},
+                    {"--lubrication", on_or_off(settings.lattice.lubrication)},
+                    {"--friction", fmt::format("{}", settings.lattice.friction)},
+                    {"--precision", name_of(settings.lattice.precision)}};
+  if (settings.lattice.cells_per_radius)
+    values["--cells-per-radius"] = fmt::format("{}", *settings.lattice.cells_per_radius);
+  if (settings.lattice.relaxation_time)
+    values["--relaxation-time"] = fmt::format("{}", *settings.lattice.relaxation_time);
   return values;
 }
 
-FlagValues length_and_outputs_of(const RunOptions& o) {
-  FlagValues values{{"--cycles", fmt::format("{}", o.cycles)}};
-  if (o.checkpoint_every) values["--checkpoint-every"] = fmt::format("{}", *o.checkpoint_every);
-  if (o.flow_every) values["--flow-every"] = fmt::format("{}", *o.flow_every);
+FlagValues length_and_outputs_of(const RunSettings& settings) {
+  FlagValues values{{"--cycles", fmt::format("{}", settings.cycles)}};
+  if (settings.checkpoint_every) values["--checkpoint-every"] = fmt::format("{}", *settings.checkpoint_every);
+  if (settings.flow_every) values["--flow-every"] = fmt::format("{}", *settings.flow_every);
   return values;
 }
 

@@ -15,61 +15,29 @@ namespace {
 
 constexpr const char* beads_section = "overdamped";
 
-void refuse_no_slip(const Layout& layout, const std::string& source) {
-  for (int a = 0; a < 3 && layout.domain; ++a) {
-    if (layout.domain->boundary[a] != Boundary::no_slip) continue;
-    throw InputError(
-        fmt::format("{}:/domain/boundary/{}", source, a),
-        "is no-slip, for which there is no mobility here; make the layout with --boundary periodic or "
-        "free-slip, or run it with --model lbm");
-  }
-}
-
-/// Ewald's sum meets each pair once, and beads' contacts have room.
-void require_room(const OverdampedScene& scene, const std::string& source) {
-  const double largest = largest_radius(scene.types);
-  constexpr double radii = 4.4;  // two images of a bead must not touch a third
-  for (int a = 0; a < 3 && scene.box; ++a) {
-    if (scene.box->lengths[a] >= radii * largest) continue;
-    throw InputError(
-        fmt::format("{}:/domain/lengths/{}", source, a),
-        fmt::format(
-            "{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box, or run it with "
-            "--model lbm",
-            scene.box->lengths[a], radii, radii * largest));
-  }
-}
-
 }  // namespace
 
 OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, const std::string& source,
                                const Communicator& ranks)
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
-  refuse_flags(asked,
-               {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
-                "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
-               "is of the lattice; leave it out, or run with --model lbm instead of " + asked.model);
+  refuse_lattice_flags(asked, asked.settings.model);
   options = asked;
-  scene.model = *from_name(mobility_model_names, asked.model);
-  scene.viscosity = layout.fluid.dynamic_viscosity();
-  refuse_no_slip(layout, source);
-  scene.box = layout.domain;
-  scene.tolerance = asked.tolerance;
-  static_cast<Swarm&>(scene) = placed_swimmers(layout);
+  OverdampedSetup setup = overdamped_setup(layout, *from_name(mobility_model_names, asked.settings.model),
+                                           asked.settings.mobility, source);
+  scene = std::move(setup.scene);
   swimmers = scene.swimmers;
-  require_room(scene, source);
-  base_period = beadswim::base_period(layout);
-  steps_per_cycle = std::lround(
-      std::ceil(asked.steps_per_cycle * base_period / std::min(base_period, shortest_period(layout)) - 1e-9));
-  time_step = scene.step = base_period / static_cast<double>(steps_per_cycle);
+  base_period = setup.base_period;
+  steps_per_cycle = setup.steps_per_cycle;
+  time_step = scene.step;
   for (const SwimmerType& type : scene.types) {
     const auto& [first, second, third] = type.beads;
     periods.push_back(type.driving.period / time_step);
     radii.push_back({first.radius, second.radius, third.radius});
   }
-  announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
-                             asked.model, swimmers.size(), scene.box ? "a box" : "open space",
-                             scene.tolerance, steps_per_cycle, communicator.size());
+  announcement =
+      fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
+                  to_name(mobility_model_names, scene.model), swimmers.size(),
+                  scene.box ? "a box" : "open space", scene.tolerance, steps_per_cycle, communicator.size());
 }
 
 std::unique_ptr<Model> OverdampedPlan::make(long) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/overdamped/overdamped_system.hpp"
 #include "model.hpp"
 

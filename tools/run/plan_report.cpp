@@ -7,6 +7,8 @@
 #include <map>
 #include <regex>
 
+#include "plan_flags.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -19,8 +21,9 @@ std::string size_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.3g} MB", 1e-6 * bytes) : fmt::format("{:.3g} GB", 1e-9 * bytes);
 }
 
-std::string row(const PlannedRun& run, const Communicator& communicator, const std::string& remark) {
-  return fmt::format("  {:<74} {:>7} {:>7} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", flags_of(run),
+std::string row(const PlannedRun& run, const RunOptions& asked, const Communicator& communicator,
+                const std::string& remark) {
+  return fmt::format("  {:<74} {:>7} {:>7} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", flags_of(run, asked),
                      percent(run.error.velocity),
                      percent(std::max(run.error.arm_amplitudes[0], run.error.arm_amplitudes[1])),
                      run.core_seconds, run.core_seconds / communicator.size(), size_text(run.memory_bytes),
@@ -41,14 +44,14 @@ bool is_on_front(const RunPlan& plan, const PlannedRun& run) {
   });
 }
 
-Json json_of(const PlannedRun& run, const Communicator& communicator) {
-  const RunOptions& o = run.options;
-  Json json{{"model", o.model}, {"flags", flags_of(run)}};
-  if (o.model == "lbm") {
-    json["resolution"] = {{"cells_per_radius", *o.cells_per_radius},
-                          {"relaxation_time", *o.relaxation_time},
-                          {"bead_boundary", name_of(o.bead_boundary)},
-                          {"precision", name_of(o.precision)}};
+Json json_of(const PlannedRun& run, const RunOptions& asked, const Communicator& communicator) {
+  const LatticeSettings& lattice = run.settings.lattice;
+  Json json{{"model", run.settings.model}, {"flags", flags_of(run, asked)}};
+  if (run.settings.model == "lbm") {
+    json["resolution"] = {{"cells_per_radius", *lattice.cells_per_radius},
+                          {"relaxation_time", *lattice.relaxation_time},
+                          {"bead_boundary", name_of(lattice.bead_boundary)},
+                          {"precision", name_of(lattice.precision)}};
   }
   if (!run.refused.empty()) json["refused"] = run.refused;
   if (run.core_seconds > 0) {
@@ -66,7 +69,7 @@ Json json_of(const PlannedRun& run, const Communicator& communicator) {
 
 }  // namespace
 
-std::string plan_table(const RunPlan& plan, const Communicator& communicator) {
+std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Communicator& communicator) {
   std::string text = fmt::format(
       "  {:<74} {:>15} {:>9} {:>9} {:>8} {:>8}\n  {:<74} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8}\n", "",
       "error [%]", "cost", "time", "memory", "output", "run", "v", "arms", "core s", "s", "", "");
@@ -75,16 +78,17 @@ std::string plan_table(const RunPlan& plan, const Communicator& communicator) {
   for (const PlannedRun& run : plan.runs) {
     if (!run.refused.empty()) {
       refused[kind_of(run.refused)].push_back(&run);
-    } else if (run.options.model != "lbm" || is_on_front(plan, run)) {
+    } else if (run.settings.model != "lbm" || is_on_front(plan, run)) {
       front.push_back(&run);
     }
   }
   std::ranges::sort(front, {}, &PlannedRun::core_seconds);
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
-  for (const PlannedRun* run : front) text += row(*run, communicator, run == choice ? "<- cheapest" : "");
+  for (const PlannedRun* run : front)
+    text += row(*run, asked, communicator, run == choice ? "<- cheapest" : "");
   for (const auto& [kind, runs] : refused) {
     const std::string others = runs.size() > 1 ? fmt::format(", and {} like it", runs.size() - 1) : "";
-    text += fmt::format("refused: {}{}: {}\n", flags_of(*runs.front()), others, runs.front()->refused);
+    text += fmt::format("refused: {}{}: {}\n", flags_of(*runs.front(), asked), others, runs.front()->refused);
   }
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);
   for (const Proposal& proposal : plan.proposals)
@@ -95,14 +99,14 @@ std::string plan_table(const RunPlan& plan, const Communicator& communicator) {
 Json plan_to_json(const RunPlan& plan, const RunOptions& asked, const Communicator& communicator) {
   Json json{{"schema", "beadswim/plan/1"},
             {"tolerance", plan.tolerance},
-            {"cycles", asked.cycles},
+            {"cycles", asked.settings.cycles},
             {"ranks", communicator.size()},
-            {"choice", plan.choice ? Json(flags_of(plan.runs[*plan.choice])) : Json()},
-            {"best", plan.best ? Json(flags_of(plan.runs[*plan.best])) : Json()},
+            {"choice", plan.choice ? Json(flags_of(plan.runs[*plan.choice], asked)) : Json()},
+            {"best", plan.best ? Json(flags_of(plan.runs[*plan.best], asked)) : Json()},
             {"runs", Json::array()},
             {"hard", plan.hard},
             {"proposals", Json::array()}};
-  for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, communicator));
+  for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, asked, communicator));
   for (const Proposal& proposal : plan.proposals)
     json["proposals"].push_back({{"command", proposal.command}, {"what", proposal.what}});
   if (asked.with_provenance) json["provenance"] = Json::array({asked.provenance});

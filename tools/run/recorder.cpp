@@ -93,7 +93,8 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       time_step_(plan.time_step),
       communicator_(communicator),
       steps_per_cycle_(plan.steps_per_cycle),
-      frames_per_cycle_(static_cast<int>(std::min<long>(plan.options.frames_per_cycle, steps_per_cycle_))),
+      frames_per_cycle_(
+          static_cast<int>(std::min<long>(plan.options.settings.frames_per_cycle, steps_per_cycle_))),
       box_(layout.domain),
       trajectory_(trajectory),
       schedules_(plan.periods, frames_per_cycle_) {

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/plan/run_length.hpp"
 #include "checkpoints.hpp"
-#include "run_length.hpp"
 #include "stop_signal.hpp"
 
 namespace beadswim {
@@ -45,9 +45,9 @@ struct Timetable {
   long steps = 0, flow_interval = 0, checkpoint_interval = 0;
 
   explicit Timetable(const ModelPlan& plan)
-      : steps(total_steps(plan.options.cycles, plan.steps_per_cycle)),
-        flow_interval(interval(plan, plan.options.flow_every)),
-        checkpoint_interval(interval(plan, plan.options.checkpoint_every)) {}
+      : steps(total_steps(plan.options.settings.cycles, plan.steps_per_cycle)),
+        flow_interval(interval(plan, plan.options.settings.flow_every)),
+        checkpoint_interval(interval(plan, plan.options.settings.checkpoint_every)) {}
 
   bool is_last(long step) const { return step == steps; }
   bool is_flow(long step) const { return flow_interval > 0 && step % flow_interval == 0; }

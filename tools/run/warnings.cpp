@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "velocity_roundoff.hpp"
+#include "beadswim/plan/velocity_roundoff.hpp"
 
 namespace beadswim {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "scene_on_lattice.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
 
 // What a lattice run says on standard error and does all the same, a line each.
 

@@ -1,4 +1,4 @@
-#include "velocity_roundoff.hpp"
+#include "beadswim/plan/velocity_roundoff.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 
 #include "beadswim/plan/model_errors.hpp"
 #include "beadswim/plan/representatives.hpp"
-#include "run_plan.hpp"
+#include "beadswim/plan/run_plan.hpp"
 
 // What a plan knows of a scene, whatever runs it.
 
@@ -59,13 +59,14 @@ ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
 constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
 
 /// Of trajectory, flow and checkpoints; `bytes_of_cell`: of a lattice's state.
-double output_bytes(const RunOptions& options, std::size_t swimmers, double cells, double bytes_of_cell);
+double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_of_cell);
 
 /// Runs by the lattice and by mobility models, with errors and costs. Collective.
-std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts, const RunOptions& options,
-                                     const std::string& source, const Communicator& communicator);
+std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,
+                                     const PlanRequest& request, const std::string& source,
+                                     const Communicator& communicator);
 std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,
-                                      const RunOptions& options, const std::string& source,
+                                      const PlanRequest& request, const std::string& source,
                                       const Communicator& communicator);
 
 }  // namespace beadswim

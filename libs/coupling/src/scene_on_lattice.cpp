@@ -1,4 +1,4 @@
-#include "scene_on_lattice.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
 
 #include <fmt/core.h>
 
@@ -19,7 +19,7 @@
 namespace beadswim {
 namespace {
 
-/// What a run uses if neither the command line nor the layout says otherwise: docs/speed-against-error.md.
+/// The resolution if neither the settings nor the layout have one: docs/speed-against-error.md.
 constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time = 1};
 
 /// A smaller bead can slip between the centres of cells and cover none [cell].
@@ -148,29 +148,30 @@ double SceneOnLattice::density_on_lattice() const {
   return least;
 }
 
-SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, const std::string& source) {
+SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& settings,
+                              const std::string& source) {
   require_box(layout, source);
   const Resolution hint = layout.resolution.value_or(default_resolution);
   SceneOnLattice result;
   result.period = base_period(layout);
-  result.resolution = {.cells_per_radius = options.cells_per_radius.value_or(hint.cells_per_radius),
-                       .relaxation_time = options.relaxation_time.value_or(hint.relaxation_time)};
+  result.resolution = {.cells_per_radius = settings.cells_per_radius.value_or(hint.cells_per_radius),
+                       .relaxation_time = settings.relaxation_time.value_or(hint.relaxation_time)};
   result.lattice = lattice_for(layout, result.resolution, result.period);
   const LatticeScales& scales = result.lattice.scales;
   require_off_walls(layout, scales.cell, source);
-  require_viscosity(options.bead_boundary, result.lattice.relaxation_time);
-  require_slip(options.bead_boundary, result.lattice.relaxation_time);
+  require_viscosity(settings.bead_boundary, result.lattice.relaxation_time);
+  require_slip(settings.bead_boundary, result.lattice.relaxation_time);
 
   CoupledScene& scene = result.scene;
   scene.relaxation_time = result.lattice.relaxation_time;
-  scene.precision = options.precision;
-  scene.bead_boundary = options.bead_boundary;
-  scene.corrects_radii = options.radius_correction;
-  scene.lubrication = options.lubrication;
-  scene.friction = options.friction;
+  scene.precision = settings.precision;
+  scene.bead_boundary = settings.bead_boundary;
+  scene.corrects_radii = settings.radius_correction;
+  scene.lubrication = settings.lubrication;
+  scene.friction = settings.friction;
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
   scene.boundary = layout.domain->boundary;
-  add_swimmers(scene, layout, result.lattice, options.delay_correction);
+  add_swimmers(scene, layout, result.lattice, settings.delay_correction);
   for (SwimmerType& type : scene.types) {
     const SwimmerType steady = with_steady_vibrations(type, 1);
     for (int arm = 0; arm < 2; ++arm)
@@ -180,7 +181,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, c
           std::min(result.angular_softening, steady.angular_stiffness / type.angular_stiffness);
     type = steady;
   }
-  result.corrects_delay = options.delay_correction;
+  result.corrects_delay = settings.delay_correction;
   result.smallest_gap = smallest_gap(placed_beads(layout), layout.domain) / scales.cell;
   return result;
 }

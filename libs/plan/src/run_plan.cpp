@@ -1,4 +1,4 @@
-#include "run_plan.hpp"
+#include "beadswim/plan/run_plan.hpp"
 
 #include <fmt/core.h>
 
@@ -8,9 +8,9 @@
 #include <iterator>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
-#include "memory.hpp"
 #include "planned_scene.hpp"
 
 namespace beadswim {
@@ -81,7 +81,7 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
                     asked.turning));
   reason_against([&] {  // that the model has no motion its row says
     const ErrorEstimate stokes =
-        mobility_error(question, best, MobilityModel::rpy_near, RunOptions{}.steps_per_cycle);
+        mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}.steps_per_cycle);
     const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
       add(fmt::format("inertia, and what no mobility model knows, change v by up to {} and arms by up to {}",
@@ -134,53 +134,21 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
 
 }  // namespace
 
-std::string flags_of(const PlannedRun& run) {
-  const RunOptions& o = run.options;
-  const RunOptions usual;
-  std::string flags = "--model " + o.model;
-  if (o.model == "lbm") {
-    flags +=
-        fmt::format(" --cells-per-radius {} --relaxation-time {}", *o.cells_per_radius, *o.relaxation_time);
-    if (o.precision != usual.precision) flags += " --precision " + name_of(o.precision);
-    if (o.bead_boundary != usual.bead_boundary) flags += " --bead-boundary " + name_of(o.bead_boundary);
-  }
-  for (const char* asked :
-       {"--delay-correction", "--radius-correction", "--lubrication", "--friction", "--steps-per-cycle"}) {
-    const FlagValues course = course_of(o);
-    if (const auto flag = course.find(asked); flag != course.end() && o.given.contains(asked))
-      flags += fmt::format(" {} {}", asked, flag->second);
-  }
-  return flags;
-}
-
-RunPlan plan_run(const Layout& layout, const RunOptions& options, const std::string& source,
+RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::string& source,
                  const Communicator& communicator) {
   RunPlan plan;
-  plan.tolerance = options.given.contains("--tolerance") ? options.tolerance : usual_tolerance;
-  const SceneFacts facts = facts_of(layout, options.cycles);
-  plan.runs = mobility_runs(layout, facts, options, source, communicator);
-  if (options.model == "auto" || options.model == "lbm")
-    std::ranges::move(lattice_runs(layout, facts, options, source, communicator),
+  plan.tolerance = request.tolerance.value_or(usual_tolerance);
+  const SceneFacts facts = facts_of(layout, request.settings.cycles);
+  plan.runs = mobility_runs(layout, facts, request, source, communicator);
+  if (!request.model || *request.model == "lbm")
+    std::ranges::move(lattice_runs(layout, facts, request, source, communicator),
                       std::back_inserter(plan.runs));
   refuse_what_does_not_fit(plan.runs, communicator);
   choose(plan, communicator);
-  if (!options.plan) return plan;
+  if (!request.has_advice) return plan;
   add_hard_cases(plan, facts);
   add_proposals(plan, layout, facts);
   return plan;
-}
-
-const PlannedRun& chosen(const RunPlan& plan) {
-  if (plan.choice) return plan.runs[*plan.choice];
-  if (!plan.best)
-    throw InputError("--plan", "no model can run this scene with these flags; " + flags_of(plan.runs.back()) +
-                                   ": " + plan.runs.back().refused);
-  const PlannedRun& best = plan.runs[*plan.best];
-  throw InputError("--tolerance",
-                   fmt::format("no run is expected to be within {}; the best, {}, is within {}: allow that, "
-                               "leave out flags that close "
-                               "others, or change the scene as --plan proposes",
-                               in_percent(plan.tolerance), flags_of(best), in_percent(best.error.largest())));
 }
 
 }  // namespace beadswim

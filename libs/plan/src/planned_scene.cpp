@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/scene/reduce.hpp"
 #include "beadswim/plan/reason_against.hpp"
+#include "beadswim/scene/reduce.hpp"
 
 namespace beadswim {
 namespace {
@@ -99,14 +99,14 @@ ErrorEstimate times(double factor, ErrorEstimate error) {
   return error;
 }
 
-double output_bytes(const RunOptions& options, std::size_t swimmers, double cells, double bytes_of_cell) {
+double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_of_cell) {
   constexpr double empty = 3.3e5, of_frame = 60, of_bead = 34,
                    of_flow_cell = 20;  // as files have them [byte]
-  const double frames = 1 + options.cycles * options.frames_per_cycle;
+  const double frames = 1 + settings.cycles * settings.frames_per_cycle;
   double bytes = empty + frames * (of_frame + of_bead * 3 * static_cast<double>(swimmers));
-  if (options.flow_every)
-    bytes += std::floor(options.cycles / *options.flow_every + 1) * of_flow_cell * cells;
-  if (options.checkpoint_every) bytes += 2 * cells * bytes_of_cell;
+  if (settings.flow_every)
+    bytes += std::floor(settings.cycles / *settings.flow_every + 1) * of_flow_cell * cells;
+  if (settings.checkpoint_every) bytes += 2 * cells * bytes_of_cell;
   return bytes;
 }
 

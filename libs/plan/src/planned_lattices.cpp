@@ -6,15 +6,15 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/coupling/scene_on_lattice.hpp"
+#include "beadswim/plan/lattice_speed.hpp"
 #include "beadswim/plan/reason_against.hpp"
+#include "beadswim/plan/run_length.hpp"
+#include "beadswim/plan/velocity_roundoff.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
-#include "lattice_speed.hpp"
-#include "memory.hpp"
 #include "planned_scene.hpp"
-#include "run_length.hpp"
-#include "scene_on_lattice.hpp"
-#include "velocity_roundoff.hpp"
 
 namespace beadswim {
 namespace {
@@ -109,26 +109,25 @@ void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSp
   run.core_seconds =
       start_seconds * communicator.size() + static_cast<double>(steps) * speed.step(on_lattice.scene);
   run.memory_bytes = bytes + program_bytes * communicator.size();
-  run.output_bytes = output_bytes(run.options, on_lattice.scene.swimmers.size(), cells, bytes / cells);
+  run.output_bytes = output_bytes(run.settings, on_lattice.scene.swimmers.size(), cells, bytes / cells);
 }
 
-/// `speed` is measured when the first lattice that can run asks for it.
-PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, RunOptions options,
-                       const std::string& source, std::optional<LatticeSpeed>& speed,
-                       const Communicator& communicator) {
+/// `speed` is asked for when the first lattice that can run needs it.
+PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,
+                       const RunSettings& settings, const std::string& source,
+                       std::optional<LatticeSpeed>& speed, const Communicator& communicator) {
   PlannedRun run;
-  options.model = "lbm";
-  run.options = options;
+  run.settings = settings;
   std::string wrong;
   run.refused = reason_against([&] {
-    refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models; leave it out");
-    const SceneOnLattice on_lattice = put_on_lattice(layout, options, source);
+    request.require_choices_apply(settings);
+    const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);  // throws if too many
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
-    const long steps = total_steps(options.cycles, steps_per_cycle);
+    const long steps = total_steps(settings.cycles, steps_per_cycle);
     const double mach = largest_speed(facts) * std::numbers::sqrt3 / on_lattice.lattice.scales.velocity();
     const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
-    if (!speed) speed = LatticeSpeed::of_this_machine(communicator);
+    if (!speed) speed = request.lattice_speed();
     run.error = error_of(on_lattice, facts, mach, roundoff);
     add_cost(run, on_lattice, *speed, steps, communicator);
     wrong = wrong_in_kind(on_lattice, mach, roundoff);
@@ -139,26 +138,29 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, RunOptions
 
 }  // namespace
 
-std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts, const RunOptions& options,
-                                     const std::string& source, const Communicator& communicator) {
+std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,
+                                     const PlanRequest& request, const std::string& source,
+                                     const Communicator& communicator) {
+  const LatticeSettings& fixed = request.settings.lattice;
   std::vector<double> cells = whole_resolutions(layout);
-  if (options.cells_per_radius) cells = {*options.cells_per_radius};
+  if (fixed.cells_per_radius) cells = {*fixed.cells_per_radius};
   if (cells.empty() && layout.resolution) cells = {layout.resolution->cells_per_radius};
   if (cells.empty()) cells = {4};
   std::vector<double> times(usual_times.begin(), usual_times.end());
-  if (options.relaxation_time) times = {*options.relaxation_time};
+  if (fixed.relaxation_time) times = {*fixed.relaxation_time};
   std::vector<Precision> precisions{Precision::fp64, Precision::fp32};
-  if (options.given.contains("--precision")) precisions = {options.precision};
+  if (request.precision) precisions = {*request.precision};
   std::optional<LatticeSpeed> speed;
   std::vector<PlannedRun> runs;
   for (const double cell : cells) {
     for (const double time : times) {
       for (const Precision precision : precisions) {
-        RunOptions own = options;
-        own.cells_per_radius = cell;
-        own.relaxation_time = time;
-        own.precision = precision;
-        runs.push_back(lattice_run(layout, facts, own, source, speed, communicator));
+        RunSettings own = request.settings;
+        own.model = "lbm";
+        own.lattice.cells_per_radius = cell;
+        own.lattice.relaxation_time = time;
+        own.lattice.precision = precision;
+        runs.push_back(lattice_run(layout, facts, request, own, source, speed, communicator));
       }
     }
   }

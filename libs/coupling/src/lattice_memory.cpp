@@ -1,4 +1,4 @@
-#include "memory.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>

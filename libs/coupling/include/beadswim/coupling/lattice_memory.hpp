@@ -1,7 +1,7 @@
 #pragma once
 
 #include "beadswim/core/communicator.hpp"
-#include "scene_on_lattice.hpp"
+#include "beadswim/coupling/scene.hpp"
 
 namespace beadswim {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scene_on_lattice.hpp"
+#include "beadswim/coupling/scene.hpp"
 
 namespace beadswim {
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <string>
+
 #include "beadswim/coupling/lattice_scales.hpp"
+#include "beadswim/coupling/lattice_settings.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/scene/layout.hpp"
-#include "options.hpp"
 
 namespace beadswim {
 
@@ -17,7 +19,7 @@ constexpr double least_viscous = 0.52;
 /// From this Mach number on the fluid's compressibility shows.
 constexpr double fast_bead = 0.3;
 
-/// A layout's scene on the lattice that the options, the layout's hint or the defaults ask for.
+/// A layout's scene on the lattice that the settings, the layout's hint or the defaults ask for.
 struct SceneOnLattice {
   LatticeChoice lattice;
   Resolution resolution;    ///< as requested: relaxation time before the period was fitted to whole steps
@@ -42,6 +44,7 @@ struct SceneOnLattice {
 /// Throws InputError, `source` naming the layout, if the layout cannot be run on a lattice: no box, edges
 /// that are not whole numbers of cells, beads at walls, steps too long beside the shortest period, too little
 /// viscosity for links.
-SceneOnLattice put_on_lattice(const Layout& layout, const RunOptions& options, const std::string& source);
+SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& settings,
+                              const std::string& source);
 
 }  // namespace beadswim

@@ -3,11 +3,11 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/plan/reason_against.hpp"
+#include "beadswim/plan/run_length.hpp"
 #include "beadswim/scene/names.hpp"
-#include "overdamped_model.hpp"
 #include "planned_scene.hpp"
-#include "run_length.hpp"
 
 namespace beadswim {
 namespace {
@@ -46,34 +46,38 @@ std::string films_matter(const SceneFacts& facts) {
 }
 
 /// Products of a run, and the rest of it: docs/method/mobility-swarms.md, docs/performance.md.
-void add_cost(PlannedRun& run, const OverdampedPlan& plan, const Communicator& communicator) {
-  const bool has_dashpots = std::ranges::any_of(plan.scene.types, [](const SwimmerType& type) {
+void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
+  const bool has_dashpots = std::ranges::any_of(setup.scene.types, [](const SwimmerType& type) {
     return type.springs[0].damping > 0 || type.springs[1].damping > 0;
   });
-  const bool is_alone = plan.swimmers.size() == 1 && !plan.scene.box;
+  const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.box;
   const double products_a_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
   constexpr double first_products = 13, rest_of_step = 1e-5;  // of a swimmer [s]
   constexpr double bytes_in_box = 700, bytes_in_open = 2700;  // of a bead, the mesh's too
-  const double swimmers = static_cast<double>(plan.swimmers.size());
-  const double steps = static_cast<double>(total_steps(plan.options.cycles, plan.steps_per_cycle));
+  const double swimmers = static_cast<double>(setup.scene.swimmers.size());
+  const double steps = static_cast<double>(total_steps(run.settings.cycles, setup.steps_per_cycle));
   run.core_seconds = start_seconds * communicator.size() + rest_of_step * swimmers * steps +
-                     (products_a_step * steps + first_products) * product_seconds(plan.scene, communicator);
+                     (products_a_step * steps + first_products) * product_seconds(setup.scene, communicator);
   run.memory_bytes =
-      3 * swimmers * (plan.scene.box ? bytes_in_box : bytes_in_open) + program_bytes * communicator.size();
-  run.output_bytes = output_bytes(plan.options, plan.swimmers.size(), 0, 0);
+      3 * swimmers * (setup.scene.box ? bytes_in_box : bytes_in_open) + program_bytes * communicator.size();
+  run.output_bytes = output_bytes(run.settings, setup.scene.swimmers.size(), 0, 0);
 }
 
-PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const RunOptions& options,
+PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,
                         MobilityModel model, const std::string& source, const Communicator& communicator) {
   PlannedRun run;
-  run.options = options;
+  run.settings = request.settings;
+  run.settings.model = to_name(mobility_model_names, model);
+  run.settings.mobility.tolerance = MobilitySettings{}.tolerance;
   run.refused = reason_against([&] {
-    const OverdampedPlan plan(layout, options, source, communicator);
+    request.require_choices_apply(run.settings);
+    const MobilitySettings& settings = run.settings.mobility;
+    const OverdampedSetup setup = overdamped_setup(layout, model, settings, source);
     if (const std::string film = films_matter(facts); !film.empty()) throw InputError(film);
     run.error = scene_error(facts, [&](const Asked& asked) {
-      return mobility_error(asked.representative.question, *asked.best, model, options.steps_per_cycle);
+      return mobility_error(asked.representative.question, *asked.best, model, settings.steps_per_cycle);
     });
-    add_cost(run, plan, communicator);
+    add_cost(run, setup, communicator);
   });
   return run;
 }
@@ -81,16 +85,12 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Run
 }  // namespace
 
 std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,
-                                      const RunOptions& options, const std::string& source,
+                                      const PlanRequest& request, const std::string& source,
                                       const Communicator& communicator) {
   std::vector<PlannedRun> runs;
   for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near}) {
-    const std::string name = to_name(mobility_model_names, model);
-    if (options.model != "auto" && options.model != name) continue;
-    RunOptions own = options;
-    own.model = name;
-    if (options.model == "auto" || options.plan) own.tolerance = RunOptions{}.tolerance;  // of its sums
-    runs.push_back(mobility_run(layout, facts, own, model, source, communicator));
+    if (!request.model || *request.model == to_name(mobility_model_names, model))
+      runs.push_back(mobility_run(layout, facts, request, model, source, communicator));
   }
   return runs;
 }

@@ -1,4 +1,4 @@
-#include "run_length.hpp"
+#include "beadswim/plan/run_length.hpp"
 
 #include <fmt/core.h>
 

@@ -1,0 +1,59 @@
+#include "beadswim/overdamped/overdamped_setup.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+void refuse_no_slip(const Layout& layout, const std::string& source) {
+  for (int a = 0; a < 3 && layout.domain; ++a) {
+    if (layout.domain->boundary[a] != Boundary::no_slip) continue;
+    throw InputError(
+        fmt::format("{}:/domain/boundary/{}", source, a),
+        "is no-slip, for which there is no mobility here; make the layout with --boundary periodic or "
+        "free-slip, or run it with --model lbm");
+  }
+}
+
+/// Ewald's sum meets each pair once, and beads' contacts have room.
+void require_room(const OverdampedScene& scene, const std::string& source) {
+  const double largest = largest_radius(scene.types);
+  constexpr double radii = 4.4;  // two images of a bead must not touch a third
+  for (int a = 0; a < 3 && scene.box; ++a) {
+    if (scene.box->lengths[a] >= radii * largest) continue;
+    throw InputError(
+        fmt::format("{}:/domain/lengths/{}", source, a),
+        fmt::format(
+            "{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box, or run it with "
+            "--model lbm",
+            scene.box->lengths[a], radii, radii * largest));
+  }
+}
+
+}  // namespace
+
+OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
+                                 const std::string& source) {
+  OverdampedSetup setup;
+  OverdampedScene& scene = setup.scene;
+  scene.model = model;
+  scene.viscosity = layout.fluid.dynamic_viscosity();
+  refuse_no_slip(layout, source);
+  scene.box = layout.domain;
+  scene.tolerance = settings.tolerance;
+  static_cast<Swarm&>(scene) = placed_swimmers(layout);
+  require_room(scene, source);
+  const double period = base_period(layout);
+  setup.base_period = period;
+  setup.steps_per_cycle = std::lround(
+      std::ceil(settings.steps_per_cycle * period / std::min(period, shortest_period(layout)) - 1e-9));
+  scene.step = period / static_cast<double>(setup.steps_per_cycle);
+  return setup;
+}
+
+}  // namespace beadswim

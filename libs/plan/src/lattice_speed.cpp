@@ -1,0 +1,126 @@
+#include "beadswim/plan/lattice_speed.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/median.hpp"
+#include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr std::array all_precisions{Precision::fp64, Precision::fp32};
+constexpr std::array edges{12, 24, 48, 96};  // of a rank's block: in cache, and far out of it
+constexpr double stretch = 0.06;             // one timed stretch [s]
+constexpr int rounds = 3;
+
+CoupledScene fluid_alone(int edge, Precision precision, int ranks) {
+  CoupledScene scene;
+  scene.cells = {edge, edge, edge * ranks};
+  scene.boundary.fill(Boundary::periodic);
+  scene.precision = precision;
+  scene.bead_boundary = BeadScheme::mr;
+  return scene;
+}
+
+/// Beads of radius 4 abreast, as dense as the paper's swarm, at rest.
+CoupledScene with_beads(Precision precision, BeadScheme scheme, int ranks) {
+  CoupledScene scene = fluid_alone(64, precision, ranks);
+  scene.bead_boundary = scheme;
+  SwimmerType type;
+  type.beads.fill({.radius = 4, .density = 1});
+  type.springs.fill({.stiffness = 0.05, .rest_length = 21, .damping = 0});
+  type.angular_stiffness = 200;
+  type.driving = {.amplitude = {0, 0}, .phase = 0, .period = 2000, .frame = DrivingFrame::lab};
+  scene.types = {type};
+  for (int z = 0; z < 3 * ranks; ++z) {
+    for (int y = 0; y < 3; ++y) {
+      const Vec3 place(32.3, 21.3 * y + 10.1, 21.3 * z + 10.2);
+      scene.swimmers.push_back({.id = static_cast<int>(scene.swimmers.size()), .type = 0, .position = place});
+    }
+  }
+  return scene;
+}
+
+/// Seconds of one step until the last rank is through: the median of some stretches.
+double seconds_of_step(const CoupledScene& scene, const Communicator& communicator) {
+  CoupledSystem system(scene, communicator);
+  const auto seconds_of = [&](int steps) {
+    MPI_Barrier(communicator.get());
+    const double start = MPI_Wtime();
+    for (int n = 0; n < steps; ++n) system.step();
+    MPI_Barrier(communicator.get());
+    return MPI_Wtime() - start;
+  };
+  seconds_of(2);
+  int steps = 2 * std::max(1, static_cast<int>(stretch / 2 / std::max(seconds_of(2) / 2, 1e-7)));
+  MPI_Bcast(&steps, 1, MPI_INT, 0, communicator.get());
+  std::vector<double> seconds;
+  for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(steps) / steps);
+  double result = median(seconds);
+  MPI_Bcast(&result, 1, MPI_DOUBLE, 0, communicator.get());
+  return result;
+}
+
+/// Straight lines between logarithms; level beyond the ends.
+double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
+  if (at <= x.front()) return y.front();
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (at > x[i]) continue;
+    const double share = std::log(at / x[i - 1]) / std::log(x[i] / x[i - 1]);
+    return y[i - 1] * std::pow(y[i] / y[i - 1], share);
+  }
+  return y.back();
+}
+
+}  // namespace
+
+LatticeSpeed::LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions)
+    : ranks_(ranks), precisions_(std::move(precisions)) {
+  const auto is_sound = [](const PrecisionCost& own) {
+    constexpr double longest = 1;  // no machine takes a second for a cell
+    return own.cells.size() == edges.size() && own.seconds_per_cell.size() == edges.size() &&
+           own.seconds_per_area.size() == all_bead_schemes.size() && own.cells.front() > 0 &&
+           std::ranges::is_sorted(own.cells) && std::ranges::min(own.seconds_per_cell) > 0 &&
+           std::ranges::max(own.seconds_per_cell) < longest && std::ranges::min(own.seconds_per_area) >= 0 &&
+           std::ranges::max(own.seconds_per_area) < longest;
+  };
+  if (precisions_.size() != all_precisions.size() || !std::ranges::all_of(precisions_, is_sound))
+    throw InputError("precisions", "are not what this version writes");
+}
+
+LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
+  const int ranks = communicator.size();
+  std::vector<PrecisionCost> precisions;
+  for (const Precision precision : all_precisions) {
+    PrecisionCost& own = precisions.emplace_back();
+    const auto cost_of = [&](const CoupledScene& scene) {
+      return ranks * seconds_of_step(scene, communicator);
+    };
+    for (const int edge : edges) {
+      const CoupledScene scene = fluid_alone(edge, precision, ranks);
+      own.cells.push_back(std::pow(edge, 3));
+      own.seconds_per_cell.push_back(cost_of(scene) / scene.cells.cast<double>().prod());
+    }
+    for (const BeadScheme scheme : all_bead_schemes) {
+      const CoupledScene scene = with_beads(precision, scheme, ranks);
+      const double cells = scene.cells.cast<double>().prod();
+      const double of_fluid = cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks);
+      own.seconds_per_area.push_back(std::max(0.0, cost_of(scene) - of_fluid) / bead_surface(scene));
+    }
+  }
+  return {ranks, std::move(precisions)};
+}
+
+double LatticeSpeed::step(const CoupledScene& scene) const {
+  const PrecisionCost& own = precisions_.at(static_cast<std::size_t>(scene.precision));
+  const double cells = scene.cells.cast<double>().prod();
+  return cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks_) +
+         own.seconds_per_area.at(static_cast<std::size_t>(scene.bead_boundary)) * bead_surface(scene);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,100 @@
+#include "beadswim/plan/run_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/scene/presets.hpp"
+
+namespace beadswim {
+namespace {
+
+/// The paper's swimmer alone in a periodic box.
+Layout single() {
+  Layout layout = paper_single();
+  layout.domain = Box{.lengths = {96, 64, 64}, .boundary = {}};
+  layout.swimmers.front().position = layout.domain->lengths / 2;
+  return layout;
+}
+
+/// A machine of which every cell and every piece of surface costs the same.
+LatticeSpeed any_speed(int ranks) {
+  const PrecisionCost one{.cells = {1e3, 1e4, 1e5, 1e6},
+                          .seconds_per_cell = std::vector<double>(4, 1e-8),
+                          .seconds_per_area = std::vector<double>(all_bead_schemes.size(), 1e-7)};
+  return {ranks, {one, one}};
+}
+
+PlanRequest lattice_request(const Communicator& communicator) {
+  PlanRequest request;
+  request.model = "lbm";
+  request.require_choices_apply = [](const RunSettings&) {};
+  request.lattice_speed = [&communicator] { return any_speed(communicator.size()); };
+  return request;
+}
+
+RunPlan plan_of(const PlanRequest& request, const Communicator& communicator) {
+  return plan_run(single(), request, "layout", communicator);
+}
+
+/// Catches settings that the user fixed being weighed all the same.
+TEST(RunPlan, WeighsOnlyWhatIsOpen) {
+  const Communicator communicator(MPI_COMM_WORLD);
+  PlanRequest request = lattice_request(communicator);
+  request.precision = Precision::fp32;
+  request.settings.lattice.cells_per_radius = 4;
+  const RunPlan plan = plan_of(request, communicator);
+  EXPECT_GT(plan.runs.size(), 1u);
+  for (const PlannedRun& run : plan.runs) {
+    EXPECT_EQ(run.settings.model, "lbm");
+    EXPECT_EQ(run.settings.lattice.precision, Precision::fp32);
+    EXPECT_EQ(run.settings.lattice.cells_per_radius, 4);
+  }
+}
+
+/// Catches a choice beyond the tolerance, and one that another run within it undercuts.
+TEST(RunPlan, ChoosesTheCheapestWithinTheTolerance) {
+  const Communicator communicator(MPI_COMM_WORLD);
+  PlanRequest request = lattice_request(communicator);
+  request.tolerance = 0.1;
+  const RunPlan plan = plan_of(request, communicator);
+  ASSERT_TRUE(plan.choice);
+  const PlannedRun& choice = plan.runs[*plan.choice];
+  EXPECT_LE(choice.error.largest(), 0.1);
+  for (const PlannedRun& run : plan.runs) {
+    if (run.refused.empty() && run.error.largest() <= 0.1) {
+      EXPECT_GE(run.core_seconds, choice.core_seconds);
+    }
+  }
+}
+
+TEST(RunPlan, HasNoChoiceWhereNoRunIsWithinTheTolerance) {
+  const Communicator communicator(MPI_COMM_WORLD);
+  PlanRequest request = lattice_request(communicator);
+  request.tolerance = 1e-9;
+  const RunPlan plan = plan_of(request, communicator);
+  EXPECT_FALSE(plan.choice);
+  EXPECT_TRUE(plan.best);
+}
+
+/// Catches a measurement of the machine for runs that cannot be.
+TEST(RunPlan, AsksForTheSpeedOnlyIfALatticeCanRun) {
+  const Communicator communicator(MPI_COMM_WORLD);
+  PlanRequest request = lattice_request(communicator);
+  int asked = 0;
+  request.lattice_speed = [&] {
+    ++asked;
+    return any_speed(communicator.size());
+  };
+  plan_of(request, communicator);
+  EXPECT_EQ(asked, 1);
+  request.require_choices_apply = [](const RunSettings&) { throw InputError("is of other models"); };
+  const RunPlan plan = plan_of(request, communicator);
+  EXPECT_EQ(asked, 1);
+  for (const PlannedRun& run : plan.runs) EXPECT_EQ(run.refused, "is of other models");
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,100 @@
+#include "lattice_speed_cache.hpp"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/processor.hpp"
+#include "beadswim/core/version.hpp"
+#include "broadcast.hpp"
+
+namespace beadswim {
+namespace {
+
+/// What makes an old measurement this machine's.
+Json cache_key(int ranks) {
+  return {{"schema", "beadswim/lattice-speed/1"},
+          {"version", version() + " (" + revision() + ")"},
+          {"processor", processor_name()},
+          {"ranks", ranks}};
+}
+
+/// Best effort: without it the next plan measures again.
+void keep(const Json& document, int ranks) {
+  const std::string path = speed_cache(ranks);
+  if (path.empty()) return;
+  try {
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+    write_text(path, dump_json(document));
+  } catch (const std::exception&) {
+  }
+}
+
+std::optional<LatticeSpeed> cached_speed(int ranks) {
+  const std::string path = speed_cache(ranks);
+  std::error_code unknown;
+  if (path.empty() || !std::filesystem::exists(path, unknown)) return std::nullopt;
+  try {
+    const Json document = parse_json(read_text(path), path);
+    const Json wanted = cache_key(ranks);
+    for (const auto& [name, value] : wanted.items())
+      if (document.at(name) != value) return std::nullopt;
+    return lattice_speed_from_json(document);
+  } catch (const std::exception&) {  // whatever it is, it is measured anew
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::string speed_cache(int ranks) {
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::string(value == nullptr ? "" : value);
+  };
+  std::string folder = variable("XDG_CACHE_HOME");
+  if (folder.empty() && !variable("HOME").empty()) folder = variable("HOME") + "/.cache";
+  return folder.empty() ? "" : fmt::format("{}/beadswim/lattice-speed-{}.json", folder, ranks);
+}
+
+LatticeSpeed speed_of_this_machine(const Communicator& communicator) {
+  std::string text;
+  if (communicator.is_root()) {
+    if (const auto known = cached_speed(communicator.size())) text = lattice_speed_to_json(*known).dump();
+  }
+  broadcast(text, communicator);
+  if (text.empty()) {
+    if (communicator.is_root())
+      tell("beadswim-run: measuring how fast this machine steps a lattice, once, some seconds\n");
+    const LatticeSpeed speed = LatticeSpeed::measured(communicator);
+    if (communicator.is_root()) keep(lattice_speed_to_json(speed), communicator.size());
+    return speed;
+  }
+  return lattice_speed_from_json(Json::parse(text));
+}
+
+Json lattice_speed_to_json(const LatticeSpeed& speed) {
+  Json json = cache_key(speed.ranks());
+  for (const PrecisionCost& own : speed.precisions()) {
+    json["precisions"].push_back({{"cells", own.cells},
+                                  {"seconds_per_cell", own.seconds_per_cell},
+                                  {"seconds_per_area", own.seconds_per_area}});
+  }
+  return json;
+}
+
+LatticeSpeed lattice_speed_from_json(const Json& json) {
+  std::vector<PrecisionCost> precisions;
+  for (const Json& own : json.at("precisions")) {
+    const auto numbers = [&](const char* name) { return own.at(name).get<std::vector<double>>(); };
+    precisions.push_back({.cells = numbers("cells"),
+                          .seconds_per_cell = numbers("seconds_per_cell"),
+                          .seconds_per_area = numbers("seconds_per_area")});
+  }
+  return {json.at("ranks").get<int>(), std::move(precisions)};
+}
+
+}  // namespace beadswim

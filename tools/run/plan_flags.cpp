@@ -1,0 +1,64 @@
+#include "plan_flags.hpp"
+
+#include <fmt/core.h>
+
+#include "beadswim/core/error.hpp"
+#include "lattice_speed_cache.hpp"
+
+namespace beadswim {
+
+PlanRequest plan_request(const RunOptions& options, const Communicator& communicator) {
+  PlanRequest request;
+  request.settings = options.settings;
+  request.has_advice = options.plan;
+  if (options.settings.model != "auto") request.model = options.settings.model;
+  if (options.given.contains("--precision")) request.precision = options.settings.lattice.precision;
+  if (options.given.contains("--tolerance")) request.tolerance = options.settings.mobility.tolerance;
+  request.require_choices_apply = [&options](const RunSettings& settings) {
+    if (settings.model != "lbm") {
+      refuse_lattice_flags(options, settings.model);
+    } else {
+      refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models; leave it out");
+    }
+  };
+  request.lattice_speed = [&communicator] { return speed_of_this_machine(communicator); };
+  return request;
+}
+
+std::string flags_of(const PlannedRun& run, const RunOptions& options) {
+  const RunSettings& settings = run.settings;
+  const LatticeSettings& lattice = settings.lattice;
+  const LatticeSettings usual;
+  std::string flags = "--model " + settings.model;
+  if (settings.model == "lbm") {
+    flags += fmt::format(" --cells-per-radius {} --relaxation-time {}", *lattice.cells_per_radius,
+                         *lattice.relaxation_time);
+    if (lattice.precision != usual.precision) flags += " --precision " + name_of(lattice.precision);
+    if (lattice.bead_boundary != usual.bead_boundary)
+      flags += " --bead-boundary " + name_of(lattice.bead_boundary);
+  }
+  const FlagValues course = course_of(settings);
+  for (const char* asked :
+       {"--delay-correction", "--radius-correction", "--lubrication", "--friction", "--steps-per-cycle"}) {
+    if (const auto flag = course.find(asked); flag != course.end() && options.given.contains(asked))
+      flags += fmt::format(" {} {}", asked, flag->second);
+  }
+  return flags;
+}
+
+const PlannedRun& chosen(const RunPlan& plan, const RunOptions& options) {
+  if (plan.choice) return plan.runs[*plan.choice];
+  const auto flags = [&](const PlannedRun& run) { return flags_of(run, options); };
+  if (!plan.best)
+    throw InputError("--plan", "no model can run this scene with these flags; " + flags(plan.runs.back()) +
+                                   ": " + plan.runs.back().refused);
+  const PlannedRun& best = plan.runs[*plan.best];
+  const auto in_percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
+  throw InputError("--tolerance",
+                   fmt::format("no run is expected to be within {}; the best, {}, is within {}: allow that, "
+                               "leave out flags that close "
+                               "others, or change the scene as --plan proposes",
+                               in_percent(plan.tolerance), flags(best), in_percent(best.error.largest())));
+}
+
+}  // namespace beadswim
