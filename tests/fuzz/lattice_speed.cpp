@@ -1,4 +1,4 @@
-#include "lattice_speed_cache.hpp"
+#include "planning/lattice_speed_cache.hpp"
 
 #include <cmath>
 #include <optional>

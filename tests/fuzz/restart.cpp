@@ -5,9 +5,9 @@
 #include "accepted.hpp"
 #include "checkpoint_edits.hpp"
 #include "checkpoints.hpp"
+#include "command_line/request.hpp"
 #include "memory_file.hpp"
 #include "one_rank.hpp"
-#include "request.hpp"
 #include "run_setup.hpp"
 
 // beadswim-run --restart of checkpoints that are whole, with a hash of what they hold, but hold something

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "beadswim/io/checkpoint_file.hpp"
-#include "options.hpp"
+#include "command_line/options.hpp"
 #include "run_loop.hpp"
 
 // Checkpoints of a run: FILE.h5md.ckpt.0 and .1 in turn, so that one whole checkpoint is there while the

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <optional>
 
-#include "options.hpp"
+#include "command_line/options.hpp"
 
 namespace beadswim {
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "model.hpp"
+#include "models/model.hpp"
 #include "progress.hpp"
-#include "recorder.hpp"
+#include "record/recorder.hpp"
 
 namespace beadswim {
 

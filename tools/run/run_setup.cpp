@@ -1,8 +1,8 @@
 #include "run_setup.hpp"
 
 #include "beadswim/core/version.hpp"
-#include "lattice_model.hpp"
-#include "overdamped_model.hpp"
+#include "models/lattice_model.hpp"
+#include "models/overdamped_model.hpp"
 
 namespace beadswim {
 

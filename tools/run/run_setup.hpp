@@ -4,8 +4,8 @@
 
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/h5md.hpp"
-#include "model.hpp"
-#include "request.hpp"
+#include "command_line/request.hpp"
+#include "models/model.hpp"
 
 namespace beadswim {
 

@@ -2,8 +2,8 @@
 
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
-#include "flow_output.hpp"
-#include "model.hpp"
+#include "models/flow_output.hpp"
+#include "models/model.hpp"
 
 // Beads resolved in a lattice-Boltzmann fluid (libs/coupling), as a run drives them.
 

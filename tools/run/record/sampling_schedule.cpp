@@ -1,4 +1,4 @@
-#include "sampling_schedule.hpp"
+#include "record/sampling_schedule.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "overdamped_model.hpp"
+#include "models/overdamped_model.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
 #include "beadswim/scene/names.hpp"
-#include "record.hpp"
+#include "record/record.hpp"
 
 namespace beadswim {
 namespace {

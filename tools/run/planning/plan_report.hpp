@@ -4,7 +4,7 @@
 
 #include "beadswim/io/json.hpp"
 #include "beadswim/plan/run_plan.hpp"
-#include "options.hpp"
+#include "command_line/options.hpp"
 
 namespace beadswim {
 

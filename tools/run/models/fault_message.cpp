@@ -1,4 +1,4 @@
-#include "fault_message.hpp"
+#include "models/fault_message.hpp"
 
 #include <fmt/core.h>
 

@@ -5,7 +5,7 @@
 
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
-#include "options.hpp"
+#include "command_line/options.hpp"
 
 namespace beadswim {
 

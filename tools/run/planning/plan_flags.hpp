@@ -3,7 +3,7 @@
 #include <string>
 
 #include "beadswim/plan/run_plan.hpp"
-#include "options.hpp"
+#include "command_line/options.hpp"
 
 // A plan in terms of the command line.
 

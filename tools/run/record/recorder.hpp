@@ -6,8 +6,8 @@
 #include "beadswim/core/message.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
-#include "model.hpp"
-#include "sampling_schedule.hpp"
+#include "models/model.hpp"
+#include "record/sampling_schedule.hpp"
 
 namespace beadswim {
 

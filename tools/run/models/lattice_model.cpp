@@ -1,4 +1,4 @@
-#include "lattice_model.hpp"
+#include "models/lattice_model.hpp"
 
 #include <fmt/core.h>
 
@@ -9,10 +9,10 @@
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "beadswim/plan/velocity_roundoff.hpp"
-#include "fault_message.hpp"
-#include "lattice_record.hpp"
-#include "lattice_state.hpp"
-#include "warnings.hpp"
+#include "models/fault_message.hpp"
+#include "models/lattice_record.hpp"
+#include "models/lattice_state.hpp"
+#include "models/warnings.hpp"
 
 namespace beadswim {
 namespace {

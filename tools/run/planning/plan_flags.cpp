@@ -1,9 +1,9 @@
-#include "plan_flags.hpp"
+#include "planning/plan_flags.hpp"
 
 #include <fmt/core.h>
 
 #include "beadswim/core/error.hpp"
-#include "lattice_speed_cache.hpp"
+#include "planning/lattice_speed_cache.hpp"
 
 namespace beadswim {
 

@@ -1,4 +1,4 @@
-#include "plan_report.hpp"
+#include "planning/plan_report.hpp"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <regex>
 
-#include "plan_flags.hpp"
+#include "planning/plan_flags.hpp"
 
 namespace beadswim {
 namespace {

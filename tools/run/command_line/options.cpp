@@ -1,4 +1,4 @@
-#include "options.hpp"
+#include "command_line/options.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "lattice_state.hpp"
+#include "models/lattice_state.hpp"
 
 #include <algorithm>
 

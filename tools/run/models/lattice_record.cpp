@@ -1,11 +1,11 @@
-#include "lattice_record.hpp"
+#include "models/lattice_record.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "beadswim/coupling/gather.hpp"
 #include "beadswim/lattice/trt.hpp"
-#include "record.hpp"
+#include "record/record.hpp"
 
 namespace beadswim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/overdamped/overdamped_system.hpp"
-#include "model.hpp"
+#include "models/model.hpp"
 
 // Beads as points of a mobility, without inertia (libs/overdamped), as a run drives them.
 

@@ -12,7 +12,7 @@
 #include "beadswim/io/checkpoint_file.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
-#include "options.hpp"
+#include "command_line/options.hpp"
 
 // What a run drives: swimmers in a fluid, whatever the model of the fluid. A ModelPlan says what the run will
 // be, and makes the Model. All is in the layout's units, but for motions and positions of beads, which are in

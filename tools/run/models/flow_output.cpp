@@ -1,4 +1,4 @@
-#include "flow_output.hpp"
+#include "models/flow_output.hpp"
 
 #include <fmt/core.h>
 

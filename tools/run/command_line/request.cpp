@@ -1,4 +1,4 @@
-#include "request.hpp"
+#include "command_line/request.hpp"
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/program.hpp"

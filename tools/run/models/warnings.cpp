@@ -1,4 +1,4 @@
-#include "warnings.hpp"
+#include "models/warnings.hpp"
 
 #include <fmt/core.h>
 
