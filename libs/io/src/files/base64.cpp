@@ -1,27 +1,22 @@
 #include "beadswim/io/base64.hpp"
 
+#include <openssl/evp.h>
+
+#include <algorithm>
+
 namespace beadswim {
 
-void Base64::append(std::span<const char> bytes) {
-  for (const char byte : bytes) {
-    group_ = group_ << 8 | static_cast<unsigned char>(byte);
-    if (++held_ == 3) flush(4);
+std::string base64(std::span<const char> bytes) {
+  constexpr std::size_t longest = 3U << 28;                  // OpenSSL counts bytes as int
+  std::string text(4 * ((bytes.size() + 2) / 3) + 1, '\0');  // it ends each piece with a zero
+  auto* to = reinterpret_cast<unsigned char*>(text.data());
+  for (; !bytes.empty(); bytes = bytes.subspan(std::min(longest, bytes.size()))) {
+    const auto piece = bytes.first(std::min(longest, bytes.size()));
+    to += EVP_EncodeBlock(to, reinterpret_cast<const unsigned char*>(piece.data()),
+                          static_cast<int>(piece.size()));
   }
-}
-
-void Base64::finish() {
-  if (held_ == 0) return;
-  const int digits = held_ + 1;
-  for (; held_ < 3; ++held_) group_ <<= 8;
-  flush(digits);
-  text_.append(4 - digits, '=');
-}
-
-void Base64::flush(int digits) {
-  constexpr char alphabet[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  for (int d = 0; d < digits; ++d) text_ += alphabet[group_ >> (18 - 6 * d) & 63];
-  group_ = 0;
-  held_ = 0;
+  text.pop_back();
+  return text;
 }
 
 }  // namespace beadswim

@@ -33,17 +33,17 @@ void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
           "        <DataArray type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
           field.name, field.components));
   const std::uint64_t size = cells.cast<std::uint64_t>().prod() * field.components * sizeof(float);
-  std::string text;
-  Base64 encoded(text);  // the size and the data in one stream
-  encoded.append(bytes_of(std::span(&size, 1)));
+  std::string bytes;  // of size and data in one stream, not yet written
+  const auto append = [&bytes](std::span<const char> more) { bytes.append(more.begin(), more.end()); };
+  append(bytes_of(std::span(&size, 1)));
   for (int z = 0; z < cells[2]; ++z) {
     const std::vector<float> plane = field.plane(z);
-    encoded.append(bytes_of(std::span(plane)));
-    put(file, text);
-    text.clear();
+    append(bytes_of(std::span(plane)));
+    const std::size_t whole = bytes.size() / 3 * 3;
+    put(file, base64(std::span(bytes).first(whole)));
+    bytes.erase(0, whole);
   }
-  encoded.finish();
-  put(file, text + "\n        </DataArray>\n");
+  put(file, base64(bytes) + "\n        </DataArray>\n");
 }
 
 }  // namespace
