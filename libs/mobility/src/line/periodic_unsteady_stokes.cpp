@@ -1,10 +1,10 @@
 #include "beadswim/mobility/periodic_unsteady_stokes.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "ewald_cutoff.hpp"
-#include "gauss_legendre.hpp"
 
 namespace beadswim {
 
@@ -68,14 +68,23 @@ std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
   const double span = std::log(std::max(gaussian_reach / (xi * nearest), 1.2));
   constexpr double longest_panel = 0.7;
   const int panels = static_cast<int>(std::ceil(span / longest_panel));
+  using Rule = boost::math::quadrature::gauss<long double, 16>;  // of doubles the last bits would be wrong
   std::vector<HeatNode> nodes;
+  const auto add = [&](double y, double weight) {
+    const double p = xi * std::exp(y), s = 1 / (4 * p * p);
+    const double scale = weight * p / (2 * std::pow(pi, 1.5));
+    const Complex decay = scale * std::exp(-alpha2 * s);
+    nodes.push_back({p, decay, -decay / alpha2, scale * s * mean_decay(alpha2 * s)});
+  };
   for (int panel = 0; panel < panels; ++panel) {
-    gauss_legendre(span * panel / panels, span * (panel + 1) / panels, [&](double y, double weight) {
-      const double p = xi * std::exp(y), s = 1 / (4 * p * p);
-      const double scale = weight * p / (2 * std::pow(pi, 1.5));
-      const Complex decay = scale * std::exp(-alpha2 * s);
-      nodes.push_back({p, decay, -decay / alpha2, scale * s * mean_decay(alpha2 * s)});
-    });
+    const double from = span * panel / panels, to = span * (panel + 1) / panels;
+    const double middle = (from + to) / 2, half = (to - from) / 2;
+    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {  // those on (0, 1); the others mirror them
+      const auto place = static_cast<double>(Rule::abscissa()[n]);
+      const auto weight = static_cast<double>(Rule::weights()[n]);
+      add(middle - half * place, half * weight);
+      add(middle + half * place, half * weight);
+    }
   }
   return nodes;
 }
