@@ -39,10 +39,14 @@ set(name_of_bench "measure the speed of Beadswim's solvers on this machine")
 if(HELP2MAN AND NOT BEADSWIM_SANITIZE)
   foreach(program ${programs})
     set(page ${CMAKE_BINARY_DIR}/man/beadswim-${program}.1)
+    set(help --help)
+    if(program MATCHES "layout|plot")
+      set(help --help-all)  # the flags of their commands
+    endif()
     add_custom_command(
       OUTPUT ${page}
       COMMAND ${CMAKE_COMMAND} -E env OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 LC_ALL=C.UTF-8
-              ${HELP2MAN} --no-info --locale=C.UTF-8 --output=${page} --include=${PROJECT_SOURCE_DIR}/cmake/man.h2m
+              ${HELP2MAN} --no-info --help-option=${help} --locale=C.UTF-8 --output=${page} --include=${PROJECT_SOURCE_DIR}/cmake/man.h2m
               --version-string=${PROJECT_VERSION} --name=${name_of_${program}} $<TARGET_FILE:beadswim-${program}>
       DEPENDS beadswim-${program} ${PROJECT_SOURCE_DIR}/cmake/man.h2m
       VERBATIM)

@@ -47,7 +47,11 @@ done
 refuses_nonsense beadswim-run -- one.json -o new.h5md
 refuses_nonsense beadswim-theory -- one.json
 refuses_nonsense beadswim-compare -- run.json theory.json
-refuses_nonsense beadswim-plot -- stroke run.json theory.json
+for kind in stroke velocity-against-period separation; do refuses_nonsense beadswim-plot $kind -- run.json theory.json; done
+refuses_nonsense beadswim-plot speed-against-error -- run.json --reference theory.json
+refuses_nonsense beadswim-plot trajectories -- one.h5md
+for kind in swarm swimmer; do refuses_nonsense beadswim-plot $kind -- one.json; done
+refuses_nonsense beadswim-plot mobility-products -- "$BEADSWIM_SOURCE/docs/results/mobility-products.json"
 refuses_nonsense beadswim-view -- one.h5md -o page.html
 refuses_nonsense beadswim-bench --
 check "nothing was written" test "$(ls | grep -vx 'out\|err')" = "$(grep -vx 'out\|err' before)"

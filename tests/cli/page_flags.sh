@@ -3,7 +3,7 @@
 source "$(dirname "$0")/harness.sh"
 
 for program in "$(dirname "$(command -v beadswim-run)")"/beadswim-*; do "$program" --help; done >help
-for command in swimmer swarm reduce check; do beadswim-layout $command --help; done >>help
+for program in layout plot; do beadswim-$program --help-all; done >>help
 for defect in vacancy interstitial jitter rotation domains phase amplitude frequency spacing mixture; do
   beadswim-layout defect $defect --help
 done >>help

@@ -11,8 +11,24 @@ drawn() { # NUMBER ELEMENT   how often the element is in out
 }
 
 # --- what it says of itself
+kinds='stroke velocity-against-period separation speed-against-error trajectories swarm swimmer mobility-products'
 accepts beadswim-plot --help
-for flag in '-o,--output' --method --cycle --mark --distances --relative-to --reference --against --axes; do out_has "^  $flag"; done
+check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,$p' out | grep -vc '^$')" -eq 17
+has_flags() { # KIND FLAG...   these alone, beside those of all kinds
+  accepts beadswim-plot "$1" --help
+  check "$1 has other flags" test "$(grep -oE '^  (-[a-z],)?--[a-z-]+' out | xargs)" = "$(echo -h,--help -o,--output "${@:2}")"
+}
+for kind in $kinds; do out_has "^  $kind$"; done
+has_flags stroke --method --cycle --against
+has_flags velocity-against-period --method --cycle --relative-to --axes
+has_flags separation --method --cycle --relative-to --axes
+has_flags speed-against-error --method --cycle --reference
+has_flags trajectories --swimmers --beads --along
+has_flags swarm --frame --colours --block-swimmers --repeat --mark --distances
+has_flags swimmer --swimmers
+has_flags mobility-products
+accepts beadswim-plot --help-all
+for flag in --against --relative-to --reference --beads --mark --swimmers; do out_has "^ +$flag "; done
 accepts beadswim-plot --version
 for flag in --help --version; do
   run bash -c "beadswim-plot $flag >/dev/full"
@@ -229,7 +245,7 @@ refuses 'corrections.jsonl line 5: differs from .* line 1 in --radius-correction
 jq 'del(.cost)' run.json >free.json
 refuses 'free.json: does not say its cost' beadswim-plot speed-against-error free.json --reference run.json
 refuses 'si.json: is in other units than run.json' beadswim-plot speed-against-error run.json --reference si.json
-refuses '--reference: has no meaning for stroke' beadswim-plot stroke run.json --reference run.json
+refuses '--reference: has no meaning for stroke, but for speed-against-error; leave it out' beadswim-plot stroke run.json --reference run.json
 
 # --- verdicts: a point each, its error as the verdict has it, of arms the root mean square
 verdict_of() { # VELOCITY ARM1 ARM2 SECONDS   relative errors, by multipole-ode; those by another method are ten times as large
@@ -300,8 +316,10 @@ same_bytes "jq -rs -L $results --slurpfile reference $results/resolution-referen
   "grep '^|' $BEADSWIM_SOURCE/docs/resolution.md"
 
 # --- what it refuses
-refuses 'KIND: none given; there are stroke, velocity-against-period, separation, speed-against-error' beadswim-plot
-refuses 'KIND: unknown "strok"; did you mean "stroke"' beadswim-plot strok run.json
+refuses 'a command is needed: stroke, velocity-against-period, separation, speed-against-error' beadswim-plot
+refuses 'strok: unknown command; did you mean "stroke"' beadswim-plot strok run.json
+refuses '--method: stands where no flag is read; write it after "beadswim-plot stroke"' beadswim-plot --method all stroke run.json
+refuses '--metod: unknown flag; did you mean --method' beadswim-plot stroke run.json --metod all
 refuses 'no file given' beadswim-plot stroke
 refuses 'no run with a whole cycle' beadswim-plot stroke prediction.json
 refuses 'in other units' beadswim-plot stroke si.json run.json
@@ -312,7 +330,8 @@ refuses '--method: no prediction has "foo"\. They have rpy-force-printed, oseen'
 refuses '--method: "foo" is wanted, but no prediction is given' beadswim-plot stroke run.json --method foo
 refuses '--relative-to: no prediction has "multipol"; did you mean "multipole-ode"' \
   beadswim-plot velocity-against-period prediction.json --relative-to multipol
-refuses '--relative-to: has no meaning for stroke' beadswim-plot stroke run.json --relative-to multipole-ode
+refuses '--relative-to: has no meaning for stroke, but for velocity-against-period, separation; leave it out' \
+  beadswim-plot stroke run.json --relative-to multipole-ode
 refuses '--against: has no meaning for separation' beadswim-plot separation prediction.json --against phase
 refuses '--against: unknown "phas"; did you mean "phase"' beadswim-plot stroke prediction.json --against phas
 refuses '--axes: unknown "log"; did you mean "log-y"' beadswim-plot separation prediction.json --axes log

@@ -152,11 +152,8 @@ refuses '--repeat: has no meaning for trajectories' beadswim-plot trajectories c
 refuses '--along: has no meaning for swarm' beadswim-plot swarm cell.h5md --along y
 refuses '--method: has no meaning for swarm' beadswim-plot swarm cell.h5md --method all
 refuses '--cycle: has no meaning for trajectories' beadswim-plot trajectories cell.h5md --cycle 1
-refuses 'KIND: unknown "trajectory"; did you mean "trajectories"' beadswim-plot trajectory cell.h5md
+refuses 'trajectory: unknown command; did you mean "trajectories"' beadswim-plot trajectory cell.h5md
 beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary free-slip | simulate closed --cycles 0.05
 refuses '--repeat: 2 along y, where the box of closed.h5md is not periodic; give 1' beadswim-plot swarm closed.h5md --repeat 1,2,1
 accepts beadswim-plot swarm closed.h5md
-accepts beadswim-plot --help
-for flag in --swimmers --beads --along --frame --colours --block-swimmers --repeat; do out_has "^  $flag"; done
-
 finish

@@ -22,7 +22,7 @@ SPEAKING = {
     "box_methods.cpp", "box_mobility.cpp", "closed_form_methods.cpp", "fault_message.cpp", "h5md.cpp", "inertia_methods.cpp",
     "json_parse.cpp", "flag_values.cpp", "nearest_name.cpp", "overdamped_model.cpp", "plan_flags.cpp", "periodic_motion.cpp", "perturbation_methods.cpp", "planned_lattices.cpp",
     "planned_scene.cpp", "program.cpp", "question.cpp", "run_loop.cpp", "run_plan.cpp", "schema_name.cpp", "surroundings.cpp",
-    "trajectory_reader.cpp", "value_fault.cpp", "warnings.cpp", "options.cpp", "plot_request.cpp",
+    "trajectory_reader.cpp", "value_fault.cpp", "warnings.cpp", "options.cpp", "flags.cpp",
 }
 # Parts of other messages, places that begin one, and what other libraries say.
 SILENT = re.compile(

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/names.hpp"
 #include "beadswim/figure/swarm_picture.hpp"
 
 namespace beadswim {
@@ -14,6 +15,10 @@ enum class SwarmColours {
   swimmers,  ///< each its own, in turn
   types,     ///< of the layout
 };
+
+template <>
+inline constexpr auto name_table<SwarmColours> = std::to_array<NamedValue<SwarmColours>>(
+    {{SwarmColours::blocks, "blocks"}, {SwarmColours::swimmers, "swimmers"}, {SwarmColours::types, "types"}});
 
 /// A swimmer that the picture names.
 struct SwimmerMark {

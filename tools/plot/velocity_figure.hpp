@@ -1,6 +1,7 @@
 #pragma once
 
 #include "abscissa.hpp"
+#include "beadswim/core/names.hpp"
 #include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
@@ -12,6 +13,12 @@ enum class Axes {
   log_y,
   log_log,
 };
+
+template <>
+inline constexpr auto name_table<Axes> = std::to_array<NamedValue<Axes>>({{Axes::automatic, "auto"},
+                                                                          {Axes::linear, "linear"},
+                                                                          {Axes::log_y, "log-y"},
+                                                                          {Axes::log_log, "log-log"}});
 
 struct VelocityFigureOptions {
   Abscissa abscissa = Abscissa::period;

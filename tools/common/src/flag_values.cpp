@@ -90,7 +90,7 @@ CLI::Validator finite_non_negative() {
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each) {
   const auto fault = [counts = std::move(counts), each = std::move(each)](const std::string& text) {
     const std::vector<std::string> parts = split_at_commas(text);
-    if (std::find(counts.begin(), counts.end(), parts.size()) == counts.end()) {
+    if (!counts.empty() && std::find(counts.begin(), counts.end(), parts.size()) == counts.end()) {
       return fmt::format("\"{}\": {} values, but {} are needed, joined by commas", text, parts.size(),
                          allowed_counts(counts));
     }

@@ -47,6 +47,16 @@ bool looks_like_flag(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && !is_negative_number;
 }
 
+/// The commands beside this one that have a flag of that name.
+std::vector<std::string> others_with_flag(const std::string& word, const CLI::App& command) {
+  std::vector<std::string> names;
+  if (command.get_parent() == nullptr) return names;
+  for (const CLI::App* other : command.get_parent()->get_subcommands([](const CLI::App*) { return true; })) {
+    if (std::ranges::count(long_names(*other), word) > 0) names.push_back(other->get_name());
+  }
+  return names;
+}
+
 [[noreturn]] void refuse_flag(const std::string& flag, const CLI::App& command) {
   const std::string name = flag.substr(0, flag.find('='));
   const std::string word = name.substr(std::min(name.find_first_not_of('-'), name.size()));
@@ -54,6 +64,10 @@ bool looks_like_flag(const std::string& argument) {
   if (std::find(known.begin(), known.end(), word) != known.end())
     throw InputError(name,
                      fmt::format("stands where no flag is read; write it after \"{}\"", full_name(command)));
+  if (const auto others = others_with_flag(word, command); !others.empty()) {
+    throw InputError(name, fmt::format("has no meaning for {}, but for {}; leave it out", command.get_name(),
+                                       fmt::join(others, ", ")));
+  }
   const std::string nearest = nearest_name(word, known);
   throw InputError(
       name, fmt::format("unknown flag{} \"{} --help\" lists all",
@@ -178,12 +192,16 @@ std::unique_ptr<CLI::App> make_program(const std::string& name, const std::strin
 }
 
 std::optional<int> parse_command_line(CLI::App& program, int argc, const char* const* argv) {
+  if (!command_names(program).empty())
+    program.set_help_all_flag("--help-all", "Print the help of all commands and exit.");
   try {
     program.parse(argc, argv);
     refuse_empty_values(program);
     return std::nullopt;
   } catch (const CLI::CallForVersion& version_text) {
     write_text("-", fmt::format("{}\n", version_text.what()));
+  } catch (const CLI::CallForAllHelp&) {
+    write_text("-", program.help("", CLI::AppFormatMode::All));
   } catch (const CLI::Success&) {
     // Not the program's help for a command that it does not have.
     const bool lacks_command = program.get_subcommands().empty() && !command_names(program).empty();

@@ -45,7 +45,7 @@ CLI::Validator product_tolerance();  ///< of mobility products
 CLI::Validator one_of(std::vector<std::string> words);
 
 /// For a flag, held as text, of several numbers joined by commas, such as "4" or "3,4,5": how many it may
-/// have, and what each must be.
+/// have, any number if none is named, and what each must be.
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each);
 
 /// The parts of such a text; one, empty, of an empty one.

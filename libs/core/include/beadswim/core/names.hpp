@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/nearest_name.hpp"
+
+// The names of an enumeration's values, as flags and documents have them. An enumeration has one table, which
+// stands next to it:
+//
+//   template <>
+//   inline constexpr auto name_table<Precision> =
+//       std::to_array<NamedValue<Precision>>({{Precision::fp64, "double"}, {Precision::fp32, "single"}});
+//
+// JSON documents (io/json.hpp) and command lines (tools/named_flags.hpp) take it from there.
+
+namespace beadswim {
+
+template <typename Enum>
+struct NamedValue {
+  Enum value;
+  std::string_view name;
+};
+
+/// All values of an enumeration with their names, in the order in which help lists them.
+template <typename Enum>
+inline constexpr std::array<NamedValue<Enum>, 0> name_table{};
+
+template <typename Enum>
+concept NamedEnum = std::is_enum_v<Enum> && name_table<Enum>.size() > 0;
+
+/// All values, in the order of the table.
+template <NamedEnum Enum>
+inline constexpr auto all_values = [] {
+  std::array<Enum, name_table<Enum>.size()> values{};
+  std::ranges::transform(name_table<Enum>, values.begin(), &NamedValue<Enum>::value);
+  return values;
+}();
+
+template <NamedEnum Enum>
+std::vector<std::string> all_names() {
+  std::vector<std::string> names;
+  for (const auto& row : name_table<Enum>) names.emplace_back(row.name);
+  return names;
+}
+
+template <NamedEnum Enum>
+std::string to_text(Enum value) {
+  const auto row = std::ranges::find(name_table<Enum>, value, &NamedValue<Enum>::value);
+  return std::string(row->name);
+}
+
+/// The value of that name, if there is one.
+template <NamedEnum Enum>
+std::optional<Enum> value_named(std::string_view name) {
+  const auto row = std::ranges::find(name_table<Enum>, name, &NamedValue<Enum>::name);
+  return row == name_table<Enum>.end() ? std::nullopt : std::optional(row->value);
+}
+
+/// The value of that name. Throws InputError that lists all names if there is none.
+template <NamedEnum Enum>
+Enum from_text(const std::string& name) {
+  if (const auto value = value_named<Enum>(name)) return *value;
+  throw InputError(unknown_name(name, all_names<Enum>()));
+}
+
+}  // namespace beadswim

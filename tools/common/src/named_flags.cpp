@@ -1,0 +1,26 @@
+#include "beadswim/tools/named_flags.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+namespace beadswim {
+
+CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vector<std::string>& words,
+                      const std::string& initial, const std::string& help,
+                      const std::function<void(const std::string&)>& take) {
+  return command.add_option_function(flag, take, help)
+      ->check(one_of(words))
+      ->type_name(fmt::format("{}", fmt::join(words, "|")))
+      ->default_str(initial);
+}
+
+CLI::Option* add_switch(CLI::App& command, const std::string& flag, bool& is_on, const std::string& help) {
+  return add_word(command, flag, {"on", "off"}, on_or_off(is_on), help,
+                  [&is_on](const std::string& word) { is_on = word == "on"; });
+}
+
+std::string on_or_off(bool is_on) {
+  return is_on ? "on" : "off";
+}
+
+}  // namespace beadswim

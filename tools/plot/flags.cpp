@@ -1,0 +1,89 @@
+#include "flags.hpp"
+
+#include <fmt/core.h>
+
+namespace beadswim {
+namespace {
+
+CLI::Validator id_or_frame() {
+  return whole_number(0, 999999999);
+}
+
+CLI::Validator last_or_frame() {
+  const auto fault = [](const std::string& text) {
+    return text == "last" || id_or_frame()(text).empty()
+               ? std::string{}
+               : fmt::format("\"{}\": must be last or a whole number from 0 on", text);
+  };
+  return CLI::Validator(fault, "");
+}
+
+/// "A=3".
+SwimmerMark parse_mark(const std::string& text) {
+  const std::size_t sign = text.rfind('=');
+  const std::string id = sign == std::string::npos ? "" : text.substr(sign + 1);
+  if (sign == 0 || !id_or_frame()(id).empty())
+    throw InputError("--mark", fmt::format("\"{}\": must be a name and a swimmer's id, such as A=3", text));
+  return {text.substr(0, sign), std::stoi(id)};
+}
+
+}  // namespace
+
+void add_methods(CLI::App& command, std::vector<std::string>& methods) {
+  command
+      .add_option(
+          "--method", methods,
+          "Methods to draw of each prediction, separated by commas, in this order; all for all; the best "
+          "usable one unless given.")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->default_str("the best");
+}
+
+void add_cycle(CLI::App& command, std::string& cycle) {
+  command
+      .add_option(
+          "--cycle", cycle,
+          "Cycle of each run, unless drawn against the cycle: last, N (the Nth from the run's start) or "
+          "mean:N (mean of the last N).")
+      ->type_name("last|N|mean:N");
+}
+
+CLI::Option* add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
+                               const std::string& unless_given, const std::string& help) {
+  return command
+      .add_option_function<std::string>(
+          flag, [&numbers](const std::string& text) { numbers = parse_whole_numbers(text); }, help)
+      ->type_name("ID,...")
+      ->check(number_list({}, id_or_frame()))
+      ->default_str(unless_given);
+}
+
+void add_frame(CLI::App& command, std::optional<std::size_t>& frame) {
+  command
+      .add_option_function<std::string>(
+          "--frame",
+          [&frame](const std::string& text) {
+            frame.reset();
+            if (text != "last") frame = std::stoul(text);
+          },
+          "Frame of a trajectory: last, or its number from 0, the start.")
+      ->type_name("last|N")
+      ->check(last_or_frame())
+      ->default_str("last");
+}
+
+void add_marks(CLI::App& command, std::vector<SwimmerMark>& marks) {
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--mark",
+          [&marks](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) marks.push_back(parse_mark(text));
+          },
+          "Names of swimmers, written at their middle beads, by id.")
+      ->type_name("NAME=ID,...")
+      ->delimiter(',')
+      ->default_str("none");
+}
+
+}  // namespace beadswim
