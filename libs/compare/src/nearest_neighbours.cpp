@@ -3,53 +3,33 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nanoflann.hpp>
 
-// A k-d tree, which unlike cells has no width to choose and minds neither crowds nor stragglers: N log N
-// whatever the points (Friedman, Bentley and Finkel 1977).
+// The neighbours are found in a k-d tree, which costs N log N whether points crowd or straggle (Friedman,
+// Bentley and Finkel 1977); cells would need a width.
 
 namespace beadswim {
 namespace {
 
-/// A point, and the axis across which it parts its range of nodes into a lower and an upper half. A range is
-/// a tree, the node in its middle the root.
-struct Node {
-  Vec3 place;
-  std::size_t point = 0;
-  int axis = 0;
+using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3, nanoflann::metric_L2_Simple>;
+
+/// A result set of nanoflann: the least squared distance to a point other than `self`.
+struct NearestOther {
+  using DistanceType = double;
+  using IndexType = Tree::IndexType;
+  IndexType self;
+  double squared_distance;
+
+  bool full() const { return true; }
+  double worstDist() const { return squared_distance * (1 + 1e-12); }  // bounds of branches are rounded
+  bool addPoint(double squared, IndexType point) {
+    if (point != self) squared_distance = std::min(squared_distance, squared);
+    return true;
+  }
 };
 
-Eigen::AlignedBox3d extent_of(std::span<const Node> nodes) {
-  Eigen::AlignedBox3d extent;
-  for (const Node& node : nodes) extent.extend(node.place);
-  return extent;
-}
-
-void make_tree(std::span<Node> nodes) {
-  if (nodes.size() < 2) return;
-  int axis = 0;
-  extent_of(nodes).sizes().maxCoeff(&axis);
-  const std::size_t middle = nodes.size() / 2;
-  std::nth_element(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(middle), nodes.end(),
-                   [axis](const Node& a, const Node& b) { return a.place[axis] < b.place[axis]; });
-  nodes[middle].axis = axis;
-  make_tree(nodes.first(middle));
-  make_tree(nodes.subspan(middle + 1));
-}
-
-/// The least of `nearest` and the squared distances from a place to the nodes of a tree other than `self`.
-double nearest_squared(std::span<const Node> tree, const Node& self, const Vec3& place, double nearest) {
-  if (tree.empty()) return nearest;
-  const std::size_t middle = tree.size() / 2;
-  const Node& root = tree[middle];
-  const auto lower = tree.first(middle), upper = tree.subspan(middle + 1);
-  if (&root != &self) nearest = std::min(nearest, (place - root.place).squaredNorm());
-  const double above = place[root.axis] - root.place[root.axis];
-  nearest = nearest_squared(above < 0 ? lower : upper, self, place, nearest);
-  if (above * above < nearest) nearest = nearest_squared(above < 0 ? upper : lower, self, place, nearest);
-  return nearest;
-}
-
-/// Into the box around the origin, along periodic axes. A remainder is exact: nothing is lost on the way.
+/// Moves a place into the box around the origin, along periodic axes. A remainder is exact: no bit is lost.
 Vec3 folded(Vec3 place, const std::optional<Box>& box) {
   for (int axis = 0; axis < 3 && box; ++axis) {
     if (box->is_periodic(axis)) place[axis] = std::remainder(place[axis], box->lengths[axis]);
@@ -57,8 +37,8 @@ Vec3 folded(Vec3 place, const std::optional<Box>& box) {
   return place;
 }
 
-/// From a box to those around it, at most 26. Folded points are at most one period apart along an axis, so
-/// that images further away are not the nearest.
+/// Shifts of a box to itself and to those around it, at most 27. Folded points are at most one period apart
+/// along an axis, so that images further away are not the nearest.
 std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
   std::vector<Vec3> shifts{Vec3::Zero()};
   for (int axis = 0; axis < 3 && box; ++axis) {
@@ -70,7 +50,6 @@ std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
       }
     }
   }
-  shifts.erase(shifts.begin());
   return shifts;
 }
 
@@ -87,25 +66,23 @@ double shortest_period(const std::optional<Box>& box) {
 
 std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, const std::optional<Box>& box) {
   std::vector<double> distances(points.size(), std::numeric_limits<double>::quiet_NaN());
-  if (!std::all_of(points.begin(), points.end(), [](const Vec3& p) { return p.allFinite(); }))
+  if (points.empty() || !std::ranges::all_of(points, [](const Vec3& p) { return p.allFinite(); }))
     return distances;
 
-  std::vector<Node> tree;
-  tree.reserve(points.size());
-  for (const Vec3& point : points) tree.push_back({folded(point, box), tree.size()});
-  make_tree(tree);
-
-  const Eigen::AlignedBox3d extent = extent_of(tree);
+  Points places(points.size(), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) places.row(i) = folded(points[i], box);
+  const Tree tree(3, places);
+  const Eigen::AlignedBox3d extent(places.colwise().minCoeff(), places.colwise().maxCoeff());
   const std::vector<Vec3> shifts = shifts_to_images(box);
   const double own_image = shortest_period(box);
-  for (const Node& node : tree) {
-    double nearest = nearest_squared(tree, node, node.place, own_image * own_image);
+  for (Eigen::Index i = 0; i < places.rows(); ++i) {
+    NearestOther nearest{i, own_image * own_image};
     for (const Vec3& shift : shifts) {
-      const Vec3 image = node.place + shift;
-      if (extent.squaredExteriorDistance(image) >= nearest) continue;
-      nearest = nearest_squared(tree, node, image, nearest);
+      const Vec3 image = places.row(i).transpose() + shift;
+      if (extent.squaredExteriorDistance(image) < nearest.squared_distance)
+        tree.index->findNeighbors(nearest, image.data(), nanoflann::SearchParams());
     }
-    distances[node.point] = std::sqrt(nearest);
+    distances[i] = std::sqrt(nearest.squared_distance);
   }
   return distances;
 }
