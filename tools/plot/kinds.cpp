@@ -182,10 +182,9 @@ constexpr std::array kinds{
     PlotKind{"velocity-against-period",
              "Velocity along the swimmer's axis, against the mean flow along periodic axes.",
              records_and_predictions, add_velocity_flags<Abscissa::period>},
-    PlotKind{
-        "separation",
-        "Velocity along the swimmer's axis against l/λ, the smallest separation of beads over their radius.",
-        records_and_predictions, add_velocity_flags<Abscissa::separation_ratio>},
+    PlotKind{"separation",
+             "Velocity along the swimmer's axis against l/λ, the beads' separation over their radius.",
+             records_and_predictions, add_velocity_flags<Abscissa::separation_ratio>},
     PlotKind{
         "speed-against-error",
         "Errors of velocity and stroke against core-seconds, with the front that none beats.",
