@@ -11,9 +11,7 @@ namespace {
 
 template <std::size_t n>
 std::string joined(const std::array<double, n>& values) {
-  std::string text;
-  for (const double value : values) text += fmt::format("{}{:.4g}", text.empty() ? "" : ", ", value);
-  return text;
+  return fmt::format("{:.4g}", fmt::join(values, ", "));
 }
 
 std::string row(const std::string& name, const std::string& value) {

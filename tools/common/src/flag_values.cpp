@@ -1,4 +1,4 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -34,13 +34,6 @@ CLI::Validator number_that(bool (*condition)(double), const std::string& allowed
     return fine ? std::string{} : fmt::format("\"{}\": must be {}", text, allowed);
   };
   return CLI::Validator(fault, "");
-}
-
-std::string allowed_counts(const std::vector<std::size_t>& counts) {
-  std::string text;
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    text += fmt::format("{}{}", i == 0 ? "" : " or ", counts[i]);
-  return text;
 }
 
 }  // namespace
@@ -92,7 +85,7 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
     const std::vector<std::string> parts = split_at_commas(text);
     if (!counts.empty() && std::find(counts.begin(), counts.end(), parts.size()) == counts.end()) {
       return fmt::format("\"{}\": {} values, but {} are needed, joined by commas", text, parts.size(),
-                         allowed_counts(counts));
+                         fmt::join(counts, " or "));
     }
     for (const std::string& part : parts) {
       const std::string part_fault = each(part);

@@ -94,7 +94,7 @@ void refuse_leftovers(const CLI::App& program) {
 void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& error) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
-    if (std::string(error.what()).rfind(name + ":", 0) != 0) continue;
+    if (!std::string(error.what()).starts_with(name + ":")) continue;
     throw InputError(name, option->count() > 1 ? fmt::format("given {} times; give it once", option->count())
                                                : fmt::format("needs a value: {}", option->get_type_name()));
   }
@@ -153,7 +153,7 @@ void refuse_combinations(const CLI::App& command) {
   }
   const std::string text = error.what();
   const std::size_t colon = text.find(": ");
-  const bool names_flag = text.rfind("-", 0) == 0 && colon != std::string::npos;
+  const bool names_flag = text.starts_with("-") && colon != std::string::npos;
   if (names_flag) throw InputError(text.substr(0, colon), text.substr(colon + 2));
   refuse_values(command, text);
   refuse_absent(command);

@@ -14,13 +14,9 @@
 namespace beadswim {
 namespace {
 
-bool starts_with(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
-}
-
 /// Whether valijson only repeats, for an ancestor, what it says of a descendant.
 bool is_echo(const SchemaFailure& failure) {
-  return starts_with(failure.description, "Failed to validate");
+  return failure.description.starts_with("Failed to validate");
 }
 
 /// The name in single quotes that valijson's words on a missing key hold.
@@ -75,15 +71,15 @@ std::string allowed_type(const Subschemas& schemas, const Json& value) {
 /// What the schema allows in place of a value that valijson has refused.
 std::string allowed(const SchemaFailure& failure, const Subschemas& schemas, const Json& value) {
   const std::string& says = failure.description;
-  if (starts_with(says, "Value type") && find_keyword(schemas, "type")) return allowed_type(schemas, value);
-  if (starts_with(says, "Failed to match against any enum") && find_keyword(schemas, "enum")) {
+  if (says.starts_with("Value type") && find_keyword(schemas, "type")) return allowed_type(schemas, value);
+  if (says.starts_with("Failed to match against any enum") && find_keyword(schemas, "enum")) {
     return allowed_names(schemas, value);
   }
-  if (starts_with(says, "Failed to match expected value") && find_keyword(schemas, "const")) {
+  if (says.starts_with("Failed to match expected value") && find_keyword(schemas, "const")) {
     return "must be " + find_keyword(schemas, "const")->dump();
   }
-  if (starts_with(says, "Expected number")) return allowed_range(schemas);
-  if (starts_with(says, "Array should contain")) return allowed_count(schemas, value);
+  if (says.starts_with("Expected number")) return allowed_range(schemas);
+  if (says.starts_with("Array should contain")) return allowed_count(schemas, value);
   return says;
 }
 
@@ -95,7 +91,7 @@ std::string meaning(const Subschemas& schemas) {
 
 DocumentFault explain_value(const SchemaFailure& failure, const std::string& pointer,
                             const Subschemas& schemas, const Json& value) {
-  const bool about_length = starts_with(failure.description, "Array should contain");
+  const bool about_length = failure.description.starts_with("Array should contain");
   const std::string echo = about_length ? "" : echo_value(value) + ": ";
   return {pointer, echo + allowed(failure, schemas, value) + meaning(schemas)};
 }
@@ -109,11 +105,11 @@ struct Place {
 };
 
 void add_failure(const SchemaFailure& failure, Place& place) {
-  if (starts_with(failure.description, "Object contains a property")) {
+  if (failure.description.starts_with("Object contains a property")) {
     place.has_unknown_keys = true;
-  } else if (starts_with(failure.description, "Missing required property")) {
+  } else if (failure.description.starts_with("Missing required property")) {
     place.missing_keys.push_back(quoted_name(failure.description));
-  } else if (!place.value || starts_with(failure.description, "Value type")) {
+  } else if (!place.value || failure.description.starts_with("Value type")) {
     place.value = failure;  // a wrong type explains whatever else is wrong with a value
   }
 }
