@@ -17,18 +17,20 @@ Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
 
 }  // namespace
 
+// clang-format off
 // No slip on r = 1, with X = A + alpha, Y = B + beta, component P_l:
-//   tangential  (l-2)/(2l-1) X_l-1 + (l+3)/(2l+3) X_l+1 + Y_l = 0
-//   and, radial + (l+1) tangential,
-//   A_l-1 = (2l-1)/(2(l+1)) [(l-2)(2l+1)/(2l-1) alpha_l-1 + (l+1) alpha_l+1 + (2l+1) beta_l]
+//
+//   tangential               0     = (l-2)/(2l-1) X_l-1 + (l+3)/(2l+3) X_l+1 + Y_l
+//   radial + (l+1) tang.     A_l-1 = (2l-1)/(2(l+1)) [ (l-2)(2l+1)/(2l-1) alpha_l-1 + (l+1) alpha_l+1 + (2l+1) beta_l ]
 Sphere::Sphere(int order) : order_(order) {
   const Eigen::ArrayXd l = Eigen::ArrayXd::LinSpaced(order, 1, order);
-  alpha_below_ = (l - 2) * (2 * l + 1) / (2 * (l + 1));
-  alpha_above_ = (2 * l - 1) / 2;
-  beta_level_ = (2 * l - 1) * (2 * l + 1) / (2 * (l + 1));
+  alpha_below_      = (l - 2)     * (2 * l + 1) / (2 * (l + 1));
+  alpha_above_      = (2 * l - 1)               /  2;
+  beta_level_       = (2 * l - 1) * (2 * l + 1) / (2 * (l + 1));
   tangential_below_ = (l - 2) / (2 * l - 1);
   tangential_above_ = (l + 3) / (2 * l + 3);
 }
+// clang-format on
 
 Eigen::MatrixXd Sphere::answer(const Incoming& flow) const {
   const int n = order_;

@@ -30,19 +30,26 @@ TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, doubl
   return sum;
 }
 
-/// One image's part below the cut, times 4 pi eta; the last line of its laplacian belongs to the cut itself.
+// clang-format off
+/// One image's part below the cut, times 4 pi eta. With g = 2 xi exp(-xi^2 r^2)/sqrt(pi), d B_n/dx = -x B_{n+1} and the B_n
+/// of periodic_stokes.hpp:
+///
+///   oseen      B_0 - rho^2 B_1/2
+///   laplacian  (1/6) [ rho^2 B_2 - 2 B_1 + 2 xi^2 g (1 - xi^2 rho^2) ],   the last term by the cut itself
 SteadyLine screened_image(double x, double rho2, double xi) {
   const double r2 = x * x + rho2, r = std::sqrt(r2), xi2 = xi * xi;
-  const double gaussian = 2 * xi / std::sqrt(pi) * std::exp(-xi2 * r2);
-  const double b0 = std::erfc(xi * r) / r;
-  const double b1 = (b0 + gaussian) / r2;
-  const double b2 = (3 * b1 + 2 * xi2 * gaussian) / r2;
-  const double b3 = (5 * b2 + 4 * xi2 * xi2 * gaussian) / r2;
-  const double cut = 2 * xi2 * gaussian;
-  return {.oseen = {.value = b0 - rho2 * b1 / 2, .slope = x * (-b1 + rho2 * b2 / 2)},
-          .laplacian = {.value = (rho2 * b2 - 2 * b1 + cut * (1 - xi2 * rho2)) / 6,
+  const double g   = 2 * xi / std::sqrt(pi) * std::exp(-xi2 * r2);
+  const double b0  = std::erfc(xi * r) / r;
+  const double b1  = (    b0 +                 g) / r2;
+  const double b2  = (3 * b1 + 2 * xi2 *       g) / r2;
+  const double b3  = (5 * b2 + 4 * xi2 * xi2 * g) / r2;
+  const double cut = 2 * xi2 * g;
+  return {.oseen     = {.value =       b0 - rho2 * b1 / 2,
+                        .slope = x * (-b1 + rho2 * b2 / 2)},
+          .laplacian = {.value =     (rho2 * b2 - 2 * b1             + cut * (1 - xi2 * rho2)) / 6,
                         .slope = x * (2 * b2 - rho2 * b3 - 2 * xi2 * cut * (1 - xi2 * rho2)) / 6}};
 }
+// clang-format on
 
 }  // namespace
 

@@ -169,10 +169,11 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displac
     const double p2 = node.p * node.p;
     LineValue<double> plain, curved;  // sums over images of e^{-p^2 r^2} and of its second derivative
     for (const auto& [x, rho2] : places) {
-      const double gaussian = std::exp(-p2 * (x * x + rho2)), px2 = p2 * x * x;
-      plain += LineValue<double>{gaussian, -2 * p2 * x * gaussian};
-      curved +=
-          LineValue<double>{2 * p2 * (2 * px2 - 1) * gaussian, 4 * p2 * p2 * x * (3 - 2 * px2) * gaussian};
+      // clang-format off
+      const double g = std::exp(-p2 * (x * x + rho2)), px2 = p2 * x * x;
+      plain  += LineValue<double>{                       g,        -2 * p2 * x                 * g};
+      curved += LineValue<double>{2 * p2 * (2 * px2 - 1) * g, 4 * p2 * p2 * x * (3 - 2 * px2) * g};
+      // clang-format on
     }
     sum.helmholtz += node.plain * plain;
     sum.helmholtz += node.helmholtz_curved * curved;
@@ -192,8 +193,10 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::own_part_above_the_cut() c
       xi * decay - alpha_ / 2.0 * std::sqrt(pi) * complementary_error_function(alpha_ / (2 * xi));
   const double scale = 1 / (3 * std::pow(pi, 1.5) * steady_.viscosity());
   const double xi3 = xi * xi * xi;
+  // clang-format off
   return {.helmholtz = {scale * (integral + xi3 * decay / alpha2), 0},
-          .whole = {scale * (integral - xi3 * tau * mean_decay(alpha2 * tau)), 0}};
+          .whole     = {scale * (integral - xi3 * tau * mean_decay(alpha2 * tau)), 0}};
+  // clang-format on
 }
 
 PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::ewald_sum(double displacement) const {

@@ -13,12 +13,19 @@ using Complex = std::complex<double>;
 /// A radial function h(r) and D h, D^2 h, D^3 h with D = (1/r) d/dr.
 using RadialDerivatives = std::array<Complex, 4>;
 
+// clang-format off
+/// h = e^{-z}/r with z = alpha r:
+///
+///   D h = -h (1 + z)/r^2,   D^2 h = h (3 + 3 z + z^2)/r^4,   D^3 h = -h (15 + 15 z + 6 z^2 + z^3)/r^6
 RadialDerivatives decaying(Complex z, double r) {
-  const Complex decay = std::exp(-z) / r;
-  const double r2 = r * r;
-  return {decay, -decay * (1.0 + z) / r2, decay * (3.0 + z * (3.0 + z)) / (r2 * r2),
-          -decay * (15.0 + z * (15.0 + z * (6.0 + z))) / (r2 * r2 * r2)};
+  const Complex h  = std::exp(-z) / r;
+  const double  r2 = r * r;
+  return { h,
+          -h * ( 1.0 + z)                           /  r2,
+           h * ( 3.0 + z * ( 3.0 + z))              / (r2 * r2),
+          -h * (15.0 + z * (15.0 + z * (6.0 + z)))  / (r2 * r2 * r2)};
 }
+// clang-format on
 
 RadialDerivatives coulomb(double r) {
   return decaying(0, r);
@@ -46,10 +53,12 @@ RadialDerivatives difference(const RadialDerivatives& a, const RadialDerivatives
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 
+/// h(r) and its slope along x: dr^2/dx = 2 x, so d/dx = x D.
 LineValue<Complex> plain(const RadialDerivatives& h, double x) {
   return {h[0], x * h[1]};
 }
 
+/// d^2 h/dx^2 = D h + x^2 D^2 h and its slope along x, 3 x D^2 h + x^3 D^3 h.
 LineValue<Complex> second_derivative(const RadialDerivatives& h, double x) {
   return {h[1] + x * x * h[2], 3 * x * h[2] + x * x * x * h[3]};
 }

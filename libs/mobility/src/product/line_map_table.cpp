@@ -142,7 +142,11 @@ TripletMapTable::TripletMapTable(const std::array<double, 3>& radii)
 Eigen::Matrix3d TripletMapTable::change(const std::array<double, 2>& gaps) const {
   const auto c = lattice_.at({std::log(gaps[0] / mean_radii_[0]), std::log(gaps[1] / mean_radii_[1])});
   Eigen::Matrix3d change;  // columns sum to zero
-  change << c[0], c[1], c[2], -c[0] - c[3], -c[1] - c[4], -c[2] - c[5], c[3], c[4], c[5];
+  // clang-format off
+  change <<  c[0],         c[1],         c[2],
+            -c[0] - c[3], -c[1] - c[4], -c[2] - c[5],
+             c[3],         c[4],         c[5];
+  // clang-format on
   return change;
 }
 

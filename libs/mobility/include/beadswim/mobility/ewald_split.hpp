@@ -16,7 +16,13 @@
 //
 //   (I laplacian - grad grad) chi / (8 pi eta) = [ (chi'' + chi'/r) I + (chi'/r - chi'') rr/r^2 ] / (8 pi eta)
 //
-// and the laplacian of the tensor of psi = laplacian chi. Near: chi' = erfc(xi r), for r itself without splitting.
+// and the laplacian of the tensor of psi = laplacian chi. Near: chi' = erfc(xi r), for r itself without splitting:
+//
+//   8 pi eta oseen     = (s - g) I + (s + g) rr/r^2
+//   8 pi eta laplacian = [ c + g xi^2 (8 - 4 xi^2 r^2) ] I - [ 3 c + g xi^2 (4 - 4 xi^2 r^2) ] rr/r^2
+//
+//   s = erfc(xi r)/r,   g = 2 xi exp(-xi^2 r^2)/sqrt(pi),   c = (2 s + 2 g)/r^2
+//   xi splitting [1/length], r distance of the centres, a_i, a_j radii [length], eta dynamic viscosity [mass/(length time)]
 //
 // References: Hasimoto, J. Fluid Mech. 5, 317 (1959); af Klinteberg, Shamshirgar and Tornberg, Res. Math. Sci. 4, 1 (2017)
 // for open space. Page: docs/method/mobility-product.md.
@@ -35,17 +41,20 @@ struct SplitTensor {
   }
 };
 
-/// The near part at r > 0; xi: splitting [1/length].
-inline SplitTensor near_tensor(double xi, double r, double viscosity) {
-  const double unit = 1 / (8 * std::numbers::pi * viscosity);
+// clang-format off
+/// The near part at r > 0.
+inline SplitTensor near_tensor(double xi, double r, double eta) {
+  const double unit = 1 / (8 * std::numbers::pi * eta);
   const double x2 = xi * xi, r2 = r * r;
-  const double gauss = 2 * xi / std::sqrt(std::numbers::pi) * std::exp(-x2 * r2);
-  const double screened = std::erfc(xi * r) / r;
-  const double cube = (2 * screened + 2 * gauss) / r2;  // 2 erfc/r^3 + 4 xi/(sqrt(pi) r^2) exp(-xi^2 r^2)
-  return {.oseen = {unit * (screened - gauss), unit * (screened + gauss)},
-          .laplacian = {unit * (cube + gauss * x2 * (8 - 4 * x2 * r2)),
-                        unit * (-3 * cube - gauss * x2 * (4 - 4 * x2 * r2))}};
+  const double g = 2 * xi / std::sqrt(std::numbers::pi) * std::exp(-x2 * r2);
+  const double s = std::erfc(xi * r) / r;
+  const double c = (2 * s + 2 * g) / r2;
+  return {.oseen     = {unit * (s - g),
+                        unit * (s + g)},
+          .laplacian = {unit * (     c + g * x2 * (8 - 4 * x2 * r2)),
+                        unit * (-3 * c - g * x2 * (4 - 4 * x2 * r2))}};
 }
+// clang-format on
 
 /// What the far part does to a sphere by its own force: to be taken off where the far part is summed over all
 /// pairs.
@@ -61,32 +70,40 @@ inline double far_spectrum(double xi, double k2, double exponent, double viscosi
   return (1 + k2 / (4 * xi * xi)) * std::exp(-exponent) / (viscosity * k2);
 }
 
+// clang-format off
 /// The far part in open space when windows take the share `share` of its Gaussian: transform
-/// (I - kk/k^2)/(eta k^2) (1 + k^2/(4 xi^2)) exp(-(1 - share) k^2/(4 xi^2)). With xi'^2 = xi^2/(1 - share):
-///   chi     = r erf(xi' r) + exp(-xi'^2 r^2)/(sqrt(pi) xi') - share/(2 xi^2) erf(xi' r)/r
-///   chi_lap = 2 erf(xi' r)/r + 2 xi'^3/(sqrt(pi) xi^2) exp(-xi'^2 r^2)
-inline SplitTensor far_tensor(double xi, double share, double r, double viscosity) {
-  const double unit = 1 / (8 * std::numbers::pi * viscosity);
-  const double own = xi / std::sqrt(1 - share), own2 = own * own, root = std::sqrt(std::numbers::pi);
+/// (I - kk/k^2)/(eta k^2) (1 + k^2/(4 xi^2)) exp(-(1 - share) k^2/(4 xi^2)). With X^2 = xi^2/(1 - share), E = erf(X r)
+/// and G = exp(-X^2 r^2):
+///
+///   chi     = r E + G/(sqrt(pi) X) - w E/r,     w = share/(2 xi^2)
+///   chi_lap = 2 E/r + p G,                      p = 2 X^3/(sqrt(pi) xi^2)
+///
+///   E'      = 2 X G/sqrt(pi)
+///   (E/r)'  = (E' - E/r)/r,   (E/r)'' = (2 E/r - 2 E')/r^2 - 2 X^2 E'
+inline SplitTensor far_tensor(double xi, double share, double r, double eta) {
+  const double unit = 1 / (8 * std::numbers::pi * eta);
+  const double X = xi / std::sqrt(1 - share), X2 = X * X, root = std::sqrt(std::numbers::pi);
   if (r == 0) {  // (2/3) of the integral of the transform over all k
-    const double zero = own / (2 * root) + own2 * own / (4 * root * xi * xi);
-    const double lap = -(own2 * own / root + 6 * own2 * own2 * own / (4 * root * xi * xi));
-    const double average = 2.0 / 3 / (std::numbers::pi * viscosity);
-    return {.oseen = {average * zero, 0}, .laplacian = {average * lap, 0}};
+    const double oseen   =   X      / (2 * root) +          X2 * X / (4 * root * xi * xi);
+    const double lap     = -(X2 * X /      root  + 6 * X2 * X2 * X / (4 * root * xi * xi));
+    const double average = 2.0 / 3 / (std::numbers::pi * eta);
+    return {.oseen = {average * oseen, 0}, .laplacian = {average * lap, 0}};
   }
-  struct Radial {  // chi'/r and chi'' of a scalar
-    double first, second;
+  struct Radial {
+    double first, second;  // chi'/r and chi'' of a scalar chi
     PairTensor tensor(double factor) const { return {factor * (second + first), factor * (first - second)}; }
   };
-  const double gauss = std::exp(-own2 * r * r), erf = std::erf(own * r), r2 = r * r;
-  const double slope = 2 * own / root * gauss;          // of erf(xi' r)
-  const double inverse_first = (slope - erf / r) / r2;  // of erf(xi' r)/r
-  const double inverse_second = (2 * erf / r - 2 * slope) / r2 - 2 * own2 * slope;
-  const double weight = share / (2 * xi * xi), peak = 2 * own2 * own / (root * xi * xi);
-  const Radial chi{erf / r - weight * inverse_first, slope - weight * inverse_second};
-  const Radial lap{2 * inverse_first - 2 * own2 * peak * gauss,
-                   2 * inverse_second + peak * gauss * own2 * (4 * own2 * r2 - 2)};
+  const double G = std::exp(-X2 * r * r), E = std::erf(X * r), r2 = r * r;
+  const double slope          = 2 * X / root * G;                               // E'
+  const double inverse_first  = (slope - E / r) / r2;                           // (E/r)'/r
+  const double inverse_second = (2 * E / r - 2 * slope) / r2 - 2 * X2 * slope;  // (E/r)''
+  const double w = share / (2 * xi * xi), p = 2 * X2 * X / (root * xi * xi);
+  const Radial chi{.first  = E / r - w * inverse_first,
+                   .second = slope - w * inverse_second};
+  const Radial lap{.first  = 2 * inverse_first  - 2 * X2 * p * G,
+                   .second = 2 * inverse_second + p * G * X2 * (4 * X2 * r2 - 2)};
   return {.oseen = chi.tensor(unit), .laplacian = lap.tensor(unit)};
 }
+// clang-format on
 
 }  // namespace beadswim

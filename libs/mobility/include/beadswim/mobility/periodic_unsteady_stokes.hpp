@@ -6,20 +6,24 @@
 #include "beadswim/mobility/periodic_stokes.hpp"
 #include "beadswim/mobility/unsteady_stokes.hpp"
 
-// Unsteady Stokes flow of a periodic lattice of oscillating forces along x, along x on their line.
-// Transforms:
+// clang-format off
+// Unsteady Stokes flow of a periodic lattice of oscillating forces along x, along x on their line. Transforms:
 //
-//   helmholtz  (1/eta) (1 + k_x^2/alpha^2) / (k^2 + alpha^2)       with k = 0: 1/(eta alpha^2 V), uniform
-//   flow harmonic   (1/eta) (-k_x^2/alpha^2) / k^2                      without k = 0 whole      (1/eta) (1 -
-//   k_x^2/k^2) / (k^2 + alpha^2)           with k = 0
+//   helmholtz  (1/eta) (1 + k_x^2/alpha^2) / (k^2 + alpha^2)    with k = 0: 1/(eta alpha^2 V), uniform flow
+//   harmonic   (1/eta) ( -  k_x^2/alpha^2) /  k^2               without k = 0
+//   whole      (1/eta) (1 - k_x^2/k^2)     / (k^2 + alpha^2)    with k = 0
 //
 // The harmonic part is the steady flow's: with n copies of the force in the cell of volume V,
-// eta alpha^2 harmonic = n/V - eta laplacian of the steady G_xx. For the others Ewald's sum: with
-// tau = 1/(4 xi^2), g_s(r) the heat kernel (4 pi s)^{-3/2} exp(-r^2/4s) and q(s) = (1 - e^{-alpha^2
-// s})/alpha^2,
 //
-//   helmholtz  (1/eta) integral_0^oo e^{-alpha^2 s} (g_s - (1/alpha^2) d^2 g_s/dx^2) ds
-//   whole      (1/eta) integral_0^oo (e^{-alpha^2 s} g_s + q(s) d^2 g_s/dx^2) ds
+//   eta alpha^2 harmonic = n/V - eta laplacian of the steady G_xx
+//
+// For the others Ewald's sum:
+//
+//   helmholtz  (1/eta) integral_0^oo [ e^{-alpha^2 s} g_s - (e^{-alpha^2 s}/alpha^2) d^2 g_s/dx^2 ] ds
+//   whole      (1/eta) integral_0^oo [ e^{-alpha^2 s} g_s +                    q(s)  d^2 g_s/dx^2 ] ds
+//
+//   g_s(r) = (4 pi s)^{-3/2} exp(-r^2/4s), the heat kernel;   q(s) = (1 - e^{-alpha^2 s})/alpha^2;   tau = 1/(4 xi^2)
+// clang-format on
 //
 // summed as waves for s > tau and as images for s < tau, there by Gauss-Legendre quadrature. No term is
 // larger than the sum, so the whole keeps its digits as alpha -> 0. Where |alpha| V^{1/3} > 13 (V the box)

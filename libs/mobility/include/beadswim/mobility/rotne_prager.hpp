@@ -6,25 +6,27 @@
 
 #include "beadswim/mobility/pair_mobility.hpp"
 
+// clang-format off
 // Rotne-Prager pair mobility of two spheres of any radii on their common line, apart or overlapping.
 //
-//   mu(r) = 1 / (4 pi eta r) - (a_i^2 + a_j^2) / (12 pi eta r^3)                           a_i + a_j <= r
-//   mu(r) = [(a_i + a_j)/2 + D^4/(16 r^3) - 3 D^2/(8 r) - 3 r/16] / (6 pi eta a_i a_j)     |D| < r < a_i +
-//   a_j mu(r) = 1 / (6 pi eta max(a_i, a_j))                                                   r <= |D|
+//   apart            a_i + a_j <= r           mu     =   [1 - A/(3 r^2)] / (4 pi eta r)
+//                                             dmu/dr = - [1 - A/r^2]     / (4 pi eta r^2)
 //
-//   d mu / dr = -1 / (4 pi eta r^2) + (a_i^2 + a_j^2) / (4 pi eta r^4)
-//   d mu / dr = -(1 - D^2/r^2)^2 / (32 pi eta a_i a_j)
-//   d mu / dr = 0
+//   overlapping      |D| < r < a_i + a_j      mu     =   [(a_i + a_j)/2 + r (D^4/r^4 - 6 D^2/r^2 - 3)/16] / (6 pi eta a_i a_j)
+//                                             dmu/dr = - 3 (1 - D^2/r^2)^2 / 16                           / (6 pi eta a_i a_j)
 //
-// a_i, a_j  radii [length],  D = a_i - a_j
-// r         distance of the centres [length]
-// eta       dynamic viscosity [mass/(length time)]
+//   one inside the other     r <= |D|         mu     =   1 / (6 pi eta max(a_i, a_j)),    dmu/dr = 0
 //
-// The longitudinal part of the Oseen tensor averaged over the surfaces of both spheres; value and slope are
-// continuous where the branches meet. Apart, the average is Faxen's correction, (a_i^2 + a_j^2) /
-// (24 pi eta r^3) (I - 3 rr/r^2), with an error of order (a/r)^4 relative to the Stokes mobility of a lone
-// sphere; self-mobilities stay those of lone spheres. For overlapping spheres the law is no flow between
-// spheres, but keeps dissipation positive.
+//   a_i, a_j  radii [length];  A = a_i^2 + a_j^2,  D = a_i - a_j
+//   r         distance of the centres [length]
+//   eta       dynamic viscosity [mass/(length time)]
+//   mu        velocity of one sphere per force on the other [time/mass]
+//
+// The longitudinal part of the Oseen tensor averaged over the surfaces of both spheres; value and slope are continuous
+// where the branches meet. Apart, the average is Faxen's correction, A / (24 pi eta r^3) (I - 3 rr/r^2), with an error of
+// order (a/r)^4 relative to the Stokes mobility of a lone sphere; self-mobilities stay those of lone spheres. For
+// overlapping spheres the law is no flow between spheres, but keeps dissipation positive.
+// clang-format on
 //
 // References: Rotne and Prager, J. Chem. Phys. 50, 4831 (1969), and Yamakawa, J. Chem. Phys. 53, 436 (1970),
 // for equal radii; Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014), for unequal ones;
@@ -33,33 +35,29 @@
 
 namespace beadswim {
 
-/// Spheres apart: r >= a_i + a_j.
-inline PairMobility rotne_prager_apart(double radius_i, double radius_j, double distance, double viscosity) {
-  const double oseen_value = 1 / (4 * std::numbers::pi * viscosity * distance);
-  const double size = (radius_i * radius_i + radius_j * radius_j) / (distance * distance);
-  return {.value = oseen_value * (1 - size / 3), .slope = -oseen_value / distance * (1 - size)};
+// clang-format off
+/// Spheres apart.
+inline PairMobility rotne_prager_apart(double a_i, double a_j, double r, double eta) {
+  const double oseen = 1 / (4 * std::numbers::pi * eta * r);
+  const double size  = (a_i * a_i + a_j * a_j) / (r * r);  // A/r^2
+  return {.value =  oseen     * (1 - size / 3),
+          .slope = -oseen / r * (1 - size)};
 }
 
-/// Surfaces that cut each other: |a_i - a_j| < r < a_i + a_j.
-inline PairMobility rotne_prager_overlapping(double radius_i, double radius_j, double distance,
-                                             double viscosity) {
-  const double unit = 1 / (6 * std::numbers::pi * viscosity * radius_i * radius_j);
-  const double ratio = (radius_i - radius_j) / distance;  // D/r
-  const double d2 = ratio * ratio;
-  const double mean_radius = (radius_i + radius_j) / 2;
-  return {.value = unit * (mean_radius + distance * (d2 * d2 - 6 * d2 - 3) / 16),
+/// Surfaces that cut each other.
+inline PairMobility rotne_prager_overlapping(double a_i, double a_j, double r, double eta) {
+  const double unit = 1 / (6 * std::numbers::pi * eta * a_i * a_j);
+  const double D_r  = (a_i - a_j) / r;  // D/r
+  const double d2   = D_r * D_r;        // D^2/r^2
+  return {.value =  unit * ((a_i + a_j) / 2 + r * (d2 * d2 - 6 * d2 - 3) / 16),
           .slope = -unit * 3 * (1 - d2) * (1 - d2) / 16};
 }
 
-inline PairMobility rotne_prager(double radius_i, double radius_j, double distance, double viscosity) {
-  if (distance >= radius_i + radius_j) {
-    return rotne_prager_apart(radius_i, radius_j, distance, viscosity);
-  }
-  if (distance > std::abs(radius_i - radius_j)) {
-    return rotne_prager_overlapping(radius_i, radius_j, distance, viscosity);
-  }
-  return {.value = self_mobility(std::max(radius_i, radius_j), viscosity),
-          .slope = 0};  // one holds the other
+inline PairMobility rotne_prager(double a_i, double a_j, double r, double eta) {
+  if (r >= a_i + a_j)          return rotne_prager_apart(a_i, a_j, r, eta);
+  if (r > std::abs(a_i - a_j)) return rotne_prager_overlapping(a_i, a_j, r, eta);
+  return {.value = self_mobility(std::max(a_i, a_j), eta), .slope = 0};
 }
+// clang-format on
 
 }  // namespace beadswim

@@ -16,7 +16,11 @@
 //   isotropic = u [16 r^3 (a_i + a_j) - (D^2 + 3 r^2)^2]   axial = u 3 (D^2 - r^2)^2             overlapping
 //   isotropic = 1/(6 pi eta max(a_i, a_j))                 axial = 0                             one in the other
 //
-// with u = 1/(192 pi eta a_i a_j r^3). The Oseen tensor averaged over both surfaces: any number of spheres, wherever
+//   a_i, a_j  radii, r distance of the centres [length];  u = 1/(192 pi eta a_i a_j r^3)
+//   eta       dynamic viscosity [mass/(length time)]
+//   mu        velocity of one sphere per force on the other [time/mass]
+//
+// The Oseen tensor averaged over both surfaces: any number of spheres, wherever
 // they are, has a positive definite mobility. Along the line of centres it is rotne_prager.hpp's.
 //
 // Reference: Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014). Page: docs/method/rotne-prager.md.
@@ -38,29 +42,30 @@ struct PairTensor {
   }
 };
 
+// clang-format off
 /// What two point forces do: (I + rr/r^2) / (8 pi eta r).
-inline PairTensor oseen_tensor(double distance, double viscosity) {
-  const double value = 1 / (8 * std::numbers::pi * viscosity * distance);
-  return {.isotropic = value, .axial = value};
+inline PairTensor oseen_tensor(double r, double eta) {
+  const double oseen = 1 / (8 * std::numbers::pi * eta * r);
+  return {.isotropic = oseen, .axial = oseen};
 }
 
 /// The form for spheres apart, wherever they are; radii squared alone enter.
-inline PairTensor rotne_prager_tensor_apart(double squared_radii, double distance, double viscosity) {
-  const double value = 1 / (8 * std::numbers::pi * viscosity * distance);
-  const double size = squared_radii / (distance * distance);
-  return {.isotropic = value * (1 + size / 3), .axial = value * (1 - size)};
+inline PairTensor rotne_prager_tensor_apart(double squared_radii, double r, double eta) {
+  const double oseen = 1 / (8 * std::numbers::pi * eta * r);
+  const double size  = squared_radii / (r * r);  // A/r^2
+  return {.isotropic = oseen * (1 + size / 3),
+          .axial     = oseen * (1 - size)};
 }
 
-inline PairTensor rotne_prager_tensor(double radius_i, double radius_j, double distance, double viscosity) {
-  const double r = distance, d = radius_i - radius_j;
-  if (r >= radius_i + radius_j)
-    return rotne_prager_tensor_apart(radius_i * radius_i + radius_j * radius_j, r, viscosity);
-  if (r <= std::abs(d))
-    return {.isotropic = self_mobility(std::max(radius_i, radius_j), viscosity), .axial = 0};
-  const double unit = 1 / (192 * std::numbers::pi * viscosity * radius_i * radius_j * r * r * r);
-  const double sum = d * d + 3 * r * r, difference = d * d - r * r;
-  return {.isotropic = unit * (16 * r * r * r * (radius_i + radius_j) - sum * sum),
-          .axial = unit * 3 * difference * difference};
+inline PairTensor rotne_prager_tensor(double a_i, double a_j, double r, double eta) {
+  if (r >= a_i + a_j)           return rotne_prager_tensor_apart(a_i * a_i + a_j * a_j, r, eta);
+  if (r <= std::abs(a_i - a_j)) return {.isotropic = self_mobility(std::max(a_i, a_j), eta), .axial = 0};
+  const double D   = a_i - a_j;
+  const double u   = 1 / (192 * std::numbers::pi * eta * a_i * a_j * r * r * r);
+  const double sum = D * D + 3 * r * r, difference = D * D - r * r;
+  return {.isotropic = u * (16 * r * r * r * (a_i + a_j) - sum * sum),
+          .axial     = u * 3 * difference * difference};
 }
+// clang-format on
 
 }  // namespace beadswim

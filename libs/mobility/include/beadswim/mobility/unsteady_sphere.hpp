@@ -6,22 +6,30 @@
 
 #include "beadswim/mobility/line_kernel.hpp"
 
+// clang-format off
 // A rigid sphere in oscillating flow, exp(i omega t): what its size does to the flow that it makes and feels.
 //
 //   alpha^2 = i omega rho / eta,   kappa = alpha a,   D = 1 + kappa + kappa^2/3
 //
-// With fluid thought to fill the sphere, it pushes that with 6 pi eta a q [ (1 + kappa) delta(r - a)/(4 pi
-// a^2)
-// + (kappa^2/3)/(4 pi a^3/3) inside ], and follows the same mean of the flow of others (Faxen):
+// With fluid thought to fill the sphere, it pushes that with the force density
+//
+//   6 pi eta a q [ (1 + kappa) delta(r - a)/(4 pi a^2) + (kappa^2/3)/(4 pi a^3/3) inside ]
+//
+// and follows the same mean of the flow of others (Faxen):
 //
 //   f = 6 pi eta a D (U - Ubar),   Ubar = [ (1 + kappa) <u>_surface + (kappa^2/3) <u>_volume ]/D
-//   f = F - i omega (m - m_f) U    F: force from outside, m_f: mass of fluid displaced
+//   f = F - i omega (m - m_f) U
+//
+//   a         radius [length];  U velocity of the sphere, Ubar mean of the flow of others [length/time]
+//   omega     angular frequency [1/time];  rho density [mass/length^3], eta dynamic viscosity [mass/(length time)]
+//   f         force induced in the fluid, F force from outside [mass length/time^2];  m mass, m_f of the fluid displaced [mass]
 //
 // hence for a lone sphere F = Z U. Means over a sphere multiply helmholtz flow by sinh(kappa)/kappa (surface)
 // or 3 (kappa cosh kappa - sinh kappa)/kappa^3 (volume), and harmonic flow by 1. So, per unit induced force
 // f, the flow of a sphere is that of a point with helmholtz times e^kappa/D, and between two spheres Ubar_i =
 // (helmholtz e^{kappa_i + kappa_j}/(D_i D_j) + harmonic) f_j. Exact for the first flow of each sphere;
 // reflections are left out. Spheres apart; |kappa| < 300, or the exponentials overflow.
+// clang-format on
 //
 // References: Mazur and Bedeaux, Physica 76, 235 (1974); Kim and Karrila, Microhydrodynamics (1991),
 // chapter 6. Page: docs/method/unsteady-stokes.md.
