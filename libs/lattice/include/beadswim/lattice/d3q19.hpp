@@ -11,18 +11,19 @@ namespace beadswim::d3q19 {
 
 inline constexpr int directions = 19;
 
+// clang-format off
 inline constexpr std::array<std::array<int, 3>, directions> velocity{{
-    {0, 0, 0},                                       //
-    {1, 0, 0},  {-1, 0, 0}, {0, 1, 0}, {0, -1, 0},   //
-    {0, 0, 1},  {0, 0, -1}, {1, 1, 0}, {-1, -1, 0},  //
-    {1, -1, 0}, {-1, 1, 0}, {1, 0, 1}, {-1, 0, -1},  //
-    {1, 0, -1}, {-1, 0, 1}, {0, 1, 1}, {0, -1, -1},  //
-    {0, 1, -1}, {0, -1, 1},
+    { 0,  0,  0},
+    { 1,  0,  0}, {-1,  0,  0},   { 0,  1,  0}, { 0, -1,  0},   { 0,  0,  1}, { 0,  0, -1},
+    { 1,  1,  0}, {-1, -1,  0},   { 1, -1,  0}, {-1,  1,  0},
+    { 1,  0,  1}, {-1,  0, -1},   { 1,  0, -1}, {-1,  0,  1},
+    { 0,  1,  1}, { 0, -1, -1},   { 0,  1, -1}, { 0, -1,  1},
 }};
 
-inline constexpr double weight_rest = 1.0 / 3.0;
-inline constexpr double weight_axis = 1.0 / 18.0;
+inline constexpr double weight_rest     = 1.0 / 3.0;
+inline constexpr double weight_axis     = 1.0 / 18.0;
 inline constexpr double weight_diagonal = 1.0 / 36.0;
+// clang-format on
 
 constexpr double weight(int i) {
   return i == 0 ? weight_rest : (i < 7 ? weight_axis : weight_diagonal);

@@ -6,16 +6,23 @@
 #include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
+// clang-format off
 // Two-relaxation-time collision with the incompressible equilibrium.
 //
-//   f_i* = f_i - w+ (f_i+ - e_i+) - w- (f_i- - e_i-),     f_i+- = (f_i +- f_ibar)/2
-//   e_i+ = w_i (r + 9/2 (c_i.u)^2 - 3/2 u^2),             e_i-  = 3 w_i c_i.u
-//   r = sum f_i (density minus 1),   u = sum c_i f_i      (momentum; the mean density is 1)
+//   f_i* = f_i - w+ (f_i+ - e_i+) - w- (f_i- - e_i-)
 //
-// f_i is the deviation of the population from w_i, which keeps digits at low speed. w+ = 1/tau sets the
-// kinematic viscosity nu = (tau - 1/2)/3; w- = 8 (2 - w+)/(8 - w+) makes the product
-// (1/w+ - 1/2)(1/w- - 1/2) = 3/16, for which a straight bounce-back wall sits half-way between cells, at
-// every viscosity.
+//   f_i+- = (f_i +- f_ibar)/2
+//   e_i+  =   w_i (r + 9/2 (c_i.u)^2 - 3/2 u^2)
+//   e_i-  = 3 w_i c_i.u
+//
+//   f_i     deviation of the population from w_i, which keeps digits at low speed;  f_i* after the collision
+//   ibar    the direction opposite to i;  w_i, c_i weight and velocity (d3q19.hpp)
+//   r       = sum f_i, the density minus 1;  u = sum c_i f_i, the momentum (the mean density is 1)
+//   w+, w-  rates of the symmetric and antisymmetric parts [1/step]
+//
+// w+ = 1/tau sets the kinematic viscosity nu = (tau - 1/2)/3; w- = 8 (2 - w+)/(8 - w+) makes the product
+// (1/w+ - 1/2)(1/w- - 1/2) = 3/16, for which a straight bounce-back wall sits half-way between cells, at every viscosity.
+// clang-format on
 //
 // Ginzburg, Verhaeghe & d'Humieres, Commun. Comput. Phys. 3 (2008) 427; incompressible equilibrium: He & Luo,
 // J. Stat. Phys. 88 (1997) 927. Holds for |u| << c_s = 0.577 (error u^2).
@@ -45,8 +52,8 @@ template <class Real>
 BEADSWIM_KERNEL Real equilibrium(int i, Real r, Real ux, Real uy, Real uz) {
   const auto& c = d3q19::velocity[i];
   const Real cu = Real(c[0]) * ux + Real(c[1]) * uy + Real(c[2]) * uz;
-  const Real speed_squared = ux * ux + uy * uy + uz * uz;
-  return Real(d3q19::weight(i)) * (r + 3 * cu + Real(4.5) * cu * cu - Real(1.5) * speed_squared);
+  const Real uu = ux * ux + uy * uy + uz * uz;
+  return Real(d3q19::weight(i)) * (r + 3 * cu + Real(4.5) * cu * cu - Real(1.5) * uu);
 }
 
 /// The rates as the kernel multiplies with them: w+ / 18 and w- / 6, shortened by five binary digits. Weights
@@ -97,10 +104,13 @@ BEADSWIM_KERNEL void collide_trt(Real (&f)[d3q19::directions], const CollisionRa
       if (c == -1) u[a] -= difference[k];
     }
   }
-  const Real isotropic = density - Real(1.5) * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
-  f[0] -= 18 * rates.plus_axis * f[0] - 6 * rates.plus_axis * isotropic;
-  const Real half_plus = 9 * rates.plus_axis, half_minus = 3 * rates.minus_axis;
-  const Real isotropic_axis = rates.plus_axis * isotropic;
+  // clang-format off
+  const Real isotropic      = density - Real(1.5) * (u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);  // r - 3/2 u^2
+  f[0] -= 18 * rates.plus_axis * f[0] - 6 * rates.plus_axis * isotropic;                        // w+ (f_0 - e_0)
+  const Real half_plus      = 9 * rates.plus_axis;                                              // w+/2
+  const Real half_minus     = 3 * rates.minus_axis;                                             // w-/2
+  const Real isotropic_axis = rates.plus_axis * isotropic;                                      // w+/18 (r - 3/2 u^2)
+  // clang-format on
 #pragma GCC unroll 10
   for (int k = 1; k <= 9; ++k) {
     Real cu = 0;
@@ -110,12 +120,14 @@ BEADSWIM_KERNEL void collide_trt(Real (&f)[d3q19::directions], const CollisionRa
       if (c == 1) cu += u[a];
       if (c == -1) cu -= u[a];
     }
-    const Real over_axis = k <= 3 ? Real(1) : Real(0.5);  // weight over that of an axis
-    const Real plus =
-        half_plus * sum[k] - (over_axis * isotropic_axis + Real(4.5) * over_axis * rates.plus_axis * cu * cu);
-    const Real minus = half_minus * difference[k] - over_axis * rates.minus_axis * cu;
+    // clang-format off
+    // w+ (f_i+ - e_i+) and w- (f_i- - e_i-), where w_i = share/18
+    const Real share = k <= 3 ? Real(1) : Real(0.5);
+    const Real plus  = half_plus  * sum[k]        - (share * isotropic_axis + Real(4.5) * share * rates.plus_axis * cu * cu);
+    const Real minus = half_minus * difference[k] -  share * rates.minus_axis * cu;
     f[2 * k - 1] -= plus + minus;
-    f[2 * k] -= plus - minus;
+    f[2 * k]     -= plus - minus;
+    // clang-format on
   }
 }
 
