@@ -40,15 +40,15 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
     }
     const double returned = static_cast<double>(static_cast<Real>(bounced_back + w * b.mass_source));
     batch.returned[k] = returned;
-    const double p = outgoing + returned;
-    const double px = c[0] * p, py = c[1] * p, pz = c[2] * p;
-    batch.terms[0][k] = px;
-    batch.terms[1][k] = py;
-    batch.terms[2][k] = pz;
-    batch.terms[3][k] = r[1] * pz - r[2] * py;
-    batch.terms[4][k] = r[2] * px - r[0] * pz;
-    batch.terms[5][k] = r[0] * py - r[1] * px;
-    batch.terms[6][k] = outgoing - returned;
+    const double sum = outgoing + returned;
+    const double p[3] = {c[0] * sum, c[1] * sum, c[2] * sum};
+    batch.terms[0][k] = p[0];  // impulse
+    batch.terms[1][k] = p[1];
+    batch.terms[2][k] = p[2];
+    batch.terms[3][k] = r[1] * p[2] - r[2] * p[1];  // angular impulse
+    batch.terms[4][k] = r[2] * p[0] - r[0] * p[2];
+    batch.terms[5][k] = r[0] * p[1] - r[1] * p[0];
+    batch.terms[6][k] = outgoing - returned;  // mass
     batch.terms[7][k] = w;
   }
   return order_free::add_terms(batch.terms, places, sums);

@@ -44,8 +44,12 @@ BEADSWIM_KERNEL Lanes store_populations(Lanes f, int cells, Real* to) {
 
 /// Stores a momentum, and its angular momentum at r, as six terms of cells from `first` on.
 BEADSWIM_KERNEL void store_terms(double (*terms)[64], int first, const Lanes (&p)[3], const Lanes (&r)[3]) {
-  const Lanes values[6]{
-      p[0], p[1], p[2], r[1] * p[2] - r[2] * p[1], r[2] * p[0] - r[0] * p[2], r[0] * p[1] - r[1] * p[0]};
+  // clang-format off
+  const Lanes values[6]{p[0], p[1], p[2],
+                        r[1] * p[2] - r[2] * p[1],
+                        r[2] * p[0] - r[0] * p[2],
+                        r[0] * p[1] - r[1] * p[0]};
+  // clang-format on
 #pragma GCC unroll 6
   for (int t = 0; t < 6; ++t) __builtin_memcpy(&terms[t][first], &values[t], sizeof values[t]);
 }

@@ -5,9 +5,14 @@
 // Bounce-back off a moving wall at its place along the link, by central linear interpolation (CLI).
 //
 //   f_ibar(x, t+1) = f_i*(x) + k (f_i*(x - c_i) - f_ibar*(x)) - 6 w_i (1 + k) c_i.u_w
-//   k = (1 - 2 q) / (1 + 2 q)
+//   k              = (1 - 2 q) / (1 + 2 q)
 //
-// i points from the fluid cell x into the bead, q c_i from x to its surface, 0 <= q <= 1. Exact in a linear
+//   f_i, f_i*   population before and after the collision, less w_i;  ibar opposite to i
+//   i           points from the fluid cell x into the bead;  w_i, c_i weight and velocity (d3q19.hpp)
+//   q           share of the link from x to the bead's surface, 0 <= q <= 1
+//   u_w         velocity of the bead at its surface [cell/step]
+//
+// Exact in a linear
 // shear flow at any q, whatever the viscosity, as bounce-back (k = 0) is at q = 1/2. Steady flows
 // do not depend on the viscosity as long as the product of the two relaxation times is fixed (trt.hpp).
 //
@@ -21,6 +26,7 @@ BEADSWIM_KERNEL double wall_distance(const double (&c)[3], const double (&r)[3],
   const double cc = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
   const double rc = r[0] * c[0] + r[1] * c[1] + r[2] * c[2];
   const double rr = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
+  // q^2 c.c + 2 q (r.c - c.c) + (r - c)^2 - R^2 = 0
   const double discriminant = rc * rc - cc * (rr - radius_squared);
   const double q = (cc - rc - __builtin_sqrt(discriminant > 0 ? discriminant : 0)) / cc;
   return q > 0 ? (q < 1 ? q : 1) : 0;
@@ -35,7 +41,11 @@ BEADSWIM_KERNEL double interpolation_weight(double q) {
 /// arrived = f_ibar*(x), approach_speed = c_i.u_w.
 BEADSWIM_KERNEL double bounced_interpolated(double weight, double k, double outgoing, double behind,
                                             double arrived, double approach_speed) {
-  return outgoing + k * (behind - arrived) - 6 * weight * (1 + k) * approach_speed;
+  // clang-format off
+  return outgoing
+       + k * (behind - arrived)
+       - 6 * weight * (1 + k) * approach_speed;
+  // clang-format on
 }
 
 }  // namespace beadswim

@@ -5,16 +5,24 @@
 
 // Bounce-back off a moving wall at its place along the link, by multireflection (MR1).
 //
-//   f_ibar(x, t+1) = f_i*(x) + k1 (f_i*(x - c_i) - f_ibar*(x)) + k2 (f_i*(x - 2 c_i) - f_ibar*(x - c_i))
-//                    + a L g_i - 3 w_i a c_i.u_w
+// clang-format off
+//   f_ibar(x, t+1) = f_i*(x) + k1 (f_i*(x -   c_i) - f_ibar*(x))
+//                            + k2 (f_i*(x - 2 c_i) - f_ibar*(x - c_i))
+//                            + a (L g_i - 3 w_i c_i.u_w)
+//
 //   k1 = (1 - 2 q - 2 q^2)/(1 + q)^2,   k2 = q^2/(1 + q)^2,   a = 4/(1 + q)^2
 //   g_i = (m_i - 3 w_i c_i.u)/(1 - t),  m_i = (f_i* - f_ibar*)/2 at x,  u = sum c_i f_i* at x
 //
-// i points from the fluid cell x into the bead, q c_i from x to its surface, 0 <= q <= 1. t = 1/w- is the
-// antisymmetric relaxation time, L = t - 1/2 (trt.hpp). Exact for steady flows whose velocity is parabolic
-// and whose pressure is linear along the link, at any q and viscosity. The last term of the first line, g_i
-// being what a collision adds to the antisymmetric part, is what takes out the slip L g_i that interpolation
-// leaves. At t = 1 the populations after collision no longer hold g_i.
+//   f_i, f_i*   population before and after the collision, less w_i;  ibar opposite to i
+//   i           points from the fluid cell x into the bead;  w_i, c_i weight and velocity (d3q19.hpp)
+//   q           share of the link from x to the bead's surface, 0 <= q <= 1
+//   u_w         velocity of the bead at its surface [cell/step]
+//   t           = 1/w-, the antisymmetric relaxation time [step];  L = t - 1/2 (trt.hpp)
+//
+// Exact for steady flows whose velocity is parabolic and whose pressure is linear along the link, at any q and viscosity.
+// The term L g_i, g_i being what a collision adds to the antisymmetric part, takes out the slip that interpolation leaves.
+// At t = 1 the populations after collision no longer hold g_i.
+// clang-format on
 //
 // Ginzburg & d'Humieres, Phys. Rev. E 68 (2003) 066614, MR1; Ginzburg, Verhaeghe & d'Humieres, Commun.
 // Comput. Phys. 3 (2008) 427, section 5.
@@ -40,10 +48,16 @@ constexpr double multireflection_slip(const RelaxationRates& rates) {
 /// What comes back along a direction of this weight; slip = L/(1 - t), approach_speed = c_i.u_w.
 BEADSWIM_KERNEL double bounced_multireflection(double weight, double q, double slip,
                                                const MultireflectionLink& f, double approach_speed) {
+  // clang-format off
   const double over = 1 / ((1 + q) * (1 + q));
-  const double k1 = (1 - 2 * q - 2 * q * q) * over, k2 = q * q * over, a = 4 * over;
-  return f.outgoing + k1 * (f.behind - f.arrived) + k2 * (f.two_behind - f.arrived_behind) +
-         a * (slip * (0.5 * (f.outgoing - f.arrived) - 3 * weight * f.speed) - 3 * weight * approach_speed);
+  const double k1   = (1 - 2 * q - 2 * q * q) * over;
+  const double k2   = q * q * over;
+  const double a    = 4 * over;
+  return f.outgoing
+       + k1 * (f.behind     - f.arrived)
+       + k2 * (f.two_behind - f.arrived_behind)
+       + a  * (slip * (0.5 * (f.outgoing - f.arrived) - 3 * weight * f.speed) - 3 * weight * approach_speed);
+  // clang-format on
 }
 
 }  // namespace beadswim

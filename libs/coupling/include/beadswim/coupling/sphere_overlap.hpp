@@ -15,7 +15,8 @@
 //
 //   q(a)    = pi (R - a)^2 (2 R + a) / 12
 //   q(a, b) = (R^3 alpha + a b s)/3 - a (3 R^2 - a^2) psi_a/6 - b (3 R^2 - b^2) psi_b/6
-//             s^2 = R^2 - a^2 - b^2,  tan alpha = R s/(a b),  tan psi_a = s/b,  tan psi_b = s/a
+//
+//   s^2 = R^2 - a^2 - b^2,  tan alpha = R s/(a b),  tan psi_a = s/b,  tan psi_b = s/a
 //
 // q(a, b), by Gauss's theorem: the flux of r/3 through the two flat faces, disc segments of half-angles psi
 // at distances a and b, and through the spherical face, whose area is that of a lune between small circles
@@ -33,10 +34,15 @@ inline double octant_beyond(double a, double radius) {
 inline double octant_beyond(double a, double b, double radius) {
   const double rr = radius * radius, s_squared = rr - a * a - b * b;
   if (s_squared <= 0) return 0;
-  const double s = std::sqrt(s_squared);
-  const double alpha = std::atan2(radius * s, a * b), psi_a = std::atan2(s, b), psi_b = std::atan2(s, a);
-  return (radius * rr * alpha + a * b * s) / 3 - a * (3 * rr - a * a) * psi_a / 6 -
-         b * (3 * rr - b * b) * psi_b / 6;
+  // clang-format off
+  const double s     = std::sqrt(s_squared);
+  const double alpha = std::atan2(radius * s, a * b);
+  const double psi_a = std::atan2(s, b);
+  const double psi_b = std::atan2(s, a);
+  return (radius * rr * alpha + a * b * s) / 3
+       - a * (3 * rr - a * a) * psi_a / 6
+       - b * (3 * rr - b * b) * psi_b / 6;
+  // clang-format on
 }
 
 /// What q(a), q(b), q(c) and q(a, b), q(b, c), q(c, a) are at the absolute values of a corner's coordinates.
