@@ -32,17 +32,24 @@ struct EqualParts {
   }
 };
 
-/// D^2 of (4.8), powers of k and W collected.
+// clang-format off
+/// D^2 of (4.8), powers of k and W collected:
+///
+///   A^2 B^2 k^4 + 4 k^2 W^2 (A^4 + 6 A^2 B^2 + B^4) + 16 W^4 (4 A^4 + 25 A^2 B^2 + 4 B^4)
+///   + 16 AB W^2 (A^2 + B^2) (k^2 + 20 W^2) cos alpha + 8 A^2 B^2 W^2 (k^2 + 16 W^2) cos 2 alpha
+///   + 4 AB k W (A^2 - B^2) (k^2 + 12 W^2) sin alpha
 double shift_denominator_squared(const EqualParts& s) {
   const double A2 = s.A * s.A, B2 = s.B * s.B, AB = s.A * s.B;
   const double k2 = s.k * s.k, W2 = s.W * s.W;
   const double cos_2alpha = 2 * s.cos_alpha * s.cos_alpha - 1;
-  return A2 * B2 * k2 * k2 + 4 * k2 * W2 * (A2 * A2 + 6 * A2 * B2 + B2 * B2) +
-         16 * W2 * W2 * (4 * A2 * A2 + 25 * A2 * B2 + 4 * B2 * B2) +
-         16 * AB * W2 * s.cos_alpha * (A2 + B2) * (k2 + 20 * W2) +
-         8 * A2 * B2 * W2 * (k2 + 16 * W2) * cos_2alpha +
-         4 * AB * s.k * s.W * s.sin_alpha * (A2 - B2) * (k2 + 12 * W2);
+  return A2 * B2 * k2 * k2
+       +  4 * k2 * W2 * (    A2 * A2 +  6 * A2 * B2 +     B2 * B2)
+       + 16 * W2 * W2 * (4 * A2 * A2 + 25 * A2 * B2 + 4 * B2 * B2)
+       + 16 * AB * W2 * s.cos_alpha * (A2 + B2) * (k2 + 20 * W2)
+       +  8 * A2 * B2 * W2 * (k2 + 16 * W2) * cos_2alpha
+       +  4 * AB * s.k * s.W * s.sin_alpha * (A2 - B2) * (k2 + 12 * W2);
 }
+// clang-format on
 
 /// omega d1 d2 sin(delta1 - delta2): what every stroke formula multiplies by its geometry factor.
 double stroke_area_rate(const CollinearSwimmer& swimmer, const Stroke& stroke) {
@@ -108,7 +115,8 @@ double equal_weight_velocity(const CollinearSwimmer& swimmer, const Stroke& stro
   const double gamma = 1 / self_mobility(lambda, swimmer.viscosity);
   const PairMobility near = rotne_prager(lambda, lambda, l, swimmer.viscosity);
   const PairMobility far = rotne_prager(lambda, lambda, 2 * l, swimmer.viscosity);
-  const double a = gamma * near.value, b = gamma * far.value, p = gamma * near.slope, q = gamma * far.slope;
+  const double a = gamma * near.value, p = gamma * near.slope;
+  const double b = gamma * far.value, q = gamma * far.slope;
   const double G = (2 * a * p - b * q - 2 * p + q) / (3 * (b - 1) * (4 * a - b - 3));
   return G * stroke_area_rate(swimmer, stroke);
 }
@@ -123,10 +131,10 @@ std::array<double, 2> oseen_arm_amplitudes(const CollinearSwimmer& swimmer) {
   const EqualParts s(swimmer);
   const double A2 = s.A * s.A, B2 = s.B * s.B, AB = s.A * s.B, k2 = s.k * s.k, W2 = s.W * s.W;
   const double mixed = 4 * AB * s.W * s.k * s.sin_alpha;
-  const double d1_squared =
-      (A2 * k2 + 4 * W2 * (4 * A2 + B2 + 4 * AB * s.cos_alpha) - mixed) / s.denominator();
-  const double d2_squared =
-      (B2 * k2 + 4 * W2 * (A2 + 4 * B2 + 4 * AB * s.cos_alpha) + mixed) / s.denominator();
+  // clang-format off
+  const double d1_squared = (A2 * k2 + 4 * W2 * (4 * A2 +     B2 + 4 * AB * s.cos_alpha) - mixed) / s.denominator();
+  const double d2_squared = (B2 * k2 + 4 * W2 * (    A2 + 4 * B2 + 4 * AB * s.cos_alpha) + mixed) / s.denominator();
+  // clang-format on
   // An arm at rest may leave a negative roundoff.
   return {std::sqrt(std::max(d1_squared, 0.0)), std::sqrt(std::max(d2_squared, 0.0))};
 }

@@ -94,10 +94,11 @@ DriftForm drift_form(const InertialScene& scene) {
       const UnsteadyFlow unsteady =
           i == j ? scene.flow.unsteady_images(alpha, x_j) : scene.flow.unsteady(alpha, x_j, x_i);
       const SteadyFlow steady = i == j ? scene.flow.steady_images(x_j) : scene.flow.steady(x_j, x_i);
-      form.by_receiver(j, i) =
-          combined(unsteady, surface_mean_factor(alpha * a_j) * sphere_factor(kappa_i)).by_receiver;
-      form.by_source(j, i) = steady.oseen.by_source + (a_j * a_j + steady_size(swimmer.radius[i], kappa_i)) *
-                                                          steady.laplacian.by_source;
+      // clang-format off
+      form.by_receiver(j, i) = combined(unsteady, surface_mean_factor(alpha * a_j) * sphere_factor(kappa_i)).by_receiver;
+      form.by_source(j, i)   = steady.oseen.by_source
+                             + (a_j * a_j + steady_size(swimmer.radius[i], kappa_i)) * steady.laplacian.by_source;
+      // clang-format on
     }
   }
   return form;

@@ -20,7 +20,10 @@ Eigen::Vector2cd arm_stiffness(const CollinearSwimmer& swimmer) {
 
 Eigen::Matrix<double, 2, 3> arm_rates() {
   Eigen::Matrix<double, 2, 3> rates;
-  rates << -1, 1, 0, 0, -1, 1;
+  // clang-format off
+  rates << -1,  1,  0,
+            0, -1,  1;
+  // clang-format on
   return rates;
 }
 

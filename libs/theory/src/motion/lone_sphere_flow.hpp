@@ -5,13 +5,20 @@
 #include <complex>
 #include <numbers>
 
-// Flow of one sphere that is pushed along x, in cylindrical coordinates (x, s) about its centre, s the
-// distance from the axis. With phi = 1/(4 pi r), kappa = alpha a, D = 1 + kappa + kappa^2/3:
+// clang-format off
+// Flow of one sphere that is pushed along x, in cylindrical coordinates (x, s) about its centre, s the distance from the axis.
 //
-//   oscillating   u = (f/eta) [ W H e_x + grad d/dx Psi ],  H = e^{-alpha r} phi,  W = e^kappa / D,
-//                 Psi = (phi - W H) / alpha^2          outside;   u = f e_x / (6 pi eta a D)  inside
-//   steady        u = (h/eta) [ phi e_x + grad d/dx B ],    B = -r/(8 pi) - a^2/(24 pi r)    outside;
-//                 u = h e_x / (6 pi eta a)                                                    inside
+//   oscillating   u = (f/eta) [ W H e_x + grad d/dx Psi ]     outside,     u = f e_x / (6 pi eta a D)   inside
+//   steady        u = (h/eta) [ phi e_x + grad d/dx B ]       outside,     u = h e_x / (6 pi eta a)     inside
+//
+//   phi = 1/(4 pi r),   H = e^{-alpha r} phi,   W = e^kappa / D,   kappa = alpha a,   D = 1 + kappa + kappa^2/3
+//   Psi = (phi - W H)/alpha^2,   B = -r/(8 pi) - a^2/(24 pi r)
+//
+//   a, r      radius, distance from the centre [length];  alpha^2 = i omega rho/eta [1/length^2]
+//   f, h      force on the fluid [mass length/time^2];  eta dynamic viscosity [mass/(length time)];  u flow [length/time]
+//
+// For a function q(r) with q_n = ((1/r) d/dr)^n q:   grad d/dx q = (q_1 + x^2 q_2) e_x + x s q_2 e_s
+// clang-format on
 //
 // Both are divergence-free and uniform on the sphere. References: Landau and Lifshitz, Fluid Mechanics,
 // sections 20 and 24. Page: docs/method/inertia.md.
@@ -28,9 +35,10 @@ inline Eigen::RowVector2cd oscillating_sphere_flow(double radius, double viscosi
   if (r <= radius) return {1.0 / (6 * pi * viscosity * radius * D), 0.0};
   const double phi = 1 / (4 * pi * r), r2 = r * r;
   const std::complex<double> ar = alpha * r, WH = std::exp(alpha * (radius - r)) / D * phi;
-  // (1/r d/dr) once and twice of phi and of W H; their differences are alpha^2 Psi's.
-  const std::complex<double> Psi_1 = (-phi + WH * (1.0 + ar)) / (r2 * alpha * alpha);
+  // clang-format off
+  const std::complex<double> Psi_1 = (   -phi + WH * (1.0 +       ar          )) / (     r2 * alpha * alpha);
   const std::complex<double> Psi_2 = (3 * phi - WH * (3.0 + 3.0 * ar + ar * ar)) / (r2 * r2 * alpha * alpha);
+  // clang-format on
   return {(WH + Psi_1 + x * x * Psi_2) / viscosity, x * s * Psi_2 / viscosity};
 }
 
@@ -41,12 +49,14 @@ inline Eigen::Matrix2d towed_sphere_gradient(double radius, double viscosity, do
   const double r2 = x * x + s * s, a2 = radius * radius;
   if (r2 <= a2) return Eigen::Matrix2d::Zero();
   const double r = std::sqrt(r2), phi_1 = -1 / (4 * pi * r2 * r);
-  // (1/r d/dr) twice and three times of B.
-  const double B_2 = (1 / (r2 * r) - a2 / (r2 * r2 * r)) / (8 * pi);
+  // clang-format off
+  const double B_2 = ( 1 / (r2 * r)      -     a2 / (r2 * r2 * r))      / (8 * pi);
   const double B_3 = (-3 / (r2 * r2 * r) + 5 * a2 / (r2 * r2 * r2 * r)) / (8 * pi);
   const double mixed = s * B_2 + x * x * s * B_3;
   Eigen::Matrix2d gradient;
-  gradient << x * phi_1 + 3 * x * B_2 + x * x * x * B_3, mixed, s * phi_1 + mixed, x * B_2 + x * s * s * B_3;
+  gradient << x * phi_1 + 3 * x * B_2 + x * x * x * B_3,   mixed,
+              s * phi_1 + mixed,                           x * B_2 + x * s * s * B_3;
+  // clang-format on
   return gradient / viscosity;
 }
 

@@ -32,7 +32,11 @@ using NodalMotion = NodalValues;
 /// Displacements of the three beads from a column of NodalMotion.
 Matrix3d beads_from_motion() {
   Matrix3d beads;
-  beads << -1, 1, 0, 0, 1, 0, 0, 1, 1;
+  // clang-format off
+  beads << -1, 1, 0,
+            0, 1, 0,
+            0, 1, 1;
+  // clang-format on
   return beads;
 }
 

@@ -3,35 +3,57 @@
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// Closed expressions for a swimmer of equal radii lambda, equal arms l and equal stiffnesses k without
-// dashpots, to second order in amplitude and lowest order in lambda/l (Oseen). With W = pi eta omega lambda:
+// clang-format off
+// Closed expressions for a swimmer of equal radii, equal arms and equal stiffnesses without dashpots, to second order in
+// amplitude. Velocities count from bead 1 to bead 3.
 //
-//   v_S = G d1 d2 omega sin(delta1 - delta2),   G = 7 lambda / (24 l^2)                              (4.2)
-//   v_F = 7 lambda omega [AB (k^2 + 12 W^2) sin alpha + 2 (A^2 - B^2) W k]
-//         / {24 l^2 (k^2 + 4 W^2) (k^2 + 36 W^2)}                                                    (4.3)
-//   d1, d2 and sin(delta1 - delta2) of the driven swimmer                                  (4.4) to (4.8)
+//   lambda          radius of the beads, l rest length of the arms [length];  k stiffness of the springs [mass/time^2]
+//   A, B, alpha     amplitudes [mass length/time^2] and phase of the driving (2.1);  omega its angular frequency [1/time]
+//   d1, d2          amplitudes of the arms [length], delta1, delta2 their phases;  S = omega d1 d2 sin(delta1 - delta2)
+//   W               = pi eta omega lambda [mass/time^2], eta the dynamic viscosity [mass/(length time)]
+//   v_S, v_F        velocity of a stroke, and of the driven swimmer [length/time]
 //
-// With (4.4) to (4.8), v_S = v_F identically. Velocities count from bead 1 to bead 3.
+// Lowest order in lambda/l (Oseen):
+//
+//           7 lambda
+//   v_S  =  -------- S                                                                                                  (4.2)
+//            24 l^2
+//
+//           7 lambda omega [ AB (k^2 + 12 W^2) sin alpha + 2 (A^2 - B^2) W k ]
+//   v_F  =  ------------------------------------------------------------------                                          (4.3)
+//                     24 l^2 (k^2 + 4 W^2) (k^2 + 36 W^2)
+//
+//   d1^2 (k^2 + 4 W^2) (k^2 + 36 W^2)  =  A^2 k^2 + 4 W^2 (4 A^2 +   B^2 + 4 AB cos alpha) - 4 AB W k sin alpha         (4.4)
+//   d2^2 (k^2 + 4 W^2) (k^2 + 36 W^2)  =  B^2 k^2 + 4 W^2 (  A^2 + 4 B^2 + 4 AB cos alpha) + 4 AB W k sin alpha         (4.5)
+//   sin(delta1 - delta2) = N/D, of the driven swimmer                                                          (4.6) to (4.8)
+//
+// With (4.4) to (4.8), v_S = v_F identically.
 //
 // The next order in lambda/l, from Rotne-Prager pairs:
 //
-//   printed   v_F = A^2 omega lambda (28l - 45 lambda) [(2l - 5 lambda) k^2 + 24 W^2 l]
-//             / {192 l^3 [(l - 5 lambda) k^4 + 4 W^2 (8l - 33 lambda) k^2 + 144 W^4 l]},   A = B       (4.23)
-//   repaired  the bracket is AB sin alpha [(2l - 5 lambda) k^2 + 24 W^2 l] + (A^2 - B^2) W k (4l - 9 lambda),
-//             and 8l - 33 lambda is 10l - 33 lambda
-//   v_S = (28l - 99 lambda) lambda d1 d2 omega sin(delta1 - delta2) / {24 l^2 (4l - 17 lambda)}        (4.24)
+//                     A^2 omega lambda (28l - 45 lambda) [ (2l - 5 lambda) k^2 + 24 W^2 l ]
+//   printed   v_F  =  ----------------------------------------------------------------------------,   A = B            (4.23)
+//                     192 l^3 [ (l - 5 lambda) k^4 + 4 W^2 (8l - 33 lambda) k^2 + 144 W^4 l ]
+//
+//   repaired  A^2 [ .. ] above is AB sin alpha [ (2l - 5 lambda) k^2 + 24 W^2 l ] + (A^2 - B^2) W k (4l - 9 lambda),
+//             and 8l - 33 lambda below is 10l - 33 lambda
+//
+//           (28l - 99 lambda) lambda
+//   v_S  =  ------------------------- S                                                                                (4.24)
+//           24 l^2 (4l - 17 lambda)
 //
 // and from Oseen pairs v_S over v_F,
 //
-//   printed   7 (4l - 3 lambda) (4l - 7 lambda) / {4l (28l - 45 lambda)}                               (4.9)
-//   right     7 (4l - 7 lambda)^2 (4l - 3 lambda) / {8l (56 l^2 - 198 l lambda + 189 lambda^2)}, which is
-//   (4.2) over
-//             the velocity of the same stroke without truncation in lambda/l.
+//   printed   7 (4l - 3 lambda) (4l - 7 lambda)   / { 4l (28l - 45 lambda) }                                            (4.9)
+//   right     7 (4l - 7 lambda)^2 (4l - 3 lambda) / { 8l (56 l^2 - 198 l lambda + 189 lambda^2) },
+//             which is (4.2) over the velocity of the same stroke without truncation in lambda/l.
 //
 // Equal-weight mean of the beads' velocities without the mean change of the arms, untruncated:
 //
-//   v = G omega d1 d2 sin(delta1 - delta2),  G = (2ap - bq - 2p + q) / {3 (b - 1) (4a - b - 3)},
-//   a = gamma mu_12, b = gamma mu_13, p and q their slopes, gamma = 6 pi eta lambda.
+//            2ap - bq - 2p + q
+//   v  =  ------------------------ S,     a = gamma mu_12, b = gamma mu_13, p and q their slopes, gamma = 6 pi eta lambda
+//         3 (b - 1) (4a - b - 3)
+// clang-format on
 //
 // Reference: Pickl, Pande, Koestler, Ruede and Smith, J. Phys.: Condens. Matter 29, 124001 (2017).
 // Page: docs/method/closed-forms.md.
