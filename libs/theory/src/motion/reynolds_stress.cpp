@@ -1,5 +1,6 @@
 #include "beadswim/theory/reynolds_stress.hpp"
 
+#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -17,17 +18,16 @@ struct QuadratureNode {
 
 /// Gauss-Legendre nodes on [0, 1], by Newton's method on the Legendre polynomial.
 std::vector<QuadratureNode> gauss_legendre(int count) {
+  using namespace boost::math::policies;
+  const auto polynomial = [](int degree, double x) {
+    return boost::math::legendre_p(degree, x, policy<promote_double<false>>());
+  };
   std::vector<QuadratureNode> nodes;
   for (int i = 0; i < count; ++i) {
     double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5)), slope = 0;
     for (int step = 0; step < 8; ++step) {
-      double previous = 1, value = x;
-      for (int n = 2; n <= count; ++n) {
-        const double next = ((2 * n - 1) * x * value - (n - 1) * previous) / n;
-        previous = value;
-        value = next;
-      }
-      slope = count * (x * value - previous) / (x * x - 1);
+      const double value = polynomial(count, x);
+      slope = count * (x * value - polynomial(count - 1, x)) / (x * x - 1);
       x -= value / slope;
     }
     nodes.push_back({(1 + x) / 2, 1 / ((1 - x * x) * slope * slope)});
