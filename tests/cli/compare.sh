@@ -87,7 +87,7 @@ refuses 'run.h5md: is a trajectory; give the run record' beadswim-compare run.h5
 refuses 'run.h5md: is a trajectory; give the run record' beadswim-compare run.json run.h5md
 echo '{ "schema": "beadswim/layout/1" }' >layout.json
 refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json prediction.json
-refuses 'layout.json: is a layout; a run record .* or a prediction' beadswim-compare run.json layout.json
+refuses 'layout.json: is "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json
 echo '[]' >list.json
 refuses 'list.json: does not say what it is' beadswim-compare run.json list.json
 refuses 'driving period 2000, run.json has 4800' beadswim-compare run.json prediction_shorter_period.json

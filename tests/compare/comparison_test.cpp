@@ -28,6 +28,10 @@ std::vector<ComparisonRow> compare_velocity(double run, double expected, double 
                          {{ComparedQuantity::velocity}, tolerance, 0});
 }
 
+TEST(RootMeanSquare, WeighsValuesOfEitherSignAlike) {
+  EXPECT_DOUBLE_EQ(root_mean_square(std::vector<double>{3, -4, 0, 0}), 2.5);
+}
+
 TEST(RelativeError, IsSignedAgainstTheReferencesSize) {
   EXPECT_DOUBLE_EQ(relative_error(11, 10), 0.1);
   EXPECT_DOUBLE_EQ(relative_error(-11, -10), -0.1);  // more negative is below

@@ -1,6 +1,6 @@
 #include "accepted.hpp"
+#include "beadswim/documents/swimming_document.hpp"
 #include "memory_file.hpp"
-#include "swimming_files.hpp"
 
 // Files of run records and predictions, one or, as JSON lines, several, as beadswim-plot reads them.
 
@@ -8,8 +8,13 @@ using namespace beadswim;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const MemoryFile file(data, size);
-  std::vector<SourceDocument> documents;
-  if (accepts([&] { documents = read_swimming_file(file.path()); }))
-    require(!documents.empty(), "a file that is accepted holds a document");
+  std::size_t count = 0;
+  const auto read = [&] {
+    for (const SourceJson& document : read_json_documents(file.path(), "a run record or a prediction")) {
+      swimming_from_json(document.json, document.source);
+      ++count;
+    }
+  };
+  if (accepts(read)) require(count > 0, "a file that is accepted holds a document");
   return 0;
 }

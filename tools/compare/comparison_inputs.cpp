@@ -8,6 +8,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {

@@ -3,15 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {
-
-std::string time_unit(const Units& units) {
-  return units.lattice ? "lattice units" : units.time.name;
-}
 
 double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
   const auto& resolution = run.record.resolution;
@@ -98,6 +96,21 @@ double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa
                    fmt::format("does not say the {}; leave the run out of this figure, or draw it with "
                                "--against cycle",
                                axis_label(abscissa, run.record.units).quantity));
+}
+
+std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa) {
+  std::vector<PlacedPrediction> sorted;
+  for (const PlottedPrediction& plotted : inputs.predictions) {
+    sorted.push_back({abscissa_of(plotted, abscissa), plotted});
+  }
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  std::vector<MethodPredictions> all;
+  for (const std::string& method : inputs.methods) {
+    all.push_back({method, {}});
+    std::copy_if(sorted.begin(), sorted.end(), std::back_inserter(all.back().predictions),
+                 [&](const PlacedPrediction& placed) { return placed.plotted.prediction.method == method; });
+  }
+  return all;
 }
 
 }  // namespace beadswim

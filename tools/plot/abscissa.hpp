@@ -35,4 +35,18 @@ double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa);
 double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
                    const CycleChoice& cycle);
 
+struct PlacedPrediction {
+  double x = 0;  ///< its abscissa
+  PlottedPrediction plotted;
+};
+
+/// A method's predictions in order of the abscissa.
+struct MethodPredictions {
+  std::string method;
+  std::vector<PlacedPrediction> predictions;
+};
+
+/// In the order of inputs.methods. Throws InputError if a prediction does not say its abscissa.
+std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa);
+
 }  // namespace beadswim

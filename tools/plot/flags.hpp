@@ -5,11 +5,16 @@
 #include <vector>
 
 #include "beadswim/tools/named_flags.hpp"
-#include "swarm_figure.hpp"
 
 // Flags that several kinds of figures share, and flags whose values have a form of their own.
 
 namespace beadswim {
+
+/// A swimmer that the picture names.
+struct SwimmerMark {
+  std::string name;
+  int id = 0;
+};
 
 /// --method.
 void add_methods(CLI::App& command, std::vector<std::string>& methods);

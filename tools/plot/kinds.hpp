@@ -26,6 +26,15 @@ struct PlotKind {
   Drawing (*add_flags)(CLI::App& command);  ///< adds the kind's own flags, and returns what draws by them
 };
 
+Drawing add_stroke_flags(CLI::App& command);
+Drawing add_period_flags(CLI::App& command);
+Drawing add_separation_flags(CLI::App& command);
+Drawing add_speed_flags(CLI::App& command);
+Drawing add_trajectory_flags(CLI::App& command);
+Drawing add_swarm_flags(CLI::App& command);
+Drawing add_swimmer_flags(CLI::App& command);
+Drawing add_product_flags(CLI::App& command);
+
 /// All kinds, in the order of the program's help.
 std::span<const PlotKind> plot_kinds();
 

@@ -1,13 +1,26 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
 #include "beadswim/core/error.hpp"
+#include "beadswim/figure/png.hpp"
+#include "beadswim/io/json.hpp"
 #include "beadswim/tools/program.hpp"
 #include "kinds.hpp"
-#include "write_figure.hpp"
 
 // beadswim-plot: figures of run records, predictions, verdicts, trajectories and layouts.
 
 namespace {
 
 using namespace beadswim;
+
+void require_figure_path(const std::string& path) {
+  if (path == "-" || path.ends_with(".svg") || path.ends_with(".png")) return;
+  throw InputError("--output",
+                   fmt::format("\"{}\" is neither .svg nor .png; name a file that ends so, or - for SVG on "
+                               "standard output",
+                               path));
+}
 
 int run(int argc, const char* const* argv) {
   const auto program = make_program(
@@ -28,7 +41,8 @@ int run(int argc, const char* const* argv) {
   require_figure_path(files.output);
   for (const std::string& input : files.inputs) require_other_file(input, files.output);
   const auto chosen = [](const auto& each) { return each.first->parsed(); };
-  write_figure(files.output, std::ranges::find_if(commands, chosen)->second(files));
+  const std::string svg = std::ranges::find_if(commands, chosen)->second(files);
+  write_text(files.output, files.output.ends_with(".png") ? svg_to_png(svg, files.output) : svg);
   return static_cast<int>(ExitStatus::fine);
 }
 

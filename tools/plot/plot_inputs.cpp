@@ -4,11 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
-#include "swimming_files.hpp"
+#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {
@@ -20,6 +19,11 @@ constexpr const char* all_methods = "all";
 bool holds(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
+
+struct SourceDocument {
+  std::string source;
+  SwimmingDocument document;
+};
 
 const Units& units_of(const SwimmingDocument& document) {
   return std::visit([](const auto& alternative) -> const Units& { return alternative.units; }, document);
@@ -102,8 +106,12 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
   }
   std::vector<SourceDocument> documents;
   for (const std::string& path : files) {
-    std::vector<SourceDocument> more = read_swimming_file(path);
-    std::move(more.begin(), more.end(), std::back_inserter(documents));
+    for (const auto& [source, json] : read_json_documents(path, "a run record or a prediction")) {
+      if (schema_of(json).starts_with("beadswim/verdict/"))
+        throw InputError(source,
+                         "is a verdict, which speed-against-error alone draws, and without --reference");
+      documents.push_back({source, swimming_from_json(json, source)});
+    }
   }
   return documents;
 }

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <fstream>
 
 #include "beadswim/core/error.hpp"
@@ -29,30 +28,6 @@ std::size_t chosen_frame(const TrajectoryFile& file, std::optional<std::size_t> 
   const std::size_t frame = wanted.value_or(last);
   if (frame <= last) return frame;
   throw InputError("--frame", fmt::format("no frame {} in {}; the last is {}", frame, file.source, last));
-}
-
-/// Moves each swimmer by multiples of the box so that its middle bead is in the box.
-void wrap_swimmers(SwarmScene& scene, const Box& box) {
-  scene.box = box.lengths;
-  for (PicturedSwimmer& swimmer : scene.swimmers) {
-    const Vec3 shift = box.lengths.cwiseProduct(image_number(swimmer.beads[1], box));
-    for (Vec3& bead : swimmer.beads) bead -= shift;
-  }
-}
-
-/// Puts a box around all swimmers, which are in open space.
-void put_box_around(SwarmScene& scene) {
-  Vec3 low = Vec3::Constant(INFINITY), high = -low;
-  for (const PicturedSwimmer& swimmer : scene.swimmers) {
-    for (std::size_t b = 0; b < 3; ++b) {
-      low = low.cwiseMin((swimmer.beads[b].array() - 2 * swimmer.radii[b]).matrix());
-      high = high.cwiseMax((swimmer.beads[b].array() + 2 * swimmer.radii[b]).matrix());
-    }
-  }
-  scene.box = high - low;
-  for (PicturedSwimmer& swimmer : scene.swimmers) {
-    for (Vec3& bead : swimmer.beads) bead -= low;
-  }
 }
 
 SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
@@ -101,10 +76,12 @@ SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> 
   }
   SwarmScene scene = is_trajectory(path) ? scene_of(open_trajectory(path), frame)
                                          : scene_of(read_layout(path).layout, source_name(path));
-  if (scene.layout.domain)
-    wrap_swimmers(scene, *scene.layout.domain);
-  else
-    put_box_around(scene);
+  if (!scene.layout.domain) {
+    scene.box = enclose_swimmers(scene.swimmers);
+    return scene;
+  }
+  scene.box = scene.layout.domain->lengths;
+  wrap_swimmers(scene.swimmers, *scene.layout.domain);
   return scene;
 }
 

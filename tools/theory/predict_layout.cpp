@@ -8,6 +8,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
+#include "beadswim/scene/units.hpp"
 #include "beadswim/theory/surroundings.hpp"
 #include "beadswim/theory/methods.hpp"
 

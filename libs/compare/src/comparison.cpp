@@ -55,6 +55,12 @@ double relative_error(double run, double reference) {
   return (run - reference) / std::abs(reference);
 }
 
+double root_mean_square(std::span<const double> values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 std::optional<std::size_t> best_reference(std::span<const Reference> references,
                                           std::span<const ComparedQuantity> quantities) {
   std::optional<std::size_t> best;

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "beadswim/core/error.hpp"
 
@@ -15,16 +16,30 @@ void refuse_trajectory(const std::string& path) {
   throw InputError(path, "is a trajectory; give the run record (JSON) that beadswim-run printed with it");
 }
 
-/// "run" of "beadswim/run/1"; empty if the document does not say what it is.
-std::string kind_of(const Json& document) {
-  if (!document.is_object() || !document.contains("schema") || !document["schema"].is_string()) return {};
-  const std::string schema = document["schema"].get<std::string>();
-  const std::size_t first = schema.find('/');
-  return first == std::string::npos ? "" : schema.substr(first + 1, schema.find('/', first + 1) - first - 1);
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-bool same_unit(const Units::Unit& a, const Units::Unit& b) {
-  return a.name == b.name && a.si_factor == b.si_factor;
+/// Several lines, the first of which is a document by itself.
+bool holds_json_lines(const std::string& text) {
+  std::istringstream lines(text);
+  std::string first, next;
+  while (std::getline(lines, first) && is_blank(first)) {
+  }
+  while (std::getline(lines, next) && is_blank(next)) {
+  }
+  return !is_blank(next) && Json::accept(first);
+}
+
+std::vector<SourceJson> documents_by_line(const std::string& text, const std::string& file) {
+  std::vector<SourceJson> documents;
+  std::istringstream lines(text);
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::string source = fmt::format("{} line {}", file, ++number);
+    if (!is_blank(line)) documents.push_back({source, parse_json(line, source)});
+  }
+  return documents;
 }
 
 RunRecord with_swimmers(RunRecord record, const std::string& source) {
@@ -37,11 +52,6 @@ RunRecord with_swimmers(RunRecord record, const std::string& source) {
 
 }  // namespace
 
-bool same_units(const Units& a, const Units& b) {
-  if (a.lattice || b.lattice) return a.lattice == b.lattice;
-  return same_unit(a.length, b.length) && same_unit(a.time, b.time) && same_unit(a.mass, b.mass);
-}
-
 std::string source_name(const std::string& path) {
   return path == "-" ? "standard input" : path;
 }
@@ -51,16 +61,34 @@ RunRecord read_run(const std::string& path) {
   return with_swimmers(read_run_record(path), source_name(path));
 }
 
+std::string schema_of(const Json& document) {
+  const bool says = document.is_object() && document.contains("schema") && document["schema"].is_string();
+  return says ? document["schema"].get<std::string>() : "";
+}
+
+std::vector<SourceJson> read_json_documents(const std::string& path, const std::string& wanted) {
+  refuse_trajectory(path);
+  const std::string source = source_name(path);
+  const std::string text = read_text(path);
+  if (is_blank(text)) throw InputError(source, fmt::format("is empty; {} is needed here", wanted));
+  if (holds_json_lines(text)) return documents_by_line(text, source);
+  return {{source, parse_json(text, source)}};
+}
+
+SwimmingDocument swimming_from_json(const Json& document, const std::string& source) {
+  const std::string schema = schema_of(document);
+  if (schema.starts_with("beadswim/run/"))
+    return with_swimmers(run_record_from_json(document, source), source);
+  if (schema.starts_with("beadswim/prediction/")) return predictions_from_json(document, source);
+  throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
+                                       "(\"beadswim/prediction/1\") is needed here",
+                                       schema.empty() ? "does not say what it is" : "is \"" + schema + "\""));
+}
+
 SwimmingDocument read_swimming(const std::string& path) {
   refuse_trajectory(path);
   const std::string source = source_name(path);
-  const Json document = parse_json(read_text(path), source);
-  const std::string kind = kind_of(document);
-  if (kind == "run") return with_swimmers(run_record_from_json(document, source), source);
-  if (kind == "prediction") return predictions_from_json(document, source);
-  throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
-                                       "(\"beadswim/prediction/1\") is needed here",
-                                       kind.empty() ? "does not say what it is" : "is a " + kind));
+  return swimming_from_json(parse_json(read_text(path), source), source);
 }
 
 Swimming swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,

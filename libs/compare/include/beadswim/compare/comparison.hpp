@@ -50,6 +50,9 @@ struct ComparisonRow {
 /// (run - reference)/|reference|; 0 if both are zero, infinite if the reference alone is.
 double relative_error(double run, double reference);
 
+/// Root of the mean square of values, of which there is one at least.
+double root_mean_square(std::span<const double> values);
+
 /// Position of the best usable reference that knows all quantities: inertia-corrected, else multipole-ode,
 /// rpy-ode, rpy-perturbation, else the first; none if there is none.
 std::optional<std::size_t> best_reference(std::span<const Reference> references,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 
 // A swarm in its box as SVG, seen in perspective: x to the right, y away, z up. The same picture gives the
@@ -15,6 +16,7 @@ struct PicturedSwimmer {
   std::array<Vec3, 3> beads;      ///< centres [length]
   std::array<double, 3> radii{};  ///< [length]
   int colour = 0;                 ///< position in the palette of Okabe and Ito; wraps round
+  std::array<int, 3> layer{};     ///< number of the layer in which it stands, along each axis
 };
 
 /// Key to a colour.
@@ -50,5 +52,18 @@ struct SwarmPicture {
 /// A whole SVG document: beads as shaded discs and arms as lines, the far ones behind the near; some 70 bytes
 /// a bead. Throws InputError if there is no swimmer.
 std::string swarm_picture_to_svg(const SwarmPicture& picture);
+
+/// Moves each swimmer by multiples of the box so that its middle bead is in the box.
+void wrap_swimmers(std::vector<PicturedSwimmer>& swimmers, const Box& box);
+
+/// Moves swimmers in open space into a box around them that begins at the origin. Returns the box's lengths.
+Vec3 enclose_swimmers(std::vector<PicturedSwimmer>& swimmers);
+
+/// The distances of the paper's figure 4, each drawn once at the swarm's outline: C from a swimmer to the
+/// next of its block, D to that of the next block; across y and z between the beads furthest along x, along x
+/// between the end beads that face each other. `block_swimmers` are the swimmers of a block along each axis.
+/// Empty if no swimmer has a neighbour along an axis.
+std::vector<PictureDistance> swarm_distances(const std::vector<PicturedSwimmer>& swimmers,
+                                             const std::vector<int>& block_swimmers);
 
 }  // namespace beadswim

@@ -1,12 +1,11 @@
-#include "swarm_distances.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
-#include "beadswim/core/error.hpp"
+#include "beadswim/figure/swarm_picture.hpp"
 
 namespace beadswim {
 namespace {
@@ -40,34 +39,47 @@ PictureDistance distance_between(const PicturedSwimmer& one, const PicturedSwimm
 
 }  // namespace
 
-std::vector<PictureDistance> swarm_distances(std::span<const PicturedSwimmer> swimmers,
-                                             std::span<const Layer> layers,
-                                             std::span<const int> block_swimmers) {
-  if (block_swimmers.size() != 3) {
-    throw InputError("--distances", "blocks by id have no axes; give --block-swimmers as NX,NY,NZ");
+void wrap_swimmers(std::vector<PicturedSwimmer>& swimmers, const Box& box) {
+  for (PicturedSwimmer& swimmer : swimmers) {
+    const Vec3 shift = box.lengths.cwiseProduct(image_number(swimmer.beads[1], box));
+    for (Vec3& bead : swimmer.beads) bead -= shift;
   }
-  std::map<Layer, const PicturedSwimmer*> at;
-  for (std::size_t s = 0; s < swimmers.size(); ++s) at.emplace(layers[s], &swimmers[s]);
+}
+
+Vec3 enclose_swimmers(std::vector<PicturedSwimmer>& swimmers) {
+  Vec3 low = Vec3::Constant(INFINITY), high = -low;
+  for (const PicturedSwimmer& swimmer : swimmers) {
+    for (std::size_t b = 0; b < 3; ++b) {
+      low = low.cwiseMin((swimmer.beads[b].array() - 2 * swimmer.radii[b]).matrix());
+      high = high.cwiseMax((swimmer.beads[b].array() + 2 * swimmer.radii[b]).matrix());
+    }
+  }
+  for (PicturedSwimmer& swimmer : swimmers) {
+    for (Vec3& bead : swimmer.beads) bead -= low;
+  }
+  return high - low;
+}
+
+std::vector<PictureDistance> swarm_distances(const std::vector<PicturedSwimmer>& swimmers,
+                                             const std::vector<int>& block_swimmers) {
+  std::map<std::array<int, 3>, const PicturedSwimmer*> at;
+  for (const PicturedSwimmer& swimmer : swimmers) at.emplace(swimmer.layer, &swimmer);
   std::vector<PictureDistance> distances;
   for (int axis = 0; axis < 3; ++axis) {
+    const int in_block = block_swimmers[static_cast<std::size_t>(axis)];
     std::map<char, std::pair<double, PictureDistance>> furthest;  // by C and D
     for (const auto& [layer, swimmer] : at) {
-      Layer next = layer;
+      std::array<int, 3> next = layer;
       ++next[axis];
       const auto neighbour = at.find(next);
       if (neighbour == at.end()) continue;
-      const char kind = layer[axis] / block_swimmers[axis] == next[axis] / block_swimmers[axis] ? 'C' : 'D';
+      const char kind = layer[axis] / in_block == next[axis] / in_block ? 'C' : 'D';
       const double far = outlines[axis].towards.dot(swimmer->beads[1]);
       const auto best = furthest.find(kind);
       if (best != furthest.end() && best->second.first >= far) continue;
       furthest[kind] = {far, distance_between(*swimmer, *neighbour->second, axis, kind)};
     }
     for (const auto& [kind, found] : furthest) distances.push_back(found.second);
-  }
-  if (distances.empty()) {
-    throw InputError("--distances",
-                     "no swimmer has a neighbour along an axis; draw periodic copies too, "
-                     "as with --repeat 2,2,2");
   }
   return distances;
 }

@@ -1,4 +1,4 @@
-#include "verdict_figure.hpp"
+#include "verdicts.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -10,9 +10,9 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
-#include "error_panel.hpp"
-#include "swimming_files.hpp"
+#include "beadswim/figure/error_figure.hpp"
 
 namespace beadswim {
 namespace {
@@ -98,23 +98,19 @@ std::string methods_note(const std::vector<PlottedVerdict>& verdicts) {
 
 Figure verdict_figure(const std::vector<std::string>& files, const std::vector<std::string>& methods) {
   const std::vector<PlottedVerdict> verdicts = read_verdicts(files, methods);
-  Figure figure{
-      .title = "Speed against error",
-      .panels = {},
-      .notes = {methods_note(verdicts), "Core-seconds of all runs that a verdict is on, from start to end"}};
-  for (const auto& [quantity, what] : {std::pair(ComparedQuantity::velocity, "velocity"),
+  std::vector<QuantityErrors> quantities;
+  for (const auto& [quantity, name] : {std::pair(ComparedQuantity::velocity, "velocity"),
                                        std::pair(ComparedQuantity::arm_amplitudes, "arm amplitudes")}) {
-    const std::vector<ErrorSeries> all = errors_of(verdicts, quantity);
-    if (all.empty()) continue;
-    ErrorPanel panel = error_panel(all, what, "core-seconds", std::nullopt);
-    figure.panels.push_back(std::move(panel.panel));
-    figure.notes.insert(figure.notes.end(), panel.notes.begin(), panel.notes.end());
+    std::vector<ErrorSeries> all = errors_of(verdicts, quantity);
+    if (!all.empty()) quantities.push_back({name, std::move(all)});
   }
-  if (figure.panels.empty()) {
+  if (quantities.empty()) {
     throw InputError(verdicts.front().source,
                      "compares neither velocity nor arm_amplitudes, which are drawn here");
   }
-  return figure;
+  return error_figure(
+      quantities, "core-seconds",
+      {methods_note(verdicts), "Core-seconds of all runs that a verdict is on, from start to end"});
 }
 
 }  // namespace beadswim

@@ -1,13 +1,17 @@
-#include "stroke_figure.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
 
+#include "abscissa.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/figure/curves.hpp"
 #include "beadswim/scene/units.hpp"
-#include "curves.hpp"
+#include "flags.hpp"
+#include "kinds.hpp"
 #include "plot_labels.hpp"
+
+// Arm amplitudes and sin(delta1 - delta2), cycle by cycle or against a parameter of the driving.
 
 namespace beadswim {
 namespace {
@@ -20,6 +24,7 @@ struct StrokeNumber {
   int colour;
 
   double in(const Swimming& swimming) const { return swimming.at(quantity)[position]; }
+  std::string label(const std::string& source) const { return fmt::format("{}, {}", symbol, source); }
 };
 
 using StrokeNumbers = std::vector<StrokeNumber>;
@@ -57,50 +62,31 @@ CycleRange cycles_of(const PlotInputs& inputs) {
   return range;
 }
 
-/// shape: different for runs, or groups of them, that are told apart.
-Series empty_run_series(const std::string& label, std::size_t shape, const StrokeNumber& number) {
-  return {.label = fmt::format("{}, {}", number.symbol, label),
-          .mark = Mark::points,
-          .colour = number.colour,
-          .shape = static_cast<int>(shape)};
-}
-
-Series run_by_cycle(const PlotInputs& inputs, std::size_t run_index, const StrokeNumber& number) {
-  const RunRecord& record = inputs.runs[run_index].record;
-  Series series = empty_run_series(run_label(inputs, inputs.runs[run_index]), run_index, number);
-  for (const SwimmerRecord& swimmer : record.swimmers) {
+/// All swimmers of a run.
+PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, const StrokeNumber& number) {
+  PointGroup points{number.label(run_label(inputs, run))};
+  for (const SwimmerRecord& swimmer : run.record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
-      series.x.push_back(cycle.index);
-      series.y.push_back(number.in(swimming_in(cycle, record.domain)));
+      points.x.push_back(cycle.index);
+      points.y.push_back(number.in(swimming_in(cycle, run.record.domain)));
     }
   }
-  return series;
+  return points;
 }
 
-/// A level line that reaches past the first and the last cycle.
-Series level_line(const PlotInputs& inputs, std::size_t index, const StrokeNumber& number,
-                  const CycleRange& cycles) {
-  constexpr double overhang = 0.4;  // of a cycle
-  const Prediction& prediction = inputs.predictions[index].prediction;
-  const double value = number.in(swimming_of(prediction));
-  return {.label = fmt::format("{}, {}", number.symbol, prediction.method),
-          .x = {cycles.first - overhang, cycles.last + overhang},
-          .y = {value, value},
-          .mark = Mark::line,
-          .colour = number.colour,
-          .dash = static_cast<int>(index)};
-}
-
+/// Predictions are levels that reach past the first and the last cycle.
 Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label) {
+  constexpr double overhang = 0.4;  // of a cycle
   const CycleRange cycles = cycles_of(inputs);
   Panel panel{.x_label = {"cycle"}, .y_label = y_label, .x_ticks = TickKind::integers};
   for (const StrokeNumber& number : numbers) {
-    for (std::size_t i = 0; i < inputs.runs.size(); ++i) {
-      panel.series.push_back(run_by_cycle(inputs, i, number));
-    }
-    for (std::size_t i = 0; i < inputs.predictions.size(); ++i) {
-      panel.series.push_back(level_line(inputs, i, number, cycles));
-    }
+    std::vector<PointGroup> runs;
+    for (const PlottedRun& run : inputs.runs) runs.push_back(points_by_cycle(inputs, run, number));
+    append_points_and_curves(runs, {}, number.colour, panel);
+    std::vector<Level> levels;
+    for (const auto& [source, prediction] : inputs.predictions)
+      levels.push_back({number.label(prediction.method), number.in(swimming_of(prediction))});
+    append_levels(levels, cycles.first - overhang, cycles.last + overhang, number.colour, panel);
   }
   return panel;
 }
@@ -111,29 +97,15 @@ struct Sweep {
   CycleChoice cycle;
 };
 
-Series runs_in_sweep(const RunGroup& group, std::size_t shape, const StrokeNumber& number,
-                     const Sweep& sweep) {
-  Series series = empty_run_series(group.label, shape, number);
+PointGroup points_in_sweep(const RunGroup& group, const StrokeNumber& number, const Sweep& sweep) {
+  PointGroup points{number.label(group.label)};
   for (const PlottedRun* run : group.runs) {
     for (const SwimmerRecord& swimmer : run->record.swimmers) {
-      series.x.push_back(abscissa_of(*run, swimmer, sweep.abscissa, sweep.cycle));
-      series.y.push_back(number.in(swimming_of(run->record, swimmer, sweep.cycle, run->source)));
+      points.x.push_back(abscissa_of(*run, swimmer, sweep.abscissa, sweep.cycle));
+      points.y.push_back(number.in(swimming_of(run->record, swimmer, sweep.cycle, run->source)));
     }
   }
-  return series;
-}
-
-std::vector<Series> method_in_sweep(const MethodPredictions& method, std::size_t position,
-                                    const StrokeNumber& number) {
-  std::vector<CurvePoint> points;
-  for (const PlacedPrediction& placed : method.predictions) {
-    const Prediction& prediction = placed.plotted.prediction;
-    points.push_back({placed.x, number.in(swimming_of(prediction)), prediction.usable});
-  }
-  return curve_series(points, {.label = fmt::format("{}, {}", number.symbol, method.method),
-                               .colour = number.colour,
-                               .shape = method_shape(position),
-                               .dash = static_cast<int>(position)});
+  return points;
 }
 
 Panel panel_in_sweep(const PlotInputs& inputs, const std::vector<RunGroup>& groups,
@@ -141,17 +113,20 @@ Panel panel_in_sweep(const PlotInputs& inputs, const std::vector<RunGroup>& grou
   Panel panel{.x_label = axis_label(sweep.abscissa, inputs.units), .y_label = y_label};
   const auto methods = predictions_by_method(inputs, sweep.abscissa);
   for (const StrokeNumber& number : numbers) {
-    for (std::size_t g = 0; g < groups.size(); ++g)
-      panel.series.push_back(runs_in_sweep(groups[g], g, number, sweep));
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-      const auto curve = method_in_sweep(methods[i], i, number);
-      panel.series.insert(panel.series.end(), curve.begin(), curve.end());
+    std::vector<PointGroup> points;
+    for (const RunGroup& group : groups) points.push_back(points_in_sweep(group, number, sweep));
+    std::vector<Curve> curves;
+    for (const auto& [method, predictions] : methods) {
+      curves.push_back({number.label(method)});
+      for (const auto& [x, plotted] : predictions) {
+        const Prediction& prediction = plotted.prediction;
+        curves.back().points.push_back({x, number.in(swimming_of(prediction)), prediction.usable});
+      }
     }
+    append_points_and_curves(points, curves, number.colour, panel);
   }
   return panel;
 }
-
-}  // namespace
 
 Figure stroke_by_cycle(const PlotInputs& inputs) {
   return {.title = "Stroke by cycle",
@@ -170,6 +145,33 @@ Figure stroke_against(const PlotInputs& inputs, Abscissa abscissa, const CycleCh
           .panels = {panel_in_sweep(inputs, groups, amplitudes, amplitude_label(inputs), sweep),
                      panel_in_sweep(inputs, groups, phase_shift, phase_shift_label, sweep)},
           .notes = notes};
+}
+
+}  // namespace
+
+Drawing add_stroke_flags(CLI::App& command) {
+  struct Flags {
+    std::vector<std::string> methods;
+    std::string cycle = "last";
+    std::optional<Abscissa> against;
+  };
+  const auto flags = std::make_shared<Flags>();
+  add_methods(command, flags->methods);
+  add_cycle(command, flags->cycle);
+  add_word(
+      command, "--against", {"cycle", "amplitude-ratio", "phase"}, "cycle",
+      "What the stroke is drawn against: cycle (predictions are level lines), amplitude-ratio (A/B of the "
+      "driving) or phase (alpha of the driving).",
+      [flags](const std::string& word) {
+        flags->against.reset();
+        if (word != "cycle") flags->against = word == "phase" ? Abscissa::phase : Abscissa::amplitude_ratio;
+      });
+  return [flags](const PlotFiles& files) {
+    const CycleChoice cycle = parse_cycle_choice(flags->cycle);
+    const PlotInputs inputs = read_plot_inputs(files.inputs, {flags->methods});
+    return figure_to_svg(flags->against ? stroke_against(inputs, *flags->against, cycle)
+                                        : stroke_by_cycle(inputs));
+  };
 }
 
 }  // namespace beadswim

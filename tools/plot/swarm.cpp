@@ -1,18 +1,39 @@
-#include "swarm_figure.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "beadswim/scene/layers.hpp"
-#include "swarm_distances.hpp"
+#include "beadswim/scene/swimmer_parameters.hpp"
+#include "beadswim/scene/units.hpp"
+#include "flags.hpp"
+#include "kinds.hpp"
 #include "swarm_scene.hpp"
-#include "swimmer_parameters.hpp"
 
 namespace beadswim {
+
+enum class SwarmColours {
+  blocks,    ///< of neighbouring swimmers, in turn
+  swimmers,  ///< each its own, in turn
+  types,     ///< of the layout
+};
+
+template <>
+inline constexpr auto name_table<SwarmColours> = std::to_array<NamedValue<SwarmColours>>(
+    {{SwarmColours::blocks, "blocks"}, {SwarmColours::swimmers, "swimmers"}, {SwarmColours::types, "types"}});
+
 namespace {
+
+struct SwarmFlags {
+  std::optional<std::size_t> frame{};  ///< from 0; none: the last
+  SwarmColours colours = SwarmColours::blocks;
+  std::vector<int> block_swimmers{1, 3, 3};  ///< along each axis; or one number: by id, so many to a block
+  std::array<int, 3> repeat{1, 1, 1};        ///< periodic copies along each axis
+  std::vector<SwimmerMark> marks{};
+  bool distances = false;  ///< between neighbours; of layouts alone
+};
 
 using Three = std::array<int, 3>;  // along x, y, z
 
@@ -56,14 +77,13 @@ Layer layer_in_copy(const Cell& cell, std::size_t swimmer, const Three& copy) {
   return layer;
 }
 
-int colour_of(const Cell& cell, std::size_t swimmer, const Three& copy, const SwarmFigureOptions& options) {
+int colour_of(const Cell& cell, std::size_t swimmer, const Three& copy, const Layer& layer,
+              const SwarmFlags& options) {
   const auto& types = cell.scene.layout.types;
   switch (options.colours) {
     case SwarmColours::blocks: {
       const int by_id = options.block_swimmers.size() == 1 ? copy[0] + copy[1] + copy[2] : 0;
-      return block_number(cell.in_layout(swimmer).id, layer_in_copy(cell, swimmer, copy),
-                          options.block_swimmers) +
-             by_id;
+      return block_number(cell.in_layout(swimmer).id, layer, options.block_swimmers) + by_id;
     }
     case SwarmColours::swimmers:
       return static_cast<int>(swimmer);
@@ -73,14 +93,9 @@ int colour_of(const Cell& cell, std::size_t swimmer, const Three& copy, const Sw
   return 0;
 }
 
-/// The swarm with its copies, and the layers of its swimmers.
-struct Drawn {
-  std::vector<PicturedSwimmer> swimmers;
-  std::vector<Layer> layers;
-};
-
-Drawn copies_of(const Cell& cell, const SwarmFigureOptions& options) {
-  Drawn drawn;
+/// The swarm with its copies.
+std::vector<PicturedSwimmer> copies_of(const Cell& cell, const SwarmFlags& options) {
+  std::vector<PicturedSwimmer> drawn;
   const auto& [nx, ny, nz] = options.repeat;
   for (int i = 0; i < nx * ny * nz; ++i) {
     const Three copy{i / (ny * nz), i / nz % ny, i % nz};
@@ -88,9 +103,9 @@ Drawn copies_of(const Cell& cell, const SwarmFigureOptions& options) {
     for (std::size_t s = 0; s < cell.scene.swimmers.size(); ++s) {
       PicturedSwimmer swimmer = cell.scene.swimmers[s];
       for (Vec3& bead : swimmer.beads) bead += shift;
-      swimmer.colour = colour_of(cell, s, copy, options);
-      drawn.swimmers.push_back(swimmer);
-      drawn.layers.push_back(layer_in_copy(cell, s, copy));
+      swimmer.layer = layer_in_copy(cell, s, copy);
+      swimmer.colour = colour_of(cell, s, copy, swimmer.layer, options);
+      drawn.push_back(swimmer);
     }
   }
   return drawn;
@@ -132,16 +147,23 @@ std::string note_on(const SwarmScene& scene, const Three& repeat) {
   return note + fmt::format(" ({})", unit_names(scene.layout.units));
 }
 
-void require_laid_out(const SwarmScene& scene) {
-  if (scene.laid_out) return;
-  throw InputError(
-      "--distances",
-      fmt::format("{} is a trajectory, whose swimmers have moved; give the layout", scene.source));
+std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vector<PicturedSwimmer>& swimmers,
+                                       const std::vector<int>& block_swimmers) {
+  if (!scene.laid_out) {
+    throw InputError(
+        "--distances",
+        fmt::format("{} is a trajectory, whose swimmers have moved; give the layout", scene.source));
+  }
+  if (block_swimmers.size() != 3)
+    throw InputError("--distances", "blocks by id have no axes; give --block-swimmers as NX,NY,NZ");
+  auto found = swarm_distances(swimmers, block_swimmers);
+  if (!found.empty()) return found;
+  throw InputError("--distances",
+                   "no swimmer has a neighbour along an axis; draw periodic copies too, "
+                   "as with --repeat 2,2,2");
 }
 
-}  // namespace
-
-SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFigureOptions& options) {
+SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlags& options) {
   if (files.size() != 1) {
     throw InputError(
         "FILES",
@@ -151,19 +173,53 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFigu
   const Three& repeat = options.repeat;
   require_repeatable(scene, repeat);
   const Cell cell = cell_of(scene);
-  Drawn drawn = copies_of(cell, options);
   SwarmPicture picture{.title = "Swarm " + scene.when,
                        .box = scene.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2])),
+                       .swimmers = copies_of(cell, options),
                        .keys = keys(scene.layout, options.colours),
                        .marks = marks(cell, options.marks),
                        .notes = {note_on(scene, repeat)}};
-  if (options.distances) {
-    require_laid_out(scene);
-    picture.distances = swarm_distances(drawn.swimmers, drawn.layers, options.block_swimmers);
-  }
-  picture.swimmers = std::move(drawn.swimmers);
+  if (options.distances) picture.distances = distances(scene, picture.swimmers, options.block_swimmers);
   std::ranges::copy(type_notes(scene.layout), std::back_inserter(picture.notes));
   return picture;
+}
+
+}  // namespace
+
+Drawing add_swarm_flags(CLI::App& command) {
+  const auto options = std::make_shared<SwarmFlags>();
+  add_frame(command, options->frame);
+  add_choice(
+      command, "--colours", options->colours,
+      "What the colours of swimmers go by: blocks of --block-swimmers, in a checkerboard; swimmers; or the "
+      "layout's types.");
+  command
+      .add_option_function<std::string>(
+          "--block-swimmers",
+          [options](const std::string& text) { options->block_swimmers = parse_whole_numbers(text); },
+          "Swimmers of a block along each axis, by the layers in which they stand in the layout; or "
+          "one number, the swimmers of a block in order of their ids.")
+      ->type_name("NX,NY,NZ|N")
+      ->check(number_list({1, 3}, whole_positive()))
+      ->default_str("1,3,3");
+  command
+      .add_option_function<std::string>(
+          "--repeat",
+          [options](const std::string& text) {
+            std::ranges::copy(parse_whole_numbers(text), options->repeat.begin());
+          },
+          "Periodic copies of the box to draw along each axis, as of a reduced cell.")
+      ->type_name("NX,NY,NZ")
+      ->check(number_list({3}, whole_positive()))
+      ->default_str("1,1,1");
+  add_marks(command, options->marks);
+  command.add_flag(
+      "--distances", options->distances,
+      "Draw, of a layout, the distances C from a swimmer to the next of its block, and D to that of the next "
+      "block, along each axis.");
+  return [options](const PlotFiles& files) {
+    return swarm_picture_to_svg(swarm_figure(files.inputs, *options));
+  };
 }
 
 }  // namespace beadswim

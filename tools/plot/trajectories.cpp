@@ -1,20 +1,27 @@
-#include "trajectory_figure.hpp"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
+#include "beadswim/figure/curves.hpp"
 #include "beadswim/scene/units.hpp"
-#include "plot_labels.hpp"
+#include "flags.hpp"
+#include "kinds.hpp"
 
 namespace beadswim {
 namespace {
+
+struct TrajectoryFlags {
+  std::vector<int> swimmers;  ///< their ids; none: all
+  std::vector<int> beads{2};  ///< 1, 2, 3
+  int axis = 0;               ///< of the coordinate that is drawn: x, y, z
+};
 
 constexpr std::size_t most_curves = 12;  // that the legend has room for, and eyes can tell apart
 
@@ -31,13 +38,7 @@ std::vector<TrajectoryFile> open_all(const std::vector<std::string>& paths) {
   return files;
 }
 
-/// A bead of the file, and its curve as it grows.
-struct Curve {
-  std::size_t bead = 0;  ///< index in the trajectory
-  Series series;
-};
-
-std::vector<int> wanted_swimmers(const TrajectoryFile& file, const TrajectoryFigureOptions& options) {
+std::vector<int> wanted_swimmers(const TrajectoryFile& file, const TrajectoryFlags& options) {
   return options.swimmers.empty() ? file.swimmers() : options.swimmers;
 }
 
@@ -57,36 +58,24 @@ std::string curve_label(const TrajectoryFile& file, bool several_files, int swim
   return label;
 }
 
-/// Colours tell swimmers apart and dashes their beads; beads of one swimmer alone have colours, and swimmers
-/// of one bead each have dashes too, so that no curve hides another.
-std::vector<Curve> curves_of(const std::vector<TrajectoryFile>& files, std::size_t index,
-                             const TrajectoryFigureOptions& options) {
-  const TrajectoryFile& file = files[index];
-  const std::vector<int> swimmers = wanted_swimmers(file, options);
-  std::vector<Curve> curves;
-  for (std::size_t s = 0; s < swimmers.size(); ++s) {
-    const int place = static_cast<int>(index * swimmers.size() + s);
-    const bool alone = files.size() * swimmers.size() == 1, one_bead = options.beads.size() == 1;
-    for (std::size_t b = 0; b < options.beads.size(); ++b) {
-      const int bead = options.beads[b], order = static_cast<int>(b);
-      curves.push_back({first_bead(file, swimmers[s]) + static_cast<std::size_t>(bead - 1),
-                        {.label = curve_label(file, files.size() > 1, swimmers[s], bead, !one_bead),
-                         .mark = Mark::line,
-                         .colour = alone ? order : place,
-                         .dash = alone ? 0 : (one_bead ? place : order)}});
+/// The curves of a file, by swimmer, then by bead.
+std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, const TrajectoryFlags& flags) {
+  std::vector<std::size_t> beads;  // indices in the trajectory
+  std::vector<Series> curves;
+  for (const int swimmer : wanted_swimmers(file, flags)) {
+    for (const int bead : flags.beads) {
+      beads.push_back(first_bead(file, swimmer) + static_cast<std::size_t>(bead - 1));
+      curves.push_back({curve_label(file, several_files, swimmer, bead, flags.beads.size() > 1)});
+    }
+  }
+  for (std::size_t n = 0; n < file.reader.frames(); ++n) {
+    const TrajectoryFrame frame = file.reader.frame(n);
+    for (std::size_t c = 0; c < curves.size(); ++c) {
+      curves[c].x.push_back(frame.time / file.period());
+      curves[c].y.push_back(frame.positions[beads[c]][flags.axis]);
     }
   }
   return curves;
-}
-
-void trace(const TrajectoryFile& file, int axis, std::vector<Curve>& curves) {
-  for (std::size_t n = 0; n < file.reader.frames(); ++n) {
-    const TrajectoryFrame frame = file.reader.frame(n);
-    for (Curve& curve : curves) {
-      curve.series.x.push_back(frame.time / file.period());
-      curve.series.y.push_back(frame.positions[curve.bead][axis]);
-    }
-  }
 }
 
 void require_few(std::size_t curves) {
@@ -110,16 +99,14 @@ std::string note_on(const TrajectoryFile& file) {
                      file.swimmers().size() == 1 ? "" : "s", file.period(), space_of(file), end);
 }
 
-std::string title_of(const TrajectoryFigureOptions& options) {
+std::string title_of(const TrajectoryFlags& options) {
   constexpr std::array names{"First", "Middle", "Last"};
   const std::string which =
       options.beads.size() == 1 ? fmt::format("{} beads", names[options.beads[0] - 1]) : "Beads";
   return fmt::format("{} along {}", which, "xyz"[options.axis]);
 }
 
-}  // namespace
-
-Figure trajectory_figure(const std::vector<std::string>& paths, const TrajectoryFigureOptions& options) {
+Figure trajectory_figure(const std::vector<std::string>& paths, const TrajectoryFlags& options) {
   const std::vector<TrajectoryFile> files = open_all(paths);
   std::size_t swimmers = 0;
   for (const TrajectoryFile& file : files) swimmers += wanted_swimmers(file, options).size();
@@ -127,13 +114,31 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
   Panel panel{.x_label = {"time", "cycles of the driving"},
               .y_label = {std::string(1, "xyz"[options.axis]), length_unit(files.front().layout.units)}};
   std::vector<std::string> notes;
-  for (std::size_t f = 0; f < files.size(); ++f) {
-    std::vector<Curve> curves = curves_of(files, f, options);
-    trace(files[f], options.axis, curves);
-    for (Curve& curve : curves) panel.series.push_back(std::move(curve.series));
-    notes.push_back(note_on(files[f]));
+  for (const TrajectoryFile& file : files) {
+    std::ranges::move(curves_of(file, files.size() > 1, options), std::back_inserter(panel.series));
+    notes.push_back(note_on(file));
   }
+  style_bead_curves(static_cast<int>(options.beads.size()), panel.series);
   return {.title = title_of(options), .panels = {std::move(panel)}, .notes = std::move(notes)};
+}
+
+}  // namespace
+
+Drawing add_trajectory_flags(CLI::App& command) {
+  const auto options = std::make_shared<TrajectoryFlags>();
+  add_whole_numbers(command, "--swimmers", options->swimmers, "all",
+                    "Swimmers whose trajectories are drawn, by id, separated by commas.");
+  command
+      .add_option_function<std::string>(
+          "--beads", [options](const std::string& text) { options->beads = parse_whole_numbers(text); },
+          "Beads of a swimmer whose trajectories are drawn: 1, 2 and 3 from its end to its head.")
+      ->type_name("1|2|3,...")
+      ->check(number_list({}, one_of({"1", "2", "3"})))
+      ->default_str("2");
+  add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate of trajectories, not wrapped into the box.",
+           [options](const std::string& word) { options->axis = word[0] - 'x'; });
+  return
+      [options](const PlotFiles& files) { return figure_to_svg(trajectory_figure(files.inputs, *options)); };
 }
 
 }  // namespace beadswim

@@ -1,19 +1,32 @@
-#include "speed_figure.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "abscissa.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
-#include "error_panel.hpp"
+#include "beadswim/figure/error_figure.hpp"
+#include "flags.hpp"
+#include "kinds.hpp"
+#include "plot_inputs.hpp"
+#include "verdicts.hpp"
+
+// Errors of velocity and of stroke against core-seconds a period. Runs of one setting (model; bead boundary,
+// relaxation time, precision) are joined in order of their resolution. Runs of one resolution, as at several
+// places within a cell, are one point: root mean square of their errors, median of their costs.
 
 namespace beadswim {
 namespace {
+
+struct SpeedFlags {
+  std::vector<std::string> methods;  ///< of a prediction, or of verdicts
+  std::string cycle = "last";
+  std::string reference;  ///< file of the run or prediction from which errors are measured
+};
 
 /// From which errors are measured: a swimmer by a prediction, or each swimmer by a run.
 struct ErrorReference {
@@ -74,19 +87,19 @@ ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& fir
   return reference;
 }
 
-ErrorReference read_reference(const PlotInputs& inputs, const SpeedFigureOptions& options) {
-  const PlotInputs read = read_plot_inputs({options.reference}, {options.methods});
+ErrorReference read_reference(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
+  const PlotInputs read = read_plot_inputs({flags.reference}, {flags.methods});
   if (read.runs.size() + read.predictions.size() != 1) {
-    throw InputError(options.reference,
+    throw InputError(flags.reference,
                      "holds several; a reference is one run, or one method's prediction: name one with "
                      "--method, or give a file with one");
   }
   const PlottedRun& first = inputs.runs.front();
   if (!same_units(read.units, inputs.units))
-    throw InputError(options.reference,
+    throw InputError(flags.reference,
                      fmt::format("is in other units than {}; make both from one layout", first.source));
   return read.runs.empty() ? reference_of(read.predictions.front(), first)
-                           : reference_of(read.runs.front(), first, options.cycle);
+                           : reference_of(read.runs.front(), first, cycle);
 }
 
 /// Periods of driving that a run did: fractions too, where it has a lattice that says so.
@@ -184,11 +197,12 @@ std::vector<ErrorSeries> errors_of(const BySetting& all, ComparedQuantity quanti
   return result;
 }
 
-ErrorPanel panel_of(const BySetting& all, const ErrorReference& reference, ComparedQuantity quantity,
-                    const std::string& what) {
+QuantityErrors errors_of(const BySetting& all, const ErrorReference& reference, ComparedQuantity quantity,
+                         const std::string& name) {
+  QuantityErrors errors{name, errors_of(all, quantity)};
   const auto known = reference.uncertainty.find(quantity);
-  return error_panel(errors_of(all, quantity), what, "core-seconds a period",
-                     known == reference.uncertainty.end() ? std::nullopt : std::optional(known->second));
+  if (known != reference.uncertainty.end()) errors.uncertainty = known->second;
+  return errors;
 }
 
 std::string resolutions_note(const BySetting& all) {
@@ -204,24 +218,47 @@ std::string resolutions_note(const BySetting& all) {
                       : "From left to right along a line: " + text + " cells a radius, as far as it was run";
 }
 
-}  // namespace
-
-Figure speed_figure(const PlotInputs& inputs, const SpeedFigureOptions& options) {
+Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
   if (inputs.runs.empty() || !inputs.predictions.empty()) {
     throw InputError("speed-against-error", "draws runs alone; name a prediction with --reference");
   }
-  const ErrorReference reference = read_reference(inputs, options);
-  const BySetting all = measured_by_setting(inputs, reference, options.cycle);
-  const ErrorPanel velocity = panel_of(all, reference, ComparedQuantity::velocity, "velocity"),
-                   strokes = panel_of(all, reference, ComparedQuantity::arm_amplitudes, "arm amplitudes");
-  Figure figure{.title = "Speed against error",
-                .panels = {velocity.panel, strokes.panel},
-                .notes = {fmt::format("Root mean square of relative errors, against {}", reference.name)}};
-  const std::string resolutions = resolutions_note(all);
-  if (!resolutions.empty()) figure.notes.push_back(resolutions);
-  for (const ErrorPanel* panel : {&velocity, &strokes})
-    figure.notes.insert(figure.notes.end(), panel->notes.begin(), panel->notes.end());
-  return figure;
+  const ErrorReference reference = read_reference(inputs, flags, cycle);
+  const BySetting all = measured_by_setting(inputs, reference, cycle);
+  std::vector<std::string> notes{
+      fmt::format("Root mean square of relative errors, against {}", reference.name)};
+  if (const std::string resolutions = resolutions_note(all); !resolutions.empty())
+    notes.push_back(resolutions);
+  return error_figure({errors_of(all, reference, ComparedQuantity::velocity, "velocity"),
+                       errors_of(all, reference, ComparedQuantity::arm_amplitudes, "arm amplitudes")},
+                      "core-seconds a period", std::move(notes));
+}
+
+}  // namespace
+
+Drawing add_speed_flags(CLI::App& command) {
+  const auto flags = std::make_shared<SpeedFlags>();
+  add_methods(command, flags->methods);
+  add_cycle(command, flags->cycle);
+  command
+      .add_option(
+          "--reference", flags->reference,
+          "The prediction or the run record of the same scene from which errors of runs are measured. Of a "
+          "prediction, its best usable method or --method counts. Verdicts have a reference already.")
+      ->type_name("FILE")
+      ->default_str("none");
+  return [flags](const PlotFiles& files) {
+    const CycleChoice cycle = parse_cycle_choice(flags->cycle);
+    if (!flags->reference.empty()) {
+      require_other_file(flags->reference, files.output);
+      return figure_to_svg(speed_figure(read_plot_inputs(files.inputs, {}), *flags, cycle));
+    }
+    if (flags->cycle != SpeedFlags().cycle) {
+      throw InputError("--cycle",
+                       "has no meaning for verdicts, which have theirs; leave it out, or draw runs, with "
+                       "--reference");
+    }
+    return figure_to_svg(verdict_figure(files.inputs, flags->methods));
+  };
 }
 
 }  // namespace beadswim

@@ -5,7 +5,7 @@
 
 #include "beadswim/scene/layout.hpp"
 
-// What figures say of swimmers in words.
+// Parameters of swimmers in words, as figures note them.
 
 namespace beadswim {
 
@@ -15,9 +15,6 @@ std::string body_parameters(const SwimmerType& type);
 
 /// "A = B = 2, α = 1.571 rad, T = 2000, along x": the driving forces.
 std::string driving_parameters(const Driving& driving);
-
-/// "lattice units", or "um, s, pg".
-std::string unit_names(const Units& units);
 
 /// A line on each type of the layout's swimmers, at most so many.
 std::vector<std::string> type_notes(const Layout& layout);

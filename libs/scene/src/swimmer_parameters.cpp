@@ -1,4 +1,4 @@
-#include "swimmer_parameters.hpp"
+#include "beadswim/scene/swimmer_parameters.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -50,11 +50,6 @@ std::string driving_parameters(const Driving& driving) {
   text += fmt::format(", α = {:.4g} rad, T = {:.6g}", driving.phase, driving.period);
   if (driving.phase_offset != 0) text += fmt::format(", φ = {:.4g} rad", driving.phase_offset);
   return text + ", " + direction(driving.frame);
-}
-
-std::string unit_names(const Units& units) {
-  if (units.lattice) return "lattice units";
-  return fmt::format("{}, {}, {}", units.length.name, units.time.name, units.mass.name);
 }
 
 std::vector<std::string> type_notes(const Layout& layout) {

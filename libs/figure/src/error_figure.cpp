@@ -1,4 +1,4 @@
-#include "error_panel.hpp"
+#include "beadswim/figure/error_figure.hpp"
 
 #include <fmt/core.h>
 
@@ -58,23 +58,15 @@ void append(const std::vector<ErrorPoint>& points, Series& series) {
   }
 }
 
-}  // namespace
-
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-ErrorPanel error_panel(const std::vector<ErrorSeries>& all, const std::string& quantity,
-                       const std::string& cost, std::optional<double> uncertainty) {
+/// Adds a panel, and the notes on its front.
+void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& figure) {
   Panel panel{.x_label = {cost, "s"},
-              .y_label = {"error of the " + quantity, "%"},
+              .y_label = {"error of the " + errors.quantity, "%"},
               .x_scale = ScaleKind::logarithmic,
               .y_scale = ScaleKind::logarithmic};
   std::vector<ErrorPoint> points;
-  for (const ErrorSeries& one : all) {
-    for (const ErrorPoint& point : one.points) require_place(point, quantity, cost);
+  for (const ErrorSeries& one : errors.series) {
+    for (const ErrorPoint& point : one.points) require_place(point, errors.quantity, cost);
     const int position = static_cast<int>(panel.series.size());
     Series series{.label = one.label,
                   .mark = Mark::line_and_points,
@@ -89,8 +81,19 @@ ErrorPanel error_panel(const std::vector<ErrorSeries>& all, const std::string& q
   Series line{.label = "front", .mark = Mark::line, .colour = black, .emphasis = Emphasis::faint};
   append(front, line);
   panel.series.push_back(std::move(line));
-  if (uncertainty) panel.series.push_back(level(points, *uncertainty));
-  return {std::move(panel), lines_of(fmt::format("Front of the {}:", quantity), front)};
+  if (errors.uncertainty) panel.series.push_back(level(points, *errors.uncertainty));
+  figure.panels.push_back(std::move(panel));
+  std::ranges::move(lines_of(fmt::format("Front of the {}:", errors.quantity), front),
+                    std::back_inserter(figure.notes));
+}
+
+}  // namespace
+
+Figure error_figure(const std::vector<QuantityErrors>& quantities, const std::string& cost,
+                    std::vector<std::string> notes) {
+  Figure figure{.title = "Speed against error", .panels = {}, .notes = std::move(notes)};
+  for (const QuantityErrors& errors : quantities) add_panel(errors, cost, figure);
+  return figure;
 }
 
 }  // namespace beadswim

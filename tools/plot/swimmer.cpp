@@ -1,16 +1,19 @@
-#include "swimmer_figure.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
-#include "swimmer_parameters.hpp"
+#include "beadswim/figure/swimmer_sketch.hpp"
+#include "beadswim/scene/swimmer_parameters.hpp"
+#include "beadswim/scene/units.hpp"
+#include "flags.hpp"
+#include "kinds.hpp"
 
 namespace beadswim {
 namespace {
@@ -57,8 +60,6 @@ std::string fluid_note(const Layout& layout) {
   return note + fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
 }
 
-}  // namespace
-
 SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optional<int> id) {
   if (files.size() != 1)
     throw InputError("FILES", fmt::format("{} given; a swimmer is drawn from one layout", files.size()));
@@ -86,6 +87,20 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
                   "In " + unit_names(units) + "; beads and springs to scale, at rest",
                   "Arm 1, trailing, and arm 2, leading: Lᵢ(t) = mean + dᵢ cos(ωt + δᵢ)"};
   return sketch;
+}
+
+}  // namespace
+
+Drawing add_swimmer_flags(CLI::App& command) {
+  const auto ids = std::make_shared<std::vector<int>>();
+  add_whole_numbers(command, "--swimmers", *ids, "the layout's first", "The swimmer that is drawn, by id.")
+      ->type_name("ID");
+  return [ids](const PlotFiles& files) {
+    if (ids->size() > 1)
+      throw InputError("--swimmers", fmt::format("{} given; a sketch is of one swimmer", ids->size()));
+    const auto id = ids->empty() ? std::nullopt : std::optional(ids->front());
+    return swimmer_sketch_to_svg(swimmer_figure(files.inputs, id));
+  };
 }
 
 }  // namespace beadswim

@@ -1,13 +1,12 @@
-#include "product_figure.hpp"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/figure/figure.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/io/schema.hpp"
-#include "beadswim/tools/program.hpp"
+#include "kinds.hpp"
 
 namespace beadswim {
 namespace {
@@ -33,8 +32,6 @@ Series& series_named(const std::string& label, Panel& panel) {
   return panel.series.back();
 }
 
-}  // namespace
-
 Figure product_figure(const std::vector<std::string>& files) {
   Panel panel{.x_label = {"beads"},
               .y_label = {"time of a product", "s"},
@@ -58,6 +55,12 @@ Figure product_figure(const std::vector<std::string>& files) {
   }
   figure.panels.push_back(panel);
   return figure;
+}
+
+}  // namespace
+
+Drawing add_product_flags(CLI::App&) {
+  return [](const PlotFiles& files) { return figure_to_svg(product_figure(files.inputs)); };
 }
 
 }  // namespace beadswim

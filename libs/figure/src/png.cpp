@@ -1,4 +1,4 @@
-#include "write_figure.hpp"
+#include "beadswim/figure/png.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -12,7 +12,6 @@
 #include <memory>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/io/json.hpp"
 
 extern char** environ;
 
@@ -66,8 +65,9 @@ int run_filter(const std::string& what_for, char* const* command, std::FILE* inp
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-/// PNG at twice the size, so that it prints well.
-std::string png_of(const std::string& svg, const std::string& path) {
+}  // namespace
+
+std::string svg_to_png(const std::string& svg, const std::string& path) {
   const TemporaryFile input = temporary_file(svg), output = temporary_file("");
   std::string program = "rsvg-convert", zoom = "--zoom=2", format = "--format=png";
   const std::array<char*, 4> command{program.data(), zoom.data(), format.data(), nullptr};
@@ -75,20 +75,6 @@ std::string png_of(const std::string& svg, const std::string& path) {
     throw SolverError(fmt::format("{}: rsvg-convert failed with status {}", path, status));
   }
   return content_of(output.get());
-}
-
-}  // namespace
-
-void require_figure_path(const std::string& path) {
-  if (path == "-" || path.ends_with(".svg") || path.ends_with(".png")) return;
-  throw InputError("--output",
-                   fmt::format("\"{}\" is neither .svg nor .png; name a file that ends so, or - for SVG on "
-                               "standard output",
-                               path));
-}
-
-void write_figure(const std::string& path, const std::string& svg) {
-  write_text(path, path.ends_with(".png") ? png_of(svg, path) : svg);
 }
 
 }  // namespace beadswim

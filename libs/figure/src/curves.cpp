@@ -1,0 +1,127 @@
+#include "beadswim/figure/curves.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace beadswim {
+namespace {
+
+constexpr std::size_t most_marked_points = 12;
+
+enum class Part { usable, not_usable, not_usable_with_neighbours };
+
+bool belongs(const std::vector<CurvePoint>& points, std::size_t i, Part part) {
+  if (part == Part::usable) return points[i].usable;
+  const bool beside_unusable =
+      (i > 0 && !points[i - 1].usable) || (i + 1 < points.size() && !points[i + 1].usable);
+  return !points[i].usable || (part == Part::not_usable_with_neighbours && beside_unusable);
+}
+
+/// The points of one part of the curve; others are gaps.
+Series part_of(const std::vector<CurvePoint>& points, Part part, Series style) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    style.x.push_back(points[i].x);
+    style.y.push_back(belongs(points, i, part) ? points[i].y : std::numeric_limits<double>::quiet_NaN());
+  }
+  return style;
+}
+
+Series faint(Series style, Mark mark) {
+  style.label.clear();
+  style.mark = mark;
+  style.emphasis = Emphasis::faint;
+  return style;
+}
+
+/// The curve through the points, styled as `style`: usable stretches plain, the others faint. Few points are
+/// marked one by one.
+std::vector<Series> curve_series(const std::vector<CurvePoint>& points, Series style) {
+  const bool marked = points.size() <= most_marked_points;
+  style.mark = marked ? Mark::line_and_points : Mark::line;
+  const auto is_usable = [](const CurvePoint& point) { return point.usable; };
+  const auto usable = std::count_if(points.begin(), points.end(), is_usable);
+  if (usable == static_cast<std::ptrdiff_t>(points.size())) return {part_of(points, Part::usable, style)};
+  if (usable == 0) {
+    style.emphasis = Emphasis::faint;
+    return {part_of(points, Part::not_usable, style)};
+  }
+  std::vector<Series> series{part_of(points, Part::not_usable_with_neighbours, faint(style, Mark::line)),
+                             part_of(points, Part::usable, style)};
+  if (marked) series.push_back(part_of(points, Part::not_usable, faint(style, Mark::points)));
+  return series;
+}
+
+/// Whether the plain values are positive and span over two decades.
+bool spans_decades(const std::vector<Series>& all) {
+  constexpr double two_decades = 100;
+  double low = std::numeric_limits<double>::infinity(), high = 0;
+  for (const Series& series : all) {
+    if (series.emphasis == Emphasis::faint) continue;
+    for (const double value : series.y) {
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+  }
+  return low > 0 && high > two_decades * low;
+}
+
+}  // namespace
+
+void append_points_and_curves(const std::vector<PointGroup>& groups, const std::vector<Curve>& curves,
+                              std::optional<int> colour, Panel& panel) {
+  const int num_groups = static_cast<int>(groups.size());
+  for (int g = 0; g < num_groups; ++g) {
+    const PointGroup& group = groups[static_cast<std::size_t>(g)];
+    panel.series.push_back(
+        {.label = group.label, .x = group.x, .y = group.y, .colour = colour.value_or(g), .shape = g});
+  }
+  constexpr int first_open_shape = 4;  // so that points of runs, filled, stand out
+  for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
+    const Curve& curve = curves[static_cast<std::size_t>(c)];
+    std::ranges::move(curve_series(curve.points, {.label = curve.label,
+                                                  .colour = colour.value_or(num_groups + c),
+                                                  .shape = first_open_shape + c % 4,
+                                                  .dash = c}),
+                      std::back_inserter(panel.series));
+  }
+}
+
+void append_levels(const std::vector<Level>& levels, double from, double to, int colour, Panel& panel) {
+  for (int l = 0; l < static_cast<int>(levels.size()); ++l) {
+    const Level& level = levels[static_cast<std::size_t>(l)];
+    panel.series.push_back({.label = level.label,
+                            .x = {from, to},
+                            .y = {level.y, level.y},
+                            .mark = Mark::line,
+                            .colour = colour,
+                            .dash = l});
+  }
+}
+
+void set_axes(Axes axes, Axes over_decades, Panel& panel) {
+  if (axes == Axes::automatic) axes = spans_decades(panel.series) ? over_decades : Axes::linear;
+  panel.x_scale = axes == Axes::log_log ? ScaleKind::logarithmic : ScaleKind::linear;
+  panel.y_scale = axes == Axes::linear ? ScaleKind::linear : ScaleKind::logarithmic;
+}
+
+bool leaves_out_values(const Panel& panel) {
+  const auto lacks_some = [](const Series& series) {
+    return std::ranges::any_of(series.y, [](double value) { return value <= 0; });
+  };
+  return panel.y_scale == ScaleKind::logarithmic && std::ranges::any_of(panel.series, lacks_some);
+}
+
+void style_bead_curves(int num_beads, std::vector<Series>& curves) {
+  const bool one_swimmer = static_cast<int>(curves.size()) == num_beads;
+  for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
+    const int swimmer = c / num_beads, bead = c % num_beads;
+    Series& curve = curves[static_cast<std::size_t>(c)];
+    curve.mark = Mark::line;
+    curve.colour = one_swimmer ? bead : swimmer;
+    curve.dash = one_swimmer ? 0 : (num_beads == 1 ? swimmer : bead);
+  }
+}
+
+}  // namespace beadswim

@@ -1,0 +1,94 @@
+#include "beadswim/figure/curves.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace beadswim {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsNan;
+
+Curve curve_of(const std::vector<double>& y, std::vector<std::size_t> unusable = {}) {
+  Curve curve{"theory"};
+  for (const double value : y) curve.points.push_back({static_cast<double>(curve.points.size()), value});
+  for (const std::size_t i : unusable) curve.points[i].usable = false;
+  return curve;
+}
+
+TEST(Curves, HaveOneColourOrEachItsOwn) {
+  Panel own, one;
+  append_points_and_curves({{"a", {1}, {2}}, {"b", {1}, {3}}}, {curve_of({1, 2})}, std::nullopt, own);
+  append_points_and_curves({{"a", {1}, {2}}, {"b", {1}, {3}}}, {curve_of({1, 2})}, 5, one);
+  ASSERT_EQ(own.series.size(), 3U);
+  for (int s = 0; s < 3; ++s) {
+    EXPECT_EQ(own.series[static_cast<std::size_t>(s)].colour, s);
+    EXPECT_EQ(one.series[static_cast<std::size_t>(s)].colour, 5);
+  }
+  EXPECT_NE(one.series[0].shape, one.series[1].shape);  // which alone tells groups of one colour apart
+}
+
+TEST(Curves, AreMarkedPointByPointWhereThereAreFew) {
+  Panel panel;
+  append_points_and_curves({}, {curve_of({1, 2}), curve_of(std::vector<double>(13, 1))}, std::nullopt, panel);
+  EXPECT_EQ(panel.series[0].mark, Mark::line_and_points);
+  EXPECT_EQ(panel.series[1].mark, Mark::line);
+}
+
+// The faint line must reach the usable neighbours, or the curve would have gaps.
+TEST(Curves, UnusablePointsAreFaintAndJoinTheUsable) {
+  Panel panel;
+  append_points_and_curves({}, {curve_of({1, 2, 3, 4}, {2})}, std::nullopt, panel);
+  ASSERT_EQ(panel.series.size(), 3U);
+  EXPECT_EQ(panel.series[0].emphasis, Emphasis::faint);
+  EXPECT_THAT(panel.series[0].y, ElementsAre(IsNan(), 2, 3, 4));
+  EXPECT_EQ(panel.series[1].emphasis, Emphasis::plain);
+  EXPECT_THAT(panel.series[1].y, ElementsAre(1, 2, IsNan(), 4));
+  EXPECT_THAT(panel.series[2].y, ElementsAre(IsNan(), IsNan(), 3, IsNan()));
+}
+
+TEST(Curves, LevelsReachFromEndToEndAndDifferInDashes) {
+  Panel panel;
+  append_levels({{"a", 3}, {"b", 4}}, 0.6, 2.4, 1, panel);
+  EXPECT_THAT(panel.series[1].x, ElementsAre(0.6, 2.4));
+  EXPECT_THAT(panel.series[1].y, ElementsAre(4, 4));
+  EXPECT_NE(panel.series[0].dash, panel.series[1].dash);
+}
+
+TEST(Axes, AreLogarithmicOverTwoDecadesOfPlainPositiveValues) {
+  const auto scale_of = [](std::vector<double> y, Axes axes) {
+    Panel panel{.x_label = {"x"}, .y_label = {"y"}, .series = {{.label = "s", .y = std::move(y)}}};
+    set_axes(axes, Axes::log_y, panel);
+    return panel.y_scale;
+  };
+  EXPECT_EQ(scale_of({1, 101}, Axes::automatic), ScaleKind::logarithmic);
+  EXPECT_EQ(scale_of({1, 99}, Axes::automatic), ScaleKind::linear);
+  EXPECT_EQ(scale_of({-1, 101}, Axes::automatic), ScaleKind::linear);
+  EXPECT_EQ(scale_of({1, 101}, Axes::linear), ScaleKind::linear);
+  EXPECT_EQ(scale_of({-1, 1}, Axes::log_y), ScaleKind::logarithmic);
+}
+
+TEST(Axes, SayWhetherValuesAreLeftOut) {
+  Panel panel{.x_label = {"x"}, .y_label = {"y"}, .series = {{.label = "s", .y = {-1, 1}}}};
+  EXPECT_FALSE(leaves_out_values(panel));
+  set_axes(Axes::log_log, Axes::log_y, panel);
+  EXPECT_EQ(panel.x_scale, ScaleKind::logarithmic);
+  EXPECT_TRUE(leaves_out_values(panel));
+}
+
+// No two curves may have both the same colour and the same dash.
+TEST(BeadCurves, AreToldApart) {
+  for (const int num_beads : {1, 2, 3}) {
+    for (const int num_swimmers : {1, 2, 4}) {
+      std::vector<Series> curves(static_cast<std::size_t>(num_beads * num_swimmers));
+      style_bead_curves(num_beads, curves);
+      for (std::size_t a = 0; a < curves.size(); ++a) {
+        for (std::size_t b = 0; b < a; ++b)
+          EXPECT_FALSE(curves[a].colour == curves[b].colour && curves[a].dash == curves[b].dash);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,49 @@
+#include "beadswim/figure/error_figure.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+QuantityErrors errors() {
+  return {.quantity = "velocity",
+          .series = {{"fine", {{"dear", "a.json", 100, 0.01}, {"worse", "b.json", 200, 0.02}}},
+                     {"coarse", {{"cheap", "c.json", 10, 0.05}}}}};
+}
+
+TEST(ErrorFigure, FrontIsWhatNoOtherBeatsInErrorAndCost) {
+  const Figure figure = error_figure({errors()}, "core-seconds", {"first"});
+  const Series& front = figure.panels.at(0).series.back();
+  EXPECT_EQ(front.label, "front");
+  EXPECT_THAT(front.x, ElementsAre(10, 100));
+  EXPECT_THAT(front.y, ElementsAre(5, 1));  // percent
+  EXPECT_THAT(figure.notes, ElementsAre("first", "Front of the velocity: cheap; dear"));
+}
+
+TEST(ErrorFigure, UncertaintyOfTheReferenceIsALevelInPercent) {
+  QuantityErrors uncertain = errors();
+  uncertain.uncertainty = 0.03;
+  const Series level = error_figure({uncertain}, "core-seconds", {}).panels.at(0).series.back();
+  EXPECT_THAT(level.x, ElementsAre(10, 200));
+  EXPECT_THAT(level.y, ElementsAre(3, 3));
+}
+
+TEST(ErrorFigure, RefusesWhatNoLogarithmicAxisHolds) {
+  QuantityErrors exact = errors();
+  exact.series[1].points[0].error = 0;
+  try {
+    error_figure({exact}, "core-seconds", {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("c.json: has an error of 0 in its velocity"));
+  }
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,156 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "abscissa.hpp"
+#include "beadswim/core/error.hpp"
+#include "beadswim/figure/curves.hpp"
+#include "beadswim/scene/units.hpp"
+#include "flags.hpp"
+#include "kinds.hpp"
+#include "plot_labels.hpp"
+
+// Velocity along the axis, against the fluid: runs as points, predictions as curves in order of the abscissa;
+// or the difference of all from one method's predictions, at the same abscissa, in percent.
+
+namespace beadswim {
+namespace {
+
+struct VelocityFlags {
+  MethodChoice methods;
+  std::string cycle = "last";
+  Axes axes = Axes::automatic;
+};
+
+/// The reference's prediction at that abscissa. Throws InputError naming `source`, whose velocity is to be
+/// compared, if there is none or if there are several that differ.
+const Prediction& reference_at(const PlotInputs& inputs, Abscissa abscissa, double x,
+                               const std::string& source) {
+  constexpr double tolerance = 1e-9;  // relative: both come from one layout, and are copied, not computed
+  const PlottedPrediction* found = nullptr;
+  for (const PlottedPrediction& reference : inputs.references) {
+    if (std::abs(abscissa_of(reference, abscissa) - x) > tolerance * std::abs(x)) continue;
+    if (found != nullptr && found->prediction.velocity != reference.prediction.velocity) {
+      throw InputError(
+          reference.source,
+          fmt::format("predicts another velocity than {}, both by {} at {} {:g}; give one of them",
+                      found->source, reference.prediction.method, key_of(abscissa), x));
+    }
+    found = &reference;
+  }
+  if (found != nullptr) return found->prediction;
+  throw InputError(source, fmt::format("no prediction by {} at {} {:g} to compare with; add one",
+                                       inputs.references.front().prediction.method, key_of(abscissa), x));
+}
+
+/// 100 (v / v_reference - 1), in percent.
+double relative_difference(double velocity, const Prediction& reference) {
+  return 100 * (velocity / reference.velocity - 1);
+}
+
+bool is_relative(const PlotInputs& inputs) {
+  return !inputs.references.empty();
+}
+
+std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<RunGroup>& groups,
+                                   Abscissa abscissa, const CycleChoice& cycle) {
+  if (is_relative(inputs) && abscissa != Abscissa::period && !inputs.runs.empty()) {
+    throw InputError(inputs.runs.front().source,
+                     "is a run, and runs are compared at equal period; leave it out, or --relative-to");
+  }
+  std::vector<PointGroup> all;
+  for (const RunGroup& group : groups) {
+    PointGroup points{group.label};
+    for (const PlottedRun* run : group.runs) {
+      for (const SwimmerRecord& swimmer : run->record.swimmers) {
+        const double x = abscissa_of(*run, swimmer, abscissa, cycle);
+        const double velocity =
+            swimming_of(run->record, swimmer, cycle, run->source).at(ComparedQuantity::velocity).front();
+        points.x.push_back(x);
+        points.y.push_back(is_relative(inputs)
+                               ? relative_difference(velocity, reference_at(inputs, abscissa, x, run->source))
+                               : velocity);
+      }
+    }
+    all.push_back(std::move(points));
+  }
+  return all;
+}
+
+CurvePoint curve_point(const PlotInputs& inputs, Abscissa abscissa, const PlacedPrediction& placed) {
+  const auto& [x, plotted] = placed;
+  const Prediction& prediction = plotted.prediction;
+  if (!is_relative(inputs)) return {x, prediction.velocity, prediction.usable};
+  const Prediction& reference = reference_at(inputs, abscissa, x, plotted.source);
+  return {x, relative_difference(prediction.velocity, reference), prediction.usable && reference.usable};
+}
+
+std::vector<Curve> prediction_curves(const PlotInputs& inputs, Abscissa abscissa) {
+  std::vector<Curve> curves;
+  for (const auto& [method, predictions] : predictions_by_method(inputs, abscissa)) {
+    curves.push_back({method});
+    for (const PlacedPrediction& placed : predictions)
+      curves.back().points.push_back(curve_point(inputs, abscissa, placed));
+  }
+  return curves;
+}
+
+std::string title_of(const PlotInputs& inputs, Abscissa abscissa) {
+  const std::string against = abscissa == Abscissa::period ? "driving period" : "separation of the beads";
+  if (!is_relative(inputs)) return "Swimming velocity against " + against;
+  return fmt::format("Swimming velocity relative to {}, against {}",
+                     inputs.references.front().prediction.method, against);
+}
+
+AxisLabel velocity_label(const PlotInputs& inputs) {
+  if (!is_relative(inputs)) return {"velocity", velocity_unit(inputs.units)};
+  return {"difference in velocity", "%"};
+}
+
+Figure velocity_figure(const PlotInputs& inputs, Abscissa abscissa, const VelocityFlags& flags) {
+  const std::vector<RunGroup> groups = runs_by_setting(inputs);
+  Panel panel{.x_label = axis_label(abscissa, inputs.units), .y_label = velocity_label(inputs)};
+  append_points_and_curves(run_points(inputs, groups, abscissa, parse_cycle_choice(flags.cycle)),
+                           prediction_curves(inputs, abscissa), std::nullopt, panel);
+  set_axes(flags.axes, abscissa == Abscissa::separation_ratio ? Axes::log_log : Axes::log_y, panel);
+  std::vector<std::string> notes = prediction_notes(inputs, abscissa);
+  if (leaves_out_values(panel))
+    notes.push_back("Lines break where the velocity is not positive: the axis is logarithmic");
+  std::ranges::move(group_notes(groups), std::back_inserter(notes));
+  return {.title = title_of(inputs, abscissa), .panels = {std::move(panel)}, .notes = notes};
+}
+
+Drawing add_velocity_flags(CLI::App& command, Abscissa abscissa) {
+  const auto flags = std::make_shared<VelocityFlags>();
+  add_methods(command, flags->methods.methods);
+  add_cycle(command, flags->cycle);
+  command
+      .add_option("--relative-to", flags->methods.relative_to,
+                  "Draw the difference of all velocities from this method's prediction at the same period or "
+                  "separation, in percent.")
+      ->type_name("METHOD")
+      ->default_str("none");
+  add_choice(
+      command, "--axes", flags->axes,
+      std::string("Axes of the figure. auto is logarithmic where the velocities are positive and span over "
+                  "two decades (") +
+          (abscissa == Abscissa::separation_ratio ? "log-log" : "log-y") + "), else linear.");
+  return [flags, abscissa](const PlotFiles& files) {
+    parse_cycle_choice(flags->cycle);
+    return figure_to_svg(velocity_figure(read_plot_inputs(files.inputs, flags->methods), abscissa, *flags));
+  };
+}
+
+}  // namespace
+
+Drawing add_period_flags(CLI::App& command) {
+  return add_velocity_flags(command, Abscissa::period);
+}
+
+Drawing add_separation_flags(CLI::App& command) {
+  return add_velocity_flags(command, Abscissa::separation_ratio);
+}
+
+}  // namespace beadswim
