@@ -29,7 +29,7 @@ BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<R
 constexpr long lines_ahead = 6;
 
 template <class Real>
-BEADSWIM_KERNEL void sweep(const SweepRow<Real>& row) {
+void sweep_row(const SweepRow<Real>& row) {
   SweepRow<Real> r;  // a copy, which the stores below cannot change
   for (int i = 0; i < d3q19::directions; ++i) r.from[i] = row.from[i] + row.first;
   for (int i = 0; i < d3q19::directions; ++i) r.to[i] = row.to[i] + row.first;
@@ -43,13 +43,8 @@ BEADSWIM_KERNEL void sweep(const SweepRow<Real>& row) {
   }
   sweep_cells(r, rates, whole_lines, cells);
 }
-
-void sweep_row(const SweepRow<double>& row) {
-  sweep(row);
-}
-void sweep_row(const SweepRow<float>& row) {
-  sweep(row);
-}
+template void sweep_row(const SweepRow<double>&);
+template void sweep_row(const SweepRow<float>&);
 
 /// Eight cells side by side.
 constexpr long lanes = 8;
@@ -83,7 +78,7 @@ struct LaneTotals {
 };
 
 template <class Real>
-BEADSWIM_KERNEL RowTotals totals(const TotalsRow<Real>& row) {
+RowTotals totals_row(const TotalsRow<Real>& row) {
   LaneTotals sums;
   Lanes f[d3q19::directions];
   const long whole = row.cells / lanes * lanes;
@@ -109,12 +104,7 @@ BEADSWIM_KERNEL RowTotals totals(const TotalsRow<Real>& row) {
   }
   return totals;
 }
-
-RowTotals totals_row(const TotalsRow<double>& row) {
-  return totals(row);
-}
-RowTotals totals_row(const TotalsRow<float>& row) {
-  return totals(row);
-}
+template RowTotals totals_row(const TotalsRow<double>&);
+template RowTotals totals_row(const TotalsRow<float>&);
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -31,10 +31,10 @@ struct RowTotals {
 
 #define BEADSWIM_DECLARE_ROW_KERNELS(instruction_set) \
   namespace instruction_set {                         \
-  void sweep_row(const SweepRow<double>& row);        \
-  void sweep_row(const SweepRow<float>& row);         \
-  RowTotals totals_row(const TotalsRow<double>& row); \
-  RowTotals totals_row(const TotalsRow<float>& row);  \
+  template <class Real>                               \
+  void sweep_row(const SweepRow<Real>& row);          \
+  template <class Real>                               \
+  RowTotals totals_row(const TotalsRow<Real>& row);   \
   }
 
 BEADSWIM_DECLARE_ROW_KERNELS(baseline)

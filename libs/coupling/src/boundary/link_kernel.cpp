@@ -10,7 +10,7 @@
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
 template <BeadScheme scheme, class Real>
-BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
+bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
   const LinkBead b = bead;
   const int places = (batch.links + LinkSums::lanes - 1) / LinkSums::lanes * LinkSums::lanes;
 #pragma GCC ivdep
@@ -53,24 +53,11 @@ BEADSWIM_KERNEL bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& s
   }
   return order_free::add_terms(batch.terms, places, sums);
 }
-
-bool staircase_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<BeadScheme::staircase, double>(batch, bead, sums);
-}
-bool staircase_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<BeadScheme::staircase, float>(batch, bead, sums);
-}
-bool cli_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<BeadScheme::cli, double>(batch, bead, sums);
-}
-bool cli_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<BeadScheme::cli, float>(batch, bead, sums);
-}
-bool mr_fp64(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<BeadScheme::mr, double>(batch, bead, sums);
-}
-bool mr_fp32(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
-  return reflect<BeadScheme::mr, float>(batch, bead, sums);
-}
+template bool reflect<BeadScheme::staircase, double>(LinkBatch&, const LinkBead&, LinkSums&);
+template bool reflect<BeadScheme::staircase, float>(LinkBatch&, const LinkBead&, LinkSums&);
+template bool reflect<BeadScheme::cli, double>(LinkBatch&, const LinkBead&, LinkSums&);
+template bool reflect<BeadScheme::cli, float>(LinkBatch&, const LinkBead&, LinkSums&);
+template bool reflect<BeadScheme::mr, double>(LinkBatch&, const LinkBead&, LinkSums&);
+template bool reflect<BeadScheme::mr, float>(LinkBatch&, const LinkBead&, LinkSums&);
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -38,34 +38,19 @@ struct LinkBead {
 /// and nothing is added, if a term is too large, or not a number.
 struct LinkKernels {
   using Reflect = bool(LinkBatch&, const LinkBead&, LinkSums&);
-  Reflect *staircase_fp64, *staircase_fp32, *cli_fp64, *cli_fp32, *mr_fp64, *mr_fp32;
+  Reflect* of[3][2];  ///< [scheme with links][is single precision]
 
   /// Real: the type of the populations.
   template <class Real>
   bool reflect(BeadScheme scheme, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
-    constexpr bool is_single = sizeof(Real) == sizeof(float);
-    switch (scheme) {
-      case BeadScheme::staircase:
-        return (is_single ? staircase_fp32 : staircase_fp64)(batch, bead, sums);
-      case BeadScheme::cli:
-        return (is_single ? cli_fp32 : cli_fp64)(batch, bead, sums);
-      case BeadScheme::mr:
-        return (is_single ? mr_fp32 : mr_fp64)(batch, bead, sums);
-      case BeadScheme::psm:
-        break;
-    }
-    return false;
+    return of[static_cast<int>(scheme)][sizeof(Real) == sizeof(float)](batch, bead, sums);
   }
 };
 
-#define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)         \
-  namespace instruction_set {                                  \
-  bool staircase_fp64(LinkBatch&, const LinkBead&, LinkSums&); \
-  bool staircase_fp32(LinkBatch&, const LinkBead&, LinkSums&); \
-  bool cli_fp64(LinkBatch&, const LinkBead&, LinkSums&);       \
-  bool cli_fp32(LinkBatch&, const LinkBead&, LinkSums&);       \
-  bool mr_fp64(LinkBatch&, const LinkBead&, LinkSums&);        \
-  bool mr_fp32(LinkBatch&, const LinkBead&, LinkSums&);        \
+#define BEADSWIM_DECLARE_LINK_KERNELS(instruction_set)  \
+  namespace instruction_set {                           \
+  template <BeadScheme scheme, class Real>              \
+  bool reflect(LinkBatch&, const LinkBead&, LinkSums&); \
   }
 
 BEADSWIM_DECLARE_LINK_KERNELS(baseline)
@@ -74,10 +59,12 @@ BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v3)
 BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v4)
 #endif
 
-/// Those of one instruction set.
-#define BEADSWIM_LINK_KERNELS(instruction_set)                                                              \
-  (LinkKernels{instruction_set::staircase_fp64, instruction_set::staircase_fp32, instruction_set::cli_fp64, \
-               instruction_set::cli_fp32, instruction_set::mr_fp64, instruction_set::mr_fp32})
+/// Those of one instruction set, in the order of BeadScheme.
+#define BEADSWIM_LINK_KERNELS_OF(set, scheme) \
+  { set::reflect<BeadScheme::scheme, double>, set::reflect<BeadScheme::scheme, float> }
+#define BEADSWIM_LINK_KERNELS(set)                                                            \
+  (LinkKernels{{BEADSWIM_LINK_KERNELS_OF(set, staircase), BEADSWIM_LINK_KERNELS_OF(set, cli), \
+                BEADSWIM_LINK_KERNELS_OF(set, mr)}})
 
 /// The best that this processor can run.
 const LinkKernels& link_kernels();

@@ -91,16 +91,11 @@ BEADSWIM_KERNEL void push_lanes(SaturatedBatch<Real>& batch, const SaturatedBead
 }
 
 template <class Real>
-BEADSWIM_KERNEL bool push(SaturatedBatch<Real>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
+bool push_cells(SaturatedBatch<Real>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
   for (int first = 0; first < batch.cells; first += lanes) push_lanes(batch, bead, first);
   return order_free::add_terms(batch.terms, batch.cells, sums);
 }
-
-bool push_cells(SaturatedBatch<double>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
-  return push(batch, bead, sums);
-}
-bool push_cells(SaturatedBatch<float>& batch, const SaturatedBead& bead, SaturatedSums& sums) {
-  return push(batch, bead, sums);
-}
+template bool push_cells(SaturatedBatch<double>&, const SaturatedBead&, SaturatedSums&);
+template bool push_cells(SaturatedBatch<float>&, const SaturatedBead&, SaturatedSums&);
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

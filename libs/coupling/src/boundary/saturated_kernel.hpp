@@ -40,10 +40,10 @@ struct SaturatedKernels {
   }
 };
 
-#define BEADSWIM_DECLARE_SATURATED_KERNELS(instruction_set)                       \
-  namespace instruction_set {                                                     \
-  bool push_cells(SaturatedBatch<double>&, const SaturatedBead&, SaturatedSums&); \
-  bool push_cells(SaturatedBatch<float>&, const SaturatedBead&, SaturatedSums&);  \
+#define BEADSWIM_DECLARE_SATURATED_KERNELS(instruction_set)                     \
+  namespace instruction_set {                                                   \
+  template <class Real>                                                         \
+  bool push_cells(SaturatedBatch<Real>&, const SaturatedBead&, SaturatedSums&); \
   }
 
 BEADSWIM_DECLARE_SATURATED_KERNELS(baseline)

@@ -197,46 +197,26 @@ BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads,
   }
 }
 
+/// Calls work<P>() for a window of P points along an axis, P = 4, 6, .. most_points.
+template <int P = 4, class Work>
+BEADSWIM_KERNEL void with_window(int window, const Work& work) {
+  if (window == P) {
+    work.template operator()<P>();
+  } else if constexpr (P < WindowMesh::most_points) {
+    with_window<P + 2>(window, work);
+  }
+}
+
 void spread_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* numbers,
                     double* const* onto) {
-#define BEADSWIM_SPREAD(P) \
-  case P:                  \
-    return spread_of<P>(mesh, beads, numbers, onto)
-  switch (mesh.window) {
-    BEADSWIM_SPREAD(4);
-    BEADSWIM_SPREAD(6);
-    BEADSWIM_SPREAD(8);
-    BEADSWIM_SPREAD(10);
-    BEADSWIM_SPREAD(12);
-    BEADSWIM_SPREAD(14);
-    BEADSWIM_SPREAD(16);
-    BEADSWIM_SPREAD(18);
-    BEADSWIM_SPREAD(20);
-    BEADSWIM_SPREAD(22);
-    BEADSWIM_SPREAD(24);
-    BEADSWIM_SPREAD(26);
-  }
+  with_window(
+      mesh.window, [&]<int P>() __attribute__((always_inline)) { spread_of<P>(mesh, beads, numbers, onto); });
 }
 
 void gather_windows(const WindowMesh& mesh, const WindowBeads& beads, const double* const* from,
                     double* numbers) {
-#define BEADSWIM_GATHER(P) \
-  case P:                  \
-    return gather_of<P>(mesh, beads, from, numbers)
-  switch (mesh.window) {
-    BEADSWIM_GATHER(4);
-    BEADSWIM_GATHER(6);
-    BEADSWIM_GATHER(8);
-    BEADSWIM_GATHER(10);
-    BEADSWIM_GATHER(12);
-    BEADSWIM_GATHER(14);
-    BEADSWIM_GATHER(16);
-    BEADSWIM_GATHER(18);
-    BEADSWIM_GATHER(20);
-    BEADSWIM_GATHER(22);
-    BEADSWIM_GATHER(24);
-    BEADSWIM_GATHER(26);
-  }
+  with_window(
+      mesh.window, [&]<int P>() __attribute__((always_inline)) { gather_of<P>(mesh, beads, from, numbers); });
 }
 
 }  // namespace beadswim::BEADSWIM_INSTRUCTION_SET
