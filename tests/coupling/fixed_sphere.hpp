@@ -82,7 +82,7 @@ class FixedSphere {
   /// Each cell's velocity is the mean of its momenta before and after the step, as the sphere pushes it.
   Vec3 sum_over_parts_of_cells() {
     const Populations& populations = fluid.populations;
-    std::vector<double> fluid_part(populations.cell_indices(), 1);
+    std::vector<double> fluid_part(populations.cell(populations.size()), 1);
     for_each_cell(populations, [&](const Index3& p, std::ptrdiff_t cell) {
       for (const SaturatedRun& run : cells.runs(p[1], p[2])) {
         if (run.contains(p[0])) fluid_part[cell] -= cells.fraction(run, p[0]);

@@ -24,11 +24,11 @@ Populations::Populations(const Index3& size, Precision precision, HaloContent ha
       size[0] + 2 + behind;  // rows that begin at cache lines would cost more in padding than they gain
   pitch_z_ = pitch_y_ * (size[1] + 2 + behind);
   first_ = behind * pitch_z_ + pitch_y_ + 2;  // also what enters may lie a cell and a row outside
-  cell_indices_ = pitch_z_ * (size[2] + 2) + 2 * first_;
+  const std::ptrdiff_t cells = pitch_z_ * (size[2] + 2) + 2 * first_;  // those outside the halo too
   // The 19 streams of a sweep advance together; arrays a multiple of a page (4 KiB) apart would compete for
   // the same cache sets, so that each is placed some lines further on within a page.
   constexpr std::ptrdiff_t lines_a_page = 4096 / line, stagger = 5;
-  const std::ptrdiff_t pitch_i = whole_multiple(cell_indices_, lines_a_page * per_line) + stagger * per_line;
+  const std::ptrdiff_t pitch_i = whole_multiple(cells, lines_a_page * per_line) + stagger * per_line;
   for (int i = 0; i < d3q19::directions; ++i) {
     const auto& c = d3q19::velocity[i];
     shift_[i] = c[0] + pitch_y_ * c[1] + pitch_z_ * c[2];

@@ -107,9 +107,6 @@ class Populations {
   /// What the last sweep put into the halo cells at the two ends of each row and still holds.
   RowEnds row_ends_filled() const { return row_ends_filled_; }
 
-  /// Cells have indices below this.
-  std::ptrdiff_t cell_indices() const { return cell_indices_; }
-
   /// Bytes of memory that the populations take.
   std::size_t bytes() const { return bytes_; }
 
@@ -137,7 +134,7 @@ class Populations {
 
   Precision precision_;
   Index3 size_;
-  std::ptrdiff_t first_, pitch_y_, pitch_z_, cell_indices_;
+  std::ptrdiff_t first_, pitch_y_, pitch_z_;
   std::array<std::ptrdiff_t, d3q19::directions> shift_;
   std::array<std::array<std::ptrdiff_t, d3q19::directions>, 2> place_;  ///< [parity][i]: outgoing i of cell 0
   int parity_ = 1;                                                      ///< 0: local, 1: streamed

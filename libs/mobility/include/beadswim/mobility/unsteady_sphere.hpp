@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 #include "beadswim/mobility/line_kernel.hpp"
 
@@ -13,22 +12,22 @@
 //
 // With fluid thought to fill the sphere, it pushes that with the force density
 //
-//   6 pi eta a q [ (1 + kappa) delta(r - a)/(4 pi a^2) + (kappa^2/3)/(4 pi a^3/3) inside ]
+//   6 pi eta a (U - Ubar) [ (1 + kappa) delta(r - a)/(4 pi a^2) + (kappa^2/3)/(4 pi a^3/3) inside ]
 //
 // and follows the same mean of the flow of others (Faxen):
 //
 //   f = 6 pi eta a D (U - Ubar),   Ubar = [ (1 + kappa) <u>_surface + (kappa^2/3) <u>_volume ]/D
 //   f = F - i omega (m - m_f) U
+//   F = Z U of a lone sphere,      Z = 6 pi eta a (1 + kappa + kappa^2/9) + i omega m
 //
-//   a         radius [length];  U velocity of the sphere, Ubar mean of the flow of others [length/time]
+//   a         radius [length];  U velocity of the sphere, Ubar mean of the flow u of others [length/time]
 //   omega     angular frequency [1/time];  rho density [mass/length^3], eta dynamic viscosity [mass/(length time)]
-//   f         force induced in the fluid, F force from outside [mass length/time^2];  m mass, m_f of the fluid displaced [mass]
+//   f, F      force induced in the fluid, force from outside [mass length/time^2];  m, m_f mass, that of the fluid displaced
 //
-// hence for a lone sphere F = Z U. Means over a sphere multiply helmholtz flow by sinh(kappa)/kappa (surface)
-// or 3 (kappa cosh kappa - sinh kappa)/kappa^3 (volume), and harmonic flow by 1. So, per unit induced force
-// f, the flow of a sphere is that of a point with helmholtz times e^kappa/D, and between two spheres Ubar_i =
-// (helmholtz e^{kappa_i + kappa_j}/(D_i D_j) + harmonic) f_j. Exact for the first flow of each sphere;
-// reflections are left out. Spheres apart; |kappa| < 300, or the exponentials overflow.
+// Means over a sphere multiply helmholtz flow by sinh(kappa)/kappa (surface) or 3 (kappa cosh kappa - sinh kappa)/kappa^3
+// (volume), and harmonic flow by 1. So, per unit induced force f, the flow of a sphere is that of a point with helmholtz
+// times e^kappa/D, and between two spheres Ubar_i = (helmholtz e^{kappa_i + kappa_j}/(D_i D_j) + harmonic) f_j. Exact for
+// the first flow of each sphere; reflections are left out. Spheres apart; |kappa| < 300, or the exponentials overflow.
 // clang-format on
 //
 // References: Mazur and Bedeaux, Physica 76, 235 (1974); Kim and Karrila, Microhydrodynamics (1991),
@@ -75,12 +74,6 @@ inline LineKernel<std::complex<double>> combined(const UnsteadyFlow& flow, const
   return {whole.value + factor.excess * helmholtz.value,
           whole.by_receiver + factor.excess * helmholtz.by_receiver,
           whole.by_source + factor.excess * helmholtz.by_source};
-}
-
-/// The fluid's part of Z: force on a lone sphere over its velocity, 6 pi eta a (1 + kappa + kappa^2/9)
-/// [mass/time]; Stokes, Basset and added-mass terms. Z = this + i omega m.
-inline std::complex<double> fluid_impedance(double radius, double viscosity, std::complex<double> kappa) {
-  return 6 * std::numbers::pi * viscosity * radius * (1.0 + kappa + kappa * kappa / 9.0);
 }
 
 }  // namespace beadswim
