@@ -69,15 +69,19 @@ struct Turns {
 
 /// (1 + M C) w = w*, C = step ((c_aa, c_ab), (c_ab, c_bb)); impulses -C w.
 Turns film_turns(const TurningPair& w, const Sliding& film, double step) {
+  // clang-format off
   const double c11 = step * film.aa, c12 = step * film.ab, c22 = step * film.bb;
-  const double m11 = w.first_mobility + w.line_mobility, m12 = w.line_mobility,
-               m22 = w.second_mobility + w.line_mobility;
-  const double a11 = 1 + m11 * c11 + m12 * c12, a12 = m11 * c12 + m12 * c22, a21 = m12 * c11 + m22 * c12,
-               a22 = 1 + m12 * c12 + m22 * c22;
+  const double m11 = w.first_mobility  + w.line_mobility;
+  const double m12 = w.line_mobility;
+  const double m22 = w.second_mobility + w.line_mobility;
+  const double a11 = 1 + m11 * c11 + m12 * c12,   a12 =     m11 * c12 + m12 * c22;
+  const double a21 =     m12 * c11 + m22 * c12,   a22 = 1 + m12 * c12 + m22 * c22;
   const double determinant = a11 * a22 - a12 * a21;
-  const Vec3 first = (a22 * w.first - a12 * w.second) / determinant,
-             second = (a11 * w.second - a21 * w.first) / determinant;
-  return {-c11 * first - c12 * second, -c12 * first - c22 * second};
+  const Vec3 first  = (a22 * w.first  - a12 * w.second) / determinant;
+  const Vec3 second = (a11 * w.second - a21 * w.first)  / determinant;
+  return {-c11 * first - c12 * second,
+          -c12 * first - c22 * second};
+  // clang-format on
 }
 
 /// What stops the surfaces at the point of contact, as far as `most` does: surfaces there slide with n x (r_a
