@@ -5,9 +5,9 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
-#include "beadswim/scene/units.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 #include "beadswim/io/schema.hpp"
+#include "beadswim/scene/units.hpp"
 
 namespace beadswim {
 namespace {

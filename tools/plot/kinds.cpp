@@ -6,9 +6,8 @@ namespace beadswim {
 namespace {
 
 constexpr const char* records_and_predictions =
-    "Run records (drawn as points) and predictions (as lines): one document a file, or one a line. One may "
-    "be - "
-    "for standard input.";
+    "Run records (drawn as points) and predictions (as lines): one document a file, or one a line. "
+    "One may be - for standard input.";
 
 constexpr std::array kinds{
     PlotKind{"stroke", "Arm amplitudes and phase shift, against the cycle or the driving.",
@@ -16,10 +15,9 @@ constexpr std::array kinds{
     PlotKind{"velocity-against-period",
              "Velocity along the swimmer's axis, against the mean flow along periodic axes.",
              records_and_predictions, add_period_flags},
-    PlotKind{
-        "separation",
-        "Velocity along the swimmer's axis against l/λ, the beads' separation over their radius.",
-        records_and_predictions, add_separation_flags},
+    PlotKind{"separation",
+             "Velocity along the swimmer's axis against l/λ, the beads' separation over their radius.",
+             records_and_predictions, add_separation_flags},
     PlotKind{
         "speed-against-error",
         "Errors of velocity and stroke against core-seconds, with the front that none beats.",

@@ -1,4 +1,5 @@
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,8 @@
 #include <set>
 
 #include "abscissa.hpp"
+#include "beadswim/compare/errors_by_setting.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/median.hpp"
 #include "beadswim/figure/error_figure.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
@@ -33,10 +34,6 @@ struct ErrorReference {
   std::string name;
   std::vector<Swimming> swimmers;                  ///< one for all, or one for each of a run's
   std::map<ComparedQuantity, double> uncertainty;  ///< relative, where it is known
-
-  const Swimming& of(std::size_t swimmer) const {
-    return swimmers.size() == 1 ? swimmers.front() : swimmers[swimmer];
-  }
 };
 
 /// Whether two runs are of one scene, as far as their records say: then only resolutions set them apart.
@@ -140,82 +137,54 @@ void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
                                other.source));
 }
 
-/// Runs of one setting at one resolution.
-struct Measured {
-  const PlottedRun* first = nullptr;
-  std::vector<double> costs;
-  std::map<ComparedQuantity, std::vector<double>> errors;  ///< relative
-};
-
-void add(const PlottedRun& run, const ErrorReference& reference, const CycleChoice& cycle,
-         Measured& measured) {
-  const std::vector<SwimmerRecord>& swimmers = run.record.swimmers;
-  measured.costs.push_back(cost_of(run));
-  for (std::size_t s = 0; s < swimmers.size(); ++s) {
-    const Swimming swimming = swimming_of(run.record, swimmers[s], cycle, run.source);
-    for (const auto& [quantity, values] : reference.of(s)) {
-      for (std::size_t i = 0; i < values.size(); ++i)
-        measured.errors[quantity].push_back(relative_error(swimming.at(quantity)[i], values[i]));
-    }
-  }
-}
-
-/// By setting, in order of its first run; then by cells a radius, 0 where there is no lattice.
-using BySetting = std::vector<std::pair<std::string, std::map<double, Measured>>>;
-
-BySetting measured_by_setting(const PlotInputs& inputs, const ErrorReference& reference,
-                              const CycleChoice& cycle) {
-  BySetting all;
+std::vector<CostedRun> costed_runs(const PlotInputs& inputs, const CycleChoice& cycle) {
+  std::vector<CostedRun> runs;
   for (const PlottedRun& run : inputs.runs) {
-    const std::string name = setting_name(run.record);
-    auto setting = std::ranges::find(all, name, &BySetting::value_type::first);
-    if (setting == all.end()) setting = all.insert(all.end(), {name, {}});
-    const double cells = run.record.resolution ? run.record.resolution->cells_per_radius : 0;
-    Measured& measured = setting->second[cells];
-    if (measured.first == nullptr) measured.first = &run;
+    CostedRun costed{.source = run.source, .setting = setting_name(run.record), .swimmers = {}};
+    if (run.record.resolution) costed.resolution = run.record.resolution->cells_per_radius;
+    const auto alike = std::ranges::find_if(runs, [&](const CostedRun& other) {
+      return other.setting == costed.setting && other.resolution == costed.resolution;
+    });
     require_one_scene(run, inputs.runs.front());
-    require_same_corrections(run, *measured.first);
-    add(run, reference, cycle, measured);
+    if (alike != runs.end())
+      require_same_corrections(run, inputs.runs[static_cast<std::size_t>(alike - runs.begin())]);
+    costed.cost = cost_of(run);
+    for (const SwimmerRecord& swimmer : run.record.swimmers)
+      costed.swimmers.push_back(swimming_of(run.record, swimmer, cycle, run.source));
+    runs.push_back(std::move(costed));
   }
-  return all;
+  return runs;
 }
 
-/// The runs' errors of a quantity.
-std::vector<ErrorSeries> errors_of(const BySetting& all, ComparedQuantity quantity) {
-  std::vector<ErrorSeries> result;
-  for (const auto& [name, by_cells] : all) {
-    ErrorSeries series{name, {}};
-    for (const auto& [cells, measured] : by_cells) {
-      if (!measured.errors.contains(quantity)) continue;
-      series.points.push_back({.name = cells > 0 ? fmt::format("{}, {:g} cells", name, cells) : name,
-                               .source = measured.first->source,
-                               .cost = median(measured.costs),
-                               .error = root_mean_square(measured.errors.at(quantity))});
+QuantityErrors errors_of(const std::vector<ErrorsOfSetting>& all, const ErrorReference& reference,
+                         ComparedQuantity quantity, const std::string& name) {
+  QuantityErrors errors{name, {}};
+  for (const auto& [setting, resolutions] : all) {
+    errors.series.push_back({setting, {}});
+    for (const auto& [cells, source, cost, known] : resolutions) {
+      if (!known.contains(quantity)) continue;
+      errors.series.back().points.push_back(
+          {.name = cells > 0 ? fmt::format("{}, {:g} cells", setting, cells) : setting,
+           .source = source,
+           .cost = cost,
+           .error = known.at(quantity)});
     }
-    result.push_back(std::move(series));
   }
-  return result;
-}
-
-QuantityErrors errors_of(const BySetting& all, const ErrorReference& reference, ComparedQuantity quantity,
-                         const std::string& name) {
-  QuantityErrors errors{name, errors_of(all, quantity)};
   const auto known = reference.uncertainty.find(quantity);
   if (known != reference.uncertainty.end()) errors.uncertainty = known->second;
   return errors;
 }
 
-std::string resolutions_note(const BySetting& all) {
+std::string resolutions_note(const std::vector<ErrorsOfSetting>& all) {
   std::set<double> known;
-  for (const auto& [name, points] : all) {
-    for (const auto& [cells, measured] : points) known.insert(cells);
+  for (const ErrorsOfSetting& each : all) {
+    for (const ErrorsAtResolution& errors : each.resolutions) known.insert(errors.resolution);
   }
-  std::string text;
-  for (const double cells : known) {
-    if (cells > 0) text += fmt::format("{}{:g}", text.empty() ? "" : ", ", cells);
-  }
-  return text.empty() ? text
-                      : "From left to right along a line: " + text + " cells a radius, as far as it was run";
+  known.erase(0);
+  return known.empty()
+             ? ""
+             : fmt::format("From left to right along a line: {:g} cells a radius, as far as it was run",
+                           fmt::join(known, ", "));
 }
 
 Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
@@ -223,7 +192,7 @@ Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const Cyc
     throw InputError("speed-against-error", "draws runs alone; name a prediction with --reference");
   }
   const ErrorReference reference = read_reference(inputs, flags, cycle);
-  const BySetting all = measured_by_setting(inputs, reference, cycle);
+  const auto all = errors_by_setting(costed_runs(inputs, cycle), reference.swimmers);
   std::vector<std::string> notes{
       fmt::format("Root mean square of relative errors, against {}", reference.name)};
   if (const std::string resolutions = resolutions_note(all); !resolutions.empty())

@@ -1,0 +1,46 @@
+#include "beadswim/compare/errors_by_setting.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace beadswim {
+namespace {
+
+Swimming velocity_of(double value) {
+  return {{ComparedQuantity::velocity, {value}}, {ComparedQuantity::sin_phase_shift, {0}}};
+}
+
+CostedRun run_of(const std::string& setting, double resolution, double cost, double velocity) {
+  return {setting + ".json", setting, resolution, cost, {velocity_of(velocity)}};
+}
+
+TEST(ErrorsBySetting, AreOfAllRunsOfOneResolution) {
+  const std::vector runs{run_of("mr", 4, 100, 1.01), run_of("cli", 3, 7, 1.5), run_of("mr", 2, 10, 1.03),
+                         run_of("mr", 2, 30, 0.96), run_of("mr", 2, 20, 1)};
+  const std::vector<Swimming> reference{{{ComparedQuantity::velocity, {1}}}};
+  const auto all = errors_by_setting(runs, reference);
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].setting, "mr");
+  ASSERT_EQ(all[0].resolutions.size(), 2U);
+  EXPECT_EQ(all[0].resolutions[0].resolution, 2);
+  EXPECT_EQ(all[0].resolutions[0].cost, 20);
+  EXPECT_NEAR(all[0].resolutions[0].errors.at(ComparedQuantity::velocity), std::sqrt((9. + 16) / 3) / 100,
+              1e-15);
+  EXPECT_EQ(all[0].resolutions[0].errors.size(), 1U);  // what the reference knows
+}
+
+TEST(ErrorsBySetting, EachSwimmerHasItsOwnReference) {
+  CostedRun run = run_of("mr", 4, 1, 2);
+  run.swimmers.push_back(velocity_of(6));
+  const std::vector<Swimming> one{velocity_of(2)}, each{velocity_of(2), velocity_of(6)};
+  const auto error = [&](const std::vector<Swimming>& reference) {
+    return errors_by_setting(std::span(&run, 1), reference)[0].resolutions[0].errors.at(
+        ComparedQuantity::velocity);
+  };
+  EXPECT_EQ(error(each), 0);
+  EXPECT_DOUBLE_EQ(error(one), std::sqrt(2));
+}
+
+}  // namespace
+}  // namespace beadswim
