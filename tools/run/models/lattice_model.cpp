@@ -135,9 +135,7 @@ std::vector<std::string> LatticeModel::warnings() const {
 }
 
 void LatticeModel::write_past(OutgoingMessage& past) const {
-  const SystemMoment moment = system_.moment();
-  past(moment.largest_bead_speed, moment.smallest_gap);
-  past(first_totals_.momentum, first_totals_.mean_flow, first_totals_.mass_excess);
+  past(system_.moment(), first_totals_);
 }
 
 void LatticeModel::write_state(CheckpointWriter& checkpoint) {
@@ -146,8 +144,7 @@ void LatticeModel::write_state(CheckpointWriter& checkpoint) {
 
 void LatticeModel::restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) {
   SystemMoment moment{.steps_done = steps_done};
-  past(moment.largest_bead_speed, moment.smallest_gap);
-  past(first_totals_.momentum, first_totals_.mean_flow, first_totals_.mass_excess);
+  past(moment, first_totals_);
   read_lattice_state(checkpoint, system_, moment, communicator_);
   first_step_ = steps_done;
 }

@@ -159,33 +159,23 @@ std::vector<std::string> OverdampedModel::warnings() const {
 }
 
 void OverdampedModel::write_past(OutgoingMessage& past) const {
-  const OverdampedState& state = system_.state();
-  past(state.products, state.largest_speed, state.smallest_gap);
+  past(system_.state());
 }
-
-namespace {
-
-template <class Message, class State>
-void transfer_beads(Message& message, State& state) {
-  for (auto& list : state.positions) message(list);
-  for (auto& list : state.velocities) message(list);
-  for (auto& list : state.distant) message(list);
-}
-
-}  // namespace
 
 void OverdampedModel::write_state(CheckpointWriter& checkpoint) {
   OutgoingMessage message;
-  if (plan_.communicator.is_root()) transfer_beads(message, system_.state());
+  if (plan_.communicator.is_root())
+    OverdampedState::visit_bead_fields([&](const char*, const auto& lists) { message(lists); },
+                                       system_.state());
   checkpoint.add(beads_section, message.bytes());
 }
 
 void OverdampedModel::restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) {
   OverdampedState state;
   state.steps_done = steps_done;
-  past(state.products, state.largest_speed, state.smallest_gap);
+  past(state);
   IncomingMessage message(checkpoint.bytes(beads_section, 0, checkpoint.size(beads_section)));
-  transfer_beads(message, state);
+  OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
   if (!message.is_at_end())
     throw SolverError(
         "the checkpoint's beads are of another version of the program; go on with that one, or begin without "

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "swimmer_message.hpp"
+#include "beadswim/core/message.hpp"
 
 namespace beadswim {
 namespace {
@@ -111,8 +111,8 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
     IncomingMessage message(std::move(bytes));
     int arrivals = 0;
     message(arrivals);
-    while (arrivals-- > 0) transfer_swimmer(message, owned.emplace_back());
-    while (!message.is_at_end()) transfer_bead(message, beads.emplace_back());
+    while (arrivals-- > 0) message(owned.emplace_back());
+    while (!message.is_at_end()) message(beads.emplace_back());
   }
   std::ranges::sort(owned, {}, &SwimmerState::id);
   std::ranges::sort(beads, {}, &BeadOnLattice::name);
@@ -135,12 +135,12 @@ std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& ow
                                .firmness = swimmer.firmness[b],
                                .mass_source = swimmer.mass_source[b],
                                .impulse = {}};
-      if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) transfer_bead(beads, bead);
+      if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) beads(bead);
     }
   }
   OutgoingMessage message;
   message(static_cast<int>(departing.size()));
-  for (const SwimmerState* swimmer : departing) transfer_swimmer(message, *swimmer);
+  for (const SwimmerState* swimmer : departing) message(*swimmer);
   message.append(beads);
   return message.bytes();
 }

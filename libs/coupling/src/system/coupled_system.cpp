@@ -8,7 +8,7 @@
 #include <set>
 
 #include "beadswim/core/error.hpp"
-#include "swimmer_message.hpp"
+#include "beadswim/core/message.hpp"
 
 namespace beadswim {
 namespace {
@@ -97,10 +97,10 @@ double CoupledSystem::largest_bead_speed() const {
 
 std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
   OutgoingMessage message;
-  for (const SwimmerState& swimmer : owned_) transfer_swimmer(message, swimmer);
+  for (const SwimmerState& swimmer : owned_) message(swimmer);
   std::vector<SwimmerState> swimmers;
   IncomingMessage gathered(gather_bytes(message.bytes(), communicator_));
-  while (!gathered.is_at_end()) transfer_swimmer(gathered, swimmers.emplace_back());
+  while (!gathered.is_at_end()) gathered(swimmers.emplace_back());
   std::ranges::sort(swimmers, {}, &SwimmerState::id);
   return swimmers;
 }
@@ -108,13 +108,13 @@ std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
 std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
   std::map<BeadName, Impulse> impulses = exchange_.collect(beads_);
   add_under_way(impulses);
-  OutgoingMessage message;
+  std::vector<SwimmerSnapshot> own;
   for (const SwimmerState& swimmer : owned_) {
-    SwimmerSnapshot snapshot{.state = swimmer, .under_way = {}};
+    SwimmerSnapshot& snapshot = own.emplace_back();
+    snapshot.state = swimmer;
     for (int b = 0; b < 3; ++b) snapshot.under_way[b] = impulses[{swimmer.id, b}];
-    transfer_snapshot(message, snapshot);
   }
-  auto snapshots = snapshots_from_bytes(gather_bytes(message.bytes(), communicator_));
+  auto snapshots = snapshots_from_bytes(gather_bytes(bytes_of(own), communicator_));
   std::ranges::sort(snapshots, {}, [](const SwimmerSnapshot& s) { return s.state.id; });
   return snapshots;
 }

@@ -8,15 +8,6 @@
 #include "beadswim/core/message.hpp"
 
 namespace beadswim {
-namespace {
-
-/// Fault: const to write.
-template <class Message, class AnyFault>
-void transfer_fault(Message& message, AnyFault& fault) {
-  message(fault.kind, fault.step, fault.bead, fault.other, fault.position, fault.value);
-}
-
-}  // namespace
 
 bool comes_before(const Fault& a, const Fault& b) {
   const auto rank = [](const Fault& f) { return std::tuple(f.step, f.kind, f.bead, f.other, -f.value); };
@@ -32,13 +23,13 @@ std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communic
   Fault fault = own.value_or(Fault{});
   if (!own) fault.step = never;
   OutgoingMessage message;
-  transfer_fault(message, fault);
+  message(fault);
   const int bytes = static_cast<int>(message.bytes().size());
   std::vector<char> all(static_cast<std::size_t>(bytes) * communicator.size());
   MPI_Allgather(message.bytes().data(), bytes, MPI_BYTE, all.data(), bytes, MPI_BYTE, communicator.get());
   std::vector<Fault> faults;
   IncomingMessage gathered(std::move(all));
-  while (!gathered.is_at_end()) transfer_fault(gathered, faults.emplace_back());
+  while (!gathered.is_at_end()) gathered(faults.emplace_back());
   return *std::ranges::min_element(faults, comes_before);
 }
 

@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include "beadswim/core/message.hpp"
 #include "beadswim/core/sha256.hpp"
 
 namespace beadswim {
@@ -70,19 +71,13 @@ std::string state_sha256(const CoupledSystem& system, const Communicator& commun
                      [&](int i, std::ptrdiff_t cell) { return populations.outgoing(i, cell); });
     hash.update(std::as_bytes(std::span(plane)));
   }
+  OutgoingMessage beads;
   for (const SwimmerState& swimmer : system.gather_swimmers()) {
-    for (int b = 0; b < 3; ++b) {
-      const std::array held{swimmer.held_mass[b], swimmer.mass_source[b], swimmer.firmness[b]};
-      hash.update(std::as_bytes(std::span(held)));
-      const BeadMotion& motion = swimmer.motion[b];
-      const Load &impulse = swimmer.last_impulse[b], &inner = swimmer.inner_momentum[b];
-      const BeadVelocity& predicted = swimmer.predicted[b];
-      for (const Vec3& v : {motion.position, motion.velocity, motion.angular_velocity, impulse.force,
-                            impulse.torque, inner.force, inner.torque, predicted.linear, predicted.angular}) {
-        hash.update(std::as_bytes(std::span(v.data(), 3)));
-      }
-    }
+    for (int b = 0; b < 3; ++b)
+      SwimmerState::visit_bead_fields([&](const char*, const auto& of_beads) { beads(of_beads[b]); },
+                                      swimmer);
   }
+  hash.update(std::as_bytes(std::span(beads.bytes())));
   return communicator.is_root() ? hash.hexadecimal() : std::string{};
 }
 

@@ -1,19 +1,19 @@
 #include "beadswim/coupling/swimmer_snapshot.hpp"
 
-#include "swimmer_message.hpp"
+#include "beadswim/core/message.hpp"
 
 namespace beadswim {
 
 std::vector<char> bytes_of(const std::vector<SwimmerSnapshot>& snapshots) {
   OutgoingMessage message;
-  for (const SwimmerSnapshot& snapshot : snapshots) transfer_snapshot(message, snapshot);
+  for (const SwimmerSnapshot& snapshot : snapshots) message(snapshot);
   return message.bytes();
 }
 
 std::vector<SwimmerSnapshot> snapshots_from_bytes(std::vector<char> bytes) {
   std::vector<SwimmerSnapshot> snapshots;
   IncomingMessage message(std::move(bytes));
-  while (!message.is_at_end()) transfer_snapshot(message, snapshots.emplace_back());
+  while (!message.is_at_end()) message(snapshots.emplace_back());
   return snapshots;
 }
 

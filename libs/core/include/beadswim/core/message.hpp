@@ -1,16 +1,60 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <type_traits>
 #include <vector>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Messages of plain values, between ranks of one machine and in its files. Both kinds are called with a list
-// of values, so that one function (such as coupling's transfer_swimmer) serves both directions.
+// Messages of plain values and of records (core/fields.hpp), between ranks of one machine and in its files.
+// Both kinds are called with a list of values, so that one function serves both directions.
 
 namespace beadswim {
+
+/// Calls transfer(field) for the fields of a record, in the order that they have in messages and checkpoints:
+/// first plain values, then nested records, then arrays of records element by element, last fields that vary
+/// in size; each in the order of the record's list.
+template <HasFields Record>
+void for_each_in_message(Record& record, auto&& transfer) {
+  std::size_t longest = 0;
+  visit_fields(
+      [&]<class Field>(const char*, Field& field, auto...) {
+        using Value = std::remove_const_t<Field>;
+        if constexpr (is_record_array<Value>) {
+          longest = std::max(longest, field.size());
+        } else if constexpr (!HasFields<Value> && !varies_in_size<Value>) {
+          transfer(field);
+        }
+      },
+      record);
+  visit_fields(
+      [&]<class Field>(const char*, Field& field, auto...) {
+        if constexpr (HasFields<Field>) transfer(field);
+      },
+      record);
+  for (std::size_t i = 0; i < longest; ++i) {
+    visit_fields(
+        [&]<class Field>(const char*, Field& field, auto...) {
+          if constexpr (is_record_array<std::remove_const_t<Field>>)
+            if (i < field.size()) transfer(field[i]);
+        },
+        record);
+  }
+  visit_fields(
+      [&]<class Field>(const char*, Field& field, auto...) {
+        if constexpr (varies_in_size<std::remove_const_t<Field>>) transfer(field);
+      },
+      record);
+}
+
+/// A type whose values are copied byte by byte.
+template <class T>
+concept PlainValue =
+    std::is_trivially_copyable_v<T> && !HasFields<T> && !is_record_array<T> && !varies_in_size<T>;
 
 class OutgoingMessage {
  public:
@@ -26,20 +70,32 @@ class OutgoingMessage {
   const std::vector<char>& bytes() const { return bytes_; }
 
  private:
-  template <class T>
-  requires std::is_trivially_copyable_v<T>
+  template <PlainValue T>
   void put(const T& value) {
     const std::size_t end = bytes_.size();
     bytes_.resize(end + sizeof(T));
     std::memcpy(bytes_.data() + end, &value, sizeof(T));
   }
+  template <HasFields Record>
+  void put(const Record& record) {
+    for_each_in_message(record, [this](const auto& field) { put(field); });
+  }
   void put(const Vec3& v) {
     for (int a = 0; a < 3; ++a) put(v[a]);
+  }
+  template <class T, std::size_t size>
+  requires(!PlainValue<std::array<T, size>>) void put(const std::array<T, size>& values) {
+    for (const T& value : values) put(value);
   }
   template <class T>
   void put(const std::vector<T>& list) {
     put(list.size());
     for (const T& value : list) put(value);
+  }
+  template <class T>
+  void put(const std::optional<T>& value) {
+    put(static_cast<std::uint8_t>(value ? 1 : 0));
+    if (value) put(*value);
   }
 
   std::vector<char> bytes_;
@@ -58,15 +114,22 @@ class IncomingMessage {
   std::size_t bytes_left() const { return bytes_.size() - read_; }
 
  private:
-  template <class T>
-  requires std::is_trivially_copyable_v<T>
+  template <PlainValue T>
   void get(T& value) {
     if (bytes_left() < sizeof(T)) throw SolverError("a message ends too early");
     std::memcpy(&value, bytes_.data() + read_, sizeof(T));
     read_ += sizeof(T);
   }
+  template <HasFields Record>
+  void get(Record& record) {
+    for_each_in_message(record, [this](auto& field) { get(field); });
+  }
   void get(Vec3& v) {
     for (int a = 0; a < 3; ++a) get(v[a]);
+  }
+  template <class T, std::size_t size>
+  requires(!PlainValue<std::array<T, size>>) void get(std::array<T, size>& values) {
+    for (T& value : values) get(value);
   }
   template <class T>
   void get(std::vector<T>& list) {
@@ -75,6 +138,13 @@ class IncomingMessage {
     if (size > bytes_left()) throw SolverError("a message ends too early");
     list.resize(size);
     for (T& value : list) get(value);
+  }
+  template <class T>
+  void get(std::optional<T>& value) {
+    std::uint8_t has_value = 0;  // not bool: a damaged file may hold any byte
+    get(has_value);
+    if (has_value > 1) throw SolverError("a message is damaged");
+    if (has_value == 1) get(value.emplace());
   }
 
   std::vector<char> bytes_;

@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "beadswim/core/order_free_sum.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 
 namespace beadswim {
 
@@ -26,6 +26,18 @@ struct Impulse {
   std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< from beads that are close
   OrderFreeSum firmness;                                    ///< PairImpulse::firmness of these pairs
 
+  static void visit_fields(auto&& visit, auto&... impulses) {
+    visit("linear", impulses.linear...);
+    visit("angular", impulses.angular...);
+    visit("mass", impulses.mass...);
+    visit("link_weight", impulses.link_weight...);
+    visit("inner_linear", impulses.inner_linear...);
+    visit("inner_angular", impulses.inner_angular...);
+    visit("close_linear", impulses.close_linear...);
+    visit("close_angular", impulses.close_angular...);
+    visit("firmness", impulses.firmness...);
+  }
+
   /// Adds the momentum p handed over at `from_centre`.
   void add(const Vec3& p, const Vec3& from_centre) {
     const Vec3 l = from_centre.cross(p);
@@ -35,23 +47,17 @@ struct Impulse {
     }
   }
   void add(const Impulse& other) {
-    for (int a = 0; a < 3; ++a) {
-      linear[a].add(other.linear[a]);
-      angular[a].add(other.angular[a]);
-      inner_linear[a].add(other.inner_linear[a]);
-      inner_angular[a].add(other.inner_angular[a]);
-      close_linear[a].add(other.close_linear[a]);
-      close_angular[a].add(other.close_angular[a]);
-    }
-    firmness.add(other.firmness);
-    mass.add(other.mass);
-    link_weight.add(other.link_weight);
+    visit_fields([](const char*, auto& sum, const auto& term) { add_to(sum, term); }, *this, other);
   }
   Load value() const { return {value_of(linear), value_of(angular)}; }
   Load inner_value() const { return {value_of(inner_linear), value_of(inner_angular)}; }
   Load close_value() const { return {value_of(close_linear), value_of(close_angular)}; }
 
  private:
+  static void add_to(OrderFreeSum& sum, const OrderFreeSum& term) { sum.add(term); }
+  static void add_to(std::array<OrderFreeSum, 3>& sums, const std::array<OrderFreeSum, 3>& terms) {
+    for (int a = 0; a < 3; ++a) sums[a].add(terms[a]);
+  }
   static Vec3 value_of(const std::array<OrderFreeSum, 3>& sums) {
     return {sums[0].value(), sums[1].value(), sums[2].value()};
   }
@@ -60,6 +66,11 @@ struct Impulse {
 /// Of a rigid bead.
 struct BeadVelocity {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
+
+  static void visit_fields(auto&& visit, auto& velocity) {
+    visit("linear", velocity.linear);
+    visit("angular", velocity.angular);
+  }
 };
 
 /// A bead as the ranks see whose cells it touches.
@@ -73,6 +84,18 @@ struct BeadOnLattice {
   double firmness = 0;       ///< of its close pairs in the last step
   double mass_source = 0;    ///< fluid mass that each link returns in this step, over its weight w_i
   Impulse impulse;           ///< from this rank's cells, since the last time the owner collected
+
+  /// Visits what the owner tells other ranks, which is all but the impulse.
+  static void visit_fields(auto&& visit, auto& bead) {
+    visit("name", bead.name);
+    visit("owner", bead.owner);
+    visit("radius", bead.radius);
+    visit("mass_source", bead.mass_source);
+    visit("body", bead.body);
+    visit("firmness", bead.firmness);
+    visit("predicted", bead.predicted);
+    visit("motion", bead.motion);
+  }
 
   /// Velocity of the rigid bead at a point relative to its centre.
   Vec3 velocity_at(const Vec3& from_centre) const {

@@ -14,6 +14,12 @@ struct SceneTotals {
   /// Mass of the fluid, and of what beads hold of it, beyond density 1, relative to the mass of a box of
   /// fluid.
   double mass_excess = 0;
+
+  static void visit_fields(auto&& visit, auto& totals) {
+    visit("momentum", totals.momentum);
+    visit("mean_flow", totals.mean_flow);
+    visit("mass_excess", totals.mass_excess);
+  }
 };
 
 /// Whether mass, or momentum in a periodic box, has changed by more than roundoff explains, or is no number;

@@ -30,6 +30,12 @@ struct SystemMoment {
   long steps_done = 0;
   double largest_bead_speed = 0;  ///< so far
   double smallest_gap = 0;        ///< so far
+
+  /// Visits the extremes so far.
+  static void visit_fields(auto&& visit, auto& moment) {
+    visit("largest_bead_speed", moment.largest_bead_speed);
+    visit("smallest_gap", moment.smallest_gap);
+  }
 };
 
 /// Fluid and swimmers on one lattice, advanced together. Lattice units throughout; all ranks of the

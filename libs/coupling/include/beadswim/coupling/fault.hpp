@@ -28,6 +28,15 @@ struct Fault {
   Vec3 position = Vec3::Zero();  ///< of the bead
   double value = 0;              ///< as the kind says
 
+  static void visit_fields(auto&& visit, auto& fault) {
+    visit("kind", fault.kind);
+    visit("step", fault.step);
+    visit("bead", fault.bead);
+    visit("other", fault.other);
+    visit("position", fault.position);
+    visit("value", fault.value);
+  }
+
   bool names_bead() const { return bead.swimmer >= 0; }
 };
 

@@ -12,6 +12,11 @@ namespace beadswim {
 struct SwimmerSnapshot {
   SwimmerState state;
   std::array<Impulse, 3> under_way;  ///< handed over to its beads by all ranks, not collected yet
+
+  static void visit_fields(auto&& visit, auto& snapshot) {
+    visit("state", snapshot.state);
+    visit("under_way", snapshot.under_way);
+  }
 };
 
 /// As many bytes for each swimmer, the same on machines of one kind.

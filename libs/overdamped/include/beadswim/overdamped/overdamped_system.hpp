@@ -57,6 +57,19 @@ struct OverdampedState {
   std::array<Beads, 3> positions;   ///< of all beads, now and one and two steps ago
   std::array<Beads, 2> velocities;  ///< now and a step ago
   std::array<Beads, 3> distant;     ///< velocities by all but the own swimmer, as positions
+
+  /// Visits what is told of the past.
+  static void visit_fields(auto&& visit, auto& state) {
+    visit("products", state.products);
+    visit("largest_speed", state.largest_speed);
+    visit("smallest_gap", state.smallest_gap);
+  }
+  /// Visits what the future depends on.
+  static void visit_bead_fields(auto&& visit, auto& state) {
+    visit("positions", state.positions);
+    visit("velocities", state.velocities);
+    visit("distant", state.distant);
+  }
 };
 
 class ImplicitStep;

@@ -2,9 +2,9 @@
 
 #include <array>
 
+#include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
-#include "beadswim/core/vec3.hpp"
 
 // Newton's equations of the three beads of one swimmer, in any coherent unit system.
 
@@ -15,12 +15,23 @@ struct BeadMotion {
   Vec3 position = Vec3::Zero();  ///< unwrapped
   Vec3 velocity = Vec3::Zero();
   Vec3 angular_velocity = Vec3::Zero();
+
+  static void visit_fields(auto&& visit, auto& bead) {
+    visit("position", bead.position);
+    visit("velocity", bead.velocity);
+    visit("angular_velocity", bead.angular_velocity);
+  }
 };
 
 /// Force and torque about the centre.
 struct Load {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
+
+  static void visit_fields(auto&& visit, auto& load) {
+    visit("force", load.force);
+    visit("torque", load.torque);
+  }
 };
 
 using SwimmerMotion = std::array<BeadMotion, 3>;
