@@ -19,8 +19,7 @@ RunRecord full_record() {
   record.status = RunStatus::stopped_signal;
   record.units = {false, {"um", 1e-6}, {"ms", 1e-3}, {"pg", 1e-15}};
   record.domain = Box{{120, 80, 70}, {Boundary::periodic, Boundary::free_slip, Boundary::no_slip}};
-  record.driving_period = 4800.5;
-  record.driving = DrivingRecord{{0.2, 0.4}, -1.5};
+  record.driving = {.period = 4800.5, .amplitude = {{0.2, 0.4}}, .phase = -1.5};
   CycleStatistics cycle;
   cycle.index = 3;
   cycle.velocity = Vec3(1e-5, 2e-5, 3e-5);
@@ -89,7 +88,7 @@ TEST(RunRecord, SurvivesTheWayThroughText) {
 TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
   RunRecord record = full_record();
   record.units = {};
-  record.driving.reset();
+  record.driving = {.period = 4800.5, .amplitude = {}, .phase = {}};
   record.domain.reset();
   record.momentum.reset();
   record.mass_relative_change.reset();

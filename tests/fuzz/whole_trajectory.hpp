@@ -5,6 +5,7 @@
 #include <set>
 
 #include "accepted.hpp"
+#include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
 #include "hdf5_handles.hpp"
 
@@ -32,8 +33,9 @@ inline void require_whole_or_refused(const std::string& path) {
               "a period, and an id for each swimmer");
       require(std::set(file.in_layout.begin(), file.in_layout.end()).size() * 3 == beads,
               "each swimmer once");
-      for (const TrajectoryCycle& cycle : reader.cycles())
-        require(cycle.velocity.size() == beads && cycle.arm_phases.size() == beads / 3 * 2, "whole cycles");
+      for (const TrajectoryCycle& cycle : reader.cycles(columns_of<CycleStatistics>({})))
+        require(cycle.columns[0].numbers.size() == beads && cycle.columns[4].numbers.size() == beads / 3 * 2,
+                "whole cycles");
       for (std::size_t n = 0; n < std::min<std::size_t>(reader.frames(), 10); ++n) {
         const TrajectoryFrame frame = reader.frame(n);
         require(are_finite(frame.positions, beads) && are_finite(frame.velocities, beads), "finite frames");

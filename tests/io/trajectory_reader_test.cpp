@@ -98,37 +98,49 @@ TEST(TrajectoryReader, ReadsOpenSpaceWhichHasNoBox) {
   EXPECT_EQ(reader.frame(1).positions, frame_number(1).positions);
 }
 
-/// NaN is what a swimmer has that has ended no cycle of its own.
+struct Cycle {
+  int index = 0;
+  Vec3 velocity = Vec3::Zero();
+  std::array<double, 2> arms{};
+  double energy = 0;
+
+  static void visit_fields(auto&& visit, auto& cycle) {
+    visit("index", cycle.index, not_a_column);
+    visit("velocity", cycle.velocity);
+    visit("arms", cycle.arms);
+    visit("energy", cycle.energy);
+  }
+};
+
+/// NaN is what a swimmer has that has ended no cycle of its own. Catches a column that is not written, or is
+/// read as another, and numbers of one swimmer taken for another's.
 TEST(TrajectoryReader, ReadsWhatEachSwimmerDidInEachCycle) {
   const Folder folder;
   const std::string path = folder.file("cycles.h5md");
+  TrajectoryHeader header = two_swimmers();
+  header.cycle_columns = columns_of<Cycle>({});
   {
     const Communicator communicator(MPI_COMM_SELF);
-    TrajectoryWriter writer(path, two_swimmers(), communicator);
+    TrajectoryWriter writer(path, header, communicator);
     writer.append(frame_number(0));
-    const double none = std::numeric_limits<double>::quiet_NaN();
-    writer.append(TrajectoryCycle{.step = 40,
-                                  .time = 10,
-                                  .velocity = {1, 2, 3, none, none, none},
-                                  .axis = {1, 0, 0, none, none, none},
-                                  .mean_flow = {4, 5, 6, none, none, none},
-                                  .arm_amplitudes = {7, 8, none, none},
-                                  .arm_phases = {0.5, -0.5, none, none},
-                                  .arm_means = {9, 10, none, none}});
+    const Cycle ended{.index = 9, .velocity = {1, 2, 3}, .arms = {7, 8}, .energy = 0.5};
+    writer.append(TrajectoryCycle{
+        .step = 40, .time = 10, .columns = columns_of<Cycle>({record_of_nan<Cycle>(), ended})});
     writer.finish();
   }
-  const std::vector<TrajectoryCycle> cycles = TrajectoryReader(path).cycles();
+  const std::vector<TrajectoryCycle> cycles = TrajectoryReader(path).cycles(header.cycle_columns);
   ASSERT_EQ(cycles.size(), 1);
   EXPECT_EQ(cycles[0].step, 40);
   EXPECT_EQ(cycles[0].time, 10);
-  EXPECT_EQ(cycles[0].velocity[2], 3);
-  EXPECT_TRUE(std::isnan(cycles[0].velocity[3]));
-  EXPECT_EQ(cycles[0].mean_flow[0], 4);
-  EXPECT_EQ(cycles[0].axis[0], 1);
-  EXPECT_EQ(cycles[0].arm_amplitudes[1], 8);
-  EXPECT_EQ(cycles[0].arm_phases[1], -0.5);
-  EXPECT_EQ(cycles[0].arm_means[0], 9);
-  EXPECT_EQ(cycles[0].arm_means.size(), 4);
+  ASSERT_EQ(cycles[0].columns.size(), 3);
+  EXPECT_EQ(cycles[0].columns[1].name, "arms");
+  EXPECT_EQ(cycles[0].columns[1].numbers.size(), 4);
+  const std::vector<Cycle> swimmers = records_of<Cycle>(cycles[0].columns, 2);
+  EXPECT_TRUE(std::isnan(swimmers[0].velocity[2]) && std::isnan(swimmers[0].energy));
+  EXPECT_EQ(swimmers[1].velocity, Vec3(1, 2, 3));
+  EXPECT_EQ(swimmers[1].arms[1], 8);
+  EXPECT_EQ(swimmers[1].energy, 0.5);
+  EXPECT_EQ(swimmers[1].index, 0);
 }
 
 TEST(TrajectoryReader, GivesBackWhatWasWritten) {

@@ -80,11 +80,11 @@ struct Scene {
 /// Of one swimmer's driving; the base period of a run that does not list it.
 double period_of(const RunRecord& run, int swimmer) {
   const auto found = std::ranges::find(run.swimmers, swimmer, &SwimmerRecord::id);
-  return found == run.swimmers.end() ? run.driving_period : found->period.value_or(run.driving_period);
+  return found == run.swimmers.end() ? run.driving.period : found->period.value_or(run.driving.period);
 }
 
 Scene scene_of(const SwimmingDocument& document) {
-  if (const auto* run = std::get_if<RunRecord>(&document)) return {run->units, run->driving_period};
+  if (const auto* run = std::get_if<RunRecord>(&document)) return {run->units, run->driving.period};
   const auto& prediction = std::get<PredictionDocument>(document);
   return {prediction.units, driving_period(prediction)};
 }
@@ -99,7 +99,7 @@ void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
         fmt::format("is in other units than {}; compare what was made from one layout", run.source));
   }
   const auto* prediction = std::get_if<PredictionDocument>(&reference.document);
-  const double own = prediction != nullptr ? period_of(record, prediction->swimmer) : record.driving_period;
+  const double own = prediction != nullptr ? period_of(record, prediction->swimmer) : record.driving.period;
   const double period = scene.period.value_or(own);
   if (std::abs(period - own) > period_tolerance * own) {
     throw InputError(

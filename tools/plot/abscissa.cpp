@@ -28,9 +28,9 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
 
 /// A/B or alpha, if the record says it; A/B is infinite, and so not drawn, where B = 0.
 std::optional<double> driving_number(const RunRecord& run, Abscissa abscissa) {
-  if (!run.driving) return std::nullopt;
-  const auto& [A, B] = run.driving->amplitude;
-  return abscissa == Abscissa::phase ? run.driving->phase : A / B;
+  if (!run.driving.amplitude) return std::nullopt;
+  const auto& [A, B] = *run.driving.amplitude;
+  return abscissa == Abscissa::phase ? run.driving.phase : A / B;
 }
 
 }  // namespace
@@ -89,7 +89,7 @@ double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {
 
 double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
                    const CycleChoice& cycle) {
-  if (abscissa == Abscissa::period) return run.record.driving_period;
+  if (abscissa == Abscissa::period) return run.record.driving.period;
   if (abscissa == Abscissa::separation_ratio) return separation_of(run, swimmer, cycle);
   if (const auto number = driving_number(run.record, abscissa)) return *number;
   throw InputError(run.source,

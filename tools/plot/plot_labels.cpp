@@ -85,7 +85,7 @@ Setting setting_of(const RunRecord& record) {
 std::string note_on(const std::string& label, const std::vector<const PlottedRun*>& runs) {
   std::string note = fmt::format(
       "{}: T = {}, δ/λ = {}, Re = {}", label,
-      range_text(runs, 6, [](const RunRecord& record) { return record.driving_period; }),
+      range_text(runs, 6, [](const RunRecord& record) { return record.driving.period; }),
       range_text(runs, 3,
                  [](const RunRecord& record) { return record.dimensionless.penetration_depth_over_radius; }),
       range_text(runs, 2, [](const RunRecord& record) { return record.dimensionless.reynolds_bead; }));

@@ -38,7 +38,7 @@ struct ErrorReference {
 
 /// Whether two runs are of one scene, as far as their records say: then only resolutions set them apart.
 bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
-  return a.driving_period == b.driving_period && a.driving == b.driving && a.domain == b.domain &&
+  return a.driving == b.driving && a.domain == b.domain &&
          std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
 }
 
@@ -66,12 +66,12 @@ ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, cons
 
 ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& first) {
   const auto period = number_setting(best.prediction, "period");
-  if (period && *period != first.record.driving_period) {
+  if (period && *period != first.record.driving.period) {
     throw InputError(
         best.source,
         fmt::format(
             "predicts for a period of {:g}, and {} has {:g}; draw runs of one period, and a prediction of it",
-            *period, first.source, first.record.driving_period));
+            *period, first.source, first.record.driving.period));
   }
   ErrorReference reference{
       .name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}, .uncertainty = {}};

@@ -25,6 +25,7 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
   }
   header.creator_version = version() + " (" + revision() + ")";
   header.parameters["layout"] = dump_json(layout_to_json(document));
+  header.cycle_columns = columns_of<CycleStatistics>({});
   return header;
 }
 

@@ -31,7 +31,7 @@ MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> 
   const CycleStatistics& last = record.cycles.back();
   return {path,
           run.units,
-          record.period.value_or(run.driving_period),
+          record.period.value_or(run.driving.period),
           {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
 }
 

@@ -98,39 +98,31 @@ std::vector<std::int16_t> changes(const TrajectoryFrame& frame, const Trajectory
   return flat;
 }
 
-/// Of each cycle and swimmer; NaN where a swimmer has ended no cycle yet.
-using CycleNumber = std::function<double(const TrajectoryCycle&, std::size_t swimmer)>;
+/// Of a swimmer's cycle; NaN where it has ended none yet.
+using CycleNumber = std::function<double(const CycleStatistics&)>;
 
-std::string cycle_blocks(const std::string& name, const std::vector<TrajectoryCycle>& cycles,
+std::string cycle_blocks(const std::string& name, const std::vector<CycleStatistics>& cycles,
                          std::size_t swimmers, const CycleNumber& number) {
   std::vector<double> rows;
-  for (const TrajectoryCycle& cycle : cycles) {
-    for (std::size_t s = 0; s < swimmers; ++s) rows.push_back(number(cycle, s));
-  }
+  std::ranges::transform(cycles, std::back_inserter(rows), number);
   const QuantisedTable table = quantised(rows, swimmers);
   return block("cycle-" + name + "-step", table.steps) + block("cycle-" + name, table.values);
 }
 
-double velocity_of(const TrajectoryCycle& cycle, std::size_t s, const std::optional<Box>& box) {
-  CycleStatistics statistics;
-  statistics.velocity = Vec3(&cycle.velocity[3 * s]);
-  statistics.axis = Vec3(&cycle.axis[3 * s]);
-  statistics.mean_flow = Vec3(&cycle.mean_flow[3 * s]);
-  return velocity_against_fluid(statistics, box);
-}
-
-std::string all_cycle_blocks(const std::vector<TrajectoryCycle>& cycles, const Layout& layout) {
+std::string all_cycle_blocks(const std::vector<TrajectoryCycle>& rows, const Layout& layout) {
   const std::size_t swimmers = layout.swimmers.size();
-  using Cycle = const TrajectoryCycle&;
-  std::string text = cycle_blocks("velocity", cycles, swimmers, [&](Cycle cycle, std::size_t s) {
-    return velocity_of(cycle, s, layout.domain);
+  std::vector<CycleStatistics> cycles;
+  for (const TrajectoryCycle& row : rows)
+    std::ranges::copy(records_of<CycleStatistics>(row.columns, swimmers), std::back_inserter(cycles));
+  std::string text = cycle_blocks("velocity", cycles, swimmers, [&](const CycleStatistics& cycle) {
+    return velocity_against_fluid(cycle, layout.domain);
   });
   for (const std::size_t arm : {0, 1}) {
     const std::string n = std::to_string(arm + 1);
     text += cycle_blocks("arm" + n, cycles, swimmers,
-                         [=](Cycle cycle, std::size_t s) { return cycle.arm_amplitudes[2 * s + arm]; });
+                         [=](const CycleStatistics& cycle) { return cycle.arm_amplitudes[arm]; });
     text += cycle_blocks("phase" + n, cycles, swimmers,
-                         [=](Cycle cycle, std::size_t s) { return cycle.arm_phases[2 * s + arm]; });
+                         [=](const CycleStatistics& cycle) { return cycle.arm_phases[arm]; });
   }
   return text;
 }
@@ -146,7 +138,7 @@ std::vector<std::size_t> shown_frames(std::size_t frames, std::size_t every) {
 
 std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
   const std::vector<std::size_t> frames = shown_frames(file.reader.frames(), options.every);
-  const std::vector<TrajectoryCycle> cycles = file.reader.cycles();
+  const std::vector<TrajectoryCycle> cycles = file.reader.cycles(columns_of<CycleStatistics>({}));
   const TrajectoryHeader& header = file.reader.header();
   const TrajectoryFrame first = file.reader.frame(frames.front());
   const std::vector<float> steps = swimmer_steps(file, frames, first);

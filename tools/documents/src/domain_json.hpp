@@ -1,20 +1,15 @@
 #pragma once
 
-#include <optional>
-
-#include "beadswim/io/json.hpp"
-#include "beadswim/scene/layout.hpp"
+#include "beadswim/io/fields_json.hpp"
+#include "beadswim/scene/names.hpp"
 
 namespace beadswim {
 
-/// [x, y, z].
-Json vec3_to_json(const Vec3& vector);
-Vec3 vec3_from_json(const Json& json);
+// Enumerations are their names. Readers take JSON that a schema has let through.
 
-/// { "lengths", "boundary" }, or null for unbounded fluid.
-Json domain_to_json(const std::optional<Box>& domain);
-
-/// The inverse, of JSON that a schema has let through.
-std::optional<Box> domain_from_json(const Json& json);
+void to_json(Json& json, Boundary boundary);
+void from_json(const Json& json, Boundary& boundary);
+void to_json(Json& json, DrivingFrame frame);
+void from_json(const Json& json, DrivingFrame& frame);
 
 }  // namespace beadswim

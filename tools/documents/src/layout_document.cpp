@@ -14,12 +14,12 @@ namespace {
 
 Units::Unit unit_from(const Json& json, Quantity quantity) {
   if (json.is_string()) return *find_known_unit(quantity, json.get<std::string>());
-  return {json["name"].get<std::string>(), json["si_factor"].get<double>()};
+  return json.get<Units::Unit>();
 }
 
 Json json_of(const Units::Unit& unit, Quantity quantity) {
   if (find_known_unit(quantity, unit.name)) return unit.name;
-  return {{"name", unit.name}, {"si_factor", unit.si_factor}};
+  return unit;
 }
 
 Units units_from(const Json& json) {
@@ -41,23 +41,17 @@ Json json_of(const Units& units) {
 
 /// The driving with whatever the object says in place of what was there.
 Driving overridden(Driving driving, const Json& json) {
-  if (json.contains("amplitude")) {
-    driving.amplitude = {json["amplitude"][0].get<double>(), json["amplitude"][1].get<double>()};
-  }
-  if (json.contains("phase")) driving.phase = json["phase"].get<double>();
-  if (json.contains("phase_offset")) driving.phase_offset = json["phase_offset"].get<double>();
-  if (json.contains("period")) driving.period = json["period"].get<double>();
-  if (json.contains("frame"))
-    driving.frame = from_name(frame_names, json["frame"].get<std::string>()).value();
+  visit_fields(
+      [&](const char* name, auto& field) {
+        if (json.contains(name)) json[name].get_to(field);
+      },
+      driving);
   return driving;
 }
 
 Json json_of(const Driving& driving) {
-  Json json{{"amplitude", Json::array({driving.amplitude[0], driving.amplitude[1]})},
-            {"phase", driving.phase},
-            {"period", driving.period},
-            {"frame", to_name(frame_names, driving.frame)}};
-  if (driving.phase_offset != 0) json["phase_offset"] = driving.phase_offset;
+  Json json = driving;
+  if (driving.phase_offset == 0) json.erase("phase_offset");
   return json;
 }
 
@@ -76,30 +70,16 @@ Json difference(const Driving& driving, const Driving& of_type) {
 
 SwimmerType type_from(const Json& json) {
   SwimmerType type;
-  for (std::size_t i = 0; i < type.beads.size(); ++i) {
-    const Json& bead = json["beads"][i];
-    type.beads[i] = {bead["radius"].get<double>(), bead["density"].get<double>()};
-  }
-  for (std::size_t i = 0; i < type.springs.size(); ++i) {
-    const Json& spring = json["springs"][i];
-    type.springs[i] = {spring["stiffness"].get<double>(), spring["rest_length"].get<double>(),
-                       spring["damping"].get<double>()};
-  }
-  type.angular_stiffness = json["angular_stiffness"].get<double>();
+  json["beads"].get_to(type.beads);
+  json["springs"].get_to(type.springs);
+  json["angular_stiffness"].get_to(type.angular_stiffness);
   type.driving = overridden({}, json["driving"]);
   return type;
 }
 
 Json json_of(const SwimmerType& type) {
-  Json beads = Json::array();
-  for (const Bead& bead : type.beads) beads.push_back({{"radius", bead.radius}, {"density", bead.density}});
-  Json springs = Json::array();
-  for (const Spring& spring : type.springs) {
-    springs.push_back(
-        {{"stiffness", spring.stiffness}, {"rest_length", spring.rest_length}, {"damping", spring.damping}});
-  }
-  return {{"beads", beads},
-          {"springs", springs},
+  return {{"beads", type.beads},
+          {"springs", type.springs},
           {"angular_stiffness", type.angular_stiffness},
           {"driving", json_of(type.driving)}};
 }
@@ -109,8 +89,8 @@ Json json_of(const SwimmerType& type) {
 Swimmer swimmer_from(const Json& json, const std::map<std::string, SwimmerType>& types) {
   Swimmer swimmer{.id = json["id"].get<int>(),
                   .type = json["type"].get<std::string>(),
-                  .position = vec3_from_json(json["position"]),
-                  .axis = vec3_from_json(json["axis"])};
+                  .position = json["position"].get<Vec3>(),
+                  .axis = json["axis"].get<Vec3>()};
   const auto type = types.find(swimmer.type);  // an unknown one is a fault, which check_layout finds
   if (json.contains("driving") && type != types.end()) {
     swimmer.driving = overridden(type->second.driving, json["driving"]);
@@ -119,10 +99,8 @@ Swimmer swimmer_from(const Json& json, const std::map<std::string, SwimmerType>&
 }
 
 Json json_of(const Swimmer& swimmer, const SwimmerType& type) {
-  Json json{{"id", swimmer.id},
-            {"type", swimmer.type},
-            {"position", vec3_to_json(swimmer.position)},
-            {"axis", vec3_to_json(swimmer.axis)}};
+  Json json{
+      {"id", swimmer.id}, {"type", swimmer.type}, {"position", swimmer.position}, {"axis", swimmer.axis}};
   if (swimmer.driving) {
     Json own = difference(*swimmer.driving, type.driving);
     if (!own.empty()) json["driving"] = std::move(own);
@@ -133,14 +111,11 @@ Json json_of(const Swimmer& swimmer, const SwimmerType& type) {
 Layout layout_from(const Json& json) {
   Layout layout;
   layout.units = units_from(json["units"]);
-  layout.fluid = {json["fluid"]["density"].get<double>(), json["fluid"]["kinematic_viscosity"].get<double>()};
-  layout.domain = domain_from_json(json["domain"]);
+  json["fluid"].get_to(layout.fluid);
+  json["domain"].get_to(layout.domain);
   for (const auto& [name, type] : json["types"].items()) layout.types[name] = type_from(type);
   for (const Json& swimmer : json["swimmers"]) layout.swimmers.push_back(swimmer_from(swimmer, layout.types));
-  if (json.contains("resolution")) {
-    const Json& hint = json["resolution"];
-    layout.resolution = {hint["cells_per_radius"].get<double>(), hint["relaxation_time"].get<double>()};
-  }
+  if (json.contains("resolution")) json["resolution"].get_to(layout.resolution);
   return layout;
 }
 
@@ -165,21 +140,13 @@ LayoutDocument read_layout(const std::string& path) {
 
 Json layout_to_json(const LayoutDocument& document) {
   const Layout& layout = document.layout;
-  Json json{{"schema", "beadswim/layout/1"},
-            {"units", json_of(layout.units)},
-            {"fluid",
-             {{"density", layout.fluid.density}, {"kinematic_viscosity", layout.fluid.kinematic_viscosity}}},
-            {"domain", domain_to_json(layout.domain)},
-            {"types", Json::object()},
-            {"swimmers", Json::array()}};
+  Json json{{"schema", "beadswim/layout/1"}, {"units", json_of(layout.units)}, {"fluid", layout.fluid},
+            {"domain", layout.domain},       {"types", Json::object()},        {"swimmers", Json::array()}};
   for (const auto& [name, type] : layout.types) json["types"][name] = json_of(type);
   for (const Swimmer& swimmer : layout.swimmers) {
     json["swimmers"].push_back(json_of(swimmer, layout.types.at(swimmer.type)));
   }
-  if (layout.resolution) {
-    json["resolution"] = {{"cells_per_radius", layout.resolution->cells_per_radius},
-                          {"relaxation_time", layout.resolution->relaxation_time}};
-  }
+  if (layout.resolution) json["resolution"] = layout.resolution;
   json["provenance"] = document.provenance;
   return json;
 }

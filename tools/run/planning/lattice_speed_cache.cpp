@@ -9,6 +9,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/processor.hpp"
 #include "beadswim/core/version.hpp"
+#include "beadswim/io/fields_json.hpp"
 #include "broadcast.hpp"
 
 namespace beadswim {
@@ -78,23 +79,12 @@ LatticeSpeed speed_of_this_machine(const Communicator& communicator) {
 
 Json lattice_speed_to_json(const LatticeSpeed& speed) {
   Json json = cache_key(speed.ranks());
-  for (const PrecisionCost& own : speed.precisions()) {
-    json["precisions"].push_back({{"cells", own.cells},
-                                  {"seconds_per_cell", own.seconds_per_cell},
-                                  {"seconds_per_area", own.seconds_per_area}});
-  }
+  json["precisions"] = speed.precisions();
   return json;
 }
 
 LatticeSpeed lattice_speed_from_json(const Json& json) {
-  std::vector<PrecisionCost> precisions;
-  for (const Json& own : json.at("precisions")) {
-    const auto numbers = [&](const char* name) { return own.at(name).get<std::vector<double>>(); };
-    precisions.push_back({.cells = numbers("cells"),
-                          .seconds_per_cell = numbers("seconds_per_cell"),
-                          .seconds_per_area = numbers("seconds_per_area")});
-  }
-  return {json.at("ranks").get<int>(), std::move(precisions)};
+  return {json.at("ranks").get<int>(), json.at("precisions").get<std::vector<PrecisionCost>>()};
 }
 
 }  // namespace beadswim

@@ -7,6 +7,7 @@
 #include <map>
 #include <regex>
 
+#include "beadswim/io/fields_json.hpp"
 #include "planning/plan_flags.hpp"
 
 namespace beadswim {
@@ -105,10 +106,8 @@ Json plan_to_json(const RunPlan& plan, const RunOptions& asked, const Communicat
             {"best", plan.best ? Json(flags_of(plan.runs[*plan.best], asked)) : Json()},
             {"runs", Json::array()},
             {"hard", plan.hard},
-            {"proposals", Json::array()}};
+            {"proposals", plan.proposals}};
   for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, asked, communicator));
-  for (const Proposal& proposal : plan.proposals)
-    json["proposals"].push_back({{"command", proposal.command}, {"what", proposal.what}});
   if (asked.with_provenance) json["provenance"] = Json::array({asked.provenance});
   return json;
 }

@@ -18,14 +18,15 @@ std::int64_t peak_memory_bytes(const Communicator& communicator) {
   return bytes;
 }
 
-/// None if the swimmers' driving differs.
-std::optional<DrivingRecord> shared_driving(const Layout& layout) {
+/// Amplitudes and phase are none if the swimmers' driving differs.
+DrivingRecord driving_of(const Layout& layout, double base_period) {
   const Driving first = layout.resolved_type(layout.swimmers.front()).driving;
   for (const Swimmer& swimmer : layout.swimmers) {
     const Driving other = layout.resolved_type(swimmer).driving;
-    if (other.amplitude != first.amplitude || other.phase != first.phase) return std::nullopt;
+    if (other.amplitude != first.amplitude || other.phase != first.phase)
+      return {.period = base_period, .amplitude = std::nullopt, .phase = std::nullopt};
   }
-  return DrivingRecord{first.amplitude, first.phase};
+  return {.period = base_period, .amplitude = first.amplitude, .phase = first.phase};
 }
 
 /// What became of momentum and mass, where the model has them.
@@ -44,10 +45,9 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   record.reason = outcome.reason;
   record.units = document.layout.units;
   record.domain = document.layout.domain;
-  record.driving_period = parts.plan.base_period;
-  record.driving = shared_driving(document.layout);
+  record.driving = driving_of(document.layout, parts.plan.base_period);
   if (parts.plan.swimmers.size() <= most_swimmers_listed) record.swimmers = parts.recorder.swimmers();
-  record.swarm = parts.recorder.swarm();
+  if (!parts.recorder.swarm().empty() || record.swimmers.empty()) record.swarm = parts.recorder.swarm();
   add_conservation(record, parts.model.first_totals(), outcome.last_totals);
   record.cost = RunCost{.wall_seconds = outcome.wall_seconds,
                         .core_seconds = outcome.core_seconds,

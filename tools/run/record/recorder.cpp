@@ -10,74 +10,6 @@
 namespace beadswim {
 namespace {
 
-/// What travels, or is kept: const to write.
-template <class Message, class Sample>
-void transfer_sample(Message& message, Sample& sample) {
-  message(sample.time, sample.bead_positions[0], sample.bead_positions[1], sample.bead_positions[2],
-          sample.mean_flow);
-}
-template <class Message, class Cycle>
-void transfer_cycle(Message& message, Cycle& cycle) {
-  message(cycle.index, cycle.velocity, cycle.axis, cycle.speed_along_axis, cycle.mean_flow,
-          cycle.arm_amplitudes, cycle.arm_phases, cycle.arm_means);
-}
-template <class Message, class Note>
-void transfer_note(Message& message, Note& note) {
-  message(note.id, note.number, note.time, note.positions[0], note.positions[1], note.positions[2]);
-}
-
-template <class Message, class AnySpread>
-void transfer_spread(Message& message, AnySpread& spread) {
-  message(spread.mean, spread.deviation, spread.smallest, spread.largest);
-}
-template <class Message, class Value, class Transfer>
-void transfer_optional(Message& message, Value& value, Transfer&& transfer) {
-  std::uint8_t is_there = value.has_value() ? 1 : 0;  // a byte, of which any value may be in a file
-  message(is_there);
-  if constexpr (std::is_same_v<Message, IncomingMessage>) {
-    if (is_there > 1)
-      throw SolverError(
-          "the checkpoint's record is of another version of the program; go on with that one, or begin "
-          "without --restart");
-    if (is_there == 1) value.emplace();
-  }
-  if (is_there == 1) transfer(message, *value);
-}
-template <class Message, class Swimming>
-void transfer_swimming(Message& message, Swimming& swimming) {
-  message(swimming.swimmers, swimming.velocity, swimming.velocity_deviation, swimming.mean_flow,
-          swimming.arm_phase_order);
-  transfer_spread(message, swimming.speed_along_axis);
-  for (int arm = 0; arm < 2; ++arm) {
-    transfer_spread(message, swimming.arm_amplitudes[arm]);
-    transfer_spread(message, swimming.arm_means[arm]);
-  }
-}
-template <class Message, class Cycle>
-void transfer_swarm(Message& message, Cycle& cycle) {
-  auto& swarm = cycle.statistics;
-  message(swarm.index, swarm.swimmers, swarm.mean_axis, swarm.polar_order, swarm.nematic_order,
-          swarm.director, swarm.kinetic_energy, cycle.momentum);
-  transfer_spread(message, swarm.rotation);
-  transfer_optional(message, swarm.swimming, [](auto& m, auto& value) { transfer_swimming(m, value); });
-  transfer_optional(message, swarm.nearest_neighbour,
-                    [](auto& m, auto& value) { transfer_spread(m, value); });
-}
-
-/// A list, its length first: grows to it when it is read.
-template <class Message, class List, class Transfer>
-void transfer_list(Message& message, List& list, Transfer&& transfer) {
-  std::uint64_t size = list.size();
-  message(size);
-  if constexpr (std::is_same_v<Message, IncomingMessage>) {
-    if (size > message.bytes_left())
-      throw SolverError(
-          "the checkpoint's record is cut; take the other checkpoint, or begin without --restart");
-    list.resize(size);
-  }
-  for (auto& element : list) transfer(message, element);
-}
-
 /// All but equal where both ends are: the mean flow at a time between two frames.
 Vec3 between(double part, const Vec3& first, const Vec3& last) {
   Vec3 result;
@@ -140,7 +72,7 @@ void Recorder::sample(const Model& model) {
                     .number = number,
                     .time = time,
                     .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
-    transfer_note(notes_, note);
+    notes_(note);
   }
   schedules_.go_on_from(step + 1);
 }
@@ -148,7 +80,7 @@ void Recorder::sample(const Model& model) {
 void Recorder::gather_notes() {
   IncomingMessage arrived(gather_bytes(notes_.bytes(), communicator_));
   notes_ = {};
-  while (!arrived.is_at_end()) transfer_note(arrived, gathered_.emplace_back());
+  while (!arrived.is_at_end()) arrived(gathered_.emplace_back());
 }
 
 void Recorder::take_notes(const Moment& now) {
@@ -205,25 +137,12 @@ void Recorder::record(const Model& model, const ModelTotals& totals) {
 }
 
 void Recorder::append_cycles(long step, double time) {
-  TrajectoryCycle rows;
-  rows.step = step;
-  rows.time = time;
-  CycleStatistics none;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  none.velocity = none.axis = none.mean_flow = Vec3::Constant(nan);
-  none.arm_amplitudes = none.arm_phases = none.arm_means = {nan, nan};
+  std::vector<CycleStatistics> last;
   for (const Log& log : logs_) {
-    const CycleStatistics& cycle = log.record.cycles.empty() ? none : log.record.cycles.back();
-    for (const auto& [to, from] : {std::pair{&rows.velocity, &cycle.velocity},
-                                   {&rows.axis, &cycle.axis},
-                                   {&rows.mean_flow, &cycle.mean_flow}})
-      to->insert(to->end(), from->begin(), from->end());
-    for (const auto& [to, from] : {std::pair{&rows.arm_amplitudes, &cycle.arm_amplitudes},
-                                   {&rows.arm_phases, &cycle.arm_phases},
-                                   {&rows.arm_means, &cycle.arm_means}})
-      to->insert(to->end(), from->begin(), from->end());
+    const std::vector<CycleStatistics>& cycles = log.record.cycles;
+    last.push_back(cycles.empty() ? record_of_nan<CycleStatistics>() : cycles.back());
   }
-  trajectory_.append(rows);
+  trajectory_.append({.step = step, .time = time, .columns = columns_of(std::move(last))});
 }
 
 void Recorder::append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec3& momentum) {
@@ -252,13 +171,8 @@ void Recorder::append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec
 
 template <class Message>
 void Recorder::transfer(Message& message) {
-  message(next_frame_, last_frame_.time, last_frame_.mean_flow);
-  transfer_list(message, gathered_, [](auto& m, auto& note) { transfer_note(m, note); });
-  transfer_list(message, swarm_, [](auto& m, auto& cycle) { transfer_swarm(m, cycle); });
-  for (Log& log : logs_) {
-    transfer_list(message, log.samples, [](auto& m, auto& sample) { transfer_sample(m, sample); });
-    transfer_list(message, log.record.cycles, [](auto& m, auto& cycle) { transfer_cycle(m, cycle); });
-  }
+  message(next_frame_, last_frame_.time, last_frame_.mean_flow, gathered_, swarm_);
+  for (Log& log : logs_) message(log.samples, log.record.cycles);
 }
 
 std::vector<char> Recorder::state() {
@@ -281,7 +195,12 @@ void Recorder::restore(std::vector<char> state, long steps_done) {
   schedules_.go_on_from(steps_done + 1);
   if (communicator_.is_root()) {
     IncomingMessage message(std::move(state));
-    transfer(message);
+    try {
+      transfer(message);
+    } catch (const SolverError&) {
+      throw SolverError(
+          "the checkpoint's record is cut; take the other checkpoint, or begin without --restart");
+    }
     if (!message.is_at_end() || !fits(steps_done))
       throw SolverError(
           "the checkpoint's record is of another run; take the other checkpoint, or begin without --restart");

@@ -47,6 +47,13 @@ class Recorder {
     long number = 0;                ///< k
     double time = 0;                ///< [step]
     std::array<Vec3, 3> positions;  ///< [ModelUnits]
+
+    static void visit_fields(auto&& visit, auto& note) {
+      visit("id", note.id);
+      visit("number", note.number);
+      visit("time", note.time);
+      visit("positions", note.positions);
+    }
   };
   /// What rank 0 knows of one swimmer.
   struct Log {

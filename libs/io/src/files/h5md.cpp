@@ -19,7 +19,7 @@ namespace {
 
 // Beside the H5MD groups: MDAnalysis takes whatever lies in /observables for a series with a value every
 // frame.
-constexpr const char* swimmers_group = "swimmers/";
+const std::string swimmers_group = "swimmers/";
 constexpr const char* trajectory_section = "trajectory";  ///< of a checkpoint
 
 /// Why no trajectory of this name can be made; empty if it can. `part` becomes PATH.part, locked by this
@@ -119,10 +119,11 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
   add_element(frames_, "particles/beads/velocity", H5T_NATIVE_FLOAT, {beads_, 3});
   add_element(frames_, "observables/mean_flow", H5T_NATIVE_DOUBLE, {3});
   add_element(frames_, "observables/momentum", H5T_NATIVE_DOUBLE, {3});
-  for (const char* name : {"velocity", "axis", "mean_flow"})
-    add_element(cycles_, std::string(swimmers_group) + name, H5T_NATIVE_DOUBLE, {swimmers, 3});
-  for (const char* name : {"arm_amplitudes", "arm_phases", "arm_means"})
-    add_element(cycles_, std::string(swimmers_group) + name, H5T_NATIVE_DOUBLE, {swimmers, 2});
+  for (const Column& column : header.cycle_columns) {
+    std::vector<hsize_t> row{swimmers};
+    row.insert(row.end(), column.shape.begin(), column.shape.end());
+    add_element(cycles_, swimmers_group + column.name, H5T_NATIVE_DOUBLE, row);
+  }
 }
 
 TrajectoryWriter::~TrajectoryWriter() {
@@ -263,13 +264,8 @@ void TrajectoryWriter::append(const TrajectoryFrame& frame) {
 void TrajectoryWriter::append(const TrajectoryCycle& cycle) {
   append_row(cycles_.step_name, &cycle.step);
   append_row(cycles_.time_name, &cycle.time);
-  for (const auto& [name, numbers] : {std::pair{"velocity", &cycle.velocity},
-                                      {"axis", &cycle.axis},
-                                      {"mean_flow", &cycle.mean_flow},
-                                      {"arm_amplitudes", &cycle.arm_amplitudes},
-                                      {"arm_phases", &cycle.arm_phases},
-                                      {"arm_means", &cycle.arm_means}})
-    append_row(std::string(swimmers_group) + name + "/value", numbers->data());
+  for (const Column& column : cycle.columns)
+    append_row(swimmers_group + column.name + "/value", column.numbers.data());
   flush();
 }
 

@@ -304,35 +304,28 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   return frame;
 }
 
-std::vector<TrajectoryCycle> TrajectoryReader::cycles() const {
+std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>& columns) const {
   std::vector<TrajectoryCycle> cycles;
   if (H5Lexists(file_, "swimmers", H5P_DEFAULT) <= 0) return cycles;
-  const Table step = open_table("swimmers/velocity/step", {}),
-              time = open_table("swimmers/velocity/time", {});
+  const std::string first = "swimmers/" + columns.front().name;
+  const Table step = open_table(first + "/step", {}), time = open_table(first + "/time", {});
   hsize_t count = std::min(step.extents[0], time.extents[0]);
-  struct Quantity {
-    Table table;
-    std::vector<double> TrajectoryCycle::*numbers;
-  };
-  std::vector<Quantity> quantities;
-  const auto add = [&](const std::string& name, hsize_t numbers, std::vector<double> TrajectoryCycle::*of) {
-    quantities.push_back({open_table("swimmers/" + name + "/value", {beads_ / 3, numbers}), of});
-    count = std::min(count, quantities.back().table.extents[0]);  // a killed run may have grown some of them
-  };
-  add("velocity", 3, &TrajectoryCycle::velocity);
-  add("axis", 3, &TrajectoryCycle::axis);
-  add("mean_flow", 3, &TrajectoryCycle::mean_flow);
-  add("arm_amplitudes", 2, &TrajectoryCycle::arm_amplitudes);
-  add("arm_phases", 2, &TrajectoryCycle::arm_phases);
-  add("arm_means", 2, &TrajectoryCycle::arm_means);
+  std::vector<Table> tables;
+  for (const Column& column : columns) {
+    std::vector<hsize_t> row{beads_ / 3};
+    row.insert(row.end(), column.shape.begin(), column.shape.end());
+    tables.push_back(open_table("swimmers/" + column.name + "/value", row));
+    count = std::min(count, tables.back().extents[0]);  // a killed run may have grown some of them
+  }
   for (hsize_t c = 0; c < count; ++c) {
-    TrajectoryCycle& cycle = cycles.emplace_back();
-    cycle.step = read_rows<std::int64_t>(step, c, 1)[0];
-    cycle.time = read_rows<double>(time, c, 1)[0];
-    for (const auto& [table, numbers] : quantities) {
-      cycle.*numbers = read_raw_rows<double>(table, c, 1);
+    TrajectoryCycle& cycle =
+        cycles.emplace_back(TrajectoryCycle{.step = read_rows<std::int64_t>(step, c, 1)[0],
+                                            .time = read_rows<double>(time, c, 1)[0],
+                                            .columns = columns});
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      std::vector<double>& numbers = cycle.columns[i].numbers = read_raw_rows<double>(tables[i], c, 1);
       const auto is_infinite = [](double number) { return std::isinf(number); };
-      if (std::ranges::any_of(cycle.*numbers, is_infinite)) refuse(table.place, "holds an infinite number");
+      if (std::ranges::any_of(numbers, is_infinite)) refuse(tables[i].place, "holds an infinite number");
     }
   }
   return cycles;

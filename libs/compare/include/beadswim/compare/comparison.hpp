@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beadswim/compare/swimming.hpp"
+#include "beadswim/core/fields.hpp"
 
 // Runs held against references, and the verdict.
 
@@ -45,6 +46,22 @@ struct ComparisonRow {
   double tolerance = 0;
   bool pass = false;
   bool decides = false;
+
+  static void visit_fields(auto&& visit, auto& row) {
+    visit("quantity", row.quantity);
+    visit("arm", row.arm, omitted_if_none);
+    visit("run_file", row.run_source);
+    visit("swimmer", row.swimmer);
+    visit("run", row.run);
+    visit("reference_file", row.reference_source);
+    visit("reference", row.reference);
+    visit("method", row.method);
+    visit("usable", row.usable);
+    visit("relative_error", row.relative_error, null_if_infinite);
+    visit("tolerance", row.tolerance);
+    visit("pass", row.pass);
+    visit("decides", row.decides);
+  }
 };
 
 /// (run - reference)/|reference|; 0 if both are zero, infinite if the reference alone is.

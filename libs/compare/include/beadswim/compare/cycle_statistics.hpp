@@ -3,6 +3,7 @@
 #include <array>
 #include <span>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
 // What one swimmer did in one cycle of its driving. See docs/method/stroke-fit.md.
@@ -14,6 +15,12 @@ struct SwimmerSample {
   double time = 0;
   std::array<Vec3, 3> bead_positions;  ///< centres of beads 1, 2, 3, unwrapped [length]
   Vec3 mean_flow = Vec3::Zero();       ///< volume-mean velocity of fluid and beads [length/time]
+
+  static void visit_fields(auto&& visit, auto& sample) {
+    visit("time", sample.time);
+    visit("bead_positions", sample.bead_positions);
+    visit("mean_flow", sample.mean_flow);
+  }
 };
 
 /// Means and stroke over one period, in the samples' units and in the frame of the box.
@@ -26,6 +33,17 @@ struct CycleStatistics {
   std::array<double, 2> arm_amplitudes{};  ///< d1, d2 of (4.1) [length]
   std::array<double, 2> arm_phases{};      ///< delta1, delta2 of (4.1), in (-pi, pi]
   std::array<double, 2> arm_means{};       ///< mean arm lengths [length]
+
+  static void visit_fields(auto&& visit, auto& cycle) {
+    visit("index", cycle.index, not_a_column);
+    visit("velocity", cycle.velocity);
+    visit("axis", cycle.axis);
+    visit("speed_along_axis", cycle.speed_along_axis, not_a_column);
+    visit("mean_flow", cycle.mean_flow);
+    visit("arm_amplitudes", cycle.arm_amplitudes);
+    visit("arm_phases", cycle.arm_phases);
+    visit("arm_means", cycle.arm_means);
+  }
 };
 
 /// Statistics of the cycle whose samples are given: in order of time, the first and the last exactly one

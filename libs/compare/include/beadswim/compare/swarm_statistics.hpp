@@ -26,6 +26,13 @@ struct Spread {
   double mean = 0;
   double deviation = 0;  ///< root of the mean squared difference from the mean (divided by N, not N - 1)
   double smallest = 0, largest = 0;
+
+  static void visit_fields(auto&& visit, auto& spread) {
+    visit("mean", spread.mean);
+    visit("deviation", spread.deviation);
+    visit("smallest", spread.smallest);
+    visit("largest", spread.largest);
+  }
 };
 
 /// How swimmers swam, each in its last cycle.
@@ -38,6 +45,17 @@ struct SwarmSwimming {
   std::array<Spread, 2> arm_amplitudes{};   ///< d1, d2 of (4.1) [length]
   std::array<Spread, 2> arm_means{};        ///< mean arm lengths [length]
   std::array<double, 2> arm_phase_order{};  ///< Kuramoto |<exp(i delta)>| of delta1, delta2; 1: all in step
+
+  static void visit_fields(auto&& visit, auto& swimming) {
+    visit("swimmers", swimming.swimmers);
+    visit("velocity", swimming.velocity);
+    visit("velocity_deviation", swimming.velocity_deviation);
+    visit("speed_along_axis", swimming.speed_along_axis);
+    visit("mean_flow", swimming.mean_flow);
+    visit("arm_amplitudes", swimming.arm_amplitudes);
+    visit("arm_means", swimming.arm_means);
+    visit("arm_phase_order", swimming.arm_phase_order);
+  }
 };
 
 /// A swarm at the end of a base cycle.
@@ -52,6 +70,19 @@ struct SwarmStatistics {
   Spread rotation;                        ///< angle between axis and initial axis, in [0, pi]
   std::optional<Spread> nearest_neighbour;  ///< distance to it [length]; none for one swimmer without images
   double kinetic_energy = 0;                ///< of all beads [energy]
+
+  static void visit_fields(auto&& visit, auto& swarm) {
+    visit("index", swarm.index);
+    visit("swimmers", swarm.swimmers);
+    visit("swimming", swarm.swimming);
+    visit("mean_axis", swarm.mean_axis);
+    visit("polar_order", swarm.polar_order);
+    visit("nematic_order", swarm.nematic_order);
+    visit("director", swarm.director);
+    visit("rotation", swarm.rotation);
+    visit("nearest_neighbour", swarm.nearest_neighbour);
+    visit("kinetic_energy", swarm.kinetic_energy);
+  }
 };
 
 /// Statistics of a swarm at the end of base cycle `index`. Nearest neighbours are between centres and count

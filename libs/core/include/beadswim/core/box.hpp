@@ -30,6 +30,11 @@ struct Box {
   bool has_mirrors(int axis) const { return boundary[axis] == Boundary::free_slip; }
 
   bool operator==(const Box&) const = default;
+
+  static void visit_fields(auto&& visit, auto& box) {
+    visit("lengths", box.lengths);
+    visit("boundary", box.boundary);
+  }
 };
 
 /// Returns n_a along periodic axes, 0 along others.

@@ -12,6 +12,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
+#include "beadswim/io/columns.hpp"
 #include "beadswim/io/hdf5.hpp"
 
 // Bead trajectories in H5MD 1.1 (de Buyl, Colberg & Hofling, Comput. Phys. Commun. 185 (2014) 1546), in the
@@ -27,6 +28,7 @@ struct TrajectoryHeader {
   std::vector<double> radius;  ///< of each bead
   std::string creator_version;
   std::map<std::string, std::string> parameters;  ///< texts for /parameters: layout, units, ...
+  std::vector<Column> cycle_columns{};  ///< of what is known of each swimmer's cycles; without numbers
 };
 
 /// One frame. Beads in the order of the header; rank 0 alone need fill their lists.
@@ -39,12 +41,12 @@ struct TrajectoryFrame {
   Vec3 momentum = Vec3::Zero();   ///< of fluid and beads
 };
 
-/// What each swimmer did in its last whole cycle; NaN for one that has ended none yet. Swimmers in the order
-/// of the beads; rank 0 alone need fill the lists, of 3, 3, 3, 2, 2 and 2 numbers a swimmer.
+/// What each swimmer did in its last whole cycle; NaN for one that has ended none yet. A record per swimmer,
+/// in the order of the beads.
 struct TrajectoryCycle {
   std::int64_t step = 0;
   double time = 0;
-  std::vector<double> velocity, axis, mean_flow, arm_amplitudes, arm_phases, arm_means;
+  std::vector<Column> columns;  ///< those of the header; rank 0 alone need fill them
 };
 
 /// x, y, z of each vector, in single precision.

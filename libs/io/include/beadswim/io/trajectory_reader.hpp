@@ -22,8 +22,9 @@ class TrajectoryReader {
   /// Frame `index` < frames(), positions unwrapped.
   TrajectoryFrame frame(std::size_t index) const;
 
-  /// What each swimmer did, base cycle by base cycle; none for files from before they held it.
-  std::vector<TrajectoryCycle> cycles() const;
+  /// What each swimmer did, base cycle by base cycle, in columns of these names and shapes; none for files
+  /// from before they held it.
+  std::vector<TrajectoryCycle> cycles(const std::vector<Column>& columns) const;
 
  private:
   /// A dataset of numbers, a row a frame or a bead.

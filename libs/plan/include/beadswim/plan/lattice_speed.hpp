@@ -12,6 +12,12 @@ struct PrecisionCost {
   std::vector<double> cells;             ///< cells per rank, ascending
   std::vector<double> seconds_per_cell;  ///< core-seconds per cell and step with so many cells per rank [s]
   std::vector<double> seconds_per_area;  ///< core-seconds per step and cell^2 of bead surface, by scheme [s]
+
+  static void visit_fields(auto&& visit, auto& cost) {
+    visit("cells", cost.cells);
+    visit("seconds_per_cell", cost.seconds_per_cell);
+    visit("seconds_per_area", cost.seconds_per_area);
+  }
 };
 
 /// Cost of a lattice step on this machine with a number of ranks.

@@ -45,6 +45,11 @@ struct PlannedRun {
 /// A smaller scene that would do.
 struct Proposal {
   std::string what, command;
+
+  static void visit_fields(auto&& visit, auto& proposal) {
+    visit("command", proposal.command);
+    visit("what", proposal.what);
+  }
 };
 
 struct RunPlan {

@@ -20,6 +20,11 @@ struct Units {
   struct Unit {
     std::string name;
     double si_factor = 1;  ///< how many metres, seconds or kilograms one unit is
+
+    static void visit_fields(auto&& visit, auto& unit) {
+      visit("name", unit.name);
+      visit("si_factor", unit.si_factor);
+    }
   };
   bool lattice = true;
   Unit length, time, mass;
@@ -30,6 +35,11 @@ struct Fluid {
   double kinematic_viscosity = 0;  ///< nu [length^2/time]
 
   double dynamic_viscosity() const { return density * kinematic_viscosity; }  ///< eta
+
+  static void visit_fields(auto&& visit, auto& fluid) {
+    visit("density", fluid.density);
+    visit("kinematic_viscosity", fluid.kinematic_viscosity);
+  }
 };
 
 /// One swimmer: its type, where it is, and its own driving (its type's unless overridden).
@@ -45,6 +55,11 @@ struct Swimmer {
 struct Resolution {
   double cells_per_radius = 0;
   double relaxation_time = 0;
+
+  static void visit_fields(auto&& visit, auto& resolution) {
+    visit("cells_per_radius", resolution.cells_per_radius);
+    visit("relaxation_time", resolution.relaxation_time);
+  }
 };
 
 struct Layout {

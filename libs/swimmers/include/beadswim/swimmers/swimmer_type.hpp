@@ -17,12 +17,23 @@ enum class DrivingFrame {
 struct Bead {
   double radius = 0;   ///< [length]
   double density = 0;  ///< [mass/length^3]
+
+  static void visit_fields(auto&& visit, auto& bead) {
+    visit("radius", bead.radius);
+    visit("density", bead.density);
+  }
 };
 
 struct Spring {
   double stiffness = 0;    ///< k [mass/time^2]
   double rest_length = 0;  ///< l, between bead centres [length]
   double damping = 0;      ///< c of the dashpot beside the spring [mass/time]; 0: none
+
+  static void visit_fields(auto&& visit, auto& spring) {
+    visit("stiffness", spring.stiffness);
+    visit("rest_length", spring.rest_length);
+    visit("damping", spring.damping);
+  }
 };
 
 /// Driving forces (2.1): F1 = A sin(w t + phi), F3 = B sin(w t + alpha + phi), F2 = -(F1 + F3); phi is 0 in
@@ -35,6 +46,14 @@ struct Driving {
   double phase_offset = 0;  ///< phi [radian]
 
   bool operator==(const Driving&) const = default;
+
+  static void visit_fields(auto&& visit, auto& driving) {
+    visit("amplitude", driving.amplitude);
+    visit("phase", driving.phase);
+    visit("period", driving.period);
+    visit("frame", driving.frame);
+    visit("phase_offset", driving.phase_offset);
+  }
 };
 
 /// Beads 1, 2, 3 in a line; springs[0] joins beads 1 and 2, springs[1] beads 2 and 3.

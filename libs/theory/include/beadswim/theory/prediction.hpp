@@ -15,6 +15,11 @@ namespace beadswim {
 struct StrokeUncertainty {
   std::array<double, 2> arm_amplitudes{};  ///< relative, of d_1 and d_2
   double sin_phase_shift = 0;              ///< absolute
+
+  static void visit_fields(auto&& visit, auto& uncertainty) {
+    visit("arm_amplitudes", uncertainty.arm_amplitudes);
+    visit("sin_phase_shift", uncertainty.sin_phase_shift);
+  }
 };
 
 /// What a method says of a swimmer, and how far to trust it. Units are those of the swimmer.
@@ -33,6 +38,20 @@ struct Prediction {
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
   std::vector<Setting> settings;  ///< what the method assumed, and its parts, by name
+
+  static void visit_fields(auto&& visit, auto& prediction) {
+    visit("method", prediction.method);
+    visit("usable", prediction.usable);
+    visit("validity", prediction.validity);
+    visit("velocity", prediction.velocity);
+    visit("uncertainty", prediction.uncertainty);
+    visit("arm_amplitudes", prediction.stroke.amplitude);
+    visit("arm_phases", prediction.stroke.phase);
+    visit("sin_phase_shift", prediction.sin_phase_shift);
+    visit("stroke_uncertainty", prediction.stroke_uncertainty);
+    visit("arm_means", prediction.arm_means);
+    visit("settings", prediction.settings);
+  }
 };
 
 }  // namespace beadswim

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "beadswim/io/json.hpp"
+#include "beadswim/io/fields_json.hpp"
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/theory/prediction.hpp"
 
@@ -13,6 +13,11 @@ namespace beadswim {
 struct LeftOutMethod {
   std::string method;
   std::string reason;
+
+  static void visit_fields(auto&& visit, auto& left_out) {
+    visit("method", left_out.method);
+    visit("reason", left_out.reason);
+  }
 };
 
 /// What theory says of one swimmer of a layout (schemas/prediction.schema.json).

@@ -8,7 +8,7 @@
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/compare/swarm_statistics.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/io/json.hpp"
+#include "beadswim/io/fields_json.hpp"
 #include "beadswim/scene/layout.hpp"
 
 // The run record, in memory and as JSON (schemas/run.schema.json, docs/formats/run-record.md). Quantities are
@@ -22,6 +22,12 @@ struct SwimmerRecord {
   int id = 0;
   std::vector<CycleStatistics> cycles;  ///< whole cycles, in order
   std::optional<double> period;         ///< of its driving, if that is not the base period [time]
+
+  static void visit_fields(auto&& visit, auto& swimmer) {
+    visit("id", swimmer.id);
+    visit("period", swimmer.period, omitted_if_none);
+    visit("cycles", swimmer.cycles);
+  }
 };
 
 /// A record of more swimmers has statistics of the swarm alone; all swimmers are in the trajectory.
@@ -31,12 +37,24 @@ constexpr std::size_t most_swimmers_listed = 64;
 struct SwarmCycle {
   SwarmStatistics statistics;
   Vec3 momentum = Vec3::Zero();
+
+  static void visit_fields(auto&& visit, auto& cycle) {
+    beadswim::visit_fields(visit, cycle.statistics);
+    visit("momentum", cycle.momentum);
+  }
 };
 
-/// Of the driving forces (2.1).
+/// The driving forces (2.1). Amplitudes and phase are none where the swimmers' differ.
 struct DrivingRecord {
-  std::array<double, 2> amplitude{};  ///< A, B [mass length/time^2]
-  double phase = 0;                   ///< alpha [radian]
+  double period = 0;  ///< base period, by which cycles of the run are counted [time]
+  std::optional<std::array<double, 2>> amplitude;  ///< A, B [mass length/time^2]
+  std::optional<double> phase;                     ///< alpha [radian]
+
+  static void visit_fields(auto&& visit, auto& driving) {
+    visit("period", driving.period);
+    visit("amplitude", driving.amplitude, omitted_if_none);
+    visit("phase", driving.phase, omitted_if_none);
+  }
 
   bool operator==(const DrivingRecord&) const = default;
 };
@@ -45,12 +63,23 @@ struct DrivingRecord {
 struct MomentumRecord {
   Vec3 total = Vec3::Zero();
   Vec3 initial = Vec3::Zero();
+
+  static void visit_fields(auto&& visit, auto& momentum) {
+    visit("total", momentum.total);
+    visit("initial", momentum.initial);
+  }
 };
 
 struct DimensionlessNumbers {
   double reynolds_bead = 0;                  ///< largest bead speed x diameter / nu
   double penetration_depth_over_radius = 0;  ///< sqrt(2 nu/omega) / smallest bead radius
   std::optional<double> mach;                ///< largest bead speed / lattice speed of sound
+
+  static void visit_fields(auto&& visit, auto& numbers) {
+    visit("reynolds_bead", numbers.reynolds_bead);
+    visit("penetration_depth_over_radius", numbers.penetration_depth_over_radius);
+    visit("mach", numbers.mach);
+  }
 };
 
 /// How a lattice run discretised the scene.
@@ -66,6 +95,20 @@ struct LatticeResolution {
   std::optional<double> radius_on_lattice;   ///< of the smallest bead, as the fluid meets it [cell]
   std::optional<double> angular_softening;   ///< least stiffness of an angular spring, in its layout's
   std::string precision;                     ///< "double" or "single"
+
+  static void visit_fields(auto&& visit, auto& resolution) {
+    visit("cells_per_radius", resolution.cells_per_radius);
+    visit("cell_size", resolution.cell_size);
+    visit("time_step", resolution.time_step);
+    visit("relaxation_time", resolution.relaxation_time);
+    visit("kinematic_viscosity_lattice", resolution.kinematic_viscosity_lattice);
+    visit("steps_per_cycle", resolution.steps_per_cycle);
+    visit("bead_boundary", resolution.bead_boundary);
+    visit("precision", resolution.precision);
+    visit("density_on_lattice", resolution.density_on_lattice, omitted_if_none);
+    visit("radius_on_lattice", resolution.radius_on_lattice, omitted_if_none);
+    visit("angular_softening", resolution.angular_softening, omitted_if_none);
+  }
 };
 
 /// Beads close to each other, and to periodic images.
@@ -75,6 +118,14 @@ struct NearContactRecord {
   double normal_cut_off = 0;      ///< gap below which squeezing is corrected [length]
   double tangential_cut_off = 0;  ///< and sliding [length]
   double friction = 0;            ///< Coulomb's coefficient
+
+  static void visit_fields(auto&& visit, auto& contact) {
+    visit("smallest_gap", contact.smallest_gap);
+    visit("lubrication", contact.lubrication);
+    visit("normal_cut_off", contact.normal_cut_off);
+    visit("tangential_cut_off", contact.tangential_cut_off);
+    visit("friction", contact.friction);
+  }
 };
 
 /// How a run without a lattice took its steps and sums.
@@ -85,6 +136,16 @@ struct MobilityRecord {
   std::int64_t products = 0;                    ///< of mobility and forces
   std::optional<double> cut_off, mesh_spacing;  ///< of Ewald's sum; none where all pairs are summed [length]
   std::optional<double> smallest_gap;           ///< of beads that repelled each other [length]
+
+  static void visit_fields(auto&& visit, auto& mobility) {
+    visit("time_step", mobility.time_step);
+    visit("steps_per_cycle", mobility.steps_per_cycle);
+    visit("tolerance", mobility.tolerance);
+    visit("products", mobility.products);
+    visit("cut_off", mobility.cut_off);
+    visit("mesh_spacing", mobility.mesh_spacing);
+    visit("smallest_gap", mobility.smallest_gap);
+  }
 };
 
 /// What the busiest rank sends to others in a step of the fluid.
@@ -92,6 +153,12 @@ struct CommunicationRecord {
   int neighbours = 0;  ///< other ranks that it talks to
   double messages_per_step = 0;
   double bytes_per_step = 0;
+
+  static void visit_fields(auto&& visit, auto& sent) {
+    visit("neighbours", sent.neighbours);
+    visit("messages_per_step", sent.messages_per_step);
+    visit("bytes_per_step", sent.bytes_per_step);
+  }
 };
 
 struct RunCost {
@@ -102,6 +169,16 @@ struct RunCost {
   std::optional<double> mlups;  ///< 1e6 cell updates a second
   std::int64_t peak_memory_bytes = 0;
   std::optional<CommunicationRecord> communication;  ///< none in older records
+
+  static void visit_fields(auto&& visit, auto& cost) {
+    visit("wall_seconds", cost.wall_seconds);
+    visit("core_seconds", cost.core_seconds);
+    visit("ranks", cost.ranks);
+    visit("cell_updates", cost.cell_updates);
+    visit("mlups", cost.mlups);
+    visit("peak_memory_bytes", cost.peak_memory_bytes);
+    visit("communication", cost.communication, omitted_if_none);
+  }
 };
 
 /// Optional members are null in JSON where the model has no such thing; cost and provenance may be absent.
@@ -110,11 +187,10 @@ struct RunRecord {
   RunStatus status = RunStatus::finished;
   std::string reason;  ///< why it ended before its time; empty if it did not
   Units units;
-  std::optional<Box> domain;             ///< none: unbounded fluid
-  double driving_period = 0;             ///< base period, by which cycles of the run are counted
-  std::optional<DrivingRecord> driving;  ///< none where the swimmers' differ
-  std::vector<SwimmerRecord> swimmers;   ///< none if there are more than most_swimmers_listed
-  std::vector<SwarmCycle> swarm;         ///< of two swimmers or more
+  std::optional<Box> domain;  ///< none: unbounded fluid
+  DrivingRecord driving;
+  std::vector<SwimmerRecord> swimmers;           ///< none if there are more than most_swimmers_listed
+  std::optional<std::vector<SwarmCycle>> swarm;  ///< of two swimmers or more
   std::optional<MomentumRecord> momentum;
   std::optional<double> mass_relative_change;
   DimensionlessNumbers dimensionless;
@@ -124,6 +200,26 @@ struct RunRecord {
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;  ///< none after a fault
   std::optional<Json> provenance;
+
+  static void visit_fields(auto&& visit, auto& record) {
+    visit("model", record.model);
+    visit("status", record.status);
+    visit("units", record.units);
+    visit("domain", record.domain);
+    visit("driving", record.driving);
+    visit("swimmers", record.swimmers, omitted_if_none);
+    visit("swarm", record.swarm, omitted_if_none);
+    visit("momentum", record.momentum);
+    visit("mass_relative_change", record.mass_relative_change);
+    visit("dimensionless", record.dimensionless);
+    visit("resolution", record.resolution);
+    visit("reason", record.reason, omitted_if_none);
+    visit("mobility", record.mobility, omitted_if_none);
+    visit("near_contact", record.near_contact, omitted_if_none);
+    visit("cost", record.cost, omitted_if_none);
+    visit("state_sha256", record.state_sha256);
+    visit("provenance", record.provenance, omitted_if_none);
+  }
 };
 
 /// Whether to write cost and provenance, which differ from run to run.

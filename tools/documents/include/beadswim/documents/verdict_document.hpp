@@ -8,7 +8,7 @@
 
 #include "beadswim/compare/comparison.hpp"
 #include "beadswim/documents/run_record_document.hpp"
-#include "beadswim/io/json.hpp"
+#include "beadswim/io/fields_json.hpp"
 
 // What a comparison found (schemas/verdict.schema.json).
 
@@ -19,6 +19,12 @@ struct VerdictCost {
   double wall_seconds = 0;
   double core_seconds = 0;
   std::int64_t cell_updates = 0;
+
+  static void visit_fields(auto&& visit, auto& cost) {
+    visit("wall_seconds", cost.wall_seconds);
+    visit("core_seconds", cost.core_seconds);
+    visit("cell_updates", cost.cell_updates);
+  }
 };
 
 struct VerdictDocument {

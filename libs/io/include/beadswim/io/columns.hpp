@@ -1,0 +1,100 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "beadswim/core/fields.hpp"
+#include "beadswim/core/vec3.hpp"
+
+// Records that list their fields (core/fields.hpp) as columns of numbers. A column is a double, a Vec3 or an
+// array of doubles; other fields have the mark not_a_column.
+
+namespace beadswim {
+
+/// One field of several records.
+struct Column {
+  std::string name;
+  std::vector<hsize_t> shape;   ///< of one record's field: {} or {components}
+  std::vector<double> numbers;  ///< record after record
+};
+
+template <class Number>
+std::span<Number> numbers_of(Number& number) {
+  return {&number, 1};
+}
+template <std::size_t size>
+std::span<double> numbers_of(std::array<double, size>& numbers) {
+  return numbers;
+}
+inline std::span<double> numbers_of(Vec3& vector) {
+  return {vector.data(), 3};
+}
+
+/// Calls handle(name, numbers) for each column of the record.
+template <HasFields Record>
+void visit_columns(auto&& handle, Record& record) {
+  visit_fields(
+      [&]<class Field, class... Marks>(const char* name, Field& field, Marks...) {
+        if constexpr (!has_mark<NotAColumn, Marks...>) handle(name, numbers_of(field));
+      },
+      record);
+}
+
+template <HasFields Record>
+std::vector<Column> columns_of(std::vector<Record> records) {
+  std::vector<Column> columns;
+  Record any;
+  visit_columns(
+      [&](const char* name, std::span<double> numbers) {
+        Column& column = columns.emplace_back();
+        column.name = name;
+        if (numbers.size() > 1) column.shape = {numbers.size()};
+      },
+      any);
+  for (Record& record : records) {
+    auto column = columns.begin();
+    visit_columns(
+        [&](const char*, std::span<double> numbers) {
+          column->numbers.insert(column->numbers.end(), numbers.begin(), numbers.end());
+          ++column;
+        },
+        record);
+  }
+  return columns;
+}
+
+/// The records whose columns these are. Fields that are no columns keep their defaults.
+template <HasFields Record>
+std::vector<Record> records_of(const std::vector<Column>& columns, std::size_t count) {
+  std::vector<Record> records(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    auto column = columns.begin();
+    visit_columns(
+        [&](const char*, std::span<double> numbers) {
+          std::copy_n(column->numbers.begin() + i * numbers.size(), numbers.size(), numbers.begin());
+          ++column;
+        },
+        records[i]);
+  }
+  return records;
+}
+
+/// A record whose columns are NaN.
+template <HasFields Record>
+Record record_of_nan() {
+  Record record;
+  visit_columns(
+      [](const char*, std::span<double> numbers) {
+        std::ranges::fill(numbers, std::numeric_limits<double>::quiet_NaN());
+      },
+      record);
+  return record;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "beadswim/core/fields.hpp"
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/io/json.hpp"
+
+// Records that list their fields (core/fields.hpp), and what they are made of, as JSON: assign a record to a
+// Json, and read it by json.get<Record>(). Readers take JSON that a schema has let through.
+
+namespace beadswim {
+
+template <class T>
+bool has_value(const T& field) {
+  if constexpr (requires { field.empty(); }) {
+    return !field.empty();
+  } else {
+    return field.has_value();
+  }
+}
+
+/// Adds the record's keys after those that the object has.
+template <HasFields Record>
+void add_fields(Json& json, const Record& record) {
+  visit_fields(
+      [&]<class Field, class... Marks>(const char* name, const Field& field, Marks...) {
+        if constexpr (has_mark<OmittedIfNone, Marks...>) {
+          if (!has_value(field)) return;
+        }
+        json[name] = field;
+        if constexpr (has_mark<NullIfInfinite, Marks...>) {
+          if (std::isinf(field)) json[name] = nullptr;
+        }
+      },
+      record);
+}
+
+template <HasFields Record>
+void to_json(Json& json, const Record& record) {
+  json = Json::object();
+  add_fields(json, record);
+}
+
+/// What is optional, or marked omitted_if_none, may be missing.
+template <HasFields Record>
+void from_json(const Json& json, Record& record) {
+  visit_fields(
+      [&]<class Field, class... Marks>(const char* name, Field& field, Marks...) {
+        if constexpr (is_optional<Field> || has_mark<OmittedIfNone, Marks...>) {
+          const auto found = json.find(name);
+          if (found != json.end()) found->get_to(field);
+        } else if (has_mark<NullIfInfinite, Marks...> && json.at(name).is_null()) {
+          field = std::numeric_limits<Field>::infinity();
+        } else {
+          json.at(name).get_to(field);
+        }
+      },
+      record);
+}
+
+}  // namespace beadswim
+
+template <class T>
+struct nlohmann::adl_serializer<std::optional<T>> {
+  static void to_json(beadswim::Json& json, const std::optional<T>& value) {
+    json = value ? beadswim::Json(*value) : beadswim::Json(nullptr);
+  }
+  static void from_json(const beadswim::Json& json, std::optional<T>& value) {
+    if (json.is_null()) {
+      value.reset();
+    } else {
+      json.get_to(value.emplace());
+    }
+  }
+};
+
+template <>
+struct nlohmann::adl_serializer<beadswim::Vec3> {
+  static void to_json(beadswim::Json& json, const beadswim::Vec3& vector) {
+    json = {vector.x(), vector.y(), vector.z()};
+  }
+  static void from_json(const beadswim::Json& json, beadswim::Vec3& vector) {
+    for (int a = 0; a < 3; ++a) json.at(a).get_to(vector[a]);
+  }
+};
