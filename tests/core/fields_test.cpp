@@ -86,15 +86,14 @@ TEST(Fields, ArriveInMessages) {
   EXPECT_EQ(arrived.radius, 10);
 }
 
-/// A byte of a damaged file that says whether there is a value may be any.
+/// The byte of a damaged file that says whether there is a value may be any.
 TEST(Fields, AreRefusedInDamagedMessages) {
-  Swimmer damaged = swimmer();
-  std::vector<char> bytes = bytes_of(damaged);
-  bytes[bytes.size() - 3 * 8 - 6 * 8 - 1] = 2;
-  EXPECT_THROW(IncomingMessage{bytes}(damaged), SolverError);
-  bytes = bytes_of(swimmer());
-  bytes.pop_back();
-  EXPECT_THROW(IncomingMessage{bytes}(damaged), SolverError);
+  std::optional<double> value;
+  EXPECT_THROW(IncomingMessage(std::vector<char>{2, 0, 0, 0, 0, 0, 0, 0, 0})(value), SolverError);
+  std::vector<char> cut = bytes_of(swimmer());
+  cut.pop_back();
+  Swimmer damaged;
+  EXPECT_THROW(IncomingMessage{cut}(damaged), SolverError);
 }
 
 }  // namespace
