@@ -135,7 +135,7 @@ TEST(FieldsInJson, AreNullOrMissingAsTheirMarksSay) {
 
 /// Catches a record that is taken from JSON which has not all its keys.
 TEST(FieldsInJson, AreRefusedWhereAKeyIsMissing) {
-  EXPECT_THROW(static_cast<void>(Json({{"largest", 1.5}}).get<Limits>()), Json::exception);
+  EXPECT_THROW(static_cast<void>(Json({{"error", 1.5}}).get<Limits>()), Json::exception);
 }
 
 }  // namespace
