@@ -10,7 +10,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const std::vector<ComparedQuantity> every(compared_quantities.begin(), compared_quantities.end());
+const std::vector<ComparedQuantity> every(all_values<ComparedQuantity>.begin(),
+                                          all_values<ComparedQuantity>.end());
 
 Swimming swimming(double velocity, double d1, double d2, double sine) {
   return {{ComparedQuantity::velocity, {velocity}},

@@ -56,9 +56,9 @@ TEST(MeanSwimming, AveragesEachNumber) {
 }
 
 TEST(QuantityNames, RoundTrip) {
-  for (const ComparedQuantity quantity : compared_quantities)
-    EXPECT_EQ(quantity_named(name_of(quantity)), quantity);
-  EXPECT_EQ(quantity_named("speed"), std::nullopt);
+  for (const ComparedQuantity quantity : all_values<ComparedQuantity>)
+    EXPECT_EQ(value_named<ComparedQuantity>(to_text(quantity)), quantity);
+  EXPECT_EQ(value_named<ComparedQuantity>("speed"), std::nullopt);
 }
 
 }  // namespace

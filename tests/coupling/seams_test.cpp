@@ -187,7 +187,7 @@ TEST(Guards, StopAllRanksWhenTheFluidIsUnstable) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
   CoupledScene scene = crossing_scene();
   scene.relaxation_time = 0.45;
-  for (const BeadScheme scheme : all_bead_schemes) {
+  for (const BeadScheme scheme : all_values<BeadScheme>) {
     scene.bead_boundary = scheme;
     const auto on_all = fault_of(scene, world), alone = fault_of(scene, self);
     ASSERT_TRUE(on_all && alone);

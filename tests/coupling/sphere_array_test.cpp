@@ -65,7 +65,7 @@ TEST_P(SimpleCubicArray, HasTheDragOfZickAndHomsy) {
   const auto [drag, spread] = mean_array_drag(m.volume_fraction, m.diameter, m.scheme);
   RecordProperty("relative_error", std::to_string(drag / m.drag - 1));
   std::printf("%s, phi %.3f, %g cells a diameter: K = %.3f, error %+.2f %%, spread %.2f %%\n",
-              name_of(m.scheme).c_str(), m.volume_fraction, m.diameter, drag, 100 * (drag / m.drag - 1),
+              to_text(m.scheme).c_str(), m.volume_fraction, m.diameter, drag, 100 * (drag / m.drag - 1),
               100 * spread / m.drag);
   EXPECT_NEAR(drag / m.drag, 1, m.model_error);
   EXPECT_LT(spread / m.drag, m.model_error);
@@ -108,7 +108,7 @@ TEST_P(TurningSphere, FeelsTheStokesTorque) {
   Load impulse;
   for (int n = 0; n < 1500; ++n) impulse = sphere.step();
   const double stokes = -8 * pi * lattice_viscosity(tau) * std::pow(radius, 3) * rate;
-  std::printf("%s: torque / Stokes = %.4f\n", name_of(scheme).c_str(), impulse.torque[2] / stokes);
+  std::printf("%s: torque / Stokes = %.4f\n", to_text(scheme).c_str(), impulse.torque[2] / stokes);
   EXPECT_NEAR(impulse.torque[2] / stokes, 1.027, model);
   constexpr double off_centre = 0.01;  // force times radius over torque: the sphere is not at a cell's centre
   EXPECT_LT(impulse.force.norm() * radius, off_centre * std::abs(stokes));

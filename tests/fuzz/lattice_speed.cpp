@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(written && written->at("precisions") == lattice_speed_to_json(*speed).at("precisions"),
           "the same speeds");
   for (const int edge : {20, 1000}) {
-    for (const BeadScheme scheme : all_bead_schemes) {
+    for (const BeadScheme scheme : all_values<BeadScheme>) {
       const double seconds = speed->step(scene_of(edge, scheme));
       require(std::isfinite(seconds) && seconds > 0, "a step takes time");
     }

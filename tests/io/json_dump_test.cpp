@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "beadswim/core/box.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
 
@@ -32,6 +33,13 @@ TEST(JsonDump, RoundTripsEveryDouble) {
   for (std::size_t i = 0; i < document.size(); ++i) {
     EXPECT_EQ(again[i].get<double>(), document[i].get<double>());
   }
+}
+
+// Without the table of names nlohmann-json would write the enumerator's number.
+TEST(JsonDump, WritesAnEnumerationByName) {
+  const Json document{{"boundary", {Boundary::periodic, Boundary::no_slip}}};
+  EXPECT_EQ(dump_json_line(document), "{\"boundary\":[\"periodic\",\"no-slip\"]}\n");
+  EXPECT_EQ(document.at("boundary").at(1).get<Boundary>(), Boundary::no_slip);
 }
 
 // The library writes null for a number that is not finite, and so loses it.

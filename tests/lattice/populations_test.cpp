@@ -13,7 +13,7 @@ const Index3 size(9, 5, 4);
 class PopulationsOf : public testing::TestWithParam<Precision> {};
 
 INSTANTIATE_TEST_SUITE_P(Precisions, PopulationsOf, testing::Values(Precision::fp64, Precision::fp32),
-                         [](const auto& info) { return name_of(info.param); });
+                         [](const auto& info) { return to_text(info.param); });
 
 // The table of docs/method/in-place-streaming.md from outside. Catches a parity that is not switched, and a
 // shift with the wrong sign.

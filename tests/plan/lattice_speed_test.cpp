@@ -46,7 +46,7 @@ TEST(LatticeSpeed, AddsTheSurfaceOfBeadsByTheirScheme) {
   scene.types.resize(1);
   for (Bead& bead : scene.types[0].beads) bead = {.radius = 2, .density = 1};
   scene.swimmers = {{.id = 0, .type = 0, .position = {2, 2, 2}}};
-  for (const BeadScheme scheme : all_bead_schemes) {
+  for (const BeadScheme scheme : all_values<BeadScheme>) {
     scene.bead_boundary = scheme;
     const double area = 3 * 4 * std::numbers::pi * 2 * 2;
     const double seconds = costs()[0].seconds_per_area[static_cast<std::size_t>(scheme)];

@@ -23,7 +23,7 @@ Layout single() {
 LatticeSpeed any_speed(int ranks) {
   const PrecisionCost one{.cells = {1e3, 1e4, 1e5, 1e6},
                           .seconds_per_cell = std::vector<double>(4, 1e-8),
-                          .seconds_per_area = std::vector<double>(all_bead_schemes.size(), 1e-7)};
+                          .seconds_per_area = std::vector<double>(all_values<BeadScheme>.size(), 1e-7)};
   return {ranks, {one, one}};
 }
 

@@ -149,7 +149,7 @@ void measure(const Line& line, int places, double tau, BeadScheme scheme, const 
       ratios.push_back(pattern.forces.dot(m * pattern.forces) / reference);
     const auto [mean, deviation] = mean_and_deviation(ratios);
     emit({{"case", "collinear-spheres"},
-          {"scheme", name_of(scheme)},
+          {"scheme", to_text(scheme)},
           {"tau", tau},
           {"spheres", line.spheres},
           {"pattern", pattern.name},

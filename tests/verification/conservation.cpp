@@ -39,7 +39,7 @@ void measure(int steps, BeadScheme scheme, const Emit& emit) {
   }
   const Vec3 way = system.owned_swimmers()[0].motion[1].position - scene.swimmers[0].position;
   emit({{"case", "conservation"},
-        {"scheme", name_of(scheme)},
+        {"scheme", to_text(scheme)},
         {"tau", scene.relaxation_time},
         {"steps", steps},
         {"fastest_bead", fastest},

@@ -100,7 +100,7 @@ void measure(const std::vector<std::string>& axes, const std::vector<double>& sp
     for (const double speed : speeds) {
       const Seen seen = moving(array, speed * direction, tau, scheme);
       emit({{"case", "galilean-invariance"},
-            {"scheme", name_of(scheme)},
+            {"scheme", to_text(scheme)},
             {"tau", tau},
             {"phi", phi},
             {"cells_per_diameter", cells_per_diameter},

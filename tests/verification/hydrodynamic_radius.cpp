@@ -35,7 +35,7 @@ void measure(double radius, int places, BeadScheme scheme, const Emit& emit) {
   }
   const auto [mean, deviation] = mean_and_deviation(excesses);
   emit({{"case", "hydrodynamic-radius"},
-        {"scheme", name_of(scheme)},
+        {"scheme", to_text(scheme)},
         {"tau", tau},
         {"radius", radius},
         {"edge", edge},

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 #include "cases.hpp"
 
 // beadswim-verification: measures what the bead boundary schemes get wrong, and prints the page about it.
@@ -15,7 +15,8 @@ using namespace beadswim;
 using namespace beadswim::verification;
 
 struct Options {
-  std::vector<std::string> cases, schemes = bead_scheme_names();
+  std::vector<std::string> cases;
+  std::vector<BeadScheme> schemes{all_values<BeadScheme>.begin(), all_values<BeadScheme>.end()};
   bool brief = false;
   std::string report;
 };
@@ -35,10 +36,7 @@ std::unique_ptr<CLI::App> verification_program(Options& options) {
       ->delimiter(',')
       ->check(CLI::IsMember(case_names()))
       ->type_name("NAME,...");
-  program->add_option("--scheme", options.schemes, "Bead boundary schemes.")
-      ->delimiter(',')
-      ->check(CLI::IsMember(bead_scheme_names()))
-      ->type_name("NAME,...");
+  add_choices(*program, "--scheme", options.schemes, "Bead boundary schemes.");
   program->add_flag("--brief", options.brief, "A part of each case, in seconds.");
   program
       ->add_option("--report", options.report,
@@ -68,8 +66,8 @@ int run(int argc, char** argv) {
   };
   for (const Case& one : all_cases()) {
     if (std::ranges::count(options.cases, one.name) == 0) continue;
-    for (const std::string& scheme : options.schemes)
-      one.measure(bead_scheme_named(scheme), options.brief ? Extent::brief : Extent::whole, emit);
+    for (const BeadScheme scheme : options.schemes)
+      one.measure(scheme, options.brief ? Extent::brief : Extent::whole, emit);
   }
   return 0;
 }

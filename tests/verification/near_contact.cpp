@@ -91,7 +91,7 @@ void measure(const Pair& pair, int places, double tau, BeadScheme scheme, const 
     const auto [mean, deviation] = mean_and_deviation(values);
     const double right = reference(pair, mode), correction = added(pair, mode, tau, scheme);
     emit({{"case", "near-contact"},
-          {"scheme", name_of(scheme)},
+          {"scheme", to_text(scheme)},
           {"tau", tau},
           {"mode", mode.name},
           {"cells_per_diameter", 2 * pair.radius},

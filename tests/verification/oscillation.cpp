@@ -106,7 +106,7 @@ void measure(const Oscillation& of, int places, BeadScheme scheme, const Emit& e
   const auto [amplitude, deviation] = mean_and_deviation(amplitudes);
   const auto [phase, phase_deviation] = mean_and_deviation(phases);
   emit({{"case", "oscillation"},
-        {"scheme", name_of(scheme)},
+        {"scheme", to_text(scheme)},
         {"tau", of.tau},
         {"layers", of.layers()},
         {"period", of.period},

@@ -18,7 +18,7 @@ Json array_record(const std::string& name, BeadScheme scheme, double relaxation_
                   int cells_per_diameter, const std::vector<double>& measured, double reference) {
   const auto [mean, deviation] = mean_and_deviation(measured);
   return {{"case", name},
-          {"scheme", name_of(scheme)},
+          {"scheme", to_text(scheme)},
           {"tau", relaxation_time},
           {"phi", array.phi},
           {"cells_per_diameter", cells_per_diameter},

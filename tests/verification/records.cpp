@@ -52,7 +52,7 @@ std::vector<Json> where(const std::vector<Json>& records, const Json& values) {
 
 std::vector<std::string> schemes_in(const std::vector<Json>& records) {
   std::vector<std::string> schemes;
-  for (const std::string& name : bead_scheme_names()) {
+  for (const std::string& name : all_names<BeadScheme>()) {
     if (!where(records, {{"scheme", name}}).empty()) schemes.push_back(name);
   }
   return schemes;

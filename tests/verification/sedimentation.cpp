@@ -124,7 +124,7 @@ void measure(const Fall& of, double tau, BeadScheme scheme, const Emit& emit) {
   const CubicArray array = cubic_array(of.phi, of.cells_per_diameter);
   const Motion m = fall(of, tau, scheme);
   emit({{"case", "sedimentation"},
-        {"scheme", name_of(scheme)},
+        {"scheme", to_text(scheme)},
         {"tau", tau},
         {"phi", of.phi},
         {"cells_per_diameter", of.cells_per_diameter},

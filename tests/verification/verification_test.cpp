@@ -50,7 +50,7 @@ TEST_P(Verified, StaysWithinItsBounds) {
       EXPECT_LT(r["spread"].get<double>(), bound.spread) << r;
     }
   }
-  EXPECT_NE(verification_page(records).find(name_of(scheme)), std::string::npos);
+  EXPECT_NE(verification_page(records).find(to_text(scheme)), std::string::npos);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -61,9 +61,9 @@ INSTANTIATE_TEST_SUITE_P(
                                      Bound{"sedimentation", 0.03, 0.02}, Bound{"oscillation", 0.04, 0.01},
                                      Bound{"galilean-invariance", 0.002, 0}, Bound{"conservation", 1e-12, 0},
                                      Bound{"near-contact", 0.08, 0.1}),
-                     testing::ValuesIn(all_bead_schemes)),
+                     testing::ValuesIn(all_values<BeadScheme>)),
     [](const auto& info) {
-      std::string name = std::get<0>(info.param).name + "_" + name_of(std::get<1>(info.param));
+      std::string name = std::get<0>(info.param).name + "_" + to_text(std::get<1>(info.param));
       std::ranges::replace(name, '-', '_');
       return name;
     });
@@ -77,8 +77,8 @@ TEST(CubicArrayDrag, AgreesWithZickAndHomsyAndHasimoto) {
 }
 
 class RadiusCorrection : public testing::TestWithParam<BeadScheme> {};
-INSTANTIATE_TEST_SUITE_P(Schemes, RadiusCorrection, testing::ValuesIn(all_bead_schemes),
-                         [](const auto& info) { return name_of(info.param); });
+INSTANTIATE_TEST_SUITE_P(Schemes, RadiusCorrection, testing::ValuesIn(all_values<BeadScheme>),
+                         [](const auto& info) { return to_text(info.param); });
 
 // In an array more dilute than that of the calibration, at a radius between those of its table. Catches a
 // correction with the wrong sign, scheme or unit: without any, cli's drag is off by 6 %.
@@ -97,7 +97,7 @@ TEST_P(RadiusCorrection, BringsTheDragToThatOfTheRadius) {
 }
 
 TEST(RadiusCorrection, UndoesTheExcessAndGoesOnBeyondTheTable) {
-  for (const BeadScheme scheme : all_bead_schemes) {
+  for (const BeadScheme scheme : all_values<BeadScheme>) {
     for (double radius = 1.1; radius < 30; radius += 0.37) {
       const double corrected = corrected_radius(scheme, radius);
       EXPECT_NEAR(corrected + excess_radius(scheme, corrected), radius, 1e-12);
@@ -112,7 +112,7 @@ TEST(RadiusCorrection, IsThatOfTheStoredRecords) {
   int compared = 0;
   for (const Json& record : stored_records()) {
     if (record["case"] != "hydrodynamic-radius") continue;
-    const BeadScheme scheme = bead_scheme_named(record["scheme"].get<std::string>());
+    const BeadScheme scheme = from_text<BeadScheme>(record["scheme"].get<std::string>());
     constexpr double last_digit = 1e-4;
     EXPECT_NEAR(excess_radius(scheme, record["radius"].get<double>()), record["excess"].get<double>(),
                 0.51 * last_digit)

@@ -59,7 +59,7 @@ std::vector<Group> groups_of(const BenchRequest& request, int ranks, double avai
             "--edge",
             fmt::format("{} needs {:.1f} GB a rank in {} precision, more than the {:.1f} GB that are "
                         "free; take a smaller edge",
-                        edge, 1e-9 * BenchScenes::bytes(edge, {precision}), name_of(precision),
+                        edge, 1e-9 * BenchScenes::bytes(edge, {precision}), to_text(precision),
                         1e-9 * available));
       }
       groups.push_back({edge, ranks, {precision}});

@@ -11,7 +11,7 @@ namespace {
 
 Json row_to_json(const BenchRow& row) {
   Json json{{"case", row.name},
-            {"precision", name_of(row.precision)},
+            {"precision", row.precision},
             {"edge", row.edge},
             {"ranks", row.ranks},
             {"mlups", row.mlups},
@@ -75,7 +75,7 @@ Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
           {"processor", processor_name()},
           {"instruction_set", sweep_instruction_set()},
           {"rounds", report.rounds},
-          {"bead_boundary", name_of(report.bead_boundary)},
+          {"bead_boundary", report.bead_boundary},
           {"rows", rows},
           {"bandwidth",
            {{"in_place_gb_s", report.bandwidths.front().in_place_gb_s},
@@ -87,7 +87,7 @@ Json bench_report_to_json(const BenchReport& report, const Json& provenance) {
 std::string bench_table(const BenchReport& report) {
   if (!report.products.empty()) return product_table(report);
   std::string table = fmt::format("{}, {}; {} beads; medians of {} rounds\n", processor_name(),
-                                  sweep_instruction_set(), name_of(report.bead_boundary), report.rounds);
+                                  sweep_instruction_set(), to_text(report.bead_boundary), report.rounds);
   for (const BandwidthRow& row : report.bandwidths) {
     table += fmt::format("{} rank{}: in place {:.1f} GB/s, copy {:.1f} GB/s\n", row.ranks,
                          row.ranks == 1 ? "" : "s", row.in_place_gb_s, row.copy_gb_s);
@@ -96,7 +96,7 @@ std::string bench_table(const BenchReport& report) {
       "\nedge ranks precision case                MLUPS    best  of yardstick  of bandwidth  over double\n";
   for (const BenchRow& row : report.rows) {
     table += fmt::format("{:4} {:5} {:9} {:17} {:7.1f} {:7.1f}  {:12.3f}  {:12.3f}  {:>11}{}\n", row.edge,
-                         row.ranks, name_of(row.precision), row.name, row.mlups, row.mlups_best,
+                         row.ranks, to_text(row.precision), row.name, row.mlups, row.mlups_best,
                          row.fraction_of_yardstick, row.fraction_of_bandwidth,
                          row.over_double > 0 ? fmt::format("{:.2f}", row.over_double) : "-",
                          row.layout.empty() ? "" : "  " + row.layout);

@@ -1,8 +1,8 @@
+#include <algorithm>
 #include <cstdio>
-#include <map>
 
 #include "beadswim/core/communicator.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 #include "bench_groups.hpp"
 
 // beadswim-bench: how fast this machine's memory and the solver are, in one run.
@@ -13,8 +13,6 @@ using namespace beadswim;
 
 struct BenchOptions {
   BenchRequest request;
-  std::string bead_boundary = name_of(BeadScheme::staircase);
-  std::vector<std::string> precisions{name_of(Precision::fp64), name_of(Precision::fp32)};
   ProductRequest products;
   bool json = false;
 };
@@ -33,16 +31,9 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       ->check(whole_number(32, 4096))
       ->default_str("64,128,256")
       ->type_name("N,...");
-  program->add_option("--precision", options.precisions, "double, single or both.")
-      ->delimiter(',')
-      ->check(one_of({"double", "single"}))
-      ->default_str("double,single")
-      ->type_name("NAME,...");
-  program
-      ->add_option("--bead-boundary", options.bead_boundary,
-                   "Bead boundary of the swarm, as of beadswim-run: staircase, the paper's, cli, mr or psm.")
-      ->check(one_of(bead_scheme_names()))
-      ->capture_default_str()
+  add_choices(*program, "--precision", options.request.precisions, "double, single or both.");
+  add_choice(*program, "--bead-boundary", options.request.bead_boundary,
+             "Bead boundary of the swarm, as of beadswim-run: staircase, the paper's, cli, mr or psm.")
       ->type_name("NAME");
   auto* beads =
       program
@@ -69,12 +60,9 @@ int run(int argc, char** argv, const Communicator& world) {
   BenchOptions options;
   const auto program = bench_program(options);
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
-  options.request.bead_boundary = bead_scheme_named(options.bead_boundary);
-  options.request.precisions.clear();
-  for (const Precision precision : {Precision::fp64, Precision::fp32}) {
-    if (std::ranges::count(options.precisions, name_of(precision)) > 0)
-      options.request.precisions.push_back(precision);
-  }
+  std::vector<Precision>& precisions = options.request.precisions;
+  std::ranges::sort(precisions);
+  precisions.erase(std::ranges::unique(precisions).begin(), precisions.end());
   for (const char* flag : {"--edge", "--precision", "--bead-boundary"}) {
     if (!options.products.beads.empty() && program->count(flag) > 0)
       throw InputError(flag, "is of the lattice; leave it out with --beads");

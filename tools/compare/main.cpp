@@ -1,8 +1,7 @@
 #include <cstdio>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/nearest_name.hpp"
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 #include "comparison_inputs.hpp"
 #include "verdict_table.hpp"
 
@@ -13,20 +12,8 @@ using namespace beadswim;
 /// Flags as they are typed.
 struct Flags {
   std::string method;
-  std::vector<std::string> quantities;
   std::string cycle = "last";
 };
-
-std::vector<std::string> quantity_names() {
-  std::vector<std::string> names;
-  for (const ComparedQuantity quantity : compared_quantities) names.push_back(name_of(quantity));
-  return names;
-}
-
-ComparedQuantity parse_quantity(const std::string& name) {
-  if (const auto quantity = quantity_named(name)) return *quantity;
-  throw InputError("--quantity", unknown_name(name, quantity_names()));
-}
 
 void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
   program
@@ -48,13 +35,10 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
                   "inertia-corrected, else multipole-ode, rpy-ode, rpy-perturbation, else the first. All "
                   "methods are shown.")
       ->type_name("NAME");
-  program
-      .add_option("--quantity", flags.quantities,
-                  "What to compare, separated by commas: velocity (along the swimmer's axis, against the "
-                  "mean flow along periodic axes), arm_amplitudes, sin_phase_shift.")
-      ->type_name("NAME,...")
-      ->delimiter(',')
-      ->default_str(CLI::detail::join(quantity_names(), ","));
+  request.quantities.assign(all_values<ComparedQuantity>.begin(), all_values<ComparedQuantity>.end());
+  add_choices(program, "--quantity", request.quantities,
+              "What to compare, separated by commas: velocity (along the swimmer's axis, against the "
+              "mean flow along periodic axes), arm_amplitudes, sin_phase_shift.");
   program.add_option("--tolerance", request.tolerance, "Largest relative error that passes, as a fraction.")
       ->default_val(0.05)
       ->check(finite_positive());
@@ -67,9 +51,6 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
 
 void apply(const Flags& flags, ComparisonRequest& request) {
   if (!flags.method.empty()) request.method = flags.method;
-  for (const std::string& name : flags.quantities) request.quantities.push_back(parse_quantity(name));
-  if (request.quantities.empty())
-    request.quantities.assign(compared_quantities.begin(), compared_quantities.end());
   request.cycle = parse_cycle_choice(flags.cycle);
 }
 

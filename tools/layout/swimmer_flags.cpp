@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/named_flags.hpp"
 
 namespace beadswim {
 
@@ -72,12 +72,10 @@ void SwimmerFlags::add_driving(CLI::App& command) {
   command.add_option("--period", period_, "Period T [time]. Default: the preset's.")
       ->type_name("T")
       ->check(finite_positive());
-  command
-      .add_option("--frame", frame_,
-                  "Direction of the driving forces: lab (along x, an external field), initial-axis (each "
-                  "swimmer's own axis at the start) or body (along the arms: free of force and torque). "
-                  "Default: lab.")
-      ->type_name("lab|initial-axis|body");
+  add_choice(command, "--frame", frame_,
+             "Direction of the driving forces: lab (along x, an external field), initial-axis (each "
+             "swimmer's own axis at the start) or body (along the arms: free of force and torque). "
+             "Default: lab.");
 }
 
 void SwimmerFlags::add_fluid(CLI::App& command) {
@@ -107,7 +105,8 @@ PlaceFlags::PlaceFlags(CLI::App& command) {
           .add_option("--boundary", boundary_,
                       "What closes the box, one for all or one each along x, y, z: periodic, free-slip or "
                       "no-slip. Default: the preset's, else periodic.")
-          ->type_name("B|BX,BY,BZ");
+          ->type_name("B|BX,BY,BZ")
+          ->check(number_list({1, 3}, one_of(all_names<Boundary>())));
   command
       .add_flag("--unbounded", unbounded_,
                 "No box: unbounded fluid, for theory and mobility models only (a resolved run needs a box).")

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,7 +46,8 @@ class SwimmerFlags {
   std::vector<Preset> presets_;
   std::string preset_;
   std::string radius_, arm_, stiffness_, damping_, angular_stiffness_, bead_density_;
-  std::string amplitude_, phase_, period_, frame_;
+  std::string amplitude_, phase_, period_;
+  std::optional<DrivingFrame> frame_;
   std::string viscosity_, density_, units_;
 };
 

@@ -8,20 +8,12 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
-#include "beadswim/scene/names.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/units.hpp"
 #include "beadswim/tools/program.hpp"
 
 namespace beadswim {
 namespace {
-
-template <typename Enum, std::size_t n>
-Enum named(const EnumNames<Enum, n>& names, const std::string& name, const char* flag) {
-  const std::optional<Enum> value = from_name(names, name);
-  if (!value) throw InputError(flag, unknown_name(name, all_names(names)));
-  return *value;
-}
 
 /// Numbers of a flag, one for all `count` places or one each.
 std::vector<double> spread(const std::string& text, std::size_t count) {
@@ -99,7 +91,7 @@ void SwimmerFlags::apply_driving(Driving& driving) const {
   if (preset_.empty()) driving.phase = std::numbers::pi / 2;
   if (!phase_.empty()) driving.phase = parse_numbers(phase_)[0];
   if (!period_.empty()) driving.period = parse_numbers(period_)[0];
-  if (!frame_.empty()) driving.frame = named(frame_names, frame_, "--frame");
+  if (frame_) driving.frame = *frame_;
 }
 
 void SwimmerFlags::apply_fluid(Fluid& fluid) const {
@@ -142,13 +134,8 @@ void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
   if (!box_.empty()) domain->lengths = vector_of(box_);
   if (boundary_.empty()) return;
   const std::vector<std::string> names = split_at_commas(boundary_);
-  if (names.size() != 1 && names.size() != 3) {
-    throw InputError("--boundary",
-                     fmt::format("\"{}\": {} names, but 1 or 3 are needed", boundary_, names.size()));
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    domain->boundary[axis] = named(boundary_names, names[names.size() == 1 ? 0 : axis], "--boundary");
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    domain->boundary[axis] = from_text<Boundary>(names[names.size() == 1 ? 0 : axis]);
 }
 
 void PlaceFlags::apply(Layout& layout) const {

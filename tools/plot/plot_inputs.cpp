@@ -45,7 +45,7 @@ Prediction best_prediction(const PredictionDocument& document, const std::string
   for (const Prediction& prediction : document.predictions) {
     references.push_back({source, prediction.method, prediction.usable, swimming_of(prediction)});
   }
-  const auto best = best_reference(references, compared_quantities);
+  const auto best = best_reference(references, all_values<ComparedQuantity>);
   if (!best) throw InputError(source, "holds no usable method; name the methods to draw with --method");
   return document.predictions[*best];
 }

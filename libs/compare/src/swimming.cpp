@@ -1,27 +1,8 @@
 #include "beadswim/compare/swimming.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace beadswim {
-
-std::string name_of(ComparedQuantity quantity) {
-  switch (quantity) {
-    case ComparedQuantity::velocity:
-      return "velocity";
-    case ComparedQuantity::arm_amplitudes:
-      return "arm_amplitudes";
-    case ComparedQuantity::sin_phase_shift:
-      return "sin_phase_shift";
-  }
-  return {};
-}
-
-std::optional<ComparedQuantity> quantity_named(const std::string& name) {
-  const auto found = std::find_if(compared_quantities.begin(), compared_quantities.end(),
-                                  [&](ComparedQuantity quantity) { return name_of(quantity) == name; });
-  return found == compared_quantities.end() ? std::nullopt : std::optional(*found);
-}
 
 double velocity_against_fluid(const CycleStatistics& cycle, const std::optional<Box>& box) {
   Vec3 relative = cycle.velocity;

@@ -13,7 +13,6 @@
 namespace beadswim {
 namespace {
 
-constexpr std::array all_precisions{Precision::fp64, Precision::fp32};
 constexpr std::array edges{12, 24, 48, 96};  // of a rank's block: in cache, and far out of it
 constexpr double stretch = 0.06;             // one timed stretch [s]
 constexpr int rounds = 3;
@@ -84,19 +83,19 @@ LatticeSpeed::LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions)
   const auto is_sound = [](const PrecisionCost& own) {
     constexpr double longest = 1;  // no machine takes a second for a cell
     return own.cells.size() == edges.size() && own.seconds_per_cell.size() == edges.size() &&
-           own.seconds_per_area.size() == all_bead_schemes.size() && own.cells.front() > 0 &&
+           own.seconds_per_area.size() == all_values<BeadScheme>.size() && own.cells.front() > 0 &&
            std::ranges::is_sorted(own.cells) && std::ranges::min(own.seconds_per_cell) > 0 &&
            std::ranges::max(own.seconds_per_cell) < longest && std::ranges::min(own.seconds_per_area) >= 0 &&
            std::ranges::max(own.seconds_per_area) < longest;
   };
-  if (precisions_.size() != all_precisions.size() || !std::ranges::all_of(precisions_, is_sound))
+  if (precisions_.size() != all_values<Precision>.size() || !std::ranges::all_of(precisions_, is_sound))
     throw InputError("precisions", "are not what this version writes");
 }
 
 LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
   const int ranks = communicator.size();
   std::vector<PrecisionCost> precisions;
-  for (const Precision precision : all_precisions) {
+  for (const Precision precision : all_values<Precision>) {
     PrecisionCost& own = precisions.emplace_back();
     const auto cost_of = [&](const CoupledScene& scene) {
       return ranks * seconds_of_step(scene, communicator);
@@ -106,7 +105,7 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
       own.cells.push_back(std::pow(edge, 3));
       own.seconds_per_cell.push_back(cost_of(scene) / scene.cells.cast<double>().prod());
     }
-    for (const BeadScheme scheme : all_bead_schemes) {
+    for (const BeadScheme scheme : all_values<BeadScheme>) {
       const CoupledScene scene = with_beads(precision, scheme, ranks);
       const double cells = scene.cells.cast<double>().prod();
       const double of_fluid = cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks);

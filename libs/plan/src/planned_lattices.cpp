@@ -148,7 +148,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
   if (cells.empty()) cells = {4};
   std::vector<double> times(usual_times.begin(), usual_times.end());
   if (fixed.relaxation_time) times = {*fixed.relaxation_time};
-  std::vector<Precision> precisions{Precision::fp64, Precision::fp32};
+  std::vector<Precision> precisions(all_values<Precision>.begin(), all_values<Precision>.end());
   if (request.precision) precisions = {*request.precision};
   std::optional<LatticeSpeed> speed;
   std::vector<PlannedRun> runs;

@@ -3,9 +3,8 @@
 #include "beadswim/io/document_fault.hpp"
 #include "beadswim/io/schema.hpp"
 #include "beadswim/scene/check.hpp"
-#include "beadswim/scene/names.hpp"
 #include "beadswim/scene/units.hpp"
-#include "domain_json.hpp"
+#include "beadswim/io/fields_json.hpp"
 
 namespace beadswim {
 namespace {

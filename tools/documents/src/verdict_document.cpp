@@ -4,13 +4,6 @@
 
 namespace beadswim {
 
-static void to_json(Json& json, ComparedQuantity quantity) {
-  json = name_of(quantity);
-}
-static void from_json(const Json& json, ComparedQuantity& quantity) {
-  quantity = quantity_named(json.get<std::string>()).value();
-}
-
 std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> runs) {
   VerdictCost total;
   for (const std::optional<RunCost>& cost : runs) {

@@ -6,12 +6,21 @@
 #include <string>
 #include <variant>
 
+#include "beadswim/core/names.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/plan/run_settings.hpp"
 
 namespace beadswim {
 
 enum class ProgressStyle { automatic, bar, lines, json, none };
+
+template <>
+inline constexpr auto name_table<ProgressStyle> =
+    std::to_array<NamedValue<ProgressStyle>>({{ProgressStyle::automatic, "auto"},
+                                              {ProgressStyle::bar, "bar"},
+                                              {ProgressStyle::json, "json"},
+                                              {ProgressStyle::lines, "lines"},
+                                              {ProgressStyle::none, "none"}});
 
 /// The command line of beadswim-run.
 struct RunOptions {

@@ -24,7 +24,7 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
       "{} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} swimmers, {} precision, "
       "{:.2g} GB on {} ranks",
       cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
-      lattice.steps_per_period, on_lattice.scene.swimmers.size(), name_of(on_lattice.scene.precision),
+      lattice.steps_per_period, on_lattice.scene.swimmers.size(), to_text(on_lattice.scene.precision),
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
 }
 

@@ -37,11 +37,11 @@ LatticeResolution resolution_of(const SceneOnLattice& on_lattice) {
           .relaxation_time = on_lattice.lattice.relaxation_time,
           .kinematic_viscosity_lattice = lattice_viscosity(on_lattice.lattice.relaxation_time),
           .steps_per_cycle = on_lattice.lattice.steps_per_period,
-          .bead_boundary = name_of(on_lattice.scene.bead_boundary),
+          .bead_boundary = to_text(on_lattice.scene.bead_boundary),
           .density_on_lattice = on_lattice.density_on_lattice(),
           .radius_on_lattice = on_lattice.radius_on_lattice(),
           .angular_softening = on_lattice.angular_softening,
-          .precision = name_of(on_lattice.scene.precision)};
+          .precision = to_text(on_lattice.scene.precision)};
 }
 
 NearContactRecord near_contact_of(const CoupledSystem& system, const SceneOnLattice& on_lattice) {

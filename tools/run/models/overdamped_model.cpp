@@ -7,7 +7,6 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
-#include "beadswim/scene/names.hpp"
 #include "record/record.hpp"
 
 namespace beadswim {
@@ -22,7 +21,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
   refuse_lattice_flags(asked, asked.settings.model);
   options = asked;
-  OverdampedSetup setup = overdamped_setup(layout, *from_name(mobility_model_names, asked.settings.model),
+  OverdampedSetup setup = overdamped_setup(layout, from_text<MobilityModel>(asked.settings.model),
                                            asked.settings.mobility, source);
   scene = std::move(setup.scene);
   swimmers = scene.swimmers;
@@ -34,10 +33,9 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
     periods.push_back(type.driving.period / time_step);
     radii.push_back({first.radius, second.radius, third.radius});
   }
-  announcement =
-      fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
-                  to_name(mobility_model_names, scene.model), swimmers.size(),
-                  scene.box ? "a box" : "open space", scene.tolerance, steps_per_cycle, communicator.size());
+  announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
+                             to_text(scene.model), swimmers.size(), scene.box ? "a box" : "open space",
+                             scene.tolerance, steps_per_cycle, communicator.size());
 }
 
 std::unique_ptr<Model> OverdampedPlan::make(long) const {
@@ -129,7 +127,7 @@ std::optional<ModelFault> OverdampedModel::fault() const {
 
 void OverdampedModel::describe(RunRecord& record) const {
   const OverdampedState& state = system_.state();
-  record.model = to_name(mobility_model_names, plan_.scene.model);
+  record.model = to_text(plan_.scene.model);
   record.dimensionless = dimensionless_numbers(plan_.scene.types, state.largest_speed,
                                                plan_.kinematic_viscosity, plan_.base_period);
   const std::optional<EwaldPlan>& sums = system_.mobility().plan();

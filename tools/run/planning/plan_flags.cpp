@@ -33,9 +33,9 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
   if (settings.model == "lbm") {
     flags += fmt::format(" --cells-per-radius {} --relaxation-time {}", *lattice.cells_per_radius,
                          *lattice.relaxation_time);
-    if (lattice.precision != usual.precision) flags += " --precision " + name_of(lattice.precision);
+    if (lattice.precision != usual.precision) flags += " --precision " + to_text(lattice.precision);
     if (lattice.bead_boundary != usual.bead_boundary)
-      flags += " --bead-boundary " + name_of(lattice.bead_boundary);
+      flags += " --bead-boundary " + to_text(lattice.bead_boundary);
   }
   const FlagValues course = course_of(settings);
   for (const char* asked :

@@ -51,8 +51,8 @@ Json json_of(const PlannedRun& run, const RunOptions& asked, const Communicator&
   if (run.settings.model == "lbm") {
     json["resolution"] = {{"cells_per_radius", *lattice.cells_per_radius},
                           {"relaxation_time", *lattice.relaxation_time},
-                          {"bead_boundary", name_of(lattice.bead_boundary)},
-                          {"precision", name_of(lattice.precision)}};
+                          {"bead_boundary", lattice.bead_boundary},
+                          {"precision", lattice.precision}};
   }
   if (!run.refused.empty()) json["refused"] = run.refused;
   if (run.core_seconds > 0) {

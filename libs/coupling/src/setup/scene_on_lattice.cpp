@@ -58,7 +58,7 @@ void require_viscosity(BeadScheme scheme, double relaxation_time) {
   throw InputError("--relaxation-time",
                    fmt::format("{:.6g} is so near 1/2 that the surface of beads is unstable with "
                                "--bead-boundary {}; take {} or more, or --bead-boundary psm",
-                               relaxation_time, name_of(scheme), least_viscous));
+                               relaxation_time, to_text(scheme), least_viscous));
 }
 
 /// Throws InputError at the one relaxation time at which multireflection has nothing to go by.

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include "beadswim/mobility/rotne_prager.hpp"
-#include "beadswim/scene/names.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 #include "confidence.hpp"
@@ -13,9 +12,7 @@ namespace {
 
 /// "periodic 128x80x80", or "free-slip x periodic ..." axis by axis, the swimmer's first.
 std::string box_text(const Box& box) {
-  const auto axis = [&](int i) {
-    return fmt::format("{} {:.6g}", to_name(boundary_names, box.boundary[i]), box.lengths[i]);
-  };
+  const auto axis = [&](int i) { return fmt::format("{} {:.6g}", to_text(box.boundary[i]), box.lengths[i]); };
   return axis(0) + ", " + axis(1) + ", " + axis(2);
 }
 

@@ -1,14 +1,13 @@
 #pragma once
 
-#include <array>
 #include <map>
 #include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/box.hpp"
+#include "beadswim/core/names.hpp"
 
 // What runs and predictions are compared by.
 
@@ -16,11 +15,11 @@ namespace beadswim {
 
 enum class ComparedQuantity { velocity, arm_amplitudes, sin_phase_shift };
 
-inline constexpr std::array compared_quantities{ComparedQuantity::velocity, ComparedQuantity::arm_amplitudes,
-                                                ComparedQuantity::sin_phase_shift};
-
-std::string name_of(ComparedQuantity quantity);                           ///< "velocity", ...
-std::optional<ComparedQuantity> quantity_named(const std::string& name);  ///< none for any other name
+template <>
+inline constexpr auto name_table<ComparedQuantity> =
+    std::to_array<NamedValue<ComparedQuantity>>({{ComparedQuantity::velocity, "velocity"},
+                                                 {ComparedQuantity::arm_amplitudes, "arm_amplitudes"},
+                                                 {ComparedQuantity::sin_phase_shift, "sin_phase_shift"}});
 
 /// How a swimmer swims, whatever says so; a source may know only some of the quantities.
 ///   velocity         { v }       along the swimmer's axis, in the frame of zero volume flux [length/time]

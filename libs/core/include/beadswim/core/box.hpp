@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "beadswim/core/names.hpp"
 #include "beadswim/core/vec3.hpp"
 
 // The box that holds fluid and swimmers, and its periodic and mirror images. Any coherent unit system.
@@ -20,6 +21,10 @@ enum class Boundary {
   free_slip,  ///< wall: no flow through it, no shear stress on it; acts as a mirror
   no_slip,    ///< wall: the fluid at it is at rest
 };
+
+template <>
+inline constexpr auto name_table<Boundary> = std::to_array<NamedValue<Boundary>>(
+    {{Boundary::periodic, "periodic"}, {Boundary::free_slip, "free-slip"}, {Boundary::no_slip, "no-slip"}});
 
 /// A rectangular box from the origin to `lengths`.
 struct Box {

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
+#include "beadswim/core/names.hpp"
 
 namespace beadswim {
 
@@ -14,13 +12,13 @@ enum class BeadScheme {
   psm,        ///< no links: fluid fills beads too, and partially saturated cells hold it to their motion
 };
 
-/// All that --bead-boundary offers and tests/verification measures.
-inline constexpr std::array all_bead_schemes{BeadScheme::staircase, BeadScheme::cli, BeadScheme::mr,
-                                             BeadScheme::psm};
-
-std::string name_of(BeadScheme scheme);
-std::vector<std::string> bead_scheme_names();
-BeadScheme bead_scheme_named(const std::string& name);  ///< Throws InputError for a name that none has.
+/// What users can choose and tests/verification measures.
+template <>
+inline constexpr auto name_table<BeadScheme> =
+    std::to_array<NamedValue<BeadScheme>>({{BeadScheme::staircase, "staircase"},
+                                           {BeadScheme::cli, "cli"},
+                                           {BeadScheme::mr, "mr"},
+                                           {BeadScheme::psm, "psm"}});
 
 constexpr bool has_links(BeadScheme scheme) {
   return scheme != BeadScheme::psm;

@@ -3,12 +3,24 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "beadswim/core/names.hpp"
+
 // Strict JSON in, finite JSON out.
 
 namespace beadswim {
 
 /// Keeps keys in the order of writing, so that documents read as their specification does.
 using Json = nlohmann::ordered_json;
+
+/// An enumeration with a table of names stands in JSON by name.
+template <NamedEnum Enum>
+void to_json(Json& json, Enum value) {
+  json = to_text(value);
+}
+template <NamedEnum Enum>
+void from_json(const Json& json, Enum& value) {
+  value = from_text<Enum>(json.get<std::string>());
+}
 
 /// The whole text of a file, or of stdin for "-". Throws InputError naming the path.
 std::string read_text(const std::string& path);

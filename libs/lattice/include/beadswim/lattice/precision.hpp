@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <utility>
+
+#include "beadswim/core/names.hpp"
 
 namespace beadswim {
 
@@ -13,6 +14,10 @@ enum class Precision {
   fp32,  ///< half the memory and traffic; docs/method/single-precision.md says what it costs
 };
 
+template <>
+inline constexpr auto name_table<Precision> =
+    std::to_array<NamedValue<Precision>>({{Precision::fp64, "double"}, {Precision::fp32, "single"}});
+
 /// Calls work.operator()<Real>(), Real being the type in which populations of this precision are stored.
 template <class Work>
 decltype(auto) in_precision(Precision precision, Work&& work) {
@@ -22,11 +27,6 @@ decltype(auto) in_precision(Precision precision, Work&& work) {
 
 inline std::size_t bytes_of_number(Precision precision) {
   return in_precision(precision, []<class Real>() { return sizeof(Real); });
-}
-
-/// As on command lines and in records: "double" or "single".
-inline std::string name_of(Precision precision) {
-  return precision == Precision::fp32 ? "single" : "double";
 }
 
 }  // namespace beadswim

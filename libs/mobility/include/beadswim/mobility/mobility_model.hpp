@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
-#include <string_view>
-#include <utility>
+#include "beadswim/core/names.hpp"
 
 namespace beadswim {
 
@@ -13,9 +11,9 @@ enum class MobilityModel {
   rpy_near,  ///< rpy, and exact along the line of near spheres; spheres 3k, 3k + 1, 3k + 2 are one swimmer
 };
 
-/// Names in flags and documents.
-inline constexpr std::array<std::pair<MobilityModel, std::string_view>, 3> mobility_model_names{
-    {{MobilityModel::rpy, "rpy"}, {MobilityModel::rpy_near, "rpy+near"}, {MobilityModel::oseen, "oseen"}}};
+template <>
+inline constexpr auto name_table<MobilityModel> = std::to_array<NamedValue<MobilityModel>>(
+    {{MobilityModel::rpy, "rpy"}, {MobilityModel::rpy_near, "rpy+near"}, {MobilityModel::oseen, "oseen"}});
 
 /// Whether spheres have a size to others.
 inline bool are_spheres(MobilityModel model) {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "beadswim/core/names.hpp"
+
 // What a three-bead swimmer is made of (paper, section 2). Any coherent unit system: a layout's own in
 // theory and layouts, lattice units inside a resolved run.
 
@@ -13,6 +15,10 @@ enum class DrivingFrame {
   initial_axis,  ///< each swimmer's own axis at the start
   body,          ///< along the arms as they are: free of force and of torque
 };
+
+template <>
+inline constexpr auto name_table<DrivingFrame> = std::to_array<NamedValue<DrivingFrame>>(
+    {{DrivingFrame::lab, "lab"}, {DrivingFrame::initial_axis, "initial-axis"}, {DrivingFrame::body, "body"}});
 
 struct Bead {
   double radius = 0;   ///< [length]

@@ -18,6 +18,14 @@ namespace beadswim {
 
 enum class RunStatus { finished, stopped_speed, stopped_time, stopped_signal, failed };
 
+template <>
+inline constexpr auto name_table<RunStatus> =
+    std::to_array<NamedValue<RunStatus>>({{RunStatus::finished, "finished"},
+                                          {RunStatus::stopped_speed, "stopped-speed"},
+                                          {RunStatus::stopped_time, "stopped-time"},
+                                          {RunStatus::stopped_signal, "stopped-signal"},
+                                          {RunStatus::failed, "failed"}});
+
 struct SwimmerRecord {
   int id = 0;
   std::vector<CycleStatistics> cycles;  ///< whole cycles, in order
@@ -224,8 +232,6 @@ struct RunRecord {
 
 /// Whether to write cost and provenance, which differ from run to run.
 enum class RecordProvenance { written, left_out };
-
-std::string name_of(RunStatus status);  ///< "stopped-time", ...
 
 /// Validates against the schema and converts. `source` names the document in messages. Throws InputError.
 RunRecord run_record_from_json(const Json& document, const std::string& source);
