@@ -1,17 +1,23 @@
-// With which phase of its driving does the paper's swimmer swim fastest? In exact Stokes flow, second order in amplitude.
+// With which phase of its driving does the paper's swimmer swim fastest? In exact Stokes flow, second order in amplitude;
+// then its velocity there at finite amplitude.
+//
+//   best-phase [AMPLITUDE]     of the driving forces; the paper's unless given
 
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/scene/presets.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
 #include "beadswim/theory/perturbation.hpp"
 #include "beadswim/theory/question.hpp"
 
-int main() {
-  using namespace beadswim;
-  const Layout layout = paper_single();
-  CollinearSwimmer swimmer =
-      collinear_swimmer(layout.types.at("a"), Vec3::UnitX(), layout.fluid.dynamic_viscosity());
+namespace {
+
+using namespace beadswim;
+
+void find_best_phase(CollinearSwimmer swimmer) {
   const CollinearMobility mobility = exact_mobility(swimmer, rest_positions(swimmer));
   double best_phase = 0, best_velocity = 0;
   for (int degrees = 0; degrees < 360; ++degrees) {
@@ -23,4 +29,24 @@ int main() {
     }
   }
   std::printf("phase %.0f degrees, velocity %.4g cells a step\n", best_phase, best_velocity);
+
+  swimmer.phase = best_phase * std::numbers::pi / 180;
+  const MobilityAt mobility_at = [&](const LinePositions& x) { return exact_mobility(swimmer, x); };
+  const double least_gap = 0.01 * swimmer.radius[0];
+  const PeriodicMotion motion = periodic_motion(swimmer, rest_positions(swimmer), mobility_at, least_gap);
+  std::printf("at this amplitude %.4g\n", motion.velocity);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Layout layout = paper_single();
+  CollinearSwimmer swimmer = collinear_swimmer(layout.types.at("a"), Vec3::UnitX(), layout.fluid.dynamic_viscosity());
+  if (argc > 1) swimmer.amplitude.fill(std::atof(argv[1]));
+  try {
+    find_best_phase(swimmer);
+  } catch (const InputError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
+  }
 }

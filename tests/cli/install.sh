@@ -42,6 +42,11 @@ has_status 0
 run library/best-phase
 has_status 0
 out_has '^phase [0-9]+ degrees, velocity [0-9.e-]+ cells a step$'
+out_has '^at this amplitude [0-9.e-]+$'
+# Messages name settings in words where no program has put flags in their place.
+run library/best-phase 1000
+has_status 2
+err_has 'beads come nearer .*; lower the amplitude, or raise the stiffness, the damping or the arms'
 
 # --- completion
 completions() { # WORDS...   what stands for the last of them

@@ -177,6 +177,7 @@ run beadswim-theory collide.json
 has_status 0
 out_is_valid
 err_has 'warning: beads meet within the stroke: .* swing by 10\.[0-9]+ and 15\.[0-9]+, with gaps of 12 and 12'
+err_has 'at rest; lower --amplitude or raise --stiffness, --damping or --arm$'
 err_has 'left out .*rpy-ode.*: stroke: no periodic motion without contact .* up to about 0\.[0-9]+ of its amplitude'
 check "contact within the stroke is usable" test "$(jq '[.predictions[] | select(.usable)] | length' out)" -eq 0
 paper --amplitude 0.4 >large.json

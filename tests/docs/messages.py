@@ -5,7 +5,7 @@
     messages.py SOURCE-FOLDER --list     prints place and message
 
 A message is what string literals say in a statement that throws, refuses, warns or tells, and in the functions of SPEAKING that
-return reasons; "…" stands for what is put in. On the page it is what stands in backticks in the first column of a table.
+return reasons; "…" stands for what is put in, but settings have their flag there, as in the programs. On the page it is what stands in backticks in the first column of a table.
 """
 
 import pathlib
@@ -38,28 +38,44 @@ def without_comments(text):
     return re.sub(r"#\s*include[^\n]*", lambda m: " " * len(m.group()), TOKEN.sub(blank, text))
 
 
-def plain(literals):
-    """As the user reads it, with … for what is put in."""
+def arguments(code):
+    """Of a call, from the comma after its first argument, or what else stands there, to its end."""
+    found, depth = [""], 0
+    for part in re.findall(LITERAL + r"|.", code, re.S):
+        depth += (part in "([{") - (part in ")]}")
+        if depth < 0:
+            break
+        if part == "," and depth == 0:
+            found.append("")
+        else:
+            found[-1] += part
+    return [a.strip() for a in found[1:]]
+
+
+def plain(literals, values, flags):
+    """As the user reads it, with … for what is put in, and the flag for a setting."""
     text = "".join(re.findall(r'"((?:[^"\\\n]|\\.)*)"', literals))
     text = text.replace("{{", "\0").replace("}}", "\1")
-    text = re.sub(r"\{[^}]*\}", "…", text).replace("\0", "{").replace("\1", "}")
+    values = iter(values)
+    text = re.sub(r"\{[^}]*\}", lambda m: flags.get(next(values, ""), "…"), text).replace("\0", "{").replace("\1", "}")
     return text.replace('\\"', '"').replace("\\n", " ").replace("\\t", " ")
 
 
-def joined(runs, text):
+def joined(runs, text, flags):
     """Runs of literals of one statement; those with only "+ value +" between them are one message."""
     messages = []
     for run in runs:
+        words = plain(run.group(), arguments(text[run.end() :]), flags)
         between = text[messages[-1][2] : run.start()].strip() if messages else ""
         if messages and re.fullmatch(r"\+[^;{}?]*\+", between) and "InputError" not in between:
-            start, words, _ = messages.pop()
-            messages.append((start, words + "…" + plain(run.group()), run.end()))
+            start, before, _ = messages.pop()
+            messages.append((start, before + "…" + words, run.end()))
         else:
-            messages.append((run.start(), plain(run.group()), run.end()))
+            messages.append((run.start(), words, run.end()))
     return messages
 
 
-def messages_of(path):
+def messages_of(path, flags):
     text = without_comments(path.read_text())
     ends = [0] + [m.end() for m in re.finditer(r"(?<!')[;{}]\n|:\n", RUN.sub(lambda m: "_" * len(m.group()), text))] + [len(text)]
     for begin, end in zip(ends, ends[1:]):
@@ -68,7 +84,7 @@ def messages_of(path):
         speaks = LOUD.search(code) or path.name in SPEAKING
         if not speaks:
             continue
-        for start, words, _ in joined(RUN.finditer(statement), statement):
+        for start, words, _ in joined(RUN.finditer(statement), statement, flags):
             words = " ".join(words.split()).strip(" :;,")
             if QUIET.search(code) and not LOUD.search(code):
                 continue
@@ -78,8 +94,9 @@ def messages_of(path):
 
 def messages(root):
     found = {}
+    flags = dict(re.findall(r'\{(Setting::\w+), "([^"]+)"\}', (root / "tools/common/src/flag_names.cpp").read_text()))
     for path in sorted(p for f in ["libs", "tools"] for p in (root / f).rglob("*.[ch]pp")):
-        for line, words in messages_of(path):
+        for line, words in messages_of(path, flags):
             found.setdefault(words, f"{path.relative_to(root)}:{line}")
     return found
 

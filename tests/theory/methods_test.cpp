@@ -88,7 +88,8 @@ TEST(Methods, ThoseOfExactFlowRefuseBeadsThatAllButTouch) {
 }
 
 TEST(Methods, MultipoleStrokeAsksForAMeasuredStroke) {
-  EXPECT_THAT(refusal("multipole-stroke", ask(paper_swimmer(4800))), testing::HasSubstr("--stroke-from"));
+  EXPECT_THAT(refusal("multipole-stroke", ask(paper_swimmer(4800))),
+              testing::HasSubstr("give one with a run's record"));
 }
 
 TEST(Methods, AreFiniteWithOneOrBothForcesOff) {

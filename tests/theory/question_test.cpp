@@ -36,7 +36,8 @@ TEST(Warnings, SayThatTheDrivingIsBeyondSmallAmplitude) {
 TEST(Warnings, SayThatBeadsMeetWithinTheStroke) {
   EXPECT_THAT(warnings(ask(driven_by(0.5)), tolerance),
               ElementsAre(AllOf(HasSubstr("beads meet within the stroke"), HasSubstr("9.056 and 13.33"),
-                                HasSubstr("gaps of 12 and 12"), HasSubstr("lower --amplitude")),
+                                HasSubstr("gaps of 12 and 12"),
+                                HasSubstr("lower the amplitude or raise the stiffness")),
                           HasSubstr("beyond small amplitude")));
 }
 

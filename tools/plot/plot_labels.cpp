@@ -64,10 +64,10 @@ std::string range_text(const std::vector<const PlottedRun*>& runs, int digits,
 
 /// What sets a lattice run apart, in words; its relaxation time as asked for, before it was fitted to the
 /// period, as far as two digits tell.
-using Setting = std::array<std::string, 6>;
+using SettingTexts = std::array<std::string, 6>;
 
-Setting setting_of(const RunRecord& record) {
-  Setting setting{record.model};
+SettingTexts setting_of(const RunRecord& record) {
+  SettingTexts setting{record.model};
   if (const auto& resolution = record.resolution) {
     setting[1] = resolution->bead_boundary;
     setting[2] = fmt::format("{:g} cells per radius", resolution->cells_per_radius);
@@ -90,7 +90,7 @@ std::string note_on(const std::string& label, const std::vector<const PlottedRun
                  [](const RunRecord& record) { return record.dimensionless.penetration_depth_over_radius; }),
       range_text(runs, 2, [](const RunRecord& record) { return record.dimensionless.reynolds_bead; }));
   const RunRecord& record = runs.front()->record;
-  const Setting setting = setting_of(record);
+  const SettingTexts setting = setting_of(record);
   if (const auto& resolution = record.resolution) {
     note += fmt::format("; {}, τ = {}, {}, {}", setting[2],
                         range_text(runs, 4, [](const RunRecord& r) { return r.resolution->relaxation_time; }),
@@ -114,9 +114,9 @@ std::vector<std::string> run_notes(const PlotInputs& inputs) {
 }
 
 std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs) {
-  std::vector<std::pair<Setting, std::vector<const PlottedRun*>>> groups;
+  std::vector<std::pair<SettingTexts, std::vector<const PlottedRun*>>> groups;
   for (const PlottedRun& run : inputs.runs) {
-    const Setting setting = setting_of(run.record);
+    const SettingTexts setting = setting_of(run.record);
     auto group = std::ranges::find(groups, setting, [](const auto& each) { return each.first; });
     if (group == groups.end()) group = groups.insert(groups.end(), {setting, {}});
     group->second.push_back(&run);

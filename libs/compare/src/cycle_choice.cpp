@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 
@@ -18,7 +19,7 @@ CycleChoice parse_cycle_choice(const std::string& text) {
   int number = 0;
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (fault != std::errc{} || end != digits.data() + digits.size() || number < 1) {
-    throw InputError("--cycle",
+    throw InputError(Setting::cycle,
                      fmt::format("\"{}\" is not \"last\", a cycle's number from 1, or \"mean:N\" with N "
                                  "from 1",
                                  text));

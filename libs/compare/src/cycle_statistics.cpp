@@ -9,6 +9,7 @@
 
 #include "beadswim/compare/stroke_fit.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
@@ -25,8 +26,8 @@ void require_one_cycle(int index, Samples samples, double period) {
   if (samples.size() < 4) {
     fail(
         fmt::format("{} samples; it needs at least 4, both ends of the period among them; run "
-                    "with more --frames-per-cycle",
-                    samples.size()));
+                    "with more {}",
+                    samples.size(), Setting::frames_per_cycle));
   }
   const auto not_later = [](const SwimmerSample& a, const SwimmerSample& b) { return !(a.time < b.time); };
   if (std::adjacent_find(samples.begin(), samples.end(), not_later) != samples.end()) {

@@ -4,7 +4,12 @@
 
 #include <cstdio>
 
+#include "beadswim/core/setting.hpp"
+
 namespace beadswim {
+
+InputError::InputError(Setting setting, const std::string& what_and_remedy)
+    : InputError(name_of(setting), what_and_remedy) {}
 
 void tell(const std::string& text) {
   std::fputs(text.c_str(), stderr);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
@@ -42,8 +43,8 @@ Index3 cheapest_grid(const Index3& cells, int ranks) {
 Decomposition::Decomposition(const Index3& cells, int ranks)
     : cells_(cells), grid_(cheapest_grid(cells, ranks)) {
   if ((grid_ == 0).any()) {
-    throw InputError("mpirun -n", fmt::format("{} ranks cannot share {} x {} x {} cells; use fewer ranks",
-                                              ranks, cells[0], cells[1], cells[2]));
+    throw InputError(Setting::ranks, fmt::format("{} ranks cannot share {} x {} x {} cells; use fewer ranks",
+                                                 ranks, cells[0], cells[1], cells[2]));
   }
 }
 

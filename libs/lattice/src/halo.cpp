@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
@@ -200,8 +201,8 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
   if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
     throw InputError(fmt::format(
         "a block is a single cell thick on {} ranks, too thin for what multireflection reads; use "
-        "fewer ranks, or another --bead-boundary",
-        communicator.size()));
+        "fewer ranks, or another {}",
+        communicator.size(), Setting::bead_boundary));
   }
   const Index3 position = decomposition.grid_position(rank_);
   for (int axis = 0; axis < 3; ++axis) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
@@ -15,8 +16,9 @@ void refuse_no_slip(const Layout& layout, const std::string& source) {
     if (layout.domain->boundary[a] != Boundary::no_slip) continue;
     throw InputError(
         fmt::format("{}:/domain/boundary/{}", source, a),
-        "is no-slip, for which there is no mobility here; make the layout with --boundary periodic or "
-        "free-slip, or run it with --model lbm");
+        fmt::format("is no-slip, for which there is no mobility here; make the layout with {} periodic or "
+                    "free-slip, or run it with {} lbm",
+                    Setting::boundary, Setting::model));
   }
 }
 
@@ -26,12 +28,10 @@ void require_room(const OverdampedScene& scene, const std::string& source) {
   constexpr double radii = 4.4;  // two images of a bead must not touch a third
   for (int a = 0; a < 3 && scene.box; ++a) {
     if (scene.box->lengths[a] >= radii * largest) continue;
-    throw InputError(
-        fmt::format("{}:/domain/lengths/{}", source, a),
-        fmt::format(
-            "{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box, or run it with "
-            "--model lbm",
-            scene.box->lengths[a], radii, radii * largest));
+    throw InputError(fmt::format("{}:/domain/lengths/{}", source, a),
+                     fmt::format("{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box, "
+                                 "or run it with {} lbm",
+                                 scene.box->lengths[a], radii, radii * largest, Setting::model));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_share.hpp"
+#include "beadswim/core/setting.hpp"
 #include "implicit_step.hpp"
 
 namespace beadswim {
@@ -148,7 +149,8 @@ void OverdampedSystem::restore(OverdampedState state) {
   if (!std::ranges::all_of(state.positions, is_whole) || !std::ranges::all_of(state.velocities, is_whole) ||
       !std::ranges::all_of(state.distant, is_whole))
     throw SolverError(
-        "the checkpoint is of another scene; take the other checkpoint, or begin without --restart");
+        fmt::format("the checkpoint is of another scene; take the other checkpoint, or begin without {}",
+                    Setting::restart));
   state_ = std::move(state);
 }
 

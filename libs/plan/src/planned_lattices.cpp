@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/plan/lattice_speed.hpp"
@@ -56,14 +57,14 @@ std::vector<double> whole_resolutions(const Layout& layout) {
 std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double roundoff) {
   if (mach > fast_bead)
     return fmt::format(
-        "beads would reach Mach {:.2g}, where the fluid is compressible; take a smaller --relaxation-time, "
-        "more --cells-per-radius, or drive them less",
-        mach);
+        "beads would reach Mach {:.2g}, where the fluid is compressible; take a smaller {}, "
+        "more {}, or drive them less",
+        mach, Setting::relaxation_time, Setting::cells_per_radius);
   if (on_lattice.density_on_lattice() < light_bead)
     return fmt::format(
-        "beads of {:.2g} times the fluid's density on the lattice may be shaken; take a larger "
-        "--relaxation-time or --bead-boundary psm",
-        on_lattice.density_on_lattice());
+        "beads of {:.2g} times the fluid's density on the lattice may be shaken; take a larger {} "
+        "or {} psm",
+        on_lattice.density_on_lattice(), Setting::relaxation_time, Setting::bead_boundary);
   if (on_lattice.lattice.relaxation_time < least_viscous)
     return fmt::format("tau {:.4g} is too near 1/2; take {} or more", on_lattice.lattice.relaxation_time,
                        least_viscous);
@@ -72,7 +73,8 @@ std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double 
     return "beads touch at rest, or all but touch, and a stroke would be the contact's own give; move them "
            "apart";
   if (!std::isfinite(roundoff))
-    return "its velocity would be the roundoff of single precision; take --precision double";
+    return fmt::format("its velocity would be the roundoff of single precision; take {} double",
+                       Setting::precision);
   return {};
 }
 

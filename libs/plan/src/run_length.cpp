@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 
@@ -13,7 +14,7 @@ long total_steps(double cycles, long steps_per_cycle) {
   const double steps = cycles * static_cast<double>(steps_per_cycle);
   constexpr double most = 1e15;  // counted exactly in doubles, and out of reach
   if (steps > most) {
-    throw InputError("--cycles",
+    throw InputError(Setting::cycles,
                      fmt::format("{:.3g} cycles are {:.3g} steps; at most {:.3g}", cycles, steps, most));
   }
   return std::max(1L, std::lround(steps));

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
@@ -26,9 +27,9 @@ void refuse_what_does_not_fit(std::vector<PlannedRun>& runs, const Communicator&
     const double needed = run.memory_bytes / communicator.size();
     if (run.refused.empty() && needed > bytes_of_rank)
       run.refused = fmt::format(
-          "needs {:.3g} GB a rank, of which there are {:.3g}; take more machines, --precision single, fewer "
-          "--cells-per-radius, or a smaller scene",
-          1e-9 * needed, 1e-9 * bytes_of_rank);
+          "needs {:.3g} GB a rank, of which there are {:.3g}; take more machines, {} single, fewer "
+          "{}, or a smaller scene",
+          1e-9 * needed, 1e-9 * bytes_of_rank, Setting::precision, Setting::cells_per_radius);
   }
 }
 
@@ -109,11 +110,9 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
 void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts) {
   if (const int copies = facts.cells.prod(); copies > 1) {
     const Vec3& box = facts.cell.domain->lengths;
-    plan.proposals.push_back(
-        {fmt::format(
-             "the scene is {} times a cell of {:g} x {:g} x {:g} with {} of {} swimmers, at 1/{} of the cost",
-             copies, box[0], box[1], box[2], facts.cell.swimmers.size(), layout.swimmers.size(), copies),
-         "beadswim-layout reduce"});
+    plan.proposals.push_back({fmt::format(
+        "the scene is {} times a cell of {:g} x {:g} x {:g} with {} of {} swimmers, at 1/{} of the cost",
+        copies, box[0], box[1], box[2], facts.cell.swimmers.size(), layout.swimmers.size(), copies)});
   }
   const Asked& asked = facts.asked.front();
   if (layout.swimmers.size() != 1 || !asked.representative.approximation.empty() || !asked.best) return;
@@ -128,8 +127,7 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
                                         "larger one; theory finds {} of change in "
                                         "velocity and strokes",
                                         in_percent(box->change)),
-                            fmt::format("beadswim-layout swimmer --box {},{},{} --boundary periodic",
-                                        lengths[0], lengths[1], lengths[2])});
+                            lengths});
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/keyed_random.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/swimmers/rest_positions.hpp"
 #include "cell_list.hpp"
@@ -31,7 +32,8 @@ std::size_t number_of(const HowMany& how_many, std::size_t all, const std::strin
     return static_cast<std::size_t>(std::lround(*fraction * static_cast<double>(all)));
   const auto count = static_cast<std::size_t>(std::get<std::int64_t>(how_many));
   if (count <= all) return count;
-  throw InputError("--count", fmt::format("{}: more than there are {}, {}; take fewer", count, things, all));
+  throw InputError(Setting::count,
+                   fmt::format("{}: more than there are {}, {}; take fewer", count, things, all));
 }
 
 /// That many of 0 ... keys.size() - 1, those whose random numbers are least, in ascending order.
@@ -63,10 +65,10 @@ Driving own_driving(const Layout& layout, const Swimmer& swimmer) {
 
 double positive_factor(const Swimmer& swimmer, double factor, const char* what) {
   if (factor > 0) return factor;
-  throw InputError("--sigma",
+  throw InputError(Setting::sigma,
                    fmt::format("the {} of swimmer {} would change by a factor of {:.3g}; a smaller "
-                               "--sigma, or another --seed, keeps it positive",
-                               what, swimmer.id, factor));
+                               "{}, or another {}, keeps it positive",
+                               what, swimmer.id, factor, Setting::sigma, Setting::seed));
 }
 
 /// What moves a swimmer as a whole when several of its beads are pushed: the mean of beads' pushes, and of
@@ -112,7 +114,8 @@ void add_vacancies(Layout& layout, const HowMany& how_many, std::uint64_t seed) 
   std::vector<Swimmer> left;
   const std::vector<std::size_t> gone = drawn_swimmers(layout, how_many, seed);
   if (gone.size() == layout.swimmers.size())
-    throw InputError("vacancy", "leaves no swimmer; take a smaller --count or --fraction");
+    throw InputError("vacancy", fmt::format("leaves no swimmer; take a smaller {} or {}", Setting::count,
+                                            Setting::fraction));
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     if (!std::ranges::binary_search(gone, s)) left.push_back(layout.swimmers[s]);
   }
@@ -283,10 +286,10 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& ho
       double more = spacing.sigma * KeyedRandom(seed, n, Purpose::layer).normal();
       if (spacing.whole > 0) more = spacing.whole * std::round(more / spacing.whole);
       if (here - before + more <= 0) {
-        throw InputError("--sigma",
+        throw InputError(Setting::sigma,
                          fmt::format("of {} layers, two are {:.4g} apart, which would change by {:.4g}; "
-                                     "take a smaller one or another --seed, and jitter afterwards",
-                                     layers.size(), here - before, more));
+                                     "take a smaller one or another {}, and jitter afterwards",
+                                     layers.size(), here - before, more, Setting::seed));
       }
       shift += more;
     }
@@ -332,7 +335,7 @@ void repair_overlaps(Layout& layout) {
     for (std::size_t s = 0; s < pushes.size(); ++s)
       layout.swimmers[s].position = wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain);
   }
-  throw InputError("--repair",
+  throw InputError(Setting::repair,
                    fmt::format("beads are still too close after {} passes; there is too little room for "
                                "them where they are",
                                most_passes));

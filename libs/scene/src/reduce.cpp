@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "cell_list.hpp"
 
 namespace beadswim {
@@ -63,8 +64,10 @@ double shift_of(const Layout& layout, const Places& places, int axis, std::size_
 
 ReducedCell reduce(const Layout& layout, double tolerance) {
   if (!layout.domain) {
-    throw InputError("/domain",
-                     "is null (unbounded fluid), which does not repeat; make the layout with --box");
+    throw InputError(
+        "/domain",
+        fmt::format("is null (unbounded fluid), which does not repeat; make the layout with {} X,Y,Z",
+                    Setting::box));
   }
   const std::size_t all = layout.swimmers.size();
   ReducedCell result{.layout = layout};
@@ -94,7 +97,7 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
     firsts.push_back(result.layout.swimmers[s]);
   }
   if (static_cast<double>(firsts.size()) * result.cells.cast<double>().prod() != static_cast<double>(all)) {
-    throw InputError("--tolerance",
+    throw InputError(Setting::tolerance,
                      "is so large that swimmers are taken for one another; take a smaller one");
   }
   result.layout.swimmers = std::move(firsts);

@@ -9,6 +9,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/core/version.hpp"
+#include "flag_names.hpp"
 #include "help_formatter.hpp"
 
 namespace beadswim {
@@ -182,6 +183,7 @@ void append_arguments(const CLI::App& command, Json& arguments) {
 }  // namespace
 
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description) {
+  name_settings_by(flag_of);
   auto program = std::make_unique<CLI::App>(description, name);
   program->formatter(std::make_shared<HelpFormatter>());
   program->set_help_flag("-h,--help", "Print this help and exit.");

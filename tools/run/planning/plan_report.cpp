@@ -68,6 +68,13 @@ Json json_of(const PlannedRun& run, const RunOptions& asked, const Communicator&
   return json;
 }
 
+/// The command that makes the proposed layout.
+std::string command_of(const Proposal& proposal) {
+  if (!proposal.box) return "beadswim-layout reduce";
+  const Vec3& box = *proposal.box;
+  return fmt::format("beadswim-layout swimmer --box {},{},{} --boundary periodic", box[0], box[1], box[2]);
+}
+
 }  // namespace
 
 std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Communicator& communicator) {
@@ -93,7 +100,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Commu
   }
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);
   for (const Proposal& proposal : plan.proposals)
-    text += fmt::format("propose: {}: {}\n", proposal.command, proposal.what);
+    text += fmt::format("propose: {}: {}\n", command_of(proposal), proposal.what);
   return text;
 }
 
@@ -106,8 +113,10 @@ Json plan_to_json(const RunPlan& plan, const RunOptions& asked, const Communicat
             {"best", plan.best ? Json(flags_of(plan.runs[*plan.best], asked)) : Json()},
             {"runs", Json::array()},
             {"hard", plan.hard},
-            {"proposals", plan.proposals}};
+            {"proposals", Json::array()}};
   for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, asked, communicator));
+  for (const Proposal& proposal : plan.proposals)
+    json["proposals"].push_back({{"command", command_of(proposal)}, {"what", proposal.what}});
   if (asked.with_provenance) json["provenance"] = Json::array({asked.provenance});
   return json;
 }

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/bead_links.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
@@ -40,13 +41,16 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   MPI_Allreduce(MPI_IN_PLACE, &lack, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
   if (lack <= 0) return;
   const bool has_walls = std::ranges::count(scene.boundary, Boundary::no_slip) > 0;  // no mobility there
-  throw InputError("box",
-                   fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
-                               "{}fewer --cells-per-radius, a smaller --box in the layout (beadswim-layout "
-                               "reduce, if it repeats){} or more machines",
-                               scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
-                               scene.precision == Precision::fp64 ? "--precision single, " : "",
-                               has_walls ? "" : ", --model rpy, which has no cells,"));
+  const std::string model = has_walls ? "" : fmt::format(", {} rpy, which has no cells,", Setting::model);
+  const std::string precision =
+      scene.precision == Precision::fp64 ? fmt::format("{} single, ", Setting::precision) : "";
+  throw InputError(
+      "box",
+      fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
+                  "{}fewer {}, a smaller {} in the layout (beadswim-layout reduce, if it repeats){} or "
+                  "more machines",
+                  scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack, precision,
+                  Setting::cells_per_radius, Setting::box, model));
 }
 
 }  // namespace beadswim

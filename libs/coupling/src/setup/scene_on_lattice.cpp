@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/force_delay.hpp"
 #include "beadswim/lattice/trt.hpp"
@@ -27,9 +28,11 @@ constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
   if (layout.domain) return;
-  throw InputError(source + ":/domain",
-                   "is null (unbounded fluid), which a lattice cannot hold; make the layout with --box "
-                   "X,Y,Z and --boundary, run it with --model rpy, or ask beadswim-theory");
+  throw InputError(
+      source + ":/domain",
+      fmt::format("is null (unbounded fluid), which a lattice cannot hold; make the layout with {} "
+                  "X,Y,Z and {}, run it with {} rpy, or ask beadswim-theory",
+                  Setting::box, Setting::boundary, Setting::model));
 }
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
@@ -43,10 +46,11 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
         const double to_wall = std::min(beads[b][a], layout.domain->lengths[a] - beads[b][a]);
         const double gap = to_wall - type.beads[b].radius;
         if (gap >= nearest_to_wall * cell) continue;
-        throw InputError(fmt::format("{}:/swimmers/{}/position", source, s),
-                         fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, "
-                                     "{:.3g}; move the swimmer, or take more --cells-per-radius",
-                                     b + 1, gap, "xyz"[a], nearest_to_wall * cell));
+        throw InputError(
+            fmt::format("{}:/swimmers/{}/position", source, s),
+            fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, "
+                        "{:.3g}; move the swimmer, or take more {}",
+                        b + 1, gap, "xyz"[a], nearest_to_wall * cell, Setting::cells_per_radius));
       }
     }
   }
@@ -55,10 +59,11 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
 /// Throws InputError where links into beads break down, or go on with strokes that are wrong by half.
 void require_viscosity(BeadScheme scheme, double relaxation_time) {
   if (!has_links(scheme) || relaxation_time >= least_viscous) return;
-  throw InputError("--relaxation-time",
+  throw InputError(Setting::relaxation_time,
                    fmt::format("{:.6g} is so near 1/2 that the surface of beads is unstable with "
-                               "--bead-boundary {}; take {} or more, or --bead-boundary psm",
-                               relaxation_time, to_text(scheme), least_viscous));
+                               "{} {}; take {} or more, or {} psm",
+                               relaxation_time, Setting::bead_boundary, to_text(scheme), least_viscous,
+                               Setting::bead_boundary));
 }
 
 /// Throws InputError at the one relaxation time at which multireflection has nothing to go by.
@@ -66,11 +71,10 @@ void require_slip(BeadScheme scheme, double relaxation_time) {
   constexpr double nearest = 1e-4;
   const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
   if (scheme != BeadScheme::mr || std::abs(1 - antisymmetric_time) > nearest) return;
-  throw InputError(
-      "--relaxation-time",
-      fmt::format("{:.6g} leaves multireflection (--bead-boundary mr) no trace of what it corrects: "
-                  "take 0.87 or 0.88, or another --bead-boundary",
-                  relaxation_time));
+  throw InputError(Setting::relaxation_time,
+                   fmt::format("{:.6g} leaves multireflection ({} mr) no trace of what it corrects: "
+                               "take 0.87 or 0.88, or another {}",
+                               relaxation_time, Setting::bead_boundary, Setting::bead_boundary));
 }
 
 Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) {
@@ -81,14 +85,13 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
     const double whole = std::round(exact);
     const std::string place = fmt::format("{}:/domain/lengths/{}", source, a);
     if (whole > most)
-      throw InputError(
-          place, fmt::format("{} is {:.3g} cells, over {}; take a smaller box, or fewer --cells-per-radius",
-                             lengths[a], exact, most));
+      throw InputError(place, fmt::format("{} is {:.3g} cells, over {}; take a smaller box, or fewer {}",
+                                          lengths[a], exact, most, Setting::cells_per_radius));
     if (whole < 1 || std::abs(exact - whole) > roundoff * whole) {
       throw InputError(place, fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest are "
-                                          "{:.10g} and {:.10g}, or choose another --cells-per-radius",
+                                          "{:.10g} and {:.10g}, or choose another {}",
                                           lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
-                                          (std::floor(exact) + 1) * cell));
+                                          (std::floor(exact) + 1) * cell, Setting::cells_per_radius));
     }
     cells[a] = static_cast<int>(whole);
   }
@@ -105,7 +108,7 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
   constexpr double latest = 0.3;  // [rad]
   const LatticeChoice lattice = choose_lattice(smallest_radius(layout), resolution, layout.fluid, period);
   if (resolution.cells_per_radius < smallest_bead) {
-    throw InputError("--cells-per-radius",
+    throw InputError(Setting::cells_per_radius,
                      fmt::format("{} leaves beads that may cover no cell at all; at least {}, and "
                                  "3 or more to resolve them",
                                  resolution.cells_per_radius, smallest_bead));
@@ -113,12 +116,13 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
   const double steps = shortest_period(layout) / lattice.scales.step, late = phase_of_delay(lattice, steps);
   if (late <= latest) return lattice;
   throw InputError(
-      "--relaxation-time",
+      Setting::relaxation_time,
       fmt::format(
           "{} makes a step so long that a period has {:.6g} of them, and the fluid's force comes late by "
           "{:.2g} radians of it; strokes would be wrong by as much or more. At most {} radians: take a "
-          "smaller --relaxation-time or more --cells-per-radius",
-          resolution.relaxation_time, steps, late, latest));
+          "smaller {} or more {}",
+          resolution.relaxation_time, steps, late, latest, Setting::relaxation_time,
+          Setting::cells_per_radius));
 }
 
 SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {

@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "part_file.hpp"
 
 namespace beadswim {
@@ -62,8 +63,9 @@ H5Handle open_file(const std::string& path, const Communicator& communicator) {
   const H5Handle access = parallel_access(communicator, path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (!all_agree(file >= 0, communicator))
-    throw InputError(path,
-                     "is no checkpoint, or damaged; take the other checkpoint, or begin without --restart");
+    throw InputError(
+        path, fmt::format("is no checkpoint, or damaged; take the other checkpoint, or begin without {}",
+                          Setting::restart));
   return {file, H5Fclose, path};
 }
 
@@ -136,11 +138,15 @@ std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::str
   std::array<hsize_t, dimensions> shape{};
   if (H5Sget_simple_extent_ndims(space) != static_cast<int>(dimensions))
     throw SolverError(
-        what + ": has another number of dimensions; take the other checkpoint, or begin without --restart");
+        what +
+        fmt::format(": has another number of dimensions; take the other checkpoint, or begin without {}",
+                    Setting::restart));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   if (!stores_all(dataset, shape))
     throw SolverError(
-        what + ": claims to hold more than is stored; take the other checkpoint, or begin without --restart");
+        what +
+        fmt::format(": claims to hold more than is stored; take the other checkpoint, or begin without {}",
+                    Setting::restart));
   return shape;
 }
 
@@ -283,9 +289,9 @@ CheckpointReader::~CheckpointReader() {
 void CheckpointReader::require_sound() const {
   const auto require = [this](bool is_sound) {
     if (!all_agree(is_sound, communicator_))
-      throw InputError(path_,
-                       "is damaged: its contents are not those of its hash; take the other checkpoint, or "
-                       "begin without --restart");
+      throw InputError(path_, fmt::format("is damaged: its contents are not those of its hash; take the "
+                                          "other checkpoint, or begin without {}",
+                                          Setting::restart));
   };
   std::string format, hash_on_file;
   std::uint64_t lattice = 0;
@@ -304,8 +310,8 @@ void CheckpointReader::require_sound() const {
   require(is_read);
   if (!all_agree(format == format_name, communicator_))
     throw InputError(path_, fmt::format("is no checkpoint of this version, {}; go on with the version that "
-                                        "wrote it, or begin without --restart",
-                                        format_name));
+                                        "wrote it, or begin without {}",
+                                        format_name, Setting::restart));
   lattice = sum_over_ranks(lattice, communicator_);
   require(!communicator_.is_root() || ended(hash, lattice) == hash_on_file);
 }
@@ -357,8 +363,8 @@ std::vector<char> CheckpointReader::bytes(const std::string& section, std::uint6
   if (count == 0) return {};
   const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
   if (first + count > shape_of<1>(dataset, path_ + ":/" + section)[0])
-    throw SolverError(path_ + ":/" + section +
-                      ": ends too early; take the other checkpoint, or begin without --restart");
+    throw SolverError(fmt::format("{}:/{}: ends too early; take the other checkpoint, or begin without {}",
+                                  path_, section, Setting::restart));
   std::vector<char> result(count);
   const Selection selection = select(dataset, std::array{hsize_t(first)}, std::array{hsize_t(count)}, path_);
   check_hdf5(H5Dread(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
@@ -401,7 +407,9 @@ void CheckpointReader::read_lattice(const LatticePart& part, int components,
                           hsize_t(part.cells[0])};
   if (shape_of<4>(dataset, path_) != wanted)
     throw SolverError(
-        path_ + ": its lattice is of another scene; take the other checkpoint, or begin without --restart");
+        path_ +
+        fmt::format(": its lattice is of another scene; take the other checkpoint, or begin without {}",
+                    Setting::restart));
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
   for (int c = 0; c < components; ++c) {
     if (!numbers.empty()) {

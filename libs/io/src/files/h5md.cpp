@@ -12,6 +12,7 @@
 #include <cstring>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "part_file.hpp"
 
 namespace beadswim {
@@ -45,7 +46,7 @@ int lock_output(const std::string& path, const Communicator& communicator) {
   fault.resize(length);
   MPI_Bcast(fault.data(), length, MPI_CHAR, 0, communicator.get());
   if (!fault.empty()) {
-    throw InputError("-o", fault + "; name a file in a folder that exists and can be written to");
+    throw InputError(Setting::output, fault + "; name a file in a folder that exists and can be written to");
   }
   return part;
 }
@@ -63,9 +64,10 @@ H5Handle open_file(const std::string& path, int locked, const CheckpointReader* 
                                            : H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (file < 0) {
     throw InputError(
-        "-o", path +
-                  ": HDF5 cannot create the file; on a network file system that does not support locks, "
-                  "set HDF5_USE_FILE_LOCKING=FALSE");
+        Setting::output,
+        path +
+            ": HDF5 cannot create the file; on a network file system that does not support locks, "
+            "set HDF5_USE_FILE_LOCKING=FALSE");
   }
   return {file, H5Fclose, path};
 }
@@ -188,9 +190,9 @@ void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vect
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::vector<hsize_t> extent(row.size() + 1);
   if (H5Sget_simple_extent_ndims(space) != std::ssize(extent))
-    throw SolverError(what +
-                      ": the checkpoint's trajectory is of another kind; take the other checkpoint, or begin "
-                      "without --restart");
+    throw SolverError(what + fmt::format(": the checkpoint's trajectory is of another kind; take the other "
+                                         "checkpoint, or begin without {}",
+                                         Setting::restart));
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   series_.emplace(
       name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type, .rows = extent[0]});

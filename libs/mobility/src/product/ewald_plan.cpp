@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 namespace {
@@ -70,7 +71,7 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
 
 EwaldPlan plan_ewald(const EwaldScene& scene) {
   if (!(scene.tolerance >= 1e-12 && scene.tolerance <= 1e-2))
-    throw InputError("--tolerance", fmt::format("{} is not between 1e-12 and 1e-2", scene.tolerance));
+    throw InputError(Setting::tolerance, fmt::format("{} is not between 1e-12 and 1e-2", scene.tolerance));
   const double shortest = scene.lengths.minCoeff();
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
   // From cut-offs of half the shortest edge, or of all beads, down to that of the nearest neighbours.
@@ -78,9 +79,8 @@ EwaldPlan plan_ewald(const EwaldScene& scene) {
   const double shortest_cut_off = 2 * scene.typical_radius;  // spheres that overlap are summed as pairs
   if (longest < shortest_cut_off)
     throw InputError(
-        "box", fmt::format(
-                   "its edge of {} is less than four radii of {}; enlarge it, or make the layout --unbounded",
-                   shortest, scene.typical_radius));
+        "box", fmt::format("its edge of {} is less than four radii of {}; enlarge it, or take none ({})",
+                           shortest, scene.typical_radius, Setting::unbounded));
   EwaldPlan best;
   double least = INFINITY;
   constexpr int trials = 60;

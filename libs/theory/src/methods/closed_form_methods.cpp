@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/oseen.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/closed_forms.hpp"
@@ -166,7 +167,7 @@ std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
 std::optional<std::string> measured_stroke_obstacle(const Question& question) {
   if (auto obstacle = exact_obstacle(question)) return obstacle;
   if (question.measured_stroke) return std::nullopt;
-  return "it needs a measured stroke; give one with --stroke-from RUN.json";
+  return fmt::format("it needs a measured stroke; give one with {}", Setting::stroke_record);
 }
 
 Prediction predict_oseen_force(const Question& question) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
 #include "beadswim/theory/inertia_corrected.hpp"
@@ -24,8 +25,8 @@ std::optional<std::string> thin_layer(const Question& question) {
   if (kappa < largest_kappa) return std::nullopt;
   return fmt::format(
       "the penetration depth is {:.3g} times smaller than a bead, far from the slow flow that it is for; "
-      "lengthen --period or raise --viscosity",
-      kappa / std::sqrt(2.0));
+      "lengthen {} or raise {}",
+      kappa / std::sqrt(2.0), Setting::period, Setting::viscosity);
 }
 
 std::string surroundings(const Question& question) {

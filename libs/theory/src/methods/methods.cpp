@@ -6,6 +6,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
+#include "beadswim/core/setting.hpp"
 #include "method_rows.hpp"
 
 namespace beadswim {
@@ -53,7 +54,7 @@ const Method& find_method(const std::string& name) {
   if (found != table.end()) return *found;
   std::vector<std::string> names;
   for (const Method& row : table) names.push_back(row.name);
-  throw InputError("--method", unknown_name(name, names));
+  throw InputError(Setting::method, unknown_name(name, names));
 }
 
 Prediction predict(const Method& method, const Question& question) {
@@ -68,7 +69,7 @@ Prediction predict(const Method& method, const Question& question) {
   }
   if (!is_finite(prediction)) {
     throw InputError(
-        "--method " + method.name,
+        name_of(Setting::method) + " " + method.name,
         "cannot treat this swimmer: its answer is not a number, from a pole of its formula or from values "
         "beyond the range of arithmetic");
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/multipole_mobility.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/finite_amplitude.hpp"
@@ -59,9 +60,10 @@ std::vector<std::string> warnings(const Question& question, double tolerance) {
     const std::array<double, 2> gaps = gaps_at_rest(swimmer);
     messages.push_back(
         fmt::format("beads meet within the stroke: to first order the arms swing by {:.4g} and {:.4g}, with "
-                    "gaps of {:.4g} and {:.4g} between the beads at rest; lower --amplitude or raise "
-                    "--stiffness, --damping or --arm",
-                    motion.stroke.amplitude[0], motion.stroke.amplitude[1], gaps[0], gaps[1]));
+                    "gaps of {:.4g} and {:.4g} between the beads at rest; lower {} or raise "
+                    "{}, {} or {}",
+                    motion.stroke.amplitude[0], motion.stroke.amplitude[1], gaps[0], gaps[1],
+                    Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm));
   }
   const double change =
       question.exact ? question.exact->amplitude_change : finite_amplitude_change(swimmer, pair_mobility);

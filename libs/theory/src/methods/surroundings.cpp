@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/core/setting.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -39,9 +41,9 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
     return {.box = {},
             .obstacle = fmt::format(
                 "its box holds {} swimmers, and theory knows one in a box; beadswim-layout reduce finds the "
-                "cell of one, and a layout without box (beadswim-layout swimmer --unbounded) leaves "
+                "cell of one, and a layout without box ({}) leaves "
                 "neighbours out",
-                layout.swimmers.size())};
+                layout.swimmers.size(), Setting::unbounded)};
   }
   const auto& boundary = layout.domain->boundary;
   if (std::find(boundary.begin(), boundary.end(), Boundary::no_slip) != boundary.end()) {

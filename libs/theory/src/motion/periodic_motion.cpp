@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
@@ -215,8 +216,8 @@ std::string contact_message(double reached, double least_gap) {
   return fmt::format(
       "no periodic motion without contact was found: the driving can be turned up to about {:.2g} of its "
       "amplitude before beads come nearer than {:.3g} to each other or a soft spring gives way; lower "
-      "--amplitude, or raise --stiffness, --damping or --arm",
-      reached, least_gap);
+      "{}, or raise {}, {} or {}",
+      reached, least_gap, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
 }
 
 /// The motion under the full driving, from a first guess of it; the driving is turned up in steps where the
@@ -271,9 +272,9 @@ PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositi
     state = turned_up(swimmer, balance, state, least_gap);
     if (unresolved_part(state.motion) < resolved) return described(swimmer, balance, state.motion);
   }
-  throw InputError("stroke", fmt::format("its motion has more than {} harmonics; lower --amplitude, so that "
+  throw InputError("stroke", fmt::format("its motion has more than {} harmonics; lower {}, so that "
                                          "beads come less near to each other",
-                                         most_nodes / 2));
+                                         most_nodes / 2, Setting::amplitude));
 }
 
 }  // namespace beadswim

@@ -17,7 +17,7 @@ struct CycleChoice {
   int number = 1;
 };
 
-/// "last", "N" (the Nth cycle) or "mean:N" (the last N). Throws InputError "--cycle".
+/// "last", "N" (the Nth cycle) or "mean:N" (the last N). Throws InputError of Setting::cycle.
 CycleChoice parse_cycle_choice(const std::string& text);
 
 /// `cycles` are in order of their index. Throws InputError naming `source` and the cycles there are.

@@ -14,11 +14,15 @@ enum class ExitStatus : int {
   stopped_early = 4,
 };
 
+enum class Setting : int;  // setting.hpp
+
 /// Input that a user can mend: says where it is wrong, what is wrong, and what to do. Exit status 2.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;  ///< of a message that has its place
-  /// where: a flag, a file, or FILE:JSON-POINTER.
+  /// The setting that is wrong is named in words, or by its flag in a program that has one.
+  InputError(Setting setting, const std::string& what_and_remedy);
+  /// where: a file, FILE:JSON-POINTER, or a flag of the program that throws.
   InputError(const std::string& where, const std::string& what_and_remedy)
       : std::runtime_error(where + ": " + what_and_remedy) {}
 };

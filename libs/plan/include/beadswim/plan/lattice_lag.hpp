@@ -16,7 +16,7 @@
 //   M -> M(eta(omega)) + sound_flow         c = cell/(sqrt(3) step)
 //   F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U
 //
-// m_f: fluid that a bead displaces; links answer a step late; t_d = 3/2 t_s + step: what --delay-correction
+// m_f: fluid that a bead displaces; links answer a step late; t_d = 3/2 t_s + step: what delay correction
 // adds to beads, zeta = 6 pi eta a. Page: docs/method/lattice-lag.md.
 
 namespace beadswim {

@@ -42,14 +42,11 @@ struct PlannedRun {
   double output_bytes = 0;  ///< trajectory, flow and checkpoints
 };
 
-/// A smaller scene that would do.
+/// A smaller scene that would do: the one swimmer alone in this periodic box, or the cell that the scene
+/// repeats.
 struct Proposal {
-  std::string what, command;
-
-  static void visit_fields(auto&& visit, auto& proposal) {
-    visit("command", proposal.command);
-    visit("what", proposal.what);
-  }
+  std::string what;
+  std::optional<Vec3> box = std::nullopt;  ///< edges [length]; none: the cell
 };
 
 struct RunPlan {

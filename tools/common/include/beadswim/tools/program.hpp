@@ -13,7 +13,8 @@
 
 namespace beadswim {
 
-/// A CLI11 application set up as every program of ours: --help, --version, defaults shown.
+/// A CLI11 application set up as every program of ours: --help, --version, defaults shown. From here on
+/// messages of the libraries name flags.
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description);
 
 /// The body of main(): runs `run` and returns its exit status, or that of the exception that it ends with,

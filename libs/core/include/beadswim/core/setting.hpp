@@ -1,0 +1,89 @@
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string>
+
+#include "beadswim/core/names.hpp"
+
+// What callers of the libraries choose, as messages name it: in words, or by the flags of a program.
+
+namespace beadswim {
+
+enum class Setting : int {
+  amplitude,
+  arm,
+  bead_boundary,
+  boundary,
+  box,
+  cells_per_radius,
+  count,
+  cycle,
+  cycles,
+  damping,
+  fraction,
+  frames_per_cycle,
+  method,
+  model,
+  output,
+  period,
+  precision,
+  ranks,
+  relaxation_time,
+  repair,
+  restart,
+  seed,
+  sigma,
+  stiffness,
+  stroke_record,
+  tolerance,
+  unbounded,
+  viscosity,
+};
+
+template <>
+inline constexpr auto name_table<Setting> =
+    std::to_array<NamedValue<Setting>>({{Setting::amplitude, "the amplitude"},
+                                        {Setting::arm, "the arms' length"},
+                                        {Setting::bead_boundary, "bead boundary"},
+                                        {Setting::boundary, "boundary"},
+                                        {Setting::box, "box"},
+                                        {Setting::cells_per_radius, "cells per radius"},
+                                        {Setting::count, "count"},
+                                        {Setting::cycle, "cycle"},
+                                        {Setting::cycles, "cycles"},
+                                        {Setting::damping, "the damping"},
+                                        {Setting::fraction, "fraction"},
+                                        {Setting::frames_per_cycle, "frames per cycle"},
+                                        {Setting::method, "method"},
+                                        {Setting::model, "model"},
+                                        {Setting::output, "trajectory"},
+                                        {Setting::period, "the period"},
+                                        {Setting::precision, "precision"},
+                                        {Setting::ranks, "ranks"},
+                                        {Setting::relaxation_time, "relaxation time"},
+                                        {Setting::repair, "repair of overlaps"},
+                                        {Setting::restart, "a checkpoint"},
+                                        {Setting::seed, "seed"},
+                                        {Setting::sigma, "sigma"},
+                                        {Setting::stiffness, "the stiffness"},
+                                        {Setting::stroke_record, "a run's record"},
+                                        {Setting::tolerance, "tolerance"},
+                                        {Setting::unbounded, "unbounded fluid"},
+                                        {Setting::viscosity, "the viscosity"}});
+
+/// What messages call a setting: its words, unless the program has put flags in their place.
+std::string name_of(Setting setting);
+
+/// Lets all later messages name settings by `name`. A program calls it once, before it calls a library.
+void name_settings_by(std::string (*name)(Setting));
+
+}  // namespace beadswim
+
+template <>
+struct fmt::formatter<beadswim::Setting> : fmt::formatter<std::string> {
+  template <typename Context>
+  auto format(beadswim::Setting setting, Context& context) const {
+    return fmt::formatter<std::string>::format(beadswim::name_of(setting), context);
+  }
+};

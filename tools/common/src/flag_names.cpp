@@ -1,0 +1,47 @@
+#include "flag_names.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace beadswim {
+namespace {
+
+constexpr auto flags = std::to_array<NamedValue<Setting>>({
+    {Setting::amplitude, "--amplitude"},
+    {Setting::arm, "--arm"},
+    {Setting::bead_boundary, "--bead-boundary"},
+    {Setting::boundary, "--boundary"},
+    {Setting::box, "--box"},
+    {Setting::cells_per_radius, "--cells-per-radius"},
+    {Setting::count, "--count"},
+    {Setting::cycle, "--cycle"},
+    {Setting::cycles, "--cycles"},
+    {Setting::damping, "--damping"},
+    {Setting::fraction, "--fraction"},
+    {Setting::frames_per_cycle, "--frames-per-cycle"},
+    {Setting::method, "--method"},
+    {Setting::model, "--model"},
+    {Setting::output, "-o"},
+    {Setting::period, "--period"},
+    {Setting::precision, "--precision"},
+    {Setting::ranks, "mpirun -n"},
+    {Setting::relaxation_time, "--relaxation-time"},
+    {Setting::repair, "--repair"},
+    {Setting::restart, "--restart"},
+    {Setting::seed, "--seed"},
+    {Setting::sigma, "--sigma"},
+    {Setting::stiffness, "--stiffness"},
+    {Setting::stroke_record, "--stroke-from RUN.json"},
+    {Setting::tolerance, "--tolerance"},
+    {Setting::unbounded, "beadswim-layout swimmer --unbounded"},
+    {Setting::viscosity, "--viscosity"},
+});
+static_assert(flags.size() == all_values<Setting>.size());
+
+}  // namespace
+
+std::string flag_of(Setting setting) {
+  return std::string(std::ranges::find(flags, setting, &NamedValue<Setting>::value)->name);
+}
+
+}  // namespace beadswim
