@@ -61,8 +61,14 @@ DefectCommand::DefectCommand(CLI::App& program)
           "standard output, so that they compose in pipes. The same seed gives the same defects of the same "
           "layout; give each filter of a pipe a seed of its own.")) {
   command_->require_subcommand(1);
-  const auto all = [this](const Layout& layout) { return chosen(layout); };
+  add_numbers();
+  add_places();
+  add_drivings();
+  add_spacing();
+  add_mixture();
+}
 
+void DefectCommand::add_numbers() {
   auto& vacancy = add_kind("vacancy", "Take swimmers away; the others keep their ids.",
                            [this](Layout& layout) { add_vacancies(layout, how_many(), seed_); });
   add_how_many(vacancy, "swimmers to take away", needed);
@@ -71,14 +77,16 @@ DefectCommand::DefectCommand(CLI::App& program)
       add_kind("interstitial", "Add swimmers like the first at random free places, with ids of their own.",
                [this](Layout& layout) { add_interstitials(layout, how_many(), seed_); });
   add_how_many(interstitial, "swimmers to add; the fraction is of those there are", needed);
+}
 
+void DefectCommand::add_places() {
   auto& displaced = add_kind("jitter", "Move swimmers at random.",
-                             [this, all](Layout& layout) { jitter(layout, all(layout), *sigma_, seed_); });
+                             [this](Layout& layout) { jitter(layout, chosen(layout), *sigma_, seed_); });
   add_sigma(displaced, "Standard deviation of each coordinate's change [length].");
   add_how_many(displaced, "swimmers to move", "all");
 
   auto& turned = add_kind("rotation", "Turn swimmers about their middle bead.",
-                          [this, all](Layout& layout) { rotate(layout, all(layout), sigma_, seed_); });
+                          [this](Layout& layout) { rotate(layout, chosen(layout), sigma_, seed_); });
   add_sigma(turned, "Standard deviation of the angle, about a random line across the axis [radian].");
   add_random(turned, "Random directions instead, all alike.");
   add_how_many(turned, "swimmers to turn", "all");
@@ -91,28 +99,26 @@ DefectCommand::DefectCommand(CLI::App& program)
       ->required()
       ->check(whole_number(1, 10000))
       ->type_name("N");
+}
 
-  auto& phases =
-      add_kind("phase", "Let swimmers' driving run ahead or behind, by phase_offset.",
-               [this, all](Layout& layout) { disorder_phases(layout, all(layout), sigma_, seed_); });
+void DefectCommand::add_drivings() {
+  auto& phases = add_kind("phase", "Let swimmers' driving run ahead or behind, by phase_offset.",
+                          [this](Layout& layout) { disorder_phases(layout, chosen(layout), sigma_, seed_); });
   add_sigma(phases, "Standard deviation of the offset [radian].");
   add_random(phases, "Offsets from -pi to pi instead, all alike.");
   add_how_many(phases, "swimmers to change", "all");
 
   auto& amplitudes =
       add_kind("amplitude", "Drive swimmers more or less strongly: A and B times 1 + sigma x.",
-               [this, all](Layout& layout) { disorder_amplitudes(layout, all(layout), *sigma_, seed_); });
+               [this](Layout& layout) { disorder_amplitudes(layout, chosen(layout), *sigma_, seed_); });
   add_sigma(amplitudes, "Standard deviation of the amplitudes' relative change, no unit.");
   add_how_many(amplitudes, "swimmers to change", "all");
 
   auto& frequencies =
       add_kind("frequency", "Drive swimmers faster or slower: 1/T times 1 + sigma x.",
-               [this, all](Layout& layout) { disorder_frequencies(layout, all(layout), *sigma_, seed_); });
+               [this](Layout& layout) { disorder_frequencies(layout, chosen(layout), *sigma_, seed_); });
   add_sigma(frequencies, "Standard deviation of the frequency's relative change, no unit.");
   add_how_many(frequencies, "swimmers to change", "all");
-
-  add_spacing();
-  add_mixture();
 }
 
 CLI::App& DefectCommand::add_kind(const std::string& name, const std::string& help, Change change) {

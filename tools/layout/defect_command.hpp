@@ -28,6 +28,9 @@ class DefectCommand {
   void add_sigma(CLI::App& kind, const std::string& help);
   void add_random(CLI::App& kind, const std::string& help);
   void add_mixture();
+  void add_numbers();
+  void add_places();
+  void add_drivings();
   void add_spacing();
 
   HowMany how_many() const;  ///< throws InputError if that is not said
