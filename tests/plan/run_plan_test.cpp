@@ -29,7 +29,7 @@ LatticeSpeed any_speed(int ranks) {
 
 PlanRequest lattice_request(const Communicator& communicator) {
   PlanRequest request;
-  request.model = "lbm";
+  request.model = RunModel::lbm;
   request.require_choices_apply = [](const RunSettings&) {};
   request.lattice_speed = [&communicator] { return any_speed(communicator.size()); };
   return request;
@@ -48,7 +48,7 @@ TEST(RunPlan, WeighsOnlyWhatIsOpen) {
   const RunPlan plan = plan_of(request, communicator);
   EXPECT_GT(plan.runs.size(), 1u);
   for (const PlannedRun& run : plan.runs) {
-    EXPECT_EQ(run.settings.model, "lbm");
+    EXPECT_EQ(run.settings.model, RunModel::lbm);
     EXPECT_EQ(run.settings.lattice.precision, Precision::fp32);
     EXPECT_EQ(run.settings.lattice.cells_per_radius, 4);
   }

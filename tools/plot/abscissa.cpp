@@ -35,20 +35,6 @@ std::optional<double> driving_number(const RunRecord& run, Abscissa abscissa) {
 
 }  // namespace
 
-std::string key_of(Abscissa abscissa) {
-  switch (abscissa) {
-    case Abscissa::period:
-      return "period";
-    case Abscissa::separation_ratio:
-      return "separation_ratio";
-    case Abscissa::amplitude_ratio:
-      return "amplitude_ratio";
-    case Abscissa::phase:
-      return "phase";
-  }
-  return {};
-}
-
 AxisLabel axis_label(Abscissa abscissa, const Units& units) {
   switch (abscissa) {
     case Abscissa::period:
@@ -78,13 +64,13 @@ std::optional<std::string> text_setting(const Prediction& prediction, const std:
 }
 
 double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {
-  const auto value = number_setting(plotted.prediction, key_of(abscissa));
+  const auto value = number_setting(plotted.prediction, to_text(abscissa));
   if (value) return *value;
   const std::string hint = abscissa == Abscissa::amplitude_ratio ? " (it is left out where B = 0)" : "";
   throw InputError(plotted.source,
                    fmt::format("the settings of {} lack the number \"{}\", which the figure is "
                                "drawn against{}; leave the prediction out or make it anew",
-                               plotted.prediction.method, key_of(abscissa), hint));
+                               plotted.prediction.method, to_text(abscissa), hint));
 }
 
 double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,

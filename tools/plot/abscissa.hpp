@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "beadswim/core/names.hpp"
 #include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
@@ -17,8 +18,13 @@ enum class Abscissa {
   phase,             ///< alpha between them [radian]
 };
 
-/// Its key in the settings of a prediction.
-std::string key_of(Abscissa abscissa);
+/// Their keys in the settings of a prediction.
+template <>
+inline constexpr auto name_table<Abscissa> =
+    std::to_array<NamedValue<Abscissa>>({{Abscissa::period, "period"},
+                                         {Abscissa::separation_ratio, "separation_ratio"},
+                                         {Abscissa::amplitude_ratio, "amplitude_ratio"},
+                                         {Abscissa::phase, "phase"}});
 
 AxisLabel axis_label(Abscissa abscissa, const Units& units);
 

@@ -145,7 +145,7 @@ std::vector<std::string> prediction_notes(const PlotInputs& inputs, Abscissa abs
   std::vector<std::string> texts, notes;
   for (const Parameter& parameter : parameters) {
     const std::string text = parameter_text(inputs.predictions, parameter);
-    if (!text.empty() && parameter.key != key_of(abscissa)) texts.push_back(text);
+    if (!text.empty() && parameter.key != to_text(abscissa)) texts.push_back(text);
   }
   if (const std::string fluid = fluid_text(inputs.predictions); !fluid.empty()) texts.push_back(fluid);
   if (!texts.empty()) notes.push_back(fmt::format("Predictions: {}", fmt::join(texts, ", ")));

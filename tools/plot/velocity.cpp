@@ -36,13 +36,13 @@ const Prediction& reference_at(const PlotInputs& inputs, Abscissa abscissa, doub
       throw InputError(
           reference.source,
           fmt::format("predicts another velocity than {}, both by {} at {} {:g}; give one of them",
-                      found->source, reference.prediction.method, key_of(abscissa), x));
+                      found->source, reference.prediction.method, to_text(abscissa), x));
     }
     found = &reference;
   }
   if (found != nullptr) return found->prediction;
   throw InputError(source, fmt::format("no prediction by {} at {} {:g} to compare with; add one",
-                                       inputs.references.front().prediction.method, key_of(abscissa), x));
+                                       inputs.references.front().prediction.method, to_text(abscissa), x));
 }
 
 /// 100 (v / v_reference - 1), in percent.

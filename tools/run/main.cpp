@@ -135,7 +135,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
   Request& request = std::get<Request>(read);
   const LayoutDocument document = read_layout(request, communicator);
   if (request.options.plan) return report_plan(document, request, communicator);
-  if (request.options.settings.model == "auto") take_planned(document, request, communicator);
+  if (request.options.settings.model == RunModel::automatic) take_planned(document, request, communicator);
   const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
   const ModelPlan& plan = *planned;
   const RunOptions& options = plan.options;

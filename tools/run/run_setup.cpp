@@ -8,7 +8,7 @@ namespace beadswim {
 
 std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
                                     const Communicator& communicator) {
-  if (request.options.settings.model != "lbm")
+  if (request.options.settings.model != RunModel::lbm)
     return std::make_unique<OverdampedPlan>(document.layout, request.options, request.source(), communicator);
   return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
 }

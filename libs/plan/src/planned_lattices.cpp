@@ -158,7 +158,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
     for (const double time : times) {
       for (const Precision precision : precisions) {
         RunSettings own = request.settings;
-        own.model = "lbm";
+        own.model = RunModel::lbm;
         own.lattice.cells_per_radius = cell;
         own.lattice.relaxation_time = time;
         own.lattice.precision = precision;

@@ -66,7 +66,7 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
                         MobilityModel model, const std::string& source, const Communicator& communicator) {
   PlannedRun run;
   run.settings = request.settings;
-  run.settings.model = to_text(model);
+  run.settings.model = run_model(model);
   run.settings.mobility.tolerance = MobilitySettings{}.tolerance;
   run.refused = reason_against([&] {
     request.require_choices_apply(run.settings);
@@ -88,7 +88,7 @@ std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& fa
                                       const Communicator& communicator) {
   std::vector<PlannedRun> runs;
   for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near}) {
-    if (!request.model || *request.model == to_text(model))
+    if (!request.model || *request.model == run_model(model))
       runs.push_back(mobility_run(layout, facts, request, model, source, communicator));
   }
   return runs;

@@ -138,7 +138,7 @@ RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::st
   plan.tolerance = request.tolerance.value_or(usual_tolerance);
   const SceneFacts facts = facts_of(layout, request.settings.cycles);
   plan.runs = mobility_runs(layout, facts, request, source, communicator);
-  if (!request.model || *request.model == "lbm")
+  if (!request.model || *request.model == RunModel::lbm)
     std::ranges::move(lattice_runs(layout, facts, request, source, communicator),
                       std::back_inserter(plan.runs));
   refuse_what_does_not_fit(plan.runs, communicator);

@@ -2,18 +2,10 @@
 
 #include <fmt/core.h>
 
-#include "beadswim/mobility/mobility_model.hpp"
 #include "beadswim/tools/named_flags.hpp"
 
 namespace beadswim {
 namespace {
-
-std::vector<std::string> model_names() {
-  std::vector<std::string> names = all_names<MobilityModel>();
-  names.insert(names.begin(), "lbm");
-  names.push_back("auto");
-  return names;
-}
 
 CLI::Validator relaxation_time() {
   const auto fault = [](const std::string& text) {
@@ -25,13 +17,12 @@ CLI::Validator relaxation_time() {
 }
 
 void add_model(CLI::App& program, RunOptions& options) {
-  add_word(
-      program, "--model", model_names(), "auto",
+  add_choice(
+      program, "--model", options.settings.model,
       "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
       "Prager's mobility of all pairs and images; rpy+near: likewise, and exact along the line of a "
       "swimmer's beads and of two that are near each other; oseen: by Oseen's. auto: with --tolerance the "
-      "model and resolution that --plan finds cheapest within it; without, lbm.",
-      [&options](const std::string& model) { options.settings.model = model; });
+      "model and resolution that --plan finds cheapest within it; without, lbm.");
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; say of every model and resolution that the flags leave open what error and "
@@ -171,8 +162,8 @@ void add_flags(CLI::App& program, RunOptions& options) {
 
 /// What it is of, and how large it may be, depends on the model.
 void require_fitting_tolerance(const RunOptions& options) {
-  if (!options.given.contains("--tolerance") || options.plan || options.settings.model == "lbm" ||
-      options.settings.model == "auto")
+  if (!options.given.contains("--tolerance") || options.plan || options.settings.model == RunModel::lbm ||
+      options.settings.model == RunModel::automatic)
     return;
   if (const std::string why = product_tolerance()(fmt::format("{}", options.settings.mobility.tolerance));
       !why.empty())
@@ -190,7 +181,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
       "the run "
       "record, with velocity and stroke of each cycle, as JSON. Run it under mpirun -n N for N ranks.");
   RunOptions options;
-  options.settings.model = "auto";
+  options.settings.model = RunModel::automatic;
   add_flags(*program, options);
   for (const auto& [flag, value] : defaults) {
     CLI::Option* option = program->get_option_no_throw(flag);
@@ -213,7 +204,8 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   if (options.output.empty() && options.restart.empty() && !options.plan)
     throw InputError("--output", "is missing; name the trajectory to write, -o FILE.h5md");
   const bool is_to_be_planned = options.plan || options.given.contains("--tolerance");
-  if (options.settings.model == "auto" && !is_to_be_planned) options.settings.model = "lbm";
+  if (options.settings.model == RunModel::automatic && !is_to_be_planned)
+    options.settings.model = RunModel::lbm;
   require_fitting_tolerance(options);
   options.provenance = provenance_record(*program);
   return options;
@@ -225,21 +217,21 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
     if (options.given.contains(flag)) throw InputError(flag, why);
 }
 
-void refuse_lattice_flags(const RunOptions& options, const std::string& model) {
+void refuse_lattice_flags(const RunOptions& options, RunModel model) {
   refuse_flags(options,
                {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
                 "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
-               "is of the lattice; leave it out, or run with --model lbm instead of " + model);
+               "is of the lattice; leave it out, or run with --model lbm instead of " + to_text(model));
 }
 
 FlagValues course_of(const RunSettings& settings) {
-  if (settings.model != "lbm") {
-    return {{"--model", settings.model},
+  if (settings.model != RunModel::lbm) {
+    return {{"--model", to_text(settings.model)},
             {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
             {"--tolerance", fmt::format("{}", settings.mobility.tolerance)},
             {"--steps-per-cycle", fmt::format("{}", settings.mobility.steps_per_cycle)}};
   }
-  FlagValues values{{"--model", settings.model},
+  FlagValues values{{"--model", to_text(settings.model)},
                     {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
                     {"--bead-boundary", to_text(settings.lattice.bead_boundary)},
                     {"--delay-correction", on_or_off(settings.lattice.delay_correction)},

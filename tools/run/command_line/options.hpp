@@ -49,7 +49,7 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
                   const std::string& why);
 
 /// Throws InputError if a flag of the lattice is on the command line, which `model`, a mobility, has not.
-void refuse_lattice_flags(const RunOptions& options, const std::string& model);
+void refuse_lattice_flags(const RunOptions& options, RunModel model);
 
 /// The flags that set the course of a run, with the values of these settings: a run goes on with the same.
 FlagValues course_of(const RunSettings& settings);

@@ -58,7 +58,7 @@ NearContactRecord near_contact_of(const CoupledSystem& system, const SceneOnLatt
 
 void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const SceneOnLattice& on_lattice,
                           long own_steps, const Communicator& communicator) {
-  record.model = "lbm";
+  record.model = to_text(RunModel::lbm);
   record.dimensionless = numbers_of(system.largest_bead_speed(), on_lattice);
   record.resolution = resolution_of(on_lattice);
   RunCost& cost = *record.cost;

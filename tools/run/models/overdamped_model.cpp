@@ -21,8 +21,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, co
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
   refuse_lattice_flags(asked, asked.settings.model);
   options = asked;
-  OverdampedSetup setup = overdamped_setup(layout, from_text<MobilityModel>(asked.settings.model),
-                                           asked.settings.mobility, source);
+  OverdampedSetup setup =
+      overdamped_setup(layout, *mobility_model(asked.settings.model), asked.settings.mobility, source);
   scene = std::move(setup.scene);
   swimmers = scene.swimmers;
   base_period = setup.base_period;

@@ -11,11 +11,11 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
   PlanRequest request;
   request.settings = options.settings;
   request.has_advice = options.plan;
-  if (options.settings.model != "auto") request.model = options.settings.model;
+  if (options.settings.model != RunModel::automatic) request.model = options.settings.model;
   if (options.given.contains("--precision")) request.precision = options.settings.lattice.precision;
   if (options.given.contains("--tolerance")) request.tolerance = options.settings.mobility.tolerance;
   request.require_choices_apply = [&options](const RunSettings& settings) {
-    if (settings.model != "lbm") {
+    if (settings.model != RunModel::lbm) {
       refuse_lattice_flags(options, settings.model);
     } else {
       refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models; leave it out");
@@ -29,8 +29,8 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
   const RunSettings& settings = run.settings;
   const LatticeSettings& lattice = settings.lattice;
   const LatticeSettings usual;
-  std::string flags = "--model " + settings.model;
-  if (settings.model == "lbm") {
+  std::string flags = "--model " + to_text(settings.model);
+  if (settings.model == RunModel::lbm) {
     flags += fmt::format(" --cells-per-radius {} --relaxation-time {}", *lattice.cells_per_radius,
                          *lattice.relaxation_time);
     if (lattice.precision != usual.precision) flags += " --precision " + to_text(lattice.precision);

@@ -48,7 +48,7 @@ bool is_on_front(const RunPlan& plan, const PlannedRun& run) {
 Json json_of(const PlannedRun& run, const RunOptions& asked, const Communicator& communicator) {
   const LatticeSettings& lattice = run.settings.lattice;
   Json json{{"model", run.settings.model}, {"flags", flags_of(run, asked)}};
-  if (run.settings.model == "lbm") {
+  if (run.settings.model == RunModel::lbm) {
     json["resolution"] = {{"cells_per_radius", *lattice.cells_per_radius},
                           {"relaxation_time", *lattice.relaxation_time},
                           {"bead_boundary", lattice.bead_boundary},
@@ -86,7 +86,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Commu
   for (const PlannedRun& run : plan.runs) {
     if (!run.refused.empty()) {
       refused[kind_of(run.refused)].push_back(&run);
-    } else if (run.settings.model != "lbm" || is_on_front(plan, run)) {
+    } else if (run.settings.model != RunModel::lbm || is_on_front(plan, run)) {
       front.push_back(&run);
     }
   }

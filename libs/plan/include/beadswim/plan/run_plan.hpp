@@ -21,7 +21,7 @@ struct PlanRequest {
   /// Settings that all runs share. The plan chooses model and tolerance of the mobility anew, and the
   /// lattice's cells per radius and relaxation time where they are none.
   RunSettings settings;
-  std::optional<std::string> model;    ///< the only model to weigh; none: all
+  std::optional<RunModel> model;       ///< the only model to weigh; none: all
   std::optional<Precision> precision;  ///< the only precision to weigh; none: both
   std::optional<double> tolerance;     ///< largest relative error of velocity and arms' amplitudes; none: 3 %
   bool has_advice = false;             ///< names hard cases and proposes smaller scenes
