@@ -24,10 +24,11 @@ function(beadswim_share_headers target family)
   if(NOT BEADSWIM_SHARED_HEADERS)
     return()
   endif()
-  if(family STREQUAL together)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-  else()
+  if(NOT family STREQUAL together)
     target_precompile_headers(${target} REUSE_FROM beadswim_headers_of_${family})
+  endif()
+  if(family STREQUAL together OR family STREQUAL tests)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   endif()
 endfunction()
 
@@ -109,19 +110,43 @@ if(BEADSWIM_SANITIZE)
   set(BEADSWIM_TEST_TIMEOUT 900)
 endif()
 
-# beadswim_test(NAME SOURCES file... DEPENDS target... LABELS label...): GoogleTest cases of one process.
+# What mpirun needs here, as a list of NAME=VALUE.
+file(STRINGS ${PROJECT_SOURCE_DIR}/tests/mpi.env BEADSWIM_MPI_ENVIRONMENT REGEX "^[A-Z]")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/mpi.env)
+
+# What the sanitizers check. The libraries of MPI keep memory until the process ends: their names are told, and finding those in
+# a chain of calls takes the slow way up the stack.
+set(BEADSWIM_SANITIZER_ENVIRONMENT
+    "ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1;UBSAN_OPTIONS=print_stacktrace=1")
+set(BEADSWIM_MPI_SANITIZER_ENVIRONMENT "${BEADSWIM_SANITIZER_ENVIRONMENT}"
+    "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizers/lsan.supp:print_suppressions=0:fast_unwind_on_malloc=0")
+
+# All that the tests labelled `unit` run.
+add_custom_target(unit_tests)
+
+# beadswim_test(NAME SOURCES file... DEPENDS target... LABELS label... [SEPARATE]): GoogleTest cases of one process. ctest
+# runs each case by itself; under the sanitizers, where a start takes longer than most cases, all in one process.
+# SEPARATE: the files have constants of the same names, and are not compiled together.
 function(beadswim_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(arg "SEPARATE" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} GTest::gtest_main GTest::gmock)
   beadswim_share_headers(${name} tests)
-  gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${BEADSWIM_TEST_TIMEOUT})
+  if(arg_SEPARATE)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+  endif()
+  if(BEADSWIM_SANITIZE)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${BEADSWIM_TEST_TIMEOUT}
+                         ENVIRONMENT "${BEADSWIM_SANITIZER_ENVIRONMENT}")
+  else()
+    gtest_discover_tests(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT ${BEADSWIM_TEST_TIMEOUT})
+  endif()
+  if(unit IN_LIST arg_LABELS)
+    add_dependencies(unit_tests ${name})
+  endif()
 endfunction()
-
-# What mpirun needs as root in a container and with more ranks than cores.
-set(BEADSWIM_MPI_ENVIRONMENT
-    "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1;OMPI_MCA_btl_vader_single_copy_mechanism=none;OMPI_MCA_hwloc_base_binding_policy=none;OMPI_MCA_mpi_yield_when_idle=1")
 
 # beadswim_mpi_test(NAME RANKS n... SOURCES file... DEPENDS target... LABELS label...)
 # One executable whose main starts MPI (tests/mpi_main.cpp), run as a whole on each rank count.
@@ -134,6 +159,10 @@ function(beadswim_mpi_test name)
     add_test(NAME ${name}.np${ranks}
              COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${name}>)
     set_tests_properties(${name}.np${ranks} PROPERTIES PROCESSORS ${ranks} TIMEOUT ${BEADSWIM_TEST_TIMEOUT}
-                         LABELS "mpi;${arg_LABELS}" ENVIRONMENT "${BEADSWIM_MPI_ENVIRONMENT}")
+                         LABELS "mpi;${arg_LABELS}"
+                         ENVIRONMENT "${BEADSWIM_MPI_ENVIRONMENT};${BEADSWIM_MPI_SANITIZER_ENVIRONMENT}")
   endforeach()
+  if(unit IN_LIST arg_LABELS)
+    add_dependencies(unit_tests ${name})
+  endif()
 endfunction()

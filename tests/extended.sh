@@ -5,22 +5,21 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
 
-# What mpirun needs as root in a container and with more ranks than cores.
-if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
-export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none
-export OMPI_MCA_btl_vader_single_copy_mechanism=none
-export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1
-export UBSAN_OPTIONS=print_stacktrace=1
-export LSAN_OPTIONS=suppressions=$root/tests/sanitizers/lsan.supp:print_suppressions=0:fast_unwind_on_malloc=0
+preset=${BEADSWIM_PRESET:-release}
+programs=$root/build/$preset/bin
+
+set -a
+. tests/mpi.env
+set +a
 
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 section() { printf '\n== %s\n' "$*"; }
 
-build() { # PRESET CMAKE-ARGUMENT...
-  cmake --preset "$@"
-  timeout 2400 cmake --build --preset "$1"
+build() { # PRESET [TARGET...]
+  cmake --preset "$1"
+  timeout 2400 cmake --build --preset "$1" ${2:+--target "${@:2}"}
 }
 
 # A small swimmer for a few hundred steps: enough for every part of a step to run.
@@ -43,20 +42,25 @@ tested_commands() { # PAGE
 .ci/install-packages.sh --with-readers
 
 section "Unit tests under the address and undefined-behaviour sanitizers, on 1 and 3 ranks"
-build sanitize
+build sanitize unit_tests beadswim-layout beadswim-run
 timeout 2000 ctest --preset sanitize --label-regex unit --exclude-regex 'np[24]$'
 
 section "A tiny scene under the sanitizers, on 1 and 3 ranks"
 cd "$scratch"
-PATH=$root/build/sanitize/bin:$PATH
-for scheme in psm mr cli staircase; do
-  for ranks in 1 3; do tiny_scene "$ranks" $scheme; done
-  cmp ranks1.json ranks3.json
-  echo "$scheme: 1 and 3 ranks give the same record."
-done
+(
+  PATH=$root/build/sanitize/bin:$PATH
+  export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1
+  export UBSAN_OPTIONS=print_stacktrace=1
+  export LSAN_OPTIONS=suppressions=$root/tests/sanitizers/lsan.supp:print_suppressions=0:fast_unwind_on_malloc=0
+  for scheme in psm mr cli staircase; do
+    for ranks in 1 3; do tiny_scene "$ranks" $scheme; done
+    cmp ranks1.json ranks3.json
+    echo "$scheme: 1 and 3 ranks give the same record."
+  done
+)
 
 cd "$root"
-build release
+build "$preset"
 
 section "The first of the README's two commands; tests/run.sh is the second"
 rm -rf out/quickstart
@@ -64,10 +68,10 @@ timeout 1200 examples/quickstart.sh
 test -s out/quickstart/stroke.png
 
 section "Results and documents in other readers"
-PATH=$root/build/release/bin:$PATH timeout 1200 tests/readers/run.sh --none-skipped
+PATH=$programs:$PATH timeout 1200 tests/readers/run.sh --none-skipped
 
 section "The page of beadswim-view in a browser"
-PATH=$root/build/release/bin:$PATH timeout 600 tests/view/run.sh "$root/build/release/tools/view/page" --none-skipped
+PATH=$programs:$PATH timeout 600 tests/view/run.sh "$root/build/$preset/tools/view/page" --none-skipped
 
 section "The commands of README and of pages; Python is the one whose readers were installed above"
 for page in README.md docs/tutorial.md docs/theory.md docs/units.md docs/reading-results.md; do
@@ -76,7 +80,7 @@ for page in README.md docs/tutorial.md docs/theory.md docs/units.md docs/reading
   tested_commands "$root/$page" >commands.sh
   [ -s commands.sh ] || { echo "$page holds no block after <!-- tested -->" >&2; exit 1; }
   cat commands.sh
-  PATH=$root/build/release/bin:/usr/bin:$PATH timeout 900 bash -euo pipefail commands.sh
+  PATH=$programs:/usr/bin:$PATH timeout 900 bash -euo pipefail commands.sh
 done
 
 section "All extended checks passed"

@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-constexpr double roundoff = 1e-12;
+constexpr double relative_roundoff = 1e-12;
 
 // The paper, section 4.
 TEST(PaperSingle, HasThePapersNumbers) {
@@ -33,7 +33,7 @@ TEST(PaperSingle, HasThePapersNumbers) {
 TEST(UnitResolution, GivesCellAndStepOfOne) {
   const Layout layout = paper_single();
   EXPECT_EQ(layout.resolution->cells_per_radius, 4);
-  EXPECT_NEAR((layout.resolution->relaxation_time - 0.5) / 3, layout.fluid.kinematic_viscosity, roundoff);
+  EXPECT_NEAR((layout.resolution->relaxation_time - 0.5) / 3, layout.fluid.kinematic_viscosity, relative_roundoff);
 }
 
 // The force, by the force law itself, of moving bead 3 sideways by a small way is ten times that of moving it
@@ -61,7 +61,7 @@ TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddle) {
   const Vec3 bead_2 = centred_position(type, axis, box);
   const Vec3 tail = bead_2 - (18 + 3) * axis;
   const Vec3 head = bead_2 + (27 + 5) * axis;
-  EXPECT_NEAR(((tail + head) / 2 - Vec3(50, 30, 20)).norm(), 0, roundoff);
+  EXPECT_NEAR(((tail + head) / 2 - Vec3(50, 30, 20)).norm(), 0, relative_roundoff);
   EXPECT_EQ(centred_position(type, axis, std::nullopt), Vec3::Zero());
 }
 

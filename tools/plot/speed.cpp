@@ -11,6 +11,7 @@
 #include "beadswim/compare/errors_by_setting.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/figure/error_figure.hpp"
+#include "beadswim/scene/units.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_inputs.hpp"
