@@ -25,7 +25,7 @@ struct NearestOther {
   double worstDist() const { return squared_distance * (1 + 1e-12); }  // bounds of branches are rounded
   bool addPoint(double squared, IndexType point) {
     if (point != self) squared_distance = std::min(squared_distance, squared);
-    return true;
+    return squared_distance > 0;  // whether to go on: among points at one place, all are as near
   }
 };
 
