@@ -1,5 +1,5 @@
 #!/bin/bash
-# The slower checks: sanitizers, a tiny scene through all programs on 1 and 3 ranks, the quickstart, the files in other people's
+# The slower checks: tests labelled slow, sanitizers, a tiny scene through all programs on 1 and 3 ranks, the quickstart, the files in other people's
 # readers, and the commands of README and of pages. Each part has its time limit; all together take under an hour.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -61,6 +61,9 @@ cd "$scratch"
 
 cd "$root"
 build "$preset"
+
+section "Tests labelled slow; the page of beadswim-view is tried below"
+timeout 1200 ctest --preset "$preset" --label-regex slow --exclude-regex '^view\.page$'
 
 section "The first of the README's two commands; tests/run.sh is the second"
 rm -rf out/quickstart

@@ -9,4 +9,4 @@ cd "$(dirname "$0")/.."
 preset=${BEADSWIM_PRESET:-release}
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-ctest --preset "$preset"
+ctest --preset "$preset" --label-exclude slow   # those are run by tests/extended.sh
