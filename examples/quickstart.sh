@@ -21,11 +21,11 @@ step() { printf '\n== %s\n' "$*" >&2; }
 step "Packages"
 .ci/install-packages.sh
 
-preset=${BEADSWIM_PRESET:-release}
-step "Build (build/$preset)"
-cmake --preset "$preset"
-cmake --build --preset "$preset" --target programs
-PATH=$PWD/build/$preset/bin:$PATH
+build=${BEADSWIM_PRESET:-release}
+step "Build (build/$build)"
+cmake --preset "$build"
+cmake --build --preset "$build" --target programs
+PATH=$PWD/build/$build/bin:$PATH
 
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 if [ "$(nproc)" -lt "$ranks" ]; then export OMPI_MCA_rmaps_base_oversubscribe=1; fi
