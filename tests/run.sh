@@ -1,6 +1,6 @@
 #!/bin/bash
 # Installs what is missing, builds and runs the tests; ends with ctest's summary.
-#   tests/run.sh        (16 minutes on two cores, half of them for the build)
+#   tests/run.sh        (13 minutes on two cores, 8 of them for the build; 2 more for packages)
 # BEADSWIM_PRESET: the preset of CMakePresets.json, if another than release.
 set -euo pipefail
 cd "$(dirname "$0")/.."
