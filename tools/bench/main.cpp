@@ -22,10 +22,8 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       "beadswim-bench",
       "Measures in one run what this machine's memory allows and what the solver makes of it: million cell "
       "updates a second of the bare sweep, of steps in periodic and walled boxes, and of the paper's swarm, "
-      "as "
-      "fractions of a yardstick that moves the same bytes without arithmetic. Under mpirun -n N on 1 and on "
-      "N "
-      "ranks. With --beads, seconds of the mobility models' products. On an otherwise idle machine.");
+      "as fractions of a yardstick that moves the same bytes without arithmetic. Under mpirun -n N on 1 and "
+      "on N ranks. With --beads, seconds of the mobility models' products. On an otherwise idle machine.");
   program->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
       ->delimiter(',')
       ->check(whole_number(32, 4096))

@@ -97,8 +97,8 @@ void warn_of_collisions(const SceneNumbers& numbers) {
       fmt::print(
           stderr,
           "beadswim-layout: warning: /types/{}: the predicted amplitude {:.4g} of arm {} exceeds the gap "
-          "{:.4g} "
-          "between its beads, so they will collide; lower the amplitude, or raise stiffness or damping\n",
+          "{:.4g} between its beads, so they will collide; lower the amplitude, or raise stiffness or "
+          "damping\n",
           name, type.arm_amplitude[arm], arm + 1, type.arm_gap[arm]);
     }
   }

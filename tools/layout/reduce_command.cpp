@@ -13,8 +13,7 @@ ReduceCommand::ReduceCommand(CLI::App& program)
           "reduce",
           "The smallest periodic cell that repeats to the same scene, from a file or standard input to "
           "standard output: a swarm of equal blocks becomes one block, or one swimmer. What was found is "
-          "said "
-          "on standard error.")) {
+          "said on standard error.")) {
   command_->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
   command_
       ->add_option("--tolerance", tolerance_,

@@ -29,10 +29,9 @@ SwarmCommand::SwarmCommand(CLI::App& program)
           "both are radius 6, arm 32, stiffness 0.2, no dashpots, amplitude 2, phase pi/2, period 2000, "
           "viscosity 1/3, densities 1, in blocks of 1,3,3 with the paper's own resolution as a hint; "
           "paper-uniform has gaps of 32 throughout, paper-defect a core gap of 37 and block gaps of "
-          "56,46,46. "
-          "The paper gives no stiffness: with its single swimmer's 0.0347 the beads would collide. Default: "
-          "none; then --radius, --arm, --stiffness, --amplitude, --period, --viscosity, --core-gap and "
-          "--block-gap are needed.") {
+          "56,46,46. The paper gives no stiffness: with its single swimmer's 0.0347 the beads would collide. "
+          "Default: none; then --radius, --arm, --stiffness, --amplitude, --period, --viscosity, --core-gap "
+          "and --block-gap are needed.") {
   command_
       ->add_option("--block-swimmers", block_swimmers_, "Swimmers of a block along x, y, z. Default: 1,3,3.")
       ->type_name("NX,NY,NZ")

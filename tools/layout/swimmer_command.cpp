@@ -14,12 +14,10 @@ SwimmerCommand::SwimmerCommand(CLI::App& program)
       flags_(
           *command_, {{"paper-single", paper_single}},
           "paper-single is radius 4, arm 20, stiffness 0.0347, no dashpots, amplitude 0.2, phase pi/2, "
-          "period "
-          "4800, viscosity 1/3, densities 1, in a free-slip box 1200,800,800, with the paper's own "
-          "resolution "
-          "as a hint (cells and time steps are the units of length and time). Default: none; then --radius, "
-          "--arm, --stiffness, --amplitude, --period, --viscosity and one of --box and --unbounded are "
-          "needed."),
+          "period 4800, viscosity 1/3, densities 1, in a free-slip box 1200,800,800, with the paper's own "
+          "resolution as a hint (cells and time steps are the units of length and time). Default: none; then "
+          "--radius, --arm, --stiffness, --amplitude, --period, --viscosity and one of --box and --unbounded "
+          "are needed."),
       place_(*command_) {
   command_->add_flag(
       "--jsonl", json_lines_,

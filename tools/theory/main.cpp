@@ -52,8 +52,7 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
   program
       ->add_option("--stroke-from", request.stroke_path,
                    "Run record whose last cycle gives the stroke formulas (" + stroke_methods() +
-                       ") their stroke, of the "
-                       "swimmer of --swimmer or of the first.")
+                       ") their stroke, of the swimmer of --swimmer or of the first.")
       ->type_name("FILE");
   program
       ->add_option("--tolerance", request.tolerance,

@@ -68,8 +68,7 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
   } else if (constexpr double much = 3; best.cancellation > much) {
     add(
         fmt::format("its velocity is a small difference, 1/{:.2g} of what the same stroke makes in open "
-                    "space, and errors "
-                    "of it are large",
+                    "space, and errors of it are large",
                     best.cancellation));
   }
   if (!asked.representative.approximation.empty())
@@ -77,8 +76,7 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
   if (constexpr double tips_over = 20; asked.turning > tips_over)
     add(
         fmt::format("driving along fixed axes presses it together for so long that a tilt grows {:.2g} "
-                    "times, and it turns "
-                    "over; straight it stays so until something disturbs it",
+                    "times, and it turns over; straight it stays so until something disturbs it",
                     asked.turning));
   reason_against([&] {  // that the model has no motion its row says
     const ErrorEstimate stokes =

@@ -50,8 +50,7 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
           "--tolerance", mobility.tolerance,
           "auto, and --plan: largest error of velocity and arms' amplitudes that the run may have, relative. "
           "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
-          "their "
-          "root mean square.")
+          "their root mean square.")
       ->check(finite_positive());
   program
       .add_option("--steps-per-cycle", mobility.steps_per_cycle,
@@ -86,8 +85,7 @@ void add_beads_in_fluid(CLI::App& program, LatticeSettings& lattice) {
              "comes late there, 3/2 (tau - 1/2) + 1 steps; the record says the density.");
   add_switch(program, "--radius-correction", lattice.radius_correction,
              "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
-             "cell, is "
-             "that of the layout's radius; the record says which.");
+             "cell, is that of the layout's radius; the record says which.");
   add_switch(program, "--lubrication", lattice.lubrication,
              "on: beads closer than the lattice resolves feel the rest of the film's resistance; the record "
              "says below which gaps. Beads that touch repel each other either way.");
@@ -177,9 +175,8 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   const auto program = make_program(
       "beadswim-run",
       "Runs a layout: bead-spring swimmers resolved in a fluid, or as points of a mobility (--model). Writes "
-      "bead trajectories (H5MD) and prints "
-      "the run "
-      "record, with velocity and stroke of each cycle, as JSON. Run it under mpirun -n N for N ranks.");
+      "bead trajectories (H5MD) and prints the run record, with velocity and stroke of each cycle, as JSON. "
+      "Run it under mpirun -n N for N ranks.");
   RunOptions options;
   options.settings.model = RunModel::automatic;
   add_flags(*program, options);

@@ -47,9 +47,8 @@ void warn_of_stability(Lines& lines, const SceneOnLattice& on_lattice) {
   if (on_lattice.angular_softening < 1) {
     lines.push_back(fmt::format(
         "swimmers vibrate in bending faster than steps follow; angular springs are softened, to {:.2g} of "
-        "the "
-        "layout's stiffness, and bend more by as little as loads do within a step; take a smaller step by a "
-        "smaller --relaxation-time or more --cells-per-radius for less of it",
+        "the layout's stiffness, and bend more by as little as loads do within a step; take a smaller step "
+        "by a smaller --relaxation-time or more --cells-per-radius for less of it",
         on_lattice.angular_softening));
   }
 }
