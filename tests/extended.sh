@@ -1,5 +1,5 @@
 #!/bin/bash
-# The slower checks: tests labelled slow, sanitizers, a tiny scene through all programs on 1 and 3 ranks, the quickstart, the files in other people's
+# The slower checks: sanitizers, a tiny scene on 1 and 3 ranks, tests labelled slow, the quickstart, the files in other people's
 # readers, and the commands of README and of pages. Each part has its time limit; all together take under an hour.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -49,9 +49,8 @@ section "A tiny scene under the sanitizers, on 1 and 3 ranks"
 cd "$scratch"
 (
   PATH=$root/build/sanitize/bin:$PATH
-  export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1
-  export UBSAN_OPTIONS=print_stacktrace=1
-  export LSAN_OPTIONS=suppressions=$root/tests/sanitizers/lsan.supp:print_suppressions=0:fast_unwind_on_malloc=0
+  set -a
+  . "$root/tests/sanitizers/sanitizers.env"
   for scheme in psm mr cli staircase; do
     for ranks in 1 3; do tiny_scene "$ranks" $scheme; done
     cmp ranks1.json ranks3.json
