@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/mobility/neighbour_cells.hpp"
+#include "beadswim/core/cell_list.hpp"
 
 namespace beadswim {
 namespace {
@@ -51,7 +51,7 @@ std::vector<Contact> find_contacts(const ContactScale& scale, const std::optiona
   std::vector<Contact> contacts;
   Finder finder(scale, contacts);
   const Vec3 lengths = mirrored_lengths(box);  // so that nothing is nearer through a wall
-  const NeighbourCells cells(positions, (2 + scale.share) * scale.largest_radius, lengths);
+  const CellList cells(positions, (2 + scale.share) * scale.largest_radius, lengths);
   const std::vector<int>& order = cells.order();
   for (int s = 0; s < std::ssize(order); ++s) {
     const int i = order[s];

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/swimmers/rest_positions.hpp"
-#include "cell_list.hpp"
 
 namespace beadswim {
 namespace {
@@ -48,6 +48,38 @@ std::vector<PlacedBead> placed_beads(const Layout& layout) {
     for (int i = 0; i < 3; ++i) beads.push_back({centres[i], type.beads[i].radius, s, i});
   }
   return beads;
+}
+
+double largest_radius(const std::vector<PlacedBead>& beads) {
+  double radius = 0;
+  for (const PlacedBead& bead : beads) radius = std::max(radius, bead.radius);
+  return radius;
+}
+
+CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double reach) {
+  std::vector<Vec3> centres;
+  centres.reserve(beads.size());
+  for (const PlacedBead& bead : beads) centres.push_back(bead.centre);
+  return CellList(centres, reach, domain ? domain->lengths : Vec3::Zero());
+}
+
+void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double reach,
+                       const std::function<bool(const BeadPair&)>& visit) {
+  if (beads.empty()) return;
+  const CellList cells = bead_cells(beads, domain, reach);
+  std::vector<std::size_t> near;
+  for (std::size_t i = 0; i < beads.size(); ++i) {
+    near.clear();
+    cells.visit_near(beads[i].centre, [&](std::size_t j) {
+      if (j < i) near.push_back(j);
+      return true;
+    });
+    std::ranges::sort(near);
+    for (const std::size_t j : near) {
+      const double distance = nearest_separation(beads[i].centre, beads[j].centre, domain).norm();
+      if (!visit({.first = i, .second = j, .distance = distance})) return;
+    }
+  }
 }
 
 std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,

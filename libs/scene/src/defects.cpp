@@ -14,7 +14,6 @@
 #include "beadswim/core/setting.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/swimmers/rest_positions.hpp"
-#include "cell_list.hpp"
 
 namespace beadswim {
 namespace {
@@ -126,18 +125,21 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
   const Box domain = box_of(layout, "an interstitial");
   std::vector<PlacedBead> beads = placed_beads(layout);
   const double clearance = clearance_in(layout), reach = 2 * largest_radius(beads) + clearance;
-  CellList cells(layout.domain, reach);
-  for (std::size_t b = 0; b < beads.size(); ++b) cells.insert(b, beads[b].centre);
+  CellList cells = bead_cells(beads, layout.domain, reach);
+  std::size_t sorted = beads.size();  // number of beads in the cells; added beads are tried one by one
 
   const auto is_free = [&](const Vec3& centre, double radius) {
     for (int a = 0; a < 3; ++a) {
       if (domain.is_periodic(a)) continue;
       if (centre[a] < radius + clearance || centre[a] > domain.lengths[a] - radius - clearance) return false;
     }
-    return cells.visit_near(centre, [&](std::size_t b) {
+    const auto is_clear_of = [&](std::size_t b) {
       const double distance = nearest_separation(centre, beads[b].centre, domain).norm();
       return distance > radius + beads[b].radius + clearance;
-    });
+    };
+    for (std::size_t b = sorted; b < beads.size(); ++b)
+      if (!is_clear_of(b)) return false;
+    return cells.visit_near(centre, is_clear_of);
   };
   const std::size_t count = std::holds_alternative<double>(how_many)
                                 ? number_of(how_many, layout.swimmers.size(), "swimmers")
@@ -171,11 +173,14 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
                                    added.id, most_trials));
     }
     const auto centres = rest_positions(type, added.position, added.axis);
-    for (int b = 0; b < 3; ++b) {
-      cells.insert(beads.size(), centres[b]);
+    for (int b = 0; b < 3; ++b)
       beads.push_back({centres[b], type.beads[b].radius, layout.swimmers.size(), b});
-    }
     layout.swimmers.push_back(added);
+    constexpr std::size_t max_unsorted = 100;
+    if (beads.size() - sorted > max_unsorted) {
+      cells = bead_cells(beads, layout.domain, reach);
+      sorted = beads.size();
+    }
   }
 }
 

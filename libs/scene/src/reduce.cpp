@@ -2,42 +2,47 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
-#include "cell_list.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Middle beads in a periodic box, to be found by place.
-class Places {
+/// Finds swimmers in a periodic box by their positions.
+class SwimmerFinder {
  public:
-  Places(const Layout& layout, const Box& box, std::size_t expected)
-      : layout_(layout), box_(box), list_(box_, spacing(box, expected)) {}
+  SwimmerFinder(const Layout& layout, const Box& box, double tolerance)
+      : layout_(layout),
+        box_(box),
+        tolerance_(tolerance),
+        cells_(positions(layout), tolerance, box.lengths) {}
 
-  void insert(std::size_t s) { list_.insert(s, layout_.swimmers[s].position); }
-
-  /// Another swimmer like `s`, but for its place, within `tolerance` of `position`: its distance; none:
-  /// infinite.
-  double distance_to_twin(std::size_t s, const Vec3& position, double tolerance) const {
-    double least = std::numeric_limits<double>::infinity();
-    list_.visit_near(position, [&](std::size_t other) {
+  /// Returns the distance from `position` to the nearest swimmer within the tolerance that equals swimmer `s`
+  /// in all but its position and that `admits` accepts; infinite if there is none [length].
+  double distance_to_twin(std::size_t s, const Vec3& position,
+                          const std::function<bool(std::size_t)>& admits) const {
+    double nearest = std::numeric_limits<double>::infinity();
+    cells_.visit_near(position, [&](std::size_t other) {
       const double distance = nearest_separation(position, layout_.swimmers[other].position, box_).norm();
-      if (other != s && distance <= tolerance && distance < least && alike(s, other)) least = distance;
+      if (other != s && distance <= tolerance_ && distance < nearest && admits(other) && are_alike(s, other))
+        nearest = distance;
       return true;
     });
-    return least;
+    return nearest;
   }
 
  private:
-  /// Edge of cells that hold about one swimmer each.
-  static double spacing(const Box& box, std::size_t swimmers) {
-    return std::cbrt(box.lengths.prod() / static_cast<double>(std::max<std::size_t>(swimmers, 1)));
+  static std::vector<Vec3> positions(const Layout& layout) {
+    std::vector<Vec3> positions;
+    for (const Swimmer& swimmer : layout.swimmers) positions.push_back(swimmer.position);
+    return positions;
   }
 
-  bool alike(std::size_t a, std::size_t b) const {
+  bool are_alike(std::size_t a, std::size_t b) const {
     constexpr double same_axis = 1e-9;
     const Swimmer &one = layout_.swimmers[a], &other = layout_.swimmers[b];
     if (one.type != other.type || (one.axis - other.axis).norm() > same_axis) return false;
@@ -47,16 +52,18 @@ class Places {
 
   const Layout& layout_;
   std::optional<Box> box_;
-  CellList list_;
+  double tolerance_;
+  CellList cells_;
 };
 
 /// The largest shift with which the scene maps onto itself when moved by a `parts`-th of its edge; infinite
 /// if it does not.
-double shift_of(const Layout& layout, const Places& places, int axis, std::size_t parts, double tolerance) {
+double shift_of(const Layout& layout, const SwimmerFinder& finder, int axis, std::size_t parts) {
   const Vec3 step = Vec3::Unit(axis) * layout.domain->lengths[axis] / static_cast<double>(parts);
+  const auto is_any = [](std::size_t) { return true; };
   double largest = 0;
   for (std::size_t s = 0; s < layout.swimmers.size() && std::isfinite(largest); ++s)
-    largest = std::max(largest, places.distance_to_twin(s, layout.swimmers[s].position + step, tolerance));
+    largest = std::max(largest, finder.distance_to_twin(s, layout.swimmers[s].position + step, is_any));
   return largest;
 }
 
@@ -71,13 +78,12 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   }
   const std::size_t all = layout.swimmers.size();
   ReducedCell result{.layout = layout};
-  Places places(layout, *layout.domain, all);
-  for (std::size_t s = 0; s < all; ++s) places.insert(s);
+  const SwimmerFinder finder(layout, *layout.domain, tolerance);
   for (int axis = 0; axis < 3; ++axis) {
     if (!layout.domain->is_periodic(axis)) continue;
     for (std::size_t parts = all; parts > 1; --parts) {
       if (all % parts != 0) continue;
-      const double shift = shift_of(layout, places, axis, parts, tolerance);
+      const double shift = shift_of(layout, finder, axis, parts);
       if (!std::isfinite(shift)) continue;
       result.cells[axis] = static_cast<int>(parts);
       result.largest_shift = std::max(result.largest_shift, shift);
@@ -89,11 +95,14 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   cell.lengths = layout.domain->lengths.cwiseQuotient(result.cells.cast<double>().matrix());
   for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = wrapped(swimmer.position, cell);
   // One of each that have become the same; twins of twins are within twice the tolerance.
-  Places kept(result.layout, cell, all);
+  const SwimmerFinder twins(result.layout, cell, 2 * tolerance);
+  std::vector<bool> is_kept(all);
   std::vector<Swimmer> firsts;
   for (std::size_t s = 0; s < all; ++s) {
-    if (std::isfinite(kept.distance_to_twin(s, result.layout.swimmers[s].position, 2 * tolerance))) continue;
-    kept.insert(s);
+    const Vec3& position = result.layout.swimmers[s].position;
+    if (std::isfinite(twins.distance_to_twin(s, position, [&](std::size_t other) { return is_kept[other]; })))
+      continue;
+    is_kept[s] = true;
     firsts.push_back(result.layout.swimmers[s]);
   }
   if (static_cast<double>(firsts.size()) * result.cells.cast<double>().prod() != static_cast<double>(all)) {

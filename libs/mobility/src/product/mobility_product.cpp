@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "beadswim/core/bounds.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/bounds.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/near_field.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"

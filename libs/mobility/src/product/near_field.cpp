@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/neighbour_cells.hpp"
 
 namespace beadswim {
 namespace {
@@ -110,7 +110,7 @@ std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) con
   links.reserve(positions.size());
   const Images images = images_of(positions);
   const double most = pair_reach * *std::ranges::max_element(radii_);
-  const NeighbourCells cells(images.places, most, lengths_);
+  const CellList cells(images.places, most, lengths_);
   const std::vector<int>& order = cells.order();
   const Folded folded(images.places, order, lengths_);
   const int beads = static_cast<int>(radii_.size());

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/core/rank_share.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
-#include "beadswim/mobility/neighbour_cells.hpp"
 
 namespace beadswim {
 namespace {
@@ -86,7 +86,7 @@ void NearPairs::tabulate() {
 
 /// Beads in order of cells, and the pairs of one bead.
 struct NearPairs::Work {
-  NeighbourCells cells;
+  CellList cells;
   std::vector<double> places[3];
   std::vector<unsigned char> is_receiver;
   std::vector<Vec3> forces, velocities;
@@ -96,7 +96,7 @@ struct NearPairs::Work {
 
 void NearPairs::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                std::span<Vec3> velocities, const Communicator& communicator) const {
-  Work work{.cells = NeighbourCells(positions, law_.cut_off, law_.lengths),
+  Work work{.cells = CellList(positions, law_.cut_off, law_.lengths),
             .places = {},
             .is_receiver = {},
             .forces = {},

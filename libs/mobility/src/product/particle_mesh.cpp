@@ -9,8 +9,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "beadswim/core/bounds.hpp"
 #include "beadswim/core/error.hpp"
-#include "beadswim/mobility/bounds.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "mobility_kernels.hpp"
 

@@ -1,0 +1,46 @@
+#include "beadswim/core/cell_list.hpp"
+
+#include <cmath>
+
+#include "beadswim/core/bounds.hpp"
+
+namespace beadswim {
+
+CellList::CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths) : lengths_(lengths) {
+  const Bounds bounds(positions);
+  if (!is_periodic()) low_ = bounds.low;
+  // No more cells along an axis than a row of all points would need: memory stays linear in their number.
+  const double max_count = std::cbrt(8.0 * static_cast<double>(positions.size())) + 1;
+  for (int a = 0; a < 3; ++a) {
+    const double extent = is_periodic() ? lengths_[a] : bounds.high[a] - bounds.low[a];
+    const bool is_finite = std::isfinite(extent);  // one cell holds all points otherwise
+    counts_[a] = is_finite ? static_cast<int>(std::clamp(std::floor(2 * extent / cutoff), 1.0, max_count)) : 1;
+    inverse_edge_[a] = is_finite && extent > 0 ? counts_[a] / extent : 0;
+  }
+
+  start_.assign(std::size_t(counts_[0]) * counts_[1] * counts_[2] + 1, 0);
+  std::vector<int> cells(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) ++start_[(cells[i] = cell_of(positions[i])) + 1];
+  for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+  std::vector<int> next = start_;
+  order_.resize(positions.size());
+  cell_.resize(positions.size());
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const int s = next[cells[i]]++;
+    order_[s] = static_cast<int>(i);
+    cell_[s] = cells[i];
+  }
+}
+
+int CellList::cell_of(const Vec3& position) const {
+  std::array<int, 3> c;
+  for (int a = 0; a < 3; ++a) {
+    double place = position[a] - low_[a];
+    if (is_periodic()) place -= lengths_[a] * std::floor(place / lengths_[a]);
+    const double cell = place * inverse_edge_[a];
+    c[a] = cell > 0 ? static_cast<int>(std::min(cell, counts_[a] - 1.0)) : 0;
+  }
+  return (c[0] * counts_[1] + c[1]) * counts_[2] + c[2];
+}
+
+}  // namespace beadswim
