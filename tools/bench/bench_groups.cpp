@@ -87,14 +87,18 @@ std::vector<BenchRow> rows_of(const Group& group, const BenchScenes& scenes,
   std::vector<BenchRow> rows;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Precision precision = cases[c].precision;
-    BenchRow row{.name = cases[c].name, .precision = precision, .edge = group.edge, .ranks = group.ranks};
+    BenchRow row{.name = cases[c].name,
+                 .precision = precision,
+                 .edge = group.edge,
+                 .ranks = group.ranks,
+                 .bytes_per_update = bytes_per_update(precision)};
     row.mlups = 1e-6 * cells * group.ranks / median(seconds[c]);
     row.mlups_best = 1e-6 * cells * group.ranks / *std::ranges::min_element(seconds[c]);
     row.fraction_of_yardstick = median(ratios(seconds[c], seconds[*find("stream-yardstick", precision)]));
     row.fraction_of_bandwidth =
-        median(ratios(seconds[c], seconds.back())) * bytes_per_update(precision) * cells / in_place_bytes;
+        median(ratios(seconds[c], seconds.back())) * row.bytes_per_update * cells / in_place_bytes;
     if (const auto twin = find(row.name, Precision::fp64); twin && *twin != c)
-      row.over_double = median(ratios(seconds[c], seconds[*twin]));
+      row.speed_over_double = median(ratios(seconds[c], seconds[*twin]));
     if (row.name == "stream-yardstick") row.layout = scenes.layout_name(precision);
     rows.push_back(row);
   }

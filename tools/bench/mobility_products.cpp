@@ -59,20 +59,21 @@ double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& 
   return std::sqrt(difference / size);
 }
 
-ProductRow measure(const ProductRequest& request, int count, bool is_periodic,
+ProductRow measure(const ProductRequest& request, int count, Surroundings surroundings,
                    const Communicator& communicator) {
   constexpr int most_checked = 100000;
   constexpr double least_checked = 1e-9;
   bool is_on_mesh = false;
   const Beads beads = random_beads(count);
-  MobilityScene scene{
-      .model = MobilityModel::rpy,
-      .viscosity = 1.0 / 3,
-      .box = is_periodic ? std::optional(Box{{beads.edge, beads.edge, beads.edge}, {}}) : std::nullopt,
-      .radii = std::vector<double>(count, 6),
-      .tolerance = request.tolerance};
+  MobilityScene scene{.model = MobilityModel::rpy,
+                      .viscosity = 1.0 / 3,
+                      .box = surroundings == Surroundings::periodic
+                                 ? std::optional(Box{{beads.edge, beads.edge, beads.edge}, {}})
+                                 : std::nullopt,
+                      .radii = std::vector<double>(count, 6),
+                      .tolerance = request.tolerance};
   ProductRow row{.beads = count,
-                 .is_periodic = is_periodic,
+                 .surroundings = surroundings,
                  .ranks = communicator.size(),
                  .tolerance = request.tolerance};
   std::vector<Vec3> velocities(count), exact(count);
@@ -105,11 +106,11 @@ ProductRow measure(const ProductRequest& request, int count, bool is_periodic,
 std::vector<ProductRow> measure_products(const ProductRequest& request, const Communicator& world) {
   std::vector<ProductRow> rows;
   for (const int count : request.beads) {
-    for (const bool is_periodic : {true, false}) {
+    for (const Surroundings surroundings : all_values<Surroundings>) {
       for (int ranks = 1; ranks <= world.size(); ranks += std::max(1, world.size() - 1)) {
         if (world.is_root()) tell(fmt::format("beadswim-bench: {} beads, {} ranks\n", count, ranks));
         on_first_ranks(ranks, world, [&](const Communicator& communicator) {
-          rows.push_back(measure(request, count, is_periodic, communicator));
+          rows.push_back(measure(request, count, surroundings, communicator));
         });
       }
     }

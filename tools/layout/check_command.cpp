@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "beadswim/documents/layout_document.hpp"
+#include "beadswim/io/fields_json.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
 
 namespace beadswim {
@@ -60,32 +61,9 @@ std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
   return text;
 }
 
-Json json_of(const TypeNumbers& numbers) {
-  Json json{{"reynolds_bead", numbers.reynolds},
-            {"penetration_depth", numbers.penetration_depth},
-            {"radius_over_penetration_depth", numbers.radius_over_penetration_depth},
-            {"arm_over_radius", numbers.arm_over_radius},
-            {"drag_over_spring", numbers.drag_over_spring},
-            {"arm_amplitudes", numbers.arm_amplitude},
-            {"arm_gaps", numbers.arm_gap}};
-  if (numbers.box_over_length) json["box_over_swimmer_length"] = *numbers.box_over_length;
-  return json;
-}
-
-Json json_of(const ResolutionNumbers& numbers) {
-  Json json{{"cell", numbers.cell}, {"time_step", numbers.time_step}, {"mach", numbers.mach}};
-  for (const auto& [name, steps] : numbers.steps_per_period) json["steps_per_period"][name] = steps;
-  if (numbers.cells_in_box) json["cells_in_box"] = *numbers.cells_in_box;
-  return json;
-}
-
 Json json_of(const Layout& layout, const SceneNumbers& numbers) {
-  Json json{{"schema", "beadswim/layout-check/1"},
-            {"swimmers", layout.swimmers.size()},
-            {"smallest_gap", numbers.smallest_gap},
-            {"types", Json::object()}};
-  for (const auto& [name, of_type] : numbers.types) json["types"][name] = json_of(of_type);
-  if (numbers.resolution) json["resolution"] = json_of(*numbers.resolution);
+  Json json{{"schema", "beadswim/layout-check/1"}, {"swimmers", layout.swimmers.size()}};
+  add_fields(json, numbers);
   return json;
 }
 

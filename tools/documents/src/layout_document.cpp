@@ -1,10 +1,10 @@
 #include "beadswim/documents/layout_document.hpp"
 
 #include "beadswim/io/document_fault.hpp"
+#include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/units.hpp"
-#include "beadswim/io/fields_json.hpp"
 
 namespace beadswim {
 namespace {
@@ -48,16 +48,10 @@ Driving overridden(Driving driving, const Json& json) {
   return driving;
 }
 
-Json json_of(const Driving& driving) {
-  Json json = driving;
-  if (driving.phase_offset == 0) json.erase("phase_offset");
-  return json;
-}
-
 /// The members of `driving` that differ from the type's.
 Json difference(const Driving& driving, const Driving& of_type) {
-  Json json = json_of(driving);
-  const Json ordinary = json_of(of_type);
+  Json json = driving;
+  const Json ordinary = of_type;
   for (const auto& [key, value] : ordinary.items()) {
     if (json.contains(key) && json[key] == value) json.erase(key);
   }
@@ -67,20 +61,10 @@ Json difference(const Driving& driving, const Driving& of_type) {
 
 // --- types
 
-SwimmerType type_from(const Json& json) {
-  SwimmerType type;
-  json["beads"].get_to(type.beads);
-  json["springs"].get_to(type.springs);
-  json["angular_stiffness"].get_to(type.angular_stiffness);
-  type.driving = overridden({}, json["driving"]);
-  return type;
-}
-
-Json json_of(const SwimmerType& type) {
-  return {{"beads", type.beads},
-          {"springs", type.springs},
-          {"angular_stiffness", type.angular_stiffness},
-          {"driving", json_of(type.driving)}};
+/// Keys of the driving that the schema does not require keep their defaults.
+SwimmerType type_from(Json json) {
+  json["driving"] = overridden({}, json["driving"]);
+  return json.get<SwimmerType>();
 }
 
 // --- swimmers
@@ -141,7 +125,7 @@ Json layout_to_json(const LayoutDocument& document) {
   const Layout& layout = document.layout;
   Json json{{"schema", "beadswim/layout/1"}, {"units", json_of(layout.units)}, {"fluid", layout.fluid},
             {"domain", layout.domain},       {"types", Json::object()},        {"swimmers", Json::array()}};
-  for (const auto& [name, type] : layout.types) json["types"][name] = json_of(type);
+  for (const auto& [name, type] : layout.types) json["types"][name] = type;
   for (const Swimmer& swimmer : layout.swimmers) {
     json["swimmers"].push_back(json_of(swimmer, layout.types.at(swimmer.type)));
   }

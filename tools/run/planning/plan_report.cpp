@@ -61,10 +61,7 @@ Json json_of(const PlannedRun& run, const RunOptions& asked, const Communicator&
                     {"memory_bytes", run.memory_bytes},
                     {"output_bytes", run.output_bytes}};
   }
-  if (run.error.largest() > 0 && std::isfinite(run.error.largest())) {
-    if (run.error.velocity > 0) json["error"]["velocity"] = run.error.velocity;
-    json["error"]["arm_amplitudes"] = run.error.arm_amplitudes;
-  }
+  if (run.error.largest() > 0 && std::isfinite(run.error.largest())) json["error"] = run.error;
   return json;
 }
 

@@ -44,6 +44,10 @@ void visit_fields(auto&& visit, Record& record) {
 struct OmittedIfNone {};
 inline constexpr OmittedIfNone omitted_if_none;
 
+/// Mark of a number whose key is missing in JSON where it is 0.
+struct OmittedIfZero {};
+inline constexpr OmittedIfZero omitted_if_zero;
+
 /// Mark of a number that is null in JSON where it is infinite.
 struct NullIfInfinite {};
 inline constexpr NullIfInfinite null_if_infinite;

@@ -30,6 +30,9 @@ void add_fields(Json& json, const Record& record) {
         if constexpr (has_mark<OmittedIfNone, Marks...>) {
           if (!has_value(field)) return;
         }
+        if constexpr (has_mark<OmittedIfZero, Marks...>) {
+          if (field == 0) return;
+        }
         json[name] = field;
         if constexpr (has_mark<NullIfInfinite, Marks...>) {
           if (std::isinf(field)) json[name] = nullptr;
@@ -44,12 +47,14 @@ void to_json(Json& json, const Record& record) {
   add_fields(json, record);
 }
 
-/// What is optional, or marked omitted_if_none, may be missing.
+/// Keys of optional fields, and of fields marked omitted_if_none or omitted_if_zero, may be missing. The
+/// field then keeps its value.
 template <HasFields Record>
 void from_json(const Json& json, Record& record) {
   visit_fields(
       [&]<class Field, class... Marks>(const char* name, Field& field, Marks...) {
-        if constexpr (is_optional<Field> || has_mark<OmittedIfNone, Marks...>) {
+        if constexpr (is_optional<Field> || has_mark<OmittedIfNone, Marks...> ||
+                      has_mark<OmittedIfZero, Marks...>) {
           const auto found = json.find(name);
           if (found != json.end()) found->get_to(field);
         } else if (has_mark<NullIfInfinite, Marks...> && json.at(name).is_null()) {

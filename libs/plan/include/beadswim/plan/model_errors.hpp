@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/mobility/mobility_model.hpp"
 #include "beadswim/plan/lattice_lag.hpp"
@@ -19,6 +20,11 @@ struct ErrorEstimate {
   std::array<double, 2> arm_amplitudes{};
 
   double largest() const;
+
+  static void visit_fields(auto&& visit, auto& error) {
+    visit("velocity", error.velocity, omitted_if_zero);  // nothing swims
+    visit("arm_amplitudes", error.arm_amplitudes);
+  }
 };
 
 /// A swimmer's velocity and arms' amplitudes by the best theory, and what is unknown of them.

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/core/names.hpp"
 
 // What a three-bead swimmer is made of (paper, section 2). Any coherent unit system: a layout's own in
@@ -58,7 +59,7 @@ struct Driving {
     visit("phase", driving.phase);
     visit("period", driving.period);
     visit("frame", driving.frame);
-    visit("phase_offset", driving.phase_offset);
+    visit("phase_offset", driving.phase_offset, omitted_if_zero);
   }
 };
 
@@ -68,6 +69,13 @@ struct SwimmerType {
   std::array<Spring, 2> springs;
   double angular_stiffness = 0;  ///< K_A of U = K_A theta^2 / 2, theta between the arms [energy]
   Driving driving;
+
+  static void visit_fields(auto&& visit, auto& type) {
+    visit("beads", type.beads);
+    visit("springs", type.springs);
+    visit("angular_stiffness", type.angular_stiffness);
+    visit("driving", type.driving);
+  }
 };
 
 }  // namespace beadswim

@@ -22,6 +22,17 @@ struct TypeNumbers {
   std::array<double, 2> arm_amplitude{};     ///< d_i to first order in A, B with Rotne-Prager pairs [length]
   std::array<double, 2> arm_gap{};           ///< between the surfaces of the arm's beads at rest [length]
   std::optional<std::array<double, 3>> box_over_length;  ///< box edges over the swimmer's length
+
+  static void visit_fields(auto&& visit, auto& numbers) {
+    visit("reynolds_bead", numbers.reynolds);
+    visit("penetration_depth", numbers.penetration_depth);
+    visit("radius_over_penetration_depth", numbers.radius_over_penetration_depth);
+    visit("arm_over_radius", numbers.arm_over_radius);
+    visit("drag_over_spring", numbers.drag_over_spring);
+    visit("arm_amplitudes", numbers.arm_amplitude);
+    visit("arm_gaps", numbers.arm_gap);
+    visit("box_over_swimmer_length", numbers.box_over_length, omitted_if_none);
+  }
 };
 
 /// What the layout's hint means in a resolved run.
@@ -31,12 +42,26 @@ struct ResolutionNumbers {
   std::map<std::string, double> steps_per_period;  ///< of each type
   std::optional<double> cells_in_box;
   double mach = 0;  ///< of the fastest bead of any type: v sqrt(3) time_step / cell
+
+  static void visit_fields(auto&& visit, auto& numbers) {
+    visit("cell", numbers.cell);
+    visit("time_step", numbers.time_step);
+    visit("mach", numbers.mach);
+    visit("steps_per_period", numbers.steps_per_period);
+    visit("cells_in_box", numbers.cells_in_box, omitted_if_none);
+  }
 };
 
 struct SceneNumbers {
   std::map<std::string, TypeNumbers> types;
   double smallest_gap = 0;  ///< between any two surfaces at rest: beads, images, walls [length]
   std::optional<ResolutionNumbers> resolution;
+
+  static void visit_fields(auto&& visit, auto& numbers) {
+    visit("smallest_gap", numbers.smallest_gap);
+    visit("types", numbers.types);
+    visit("resolution", numbers.resolution, omitted_if_none);
+  }
 };
 
 /// Amplitudes of the three beads' velocities to first order, v = mu F, by Rotne-Prager pairs [length/time].
