@@ -6,9 +6,9 @@ include(GoogleTest)
 # Off, every file is compiled by itself: for work on single files, and to find missing includes.
 option(BEADSWIM_SHARED_HEADERS "Precompile shared headers, and compile the files of a program together" ON)
 
-# beadswim_header_family(NAME HEADERS header... DEPENDS target...)
+# beadswim_header_family(NAME HEADERS header... DEPENDS target... [OPTIONS option...])
 function(beadswim_header_family name)
-  cmake_parse_arguments(arg "" "" "HEADERS;DEPENDS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "HEADERS;DEPENDS;OPTIONS" ${ARGN})
   if(NOT BEADSWIM_SHARED_HEADERS)
     return()
   endif()
@@ -17,10 +17,14 @@ function(beadswim_header_family name)
   add_library(beadswim_headers_of_${name} OBJECT ${source})
   target_link_libraries(beadswim_headers_of_${name} PRIVATE ${arg_DEPENDS})
   target_precompile_headers(beadswim_headers_of_${name} PRIVATE ${arg_HEADERS})
+  target_compile_options(beadswim_headers_of_${name} PRIVATE ${arg_OPTIONS})
 endfunction()
 
 # For tests: with precompiled headers GCC 12 falsely sees 2^63 bytes copied in "literal" + std::string (GCC bug 105651).
 set(BEADSWIM_FALSE_WARNINGS_OFF -Wno-stringop-overflow -Wno-array-bounds)
+
+# Templates and virtual classes of such headers cost half the time at -O3 that they cost at -O1, and none of this code is hot.
+set(BEADSWIM_COLD_CODE $<$<CONFIG:Release>:-O1>)
 
 # beadswim_share_headers(TARGET numerics|tests|together)
 function(beadswim_share_headers target family)
@@ -32,6 +36,7 @@ function(beadswim_share_headers target family)
   endif()
   if(family STREQUAL together OR family STREQUAL tests)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
+    target_compile_options(${target} PRIVATE ${BEADSWIM_COLD_CODE})
   endif()
   if(family STREQUAL tests)
     target_compile_options(${target} PRIVATE ${BEADSWIM_FALSE_WARNINGS_OFF})
@@ -43,7 +48,7 @@ set(numerics_headers <algorithm> <array> <cmath> <complex> <functional> <map> <m
 beadswim_header_family(numerics HEADERS ${numerics_headers} DEPENDS Eigen3::Eigen fmt::fmt)
 if(BUILD_TESTING)
   beadswim_header_family(tests HEADERS ${numerics_headers} <random> <gtest/gtest.h> <gmock/gmock.h>
-    DEPENDS Eigen3::Eigen fmt::fmt GTest::gtest GTest::gmock)
+    DEPENDS Eigen3::Eigen fmt::fmt GTest::gtest GTest::gmock OPTIONS ${BEADSWIM_COLD_CODE})
 endif()
 
 # beadswim_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE target...] [HEADERS numerics|together])
