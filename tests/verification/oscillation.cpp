@@ -45,7 +45,7 @@ Complex friction_in_box(const Oscillation& of) {
   const Complex alpha = std::sqrt(Complex(0, of.omega() / of.viscosity())), kappa = alpha * double(of.radius);
   const SizeFactor size = sphere_factor(kappa);
   const LineFlow flow(eta, {.lengths = {edge, edge, edge}}, 0, 0);
-  const Complex images = combined(flow.unsteady_images(alpha, 0), size * size).value;
+  const Complex images = total_flow(flow.unsteady_images(alpha, 0), size * size).value;
   const Complex uniform = 1.0 / (eta * alpha * alpha * std::pow(edge, 3));
   return 1.0 / (1.0 / (6 * pi * eta * of.radius * induced_force_factor(kappa)) + images - uniform);
 }

@@ -70,12 +70,12 @@ DefectCommand::DefectCommand(CLI::App& program)
 
 void DefectCommand::add_numbers() {
   auto& vacancy = add_kind("vacancy", "Take swimmers away; the others keep their ids.",
-                           [this](Layout& layout) { add_vacancies(layout, how_many(), seed_); });
+                           [this](Layout& layout) { add_vacancies(layout, share_or_count(), seed_); });
   add_how_many(vacancy, "swimmers to take away", needed);
 
   auto& interstitial =
       add_kind("interstitial", "Add swimmers like the first at random free places, with ids of their own.",
-               [this](Layout& layout) { add_interstitials(layout, how_many(), seed_); });
+               [this](Layout& layout) { add_interstitials(layout, share_or_count(), seed_); });
   add_how_many(interstitial, "swimmers to add; the fraction is of those there are", needed);
 }
 
@@ -179,27 +179,28 @@ void DefectCommand::add_spacing() {
 }
 
 void DefectCommand::add_mixture() {
-  auto& mixture =
-      add_kind("mixture", "Make swimmers ones of another type, which keep their place and axis.",
-               [this](Layout& layout) { mix_in(layout, drawn_swimmers(layout, how_many(), seed_), other_); });
+  auto& mixture = add_kind("mixture", "Make swimmers ones of another type, which keep their place and axis.",
+                           [this](Layout& layout) {
+                             mix_in(layout, draw_swimmer_indices(layout, share_or_count(), seed_), other_);
+                           });
   mixture.add_option("--with", other_, "A layout whose first swimmer is of that type.")
       ->required()
       ->type_name("FILE");
   add_how_many(mixture, "swimmers to change", needed);
 }
 
-HowMany DefectCommand::how_many() const {
+ShareOrCount DefectCommand::share_or_count() const {
   if (count_) return *count_;
   if (!fraction_) throw InputError("command line", "needs --fraction or --count");
   return *fraction_;
 }
 
-HowMany DefectCommand::how_many_or_all() const {
-  return fraction_ || count_ ? how_many() : HowMany{1.0};
+ShareOrCount DefectCommand::how_many_or_all() const {
+  return fraction_ || count_ ? share_or_count() : ShareOrCount{1.0};
 }
 
 std::vector<std::size_t> DefectCommand::chosen(const Layout& layout) const {
-  return drawn_swimmers(layout, how_many_or_all(), seed_);
+  return draw_swimmer_indices(layout, how_many_or_all(), seed_);
 }
 
 void DefectCommand::run(const CLI::App& program) const {
