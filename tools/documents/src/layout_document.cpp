@@ -41,7 +41,7 @@ Json json_of(const Units& units) {
 /// The driving with whatever the object says in place of what was there.
 Driving overridden(Driving driving, const Json& json) {
   visit_fields(
-      [&](const char* name, auto& field) {
+      [&](const char* name, auto& field, auto...) {
         if (json.contains(name)) json[name].get_to(field);
       },
       driving);
