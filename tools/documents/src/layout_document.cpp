@@ -41,7 +41,7 @@ Json json_of(const Units& units) {
 /// Returns the driving with the members of `json` in place of its own.
 Driving override_driving(Driving driving, const Json& json) {
   visit_fields(
-      [&](const char* name, auto& field) {
+      [&](const char* name, auto& field, auto...) {
         if (json.contains(name)) json[name].get_to(field);
       },
       driving);
