@@ -63,7 +63,7 @@ TEST(Schema, NamesEveryUnknownKeyOfAnObject) {
 
 TEST(Schema, NamesAMissingKeyAndItsMeaning) {
   EXPECT_EQ(refusal("/fluid", {{"density", 1}}),
-            "in.json:/fluid: lacks the key \"kinematic_viscosity\" (nu [length^2/time])");
+            "in.json:/fluid: lacks the key \"kinematic_viscosity\" (kinematic viscosity nu [length^2/time])");
 }
 
 TEST(Schema, EchoesTheValueAndWhatIsAllowed) {

@@ -26,7 +26,7 @@ std::string this_program() {
   return version() + " (" + revision() + ")";
 }
 
-/// Renames the checkpoint of an older run, so that a restart does not take it for a checkpoint of this run.
+/// Renames the checkpoint of another run, because --restart could mistake it for a checkpoint of this run.
 void rename_old_checkpoint(const std::string& path) {
   std::error_code failure;
   if (!std::filesystem::exists(path, failure)) return;
@@ -35,7 +35,7 @@ void rename_old_checkpoint(const std::string& path) {
     throw SolverError(fmt::format("{}, of an older run, cannot be renamed: {}", path, failure.message()));
 }
 
-/// Returns on all ranks whether the file exists for rank 0. Collective.
+/// Returns whether the file exists for rank 0; the same on all ranks. Collective.
 bool exists(const std::string& path, const Communicator& communicator) {
   std::error_code ignored;
   int there = communicator.is_root() && std::filesystem::exists(path, ignored) ? 1 : 0;
@@ -154,7 +154,7 @@ Checkpoints::Checkpoints(const RunOptions& options, std::string layout, const st
   int slot = communicator_.is_root() ? slot_of(restarted) : -1;
   MPI_Bcast(&slot, 1, MPI_INT, 0, communicator_.get());
   if (slot >= 0) {
-    slot_ = 1 - slot;  // keeps the restarted checkpoint until the next is complete
+    slot_ = 1 - slot;  // keeps the checkpoint of --restart until the next one is complete
   } else if (communicator_.is_root()) {
     for (const int other : {0, 1}) rename_old_checkpoint(slot_path(output_, other));
   }

@@ -24,7 +24,7 @@ using namespace beadswim;
 
 constexpr const char* program_name = "beadswim-run";
 
-/// The run ended with a fault that all ranks know. The results up to the fault are complete.
+/// Exception for a run that ended with a fault. All ranks throw it. The results up to the fault are complete.
 class RunFailed : public SolverError {
  public:
   using SolverError::SolverError;
@@ -65,7 +65,8 @@ void print_record(const RunRecord& record, const RunOptions& options) {
   write_text("-", dump_json(run_record_to_json(record, provenance)));
 }
 
-/// Reports the current exception and aborts all ranks. For failures that may be known to this rank only.
+/// Reports the current exception and aborts all ranks. Use it for exceptions that may occur on this rank
+/// only.
 [[noreturn]] void stop_all_ranks(const Communicator& communicator) {
   report_current_exception(program_name);
   MPI_Abort(communicator.get(), static_cast<int>(ExitStatus::failed));
@@ -87,7 +88,7 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
     std::optional<RunHistory> history;
     if (request.checkpoint)
       history = restore(parts.model, parts.recorder, *request.checkpoint, parts.communicator);
-    request.checkpoint.reset();  // closes the file, so that its disk space is free once it is replaced
+    request.checkpoint.reset();  // closes the file, so that replacing it frees its disk space
     const RunOutcome outcome = run_to_end(parts, history);
     const RunRecord record = make_record(parts, document, outcome);
     parts.trajectory.finish();
@@ -96,13 +97,14 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
       write_paraview_index(parts.plan.options.output);
     }
     return outcome;
-  } catch (...) {  // aborts here, because closing the trajectory is collective
+  } catch (...) {  // aborts here: closing the trajectory would wait for other ranks
     print_restart_flag(parts.checkpoints);
     stop_all_ranks(parts.communicator);
   }
 }
 
-/// Implements --plan: prints the plan. Throws InputError if no run is within the tolerance. Collective.
+/// Implements --plan: prints the plan. Throws InputError if the expected error of no run is within the
+/// tolerance. Collective.
 int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
   const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
@@ -114,21 +116,22 @@ int report_plan(const LayoutDocument& document, const Request& request, const Co
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// Implements --model auto --tolerance E: takes the settings of the cheapest run within the tolerance. Throws
-/// InputError if there is none. Collective.
+/// Implements --model auto --tolerance E: uses the settings of the cheapest run whose expected error is
+/// within the tolerance. Throws InputError if there is none. Collective.
 void apply_plan(const LayoutDocument& document, Request& request, const Communicator& communicator) {
   const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
   const PlannedRun& planned = chosen(plan, request.options);
   request.options.settings = planned.settings;
-  request.options.given.erase("--tolerance");  // the flag applied to the plan only
+  request.options.given.erase("--tolerance");  // it was the tolerance of the plan, not of the mobility
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   print_to_stderr(fmt::format("{}: planned: {}, with errors of {:.2g} % expected, at {:.3g} core-seconds\n",
                               program_name, flags_of(planned, request.options), 100 * planned.error.largest(),
                               planned.core_seconds));
 }
 
-/// Runs the program and returns its exit status. Throws InputError on all ranks before the run begins.
+/// Runs the program and returns its exit status. All ranks throw InputError if the input is invalid, before
+/// the run begins.
 int run(int argc, char** argv, const Communicator& communicator) {
   const double start = MPI_Wtime();
   auto read = read_request(argc, argv, communicator);
@@ -173,8 +176,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// Returns the exit status for the current exception. Invalid input, faults and early stops are known to all
-/// ranks, so only rank 0 reports them. Other exceptions abort all ranks.
+/// Returns the exit status for the current exception. All ranks throw the exceptions for invalid input,
+/// faults and early stops, so only rank 0 reports them. Other exceptions abort all ranks.
 int report_failure(const Communicator& communicator) {
   try {
     throw;

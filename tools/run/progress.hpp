@@ -7,14 +7,14 @@
 
 namespace beadswim {
 
-/// Prints on stderr how much of a run is done and how long the rest will take.
+/// Prints on stderr which part of a run is done and the expected time until its end.
 class Progress {
  public:
   /// `steps`: total number of time steps. `first`: number of steps that an earlier run has completed.
   /// `cells`: number of lattice cells; nullopt for models without a lattice, for which no MLUPS are printed.
   Progress(ProgressStyle style, long first, long steps, double steps_per_cycle, std::optional<double> cells);
 
-  void update(long steps_done);  ///< prints a line if the interval since the last one is over
+  void update(long steps_done);  ///< prints a line if the last line is older than an interval
   void finish(long steps_done);  ///< prints the last line
 
  private:

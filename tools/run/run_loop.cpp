@@ -13,10 +13,10 @@
 namespace beadswim {
 namespace {
 
-/// Number of steps between checks for faults, signals and the time limit, which need communication.
+/// Number of steps between checks for faults, signals and the time limit. These checks need communication.
 constexpr long steps_between_guards = 20;
 
-/// Number of steps after which the totals of the model are checked even if no frame is due.
+/// Number of steps between checks of the total mass and momentum. They are checked with every frame, too.
 constexpr long steps_between_totals = 500;
 
 /// Status and reason of a run that stops early without a fault.
@@ -102,8 +102,8 @@ class TimeLoop {
  private:
   long step() const { return parts_.model.steps_done(); }
 
-  /// Returns whether there is no fault; otherwise stores it in the outcome. Evaluates the totals if a frame,
-  /// a checkpoint or the record needs them.
+  /// Returns true if there is no fault. Otherwise stores the fault in the outcome. Evaluates the totals if a
+  /// frame, a checkpoint or the run record needs them.
   bool is_sound(bool is_frame) {
     ModelTotals totals = outcome_.last_totals;
     if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % steps_between_totals == 0)
@@ -117,7 +117,8 @@ class TimeLoop {
     return true;
   }
 
-  /// Stops the run if a stop is requested. Writes a checkpoint if one is due or if the run stops.
+  /// Stops the run if a signal or the time limit requests it. Writes a checkpoint if one is due or if the run
+  /// stops.
   void guard() {
     if (parts_.communicator.is_root()) parts_.progress.update(step());
     bool is_checkpoint = due_.is_checkpoint(step());
@@ -133,7 +134,7 @@ class TimeLoop {
     if (is_checkpoint) parts_.checkpoints.write(parts_, current_history());
   }
 
-  /// Returns the history of a run that would continue from the present state.
+  /// Returns the history of this run until the present step, including the earlier runs that it continues.
   RunHistory current_history() const {
     const double seconds = MPI_Wtime() - start_;
     return {.steps_done = step(),

@@ -10,7 +10,7 @@ namespace beadswim {
 
 class Checkpoints;
 
-/// Steps and cost of a run before the loop of this program begins; zero for a new run.
+/// Steps and cost of the earlier runs that this run continues; zero for a new run.
 struct RunHistory {
   long steps_done = 0;
   double wall_seconds = 0, core_seconds = 0;
@@ -21,7 +21,7 @@ struct RunOutcome {
   RunStatus status = RunStatus::finished;
   std::string reason;  ///< why the run stopped early; empty if it finished
   double wall_seconds = 0, core_seconds = 0;
-  ModelTotals last_totals;  ///< at the last check without a fault
+  ModelTotals last_totals;  ///< totals at the last check that found no fault
 };
 
 /// Objects that the time loop of a run uses.
@@ -36,8 +36,9 @@ struct RunParts {
   Progress& progress;
 };
 
-/// Advances the model until the last step, a fault, the time limit or a signal. The run starts from the
-/// beginning, or continues after `history`. After a fault, no frame and no checkpoint is written. Collective.
+/// Advances the model until the last step, a fault, the time limit or a signal. A new run has no `history`;
+/// otherwise the run continues after `history`. After a fault, no frame and no checkpoint is written.
+/// Collective.
 RunOutcome run_to_end(const RunParts& parts, const std::optional<RunHistory>& history);
 
 }  // namespace beadswim

@@ -2,11 +2,11 @@
 
 namespace beadswim {
 
-/// Installs handlers by which SIGINT, SIGTERM and SIGUSR1 request a stop instead of killing the program.
-/// Ignores SIGPIPE.
+/// Installs handlers for SIGINT, SIGTERM and SIGUSR1. These signals then request a stop, which stop_signal()
+/// returns, and do not kill the program. SIGPIPE is ignored.
 void catch_stop_signals();
 
-/// Returns the signal that requested this rank to stop, or 0.
+/// Returns the number of the signal that this rank has received; 0 if it has received none.
 int stop_signal();
 
 }  // namespace beadswim

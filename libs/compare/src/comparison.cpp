@@ -8,11 +8,11 @@
 namespace beadswim {
 namespace {
 
-/// Methods in order of preference: those closest to a resolved run come first.
+/// Methods in order of preference. The first method is closest to a resolved run.
 constexpr std::array preferred_methods{"inertia-corrected", "multipole-ode", "rpy-ode", "rpy-perturbation"};
 
-/// Returns 0 for the most preferred method. All methods that are not in the list have the same, largest
-/// value.
+/// Returns 0 for the most preferred method and larger values for others. All methods that are not in the list
+/// have the same, largest value.
 std::ptrdiff_t preference(const std::string& method) {
   return std::find(preferred_methods.begin(), preferred_methods.end(), method) - preferred_methods.begin();
 }
@@ -35,8 +35,8 @@ ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, Co
   return row;
 }
 
-/// Returns the row of number i of a quantity. For arm amplitudes, i + 1 is the arm; other quantities have one
-/// number.
+/// Returns the row for number i of a quantity. Arm amplitudes have one number per arm, and i + 1 is the
+/// number of the arm. Other quantities have one number.
 ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity,
                              std::size_t i, double tolerance) {
   ComparisonRow row = labelled_row(run, reference, quantity);

@@ -61,9 +61,9 @@ Vec3 direction(const SwimmerSample& sample) {
   return (sample.bead_positions[2] - sample.bead_positions[0]).normalized();
 }
 
-/// Fits the stroke of one arm: arm 0 joins beads 1 and 2, arm 1 joins beads 2 and 3. Phases refer to the time
-/// of the samples, which is that of the driving. Omits the last sample, because it has the same phase as the
-/// first.
+/// Fits the stroke of one arm: arm 0 joins beads 1 and 2, arm 1 joins beads 2 and 3. The times of the samples
+/// are those of the driving, so the arm phases are relative to the driving. Omits the last sample, because it
+/// has the same phase as the first.
 StrokeFit fit_arm(Samples samples, std::size_t arm, double period) {
   std::vector<double> times, lengths;
   for (const SwimmerSample& sample : samples.first(samples.size() - 1)) {

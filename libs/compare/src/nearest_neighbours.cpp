@@ -22,7 +22,7 @@ struct NearestOther {
   double squared_distance;
 
   bool full() const { return true; }
-  double worstDist() const { return squared_distance * (1 + 1e-12); }  // bounds of branches have roundoff
+  double worstDist() const { return squared_distance * (1 + 1e-12); }  // distances to branches have roundoff
   bool addPoint(double squared, IndexType point) {
     if (point != self) squared_distance = std::min(squared_distance, squared);
     return squared_distance > 0;  // false ends the search: no point can be closer than distance 0
@@ -37,8 +37,9 @@ Vec3 wrap_point(Vec3 place, const std::optional<Box>& box) {
   return place;
 }
 
-/// Returns the displacements from a box to itself and to its adjacent periodic images, at most 27. Wrapped
-/// points are at most one period apart along each axis, so that images further away cannot be the nearest.
+/// Returns the displacements from a box to itself and to its adjacent periodic images, at most 27. Along each
+/// axis, the coordinates of two wrapped points differ by at most one period. Images that are further away are
+/// therefore never the nearest.
 std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
   std::vector<Vec3> shifts{Vec3::Zero()};
   for (int axis = 0; axis < 3 && box; ++axis) {

@@ -11,8 +11,8 @@
 namespace beadswim {
 namespace {
 
-/// Relative threshold for the rank of the design matrix. Below it, sine and cosine columns are nearly
-/// linearly dependent, and amplitude or phase is undetermined.
+/// Relative threshold for the rank of the design matrix. Below this threshold, two columns are nearly
+/// linearly dependent, and the samples do not determine amplitude and phase.
 constexpr double rank_threshold = 1e-10;
 
 /// Returns the design matrix with columns 1, cos(w t), sin(w t) of the linear model mean + a cos(w t) + b

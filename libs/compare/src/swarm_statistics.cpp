@@ -14,8 +14,8 @@ namespace {
 using Members = std::span<const SwarmMember>;
 using Cycles = std::vector<const CycleStatistics*>;
 
-/// Returns the mean of at least one value as x_1 + <x - x_1>. This form is exact if all values are equal, and
-/// accurate if they are nearly equal.
+/// Returns the mean <x> of at least one value as x_1 + <x - x_1>. This form is exact if all values are equal,
+/// and accurate if they are nearly equal.
 double mean_of(std::span<const double> values) {
   double sum = 0;
   for (const double x : values) sum += x - values.front();
@@ -62,7 +62,7 @@ Vec3 deviations(const std::array<Spread, 3>& components) {
   return Vec3(components[0].deviation, components[1].deviation, components[2].deviation);
 }
 
-/// Returns the order parameter of Kuramoto (1984), |<exp(i delta)>|.
+/// Returns the order parameter of Kuramoto (1984), |<exp(i delta)>|, where delta is the phase of one arm.
 double phase_order(const Cycles& cycles, std::size_t arm) {
   std::complex<double> sum = 0;
   for (const CycleStatistics* cycle : cycles) sum += std::polar(1.0, cycle->arm_phases[arm]);
@@ -93,7 +93,7 @@ Cycles last_cycles(Members members) {
   return cycles;
 }
 
-/// Returns Q = <(3 a a - 1)/2>, the mean over the axes a of the swimmers.
+/// Returns Q = <(3 a a - 1)/2>, the mean over all swimmers. a: axis of a swimmer; a a: dyadic product.
 Eigen::Matrix3d nematic_tensor(Members members) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const SwarmMember& member : members) sum += member.axis * member.axis.transpose();

@@ -33,12 +33,13 @@ std::size_t edit_distance(const std::string& a, const std::string& b, Part part)
   return part == Part::whole ? last.back() : *std::min_element(last.begin(), last.end());
 }
 
-/// Returns true if the distance of `name` and `candidate` is small enough, with n the length of `name`:
-/// less than n, and not larger than max(2, n/3), or than 1 for n < 4. For n >= 3, a distance to a part of the
-/// candidate that is not larger than n/4 also suffices.
+/// Returns true if `name`, of n letters, may be a misspelling of `candidate`. One of these conditions
+/// suffices:
+///   - the edit distance is less than n, and at most max(2, n/3), or at most 1 if n < 4
+///   - n >= 3, and the edit distance to a part of the candidate is at most n/4
 bool is_near(const std::string& name, const std::string& candidate) {
-  constexpr std::size_t max_length =
-      100;  // a longer text is a damaged document, and its distance is expensive
+  // A longer name comes from a damaged document, and its edit distance would take long to evaluate.
+  constexpr std::size_t max_length = 100;
   if (name.size() > max_length) return false;
   const std::size_t distance = edit_distance(name, candidate, Part::whole);
   const std::size_t max_distance = name.size() < 4 ? 1 : std::max<std::size_t>(2, name.size() / 3);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double target_intervals = 5;
 constexpr double target_integer_intervals = 7;  // up to six cycles have one tick per cycle
-constexpr double margin = 0.06;                 // on each side, in ranges of the data
+constexpr double margin = 0.06;                 // on each side, divided by the range of the data
 constexpr double single_value_margin = 0.1;     // relative to the value, on each side
 
 /// Returns 1, 2, 5 or 10 times a power of ten, close to `step`.

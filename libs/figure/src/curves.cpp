@@ -18,7 +18,8 @@ bool belongs_to(const std::vector<CurvePoint>& points, std::size_t i, Part part)
   return !points[i].usable || (part == Part::not_usable_with_neighbours && beside_unusable);
 }
 
-/// Returns the points of one part of a curve. Points outside this part are NaN, so that they leave gaps.
+/// Returns the points of one part of a curve. y is NaN at all points that do not belong to the part, so that
+/// the line has gaps there.
 Series part_of(const std::vector<CurvePoint>& points, Part part, Series style) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     style.x.push_back(points[i].x);

@@ -78,8 +78,9 @@ struct PanelRange {
   bool is_empty() const { return x.high < x.low; }
 };
 
-/// Returns the range of the data of a panel: x of all series, and y of the plain series. If the plain series
-/// have no points, y is also that of all series. Throws InputError if there is no point at all.
+/// Returns the range of the data of a panel: x of all series, and y of the plain series (Emphasis::plain). If
+/// the plain series have no points, the range of y includes all series. Throws InputError if there is no
+/// point at all.
 PanelRange panel_range(const Panel& panel) {
   PanelRange plain, all;
   for (const Series& series : panel.series) {

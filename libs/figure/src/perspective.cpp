@@ -6,7 +6,7 @@ namespace beadswim {
 namespace {
 
 const Vec3 to_the_eye = Vec3(0.42, -0.84, 0.34).normalized();  // direction from the centre of the block
-constexpr double eye_distance = 3.2;                           // from the centre, in diagonals of the block
+constexpr double eye_distance = 3.2;                           // from the centre, relative to the diagonal
 
 }  // namespace
 

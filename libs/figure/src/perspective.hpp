@@ -10,6 +10,7 @@ namespace beadswim {
 /// Central projection of a rectangular block onto a part of the page. The eye is in front of the block, a
 /// little to the right and above.
 ///   page point = (d.right, -d.up) / (d.forward) scale + shift, d = point - eye
+/// right, up and forward are the unit vectors of the directions of view.
 class Perspective {
  public:
   /// Projects the block from `low` to `high` [length] into a rectangle of `width` x `height` px whose top
@@ -31,8 +32,8 @@ class Perspective {
   double width_ = 0, height_ = 0;
 };
 
-/// Returns the 8 corners of a box. Bit a of the index is 1 if coordinate a of the corner is that of `high`,
-/// else 0.
+/// Returns the 8 corners of a box. Bit a of the index is 1 if coordinate a of the corner is high[a], and 0 if
+/// it is low[a].
 std::vector<Vec3> box_corners(const Vec3& low, const Vec3& high);
 
 }  // namespace beadswim

@@ -10,8 +10,8 @@ namespace beadswim::svg {
 namespace {
 
 constexpr double marker_radius = 3.6;
-constexpr double head_length = 7, head_half_width = 2.6;  // of arrow heads [px]
-constexpr double mean_glyph_width = 0.57;  // in font sizes; lower case and digits of DejaVu Sans
+constexpr double head_length = 7, head_half_width = 2.6;  // size of arrow heads [px]
+constexpr double mean_glyph_width = 0.57;  // relative to the font size, for text in DejaVu Sans
 
 std::string escaped(const std::string& content) {
   std::string result;

@@ -16,7 +16,7 @@ namespace {
 constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
 constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
-constexpr double arm_width = 0.26;  // in radii of the first bead
+constexpr double arm_width = 0.26;  // relative to the radius of the first bead
 constexpr double mark_size = 17, halo = 3.5;
 const svg::Stroke edge_stroke{.colour = "#8a8a8a", .width = 0.8, .dashes = ""};
 const svg::Stroke hidden_edge_stroke{.colour = "#bdbdbd", .width = 0.8, .dashes = "3 3"};
@@ -29,7 +29,8 @@ struct Piece {
   std::string element;
 };
 
-/// Returns the element of a bead. Numbers have one decimal only, because a swarm has many beads.
+/// Returns the element of a bead. Numbers have only one decimal, because a swarm has many beads and the
+/// document should be small.
 std::string bead_element(svg::Point centre, double radius, int colour) {
   return fmt::format("<circle class=\"b{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
                      palette_place(colour), centre.x, centre.y, radius);
@@ -51,7 +52,7 @@ Piece arm_piece(const Perspective& view, const PicturedSwimmer& swimmer, int arm
           fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", a.x, a.y, b.x, b.y)};
 }
 
-/// Draws all beads and arms in order of decreasing depth, so that near ones hide far ones.
+/// Draws all beads and arms in order of decreasing depth, so that near elements hide far elements.
 std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) {
   std::vector<Piece> pieces;
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
@@ -66,7 +67,8 @@ std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) 
   return elements + "</g>\n";
 }
 
-/// Mixes a colour "#rrggbb" with white (level 255) or black (level 0), which has the weight `share`.
+/// Mixes a colour "#rrggbb" with white (level 255) or black (level 0). `share` is the weight of white or
+/// black.
 std::string mixed(const std::string& colour, int level, double share) {
   std::string result = "#";
   for (int channel = 0; channel < 3; ++channel) {
@@ -107,8 +109,8 @@ std::vector<Edge> box_edges() {
   return edges;
 }
 
-/// Draws the three edges at the corner farthest from the eye, which are behind the swarm (`hidden`), or the
-/// others.
+/// Draws edges of the box. If `hidden` is true, draws the three edges that start at the corner farthest from
+/// the eye, which are behind the swarm. Otherwise draws the other nine edges.
 std::string draw_edges(const SwarmPicture& picture, const Perspective& view, bool hidden) {
   const std::vector<Vec3> corners = box_corners(Vec3::Zero(), picture.box);
   const auto farther = [&](const Vec3& a, const Vec3& b) { return view.depth(a) < view.depth(b); };
@@ -192,7 +194,7 @@ struct Block {
   Vec3 low, high;
 };
 
-/// Returns the block that contains the box, all beads, and space for the distances with their labels.
+/// Returns the block that contains the box, all beads, and space for the distance arrows with their labels.
 Block extent_of(const SwarmPicture& picture) {
   Block block{Vec3::Zero(), picture.box};
   for (const PicturedSwimmer& swimmer : picture.swimmers) {

@@ -10,9 +10,9 @@
 namespace beadswim {
 namespace {
 
-/// Determines the positions of the distances along one axis. Distances are drawn at the swimmers that are
-/// furthest in the direction `direction`, which are at the outline of the picture. Their arrows are displaced
-/// in the direction `arrow_offset`.
+/// Place of the distance arrows along one axis. The arrows are drawn at the swimmers that are furthest in the
+/// direction `direction`. These swimmers are at the outline of the picture. The arrows are displaced from the
+/// beads in the direction `arrow_offset`.
 struct Outline {
   Vec3 direction, arrow_offset;
 };
@@ -20,7 +20,7 @@ struct Outline {
 const std::array<Outline, 3> outlines{Outline{{0, -1, -1}, {0, 0, -1}}, Outline{{1, 0, -1}, {0, 0, -1}},
                                       Outline{{1, 1, 0}, {1, 0, 0}}};
 
-constexpr double offset_radii = 3;  // distance of the arrows from the bead centres, in radii
+constexpr double offset_radii = 3;  // distance of the arrows from the bead centres, divided by the radius
 
 std::size_t furthest_along_x(const PicturedSwimmer& swimmer, double sign) {
   const auto along = [sign](const Vec3& bead) { return sign * bead.x(); };

@@ -16,7 +16,7 @@ constexpr double margin = 24;
 constexpr double max_width = 620,
                  largest_radius = 58;  // maximum width and maximum bead radius of the swimmer
 constexpr double forces_height = 44;   // space above the largest bead for horizontal forces
-constexpr double lengths_height = 66;  // from the largest bead to the notes
+constexpr double lengths_height = 66;  // distance from the largest bead to the notes below
 constexpr double force_length = 64, force_gap = 14;
 constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
 // `arm_offset` is the distance of a spring, and of its dashpot, from the axis of the swimmer.
@@ -56,7 +56,8 @@ PageLayout lay_out_page(const SwimmerSketch& sketch) {
   return page;
 }
 
-/// Draws a spring between the surfaces of two beads. Its two straight ends have an eighth of its length each.
+/// Draws a spring between the surfaces of two beads. Each of the two straight ends has an eighth of the
+/// length of the spring.
 std::string draw_spring(svg::Point from, double length) {
   std::vector<svg::Point> points{from, {from.x + length / 8, from.y}};
   const double turn = 0.75 * length / spring_turns;

@@ -27,7 +27,7 @@ svg::Point exit_point(const svg::Point& inside, const svg::Point& outside, const
 std::vector<Stretch> visible_stretches(const std::vector<svg::Point>& points, double top, double bottom) {
   const Band band{top, bottom};
   std::vector<Stretch> stretches;
-  const svg::Point* last = nullptr;  // nullptr after an interruption
+  const svg::Point* last = nullptr;  // nullptr: the line is interrupted before the point
   for (const svg::Point& point : points) {
     const bool inside = is_finite(point) && band.contains(point);
     const bool was_inside = last != nullptr && band.contains(*last);

@@ -27,7 +27,8 @@ Index3 cheapest_grid(const Index3& cells, int ranks) {
       if ((ranks / gx) % gy != 0) continue;
       const Index3 grid(gx, gy, ranks / gx / gy);
       if ((grid > cells).any()) continue;
-      // Across x each exchanged population lies in a separate cache line, and the rows become shorter.
+      // Relative cost of the exchange across x: each exchanged population lies in a separate cache line, and
+      // the rows become shorter.
       constexpr double strided = 4;
       const double cost = strided * gx * n[1] * n[2] + grid[1] * n[0] * n[2] + grid[2] * n[0] * n[1];
       if (cost < min_cost) {

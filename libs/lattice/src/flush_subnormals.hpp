@@ -6,9 +6,9 @@
 
 namespace beadswim {
 
-/// Rounds subnormal numbers to zero during the lifetime of the object. Ahead of the first waves in a fluid at
-/// rest, populations decrease by an order of magnitude per cell and become subnormal in single precision.
-/// Processors evaluate subnormal numbers much more slowly.
+/// Rounds subnormal numbers to zero during the lifetime of the object, because processors evaluate them much
+/// more slowly than other numbers. In single precision they occur while the first waves spread into fluid at
+/// rest: ahead of these waves, populations decrease by an order of magnitude per cell.
 class FlushSubnormals {
  public:
 #if defined(__SSE2__)

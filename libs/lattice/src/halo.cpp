@@ -39,29 +39,29 @@ int edge_plane(const Populations& p, int axis, int side) {
 struct CellRun {
   std::ptrdiff_t first;
   int cells;
-  std::ptrdiff_t next;  ///< index of the next run minus index of this run
+  std::ptrdiff_t next;  ///< index of the first cell of the next run minus `first`
 };
 
-/// Prefetches the populations of a run. Runs are too short for the hardware prefetcher.
+/// Prefetches the populations of a run of cells, because runs are too short for the hardware prefetcher.
 template <class Real>
 void prefetch_run(const Real* first, const CellRun& run) {
   constexpr int line = 64 / sizeof(Real);
   for (int x = 0; x < run.cells; x += line) __builtin_prefetch(first + x, 1);
 }
 
-/// Copies the populations of a run. Returns the end of the target.
+/// Copies the populations of a run of cells. Returns the address after the last copied value.
 template <class Real>
 Real* copy_run(const Real* from, const CellRun& run, Real* to) {
-  if (run.cells == 1) {  // all runs of planes across x: avoids a function call
+  if (run.cells == 1) {  // every run of a plane across x: avoids a function call
     *to = *from;
     return to + 1;
   }
   return std::copy_n(from, run.cells, to);
 }
 
-/// Calls visit(run) for all runs of the plane across `axis` at the local coordinate `at`. The plane includes
-/// the halo along the axes before `axis`, which are already filled, but not along the axes after it. Across x
-/// a run is a single cell.
+/// Calls visit(run) for every run of consecutive cells in the plane perpendicular to `axis` at the local
+/// coordinate `at`. The plane includes the halo cells along the axes before `axis`, which are already filled,
+/// but no halo cells along the axes after it. In a plane perpendicular to x, each run is a single cell.
 template <class Visit>
 void for_each_run_of_plane(const Populations& populations, int axis, int at, Visit&& visit) {
   Index3 low, high;
@@ -79,14 +79,15 @@ void for_each_run_of_plane(const Populations& populations, int axis, int at, Vis
   }
 }
 
-/// Population of a cell, for a direction i that enters the block.
+/// Kind of a population of a cell. i is a direction that enters the block; ibar is the opposite direction.
 enum class PopulationKind {
-  entering,  ///< outgoing i
-  leaving,   ///< outgoing ibar
-  behind,    ///< incoming i
+  entering,  ///< outgoing population i
+  leaving,   ///< outgoing population ibar
+  behind,    ///< incoming population i
 };
 
-/// Returns the address of population `kind` of the cells of a row that begins at cell `first`.
+/// Returns the address of the population of this kind and direction i in cell `first`. The same population of
+/// the next cell along x follows in memory.
 template <class Real, class SomePopulations>
 auto* row_of(SomePopulations& populations, PopulationKind kind, int i, std::ptrdiff_t first) {
   if (kind == PopulationKind::behind)
@@ -95,8 +96,8 @@ auto* row_of(SomePopulations& populations, PopulationKind kind, int i, std::ptrd
                                                  first);
 }
 
-/// Fills the halo plane on `side` of `axis`: population to[k] of each halo cell becomes population from[k] of
-/// the cell whose index is larger by `distance`.
+/// Fills the halo plane on `side` of `axis`. Copies direction from[k] of the cell whose index is larger by
+/// `distance` to direction to[k] of each halo cell, for all k.
 template <class Real>
 void copy_into_halo(Populations& populations, PopulationKind kind, int axis, int side,
                     const FaceDirections& to, const FaceDirections& from, std::ptrdiff_t distance) {
@@ -133,9 +134,9 @@ void fill_free_slip(Populations& populations, PopulationKind kind, int axis, int
                        entering_sign(side) * populations.pitch(axis));
 }
 
-/// Bounces populations back at a no-slip wall, in the planes [low_z, high_z): the population that enters a
-/// cell along i left the same cell along the opposite direction. This needs no halo. At the edge of two walls
-/// it overwrites the values from other axes.
+/// Bounces populations back at a no-slip wall, in the planes low_z <= z < high_z: the population that enters
+/// a cell along i left the same cell along the opposite direction. The halo is not read. At the edge between
+/// two walls, bounce-back overwrites the populations that other axes have set.
 template <class Real>
 void bounce_back_at_face(Populations& populations, int axis, int side, int low_z, int high_z) {
   Index3 low(0, 0, low_z), high(populations.size()[0], populations.size()[1], high_z);
@@ -161,7 +162,7 @@ std::size_t num_face_populations(const Populations& populations, int axis) {
   return count;
 }
 
-/// Appends to `buffer` the populations that the halo on the other side of the face needs, in the order in
+/// Appends to `buffer` the populations that the neighbour across the face needs for its halo, in the order in
 /// which unpack() reads them.
 template <class Real>
 void pack(const Populations& populations, PopulationKind kind, int axis, int side,
@@ -176,7 +177,7 @@ void pack(const Populations& populations, PopulationKind kind, int axis, int sid
   });
 }
 
-/// Fills the halo at a face from `buffer`. Returns the start of the populations of the next kind.
+/// Fills the halo at a face from `buffer`. Returns the address of the first byte that it has not read.
 template <class Real>
 const std::byte* unpack(Populations& populations, PopulationKind kind, int axis, int side,
                         const std::byte* buffer) {
@@ -190,8 +191,9 @@ const std::byte* unpack(Populations& populations, PopulationKind kind, int axis,
   return reinterpret_cast<const std::byte*>(from);
 }
 
-/// Calls visit(kind) for each kind of population that is exchanged in one message. Populations behind a halo
-/// cell may have come through another face. They are therefore filled after all entering populations.
+/// Calls visit(kind) for each kind of population that one message contains. A population of kind `behind` may
+/// have entered the neighbour through another face. The kinds `leaving` and `behind` are therefore exchanged
+/// after all entering populations.
 template <class Visit>
 void for_each_kind(HaloContent content, Visit&& visit) {
   if (content == HaloContent::entering) return visit(PopulationKind::entering);
@@ -288,7 +290,7 @@ void Halo::start_as(Populations& populations) {
   bounce_back_at_walls<Real>(populations, 0, populations.size()[2]);
 }
 
-/// Fills the halo across one axis as far as it needs no message, and sends the messages.
+/// Fills the halo cells across one axis that need no message. Sends the messages along this axis.
 template <class Real>
 void Halo::start_across(Populations& populations, HaloContent content, int axis) {
   if (is_cut(axis)) send<Real>(populations, content, axis);
@@ -323,7 +325,7 @@ void Halo::send(const Populations& populations, HaloContent content, int axis) {
     Face& face = faces_[axis][side];
     face.receive.resize(face.send.size());
     const int size = static_cast<int>(face.send.size());
-    // The tag is the side through which a message leaves, because two blocks may share both faces.
+    // The tag is the side through which a message leaves, because two blocks may be neighbours on both sides.
     MPI_Irecv(face.receive.data(), size, MPI_BYTE, face.neighbour, 1 - side, comm_, &messages_[2 * side]);
     MPI_Isend(face.send.data(), size, MPI_BYTE, face.neighbour, side, comm_, &messages_[2 * side + 1]);
     if (face.is_open()) traffic_.add_message(size);

@@ -7,7 +7,7 @@
 namespace beadswim {
 namespace {
 
-constexpr std::size_t line = 64;  ///< cache line [byte]
+constexpr std::size_t line = 64;  ///< size of a cache line [byte]
 
 std::ptrdiff_t round_up_to_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
   return (count + unit - 1) / unit * unit;
@@ -18,16 +18,17 @@ std::ptrdiff_t round_up_to_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
 Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
     : precision_(precision), size_(size) {
   const auto per_line = static_cast<std::ptrdiff_t>(line / bytes_per_population(precision));
-  // Populations behind halo cells lie up to one cell outside the halo. Extra cells keep those of opposite
-  // sides apart.
+  // Cells behind halo cells lie up to one cell outside the halo. One extra cell per row and one extra row per
+  // plane separate the cells behind one face from the cells behind the opposite face.
   const int behind = halo == HaloContent::behind ? 1 : 0;
-  pitch_y_ =
-      size[0] + 2 + behind;  // alignment of rows with cache lines would cost more by padding than it gains
+  // Rows are not aligned with cache lines, because the padding would cost more time than alignment saves.
+  pitch_y_ = size[0] + 2 + behind;
   pitch_z_ = pitch_y_ * (size[1] + 2 + behind);
-  first_ = behind * pitch_z_ + pitch_y_ + 2;  // entering populations may lie one cell and one row outside
+  // Entering populations are stored up to one cell and one row outside the halo.
+  first_ = behind * pitch_z_ + pitch_y_ + 2;
   const std::ptrdiff_t cells = pitch_z_ * (size[2] + 2) + 2 * first_;  // including cells outside the halo
   // A sweep advances through the 19 arrays in parallel. Arrays whose distance is a multiple of a page (4 KiB)
-  // would compete for the same cache sets, so each array is shifted by some cache lines.
+  // would compete for the same cache sets. Each array is therefore shifted by `stagger` further cache lines.
   constexpr std::ptrdiff_t lines_a_page = 4096 / line, stagger = 5;
   const std::ptrdiff_t pitch_i = round_up_to_multiple(cells, lines_a_page * per_line) + stagger * per_line;
   for (int i = 0; i < d3q19::directions; ++i) {

@@ -1,6 +1,6 @@
 // This file is compiled once per instruction set; BEADSWIM_INSTRUCTION_SET is the namespace (CMakeLists.txt).
-// It must not emit functions outside this namespace: the linker could select their AVX-512 copy for all
-// callers.
+// It must not emit functions outside this namespace. The linker keeps only one copy of such a function and
+// could keep the AVX-512 copy, which other processors cannot execute.
 #include "row_kernels.hpp"
 
 #include "beadswim/core/order_free_cut.hpp"
@@ -24,8 +24,9 @@ BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<R
   }
 }
 
-/// Distance of the prefetch [cache lines]. Hardware prefetchers do not follow 19 streams well. Measured: 14 %
-/// more cell updates per second if the lattice does not fit into the cache.
+/// Number of cache lines by which prefetched populations are ahead of the cell that is swept. Hardware
+/// prefetchers do not follow 19 arrays well. This prefetch increased the cell updates per second by 14 % for
+/// lattices that do not fit into the cache.
 constexpr long lines_ahead = 6;
 
 template <class Real>
@@ -57,7 +58,7 @@ BEADSWIM_KERNEL Lanes load(const Real* from) {
   return __builtin_convertvector(stored, Lanes);
 }
 
-/// Sums of density deviation and momentum, one per lane.
+/// Sums of density deviation and momentum, one sum per lane of a vector.
 struct LaneTotals {
   Lanes coarse[4] = {}, fine[4] = {};
   decltype(Lanes{} < Lanes{}) fit = Lanes{} == Lanes{};  ///< true if all terms so far were in range

@@ -8,25 +8,26 @@
 
 namespace beadswim {
 
-/// Arguments of one step of the fluid in a row of cells.
+/// Arguments of one fluid step in a row of cells.
 template <class Real>
 struct SweepRow {
-  /// Address of the incoming population of cell 0, for each direction.
+  /// Addresses of the incoming populations of the cell with index 0, one per direction.
   const Real* from[d3q19::directions];
-  /// Address of the population of cell 0 after collision, for each direction. A cell writes the 19 addresses
-  /// that it reads, and no others.
+  /// Addresses to which the outgoing populations of the cell with index 0 are written, one per direction.
+  /// Each cell writes the same 19 addresses that it reads, and no others.
   Real* to[d3q19::directions];
-  long first, cells;  ///< first cell of the row, and number of cells
+  long first, cells;  ///< index of the first cell of the row; number of cells
   CollisionRates<Real> rates;
 };
 
-/// Arguments of the sums of density deviation and momentum over a row of cells.
+/// Arguments of totals_row(), which sums density deviation and momentum over a row of cells.
 template <class Real>
 struct TotalsRow {
-  const Real* outgoing[d3q19::directions];  ///< populations of the first cell
+  const Real* outgoing[d3q19::directions];  ///< addresses of the outgoing populations of the first cell
   long cells;                               ///< at most order_free::max_terms
 };
-/// Sums over a row. Each term is split into a coarse and a fine part as in OrderFreeSum.
+/// Sums over a row of cells. Each term is split into a coarse and a fine part, so that the sums do not depend
+/// on the order of the terms (OrderFreeSum).
 struct RowTotals {
   double coarse[4], fine[4];  ///< sums of density deviation and of the three momentum components
   bool fits;                  ///< false if a term was too large or NaN; the sums are then invalid

@@ -26,7 +26,7 @@ void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
 
 }  // namespace
 
-/// Kernel arguments that all rows share, in the precision of the populations.
+/// Arguments of the row kernel in the precision of the populations. Only `first` changes from row to row.
 struct BlockSweep::Rows {
   std::variant<SweepRow<double>, SweepRow<float>> row;
 };

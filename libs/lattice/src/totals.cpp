@@ -31,7 +31,7 @@ void add_run(FluidTotals& totals, const Populations& populations, std::ptrdiff_t
   TotalsRow<Real> row{.outgoing = {}, .cells = cells};
   for (int i = 0; i < d3q19::directions; ++i) row.outgoing[i] = populations.outgoing_row<Real>(i, first);
   const RowTotals sums = row_kernels().totals(row);
-  if (!sums.fits) {  // OrderFreeSum has a larger range, and throws if a term exceeds it
+  if (!sums.fits) {  // OrderFreeSum accepts larger terms, and throws if a term exceeds its range
     for (long x = 0; x < cells; ++x) totals.add(cell_moments(populations, first + x));
     return;
   }

@@ -3,11 +3,11 @@
 #include "beadswim/overdamped/overdamped_scene.hpp"
 #include "swimmer_response.hpp"
 
-// Views of the vectors of all beads as Eigen vectors.
+// Functions that return Eigen views of the vectors of beads.
 
 namespace beadswim {
 
-/// Returns a view of the nine components of one swimmer.
+/// Returns a view of the nine components x, y, z of the beads 1, 2, 3 of one swimmer.
 inline auto swimmer_vector(const Beads& beads, std::size_t swimmer) {
   return Eigen::Map<const Vector9>(beads[3 * swimmer].data());
 }

@@ -13,7 +13,9 @@ class ContactFinder {
   ContactFinder(const ContactScale& scale, std::vector<Contact>& contacts)
       : scale_(scale), contacts_(contacts) {}
 
-  /// Adds a pair of beads if it is within the cutoff. `is_image`: the second bead is an image across the box.
+  /// Adds a pair of beads as a contact if its gap is below the cutoff. `separation` is the vector from the
+  /// second centre to the first, `radii` the sum of the radii. `is_image`: the second bead is a periodic
+  /// image.
   void add_pair(int first, int second, bool is_image, const Vec3& separation, double radii) {
     const double distance = separation.norm(), gap = distance - radii;
     const double cutoff = scale_.cutoff_per_radius * radii / 2;
@@ -28,8 +30,9 @@ class ContactFinder {
                          .law = contact_force(gap, cutoff, scale_.strength)});
   }
 
-  /// Adds a bead and its image behind a wall if they are within the cutoff. `to_wall` is the distance of the
-  /// centre from the wall, negative beyond it. `inward` is the inner normal of the wall.
+  /// Adds a bead and its mirror image as a contact if their gap is below the cutoff. `to_wall` is the
+  /// distance of the centre from the wall, negative if the centre is beyond the wall. `inward` is the unit
+  /// normal of the wall into the box.
   void add_wall(int bead, double to_wall, const Vec3& inward, double radius) {
     const double gap = 2 * (to_wall - radius), cutoff = scale_.cutoff_per_radius * radius;
     if (gap >= cutoff) return;
@@ -63,7 +66,7 @@ std::vector<Contact> find_contacts(const ContactScale& scale, const std::optiona
                                    std::span<const double> radii, std::span<const Vec3> positions) {
   std::vector<Contact> contacts;
   ContactFinder finder(scale, contacts);
-  const Vec3 lengths = mirrored_lengths(box);  // twice the box along walls: no neighbours through a wall
+  const Vec3 lengths = mirrored_lengths(box);  // doubled between walls: no neighbours across a wall
   const CellList cells(positions, (2 + scale.cutoff_per_radius) * scale.largest_radius, lengths);
   const std::vector<int>& order = cells.order();
   for (int s = 0; s < std::ssize(order); ++s) {

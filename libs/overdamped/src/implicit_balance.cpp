@@ -17,8 +17,8 @@ bool is_within_swimmer(const Contact& c) {
   return c.first / 3 == c.second / 3 && !c.is_image;
 }
 
-/// Returns the change of the gap by displacements. A bead's own image behind a wall moves in the opposite
-/// direction.
+/// Returns the change of the gap that displacements of the beads cause. The mirror image of a bead moves
+/// opposite to the bead along the normal of the wall.
 double gap_change(const Contact& c, const Beads& displacements) {
   if (c.first == c.second) return 2 * c.normal.dot(displacements[c.first]);
   return c.normal.dot(displacements[c.first] - displacements[c.second]);
@@ -45,8 +45,9 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
   std::vector<Matrix9> stiffness(last_ - first_, Matrix9::Zero());
   for (const Contact& c : external_contacts_) {
     add_contact_force(c, c.law.force, external_forces);
-    // Twice the stiffness of the contact, as if the other bead, or the bead's own image, moved in the
-    // opposite direction.
+    // Each bead gets twice the stiffness of the contact. This assumes that the other bead, or the mirror
+    // image, moves opposite to it by the same distance. For a bead and its own image, the loop adds the
+    // stiffness twice.
     const double share = c.first == c.second ? 1 : 2;
     for (const int bead : {c.first, c.second})
       if (const std::size_t s = bead / 3; s >= first_ && s < last_)
@@ -67,7 +68,8 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
                                              .scale = step.contact_scale}));
 }
 
-/// Evaluates value(swimmer, part) for each swimmer on its rank and returns the results of all ranks.
+/// Evaluates value(swimmer, part) for each swimmer of this rank. Returns the values of the swimmers of all
+/// ranks.
 template <class Value>
 Beads ImplicitBalance::gather(const Value& value) const {
   Beads beads(history_.size());
@@ -103,7 +105,7 @@ Beads ImplicitBalance::displacements(const Beads& velocities) const {
   return u;
 }
 
-/// Returns u - u*.
+/// Returns u - u*, the displacements from the expansion point at these velocities.
 Beads ImplicitBalance::displacements_from_expansion(const Beads& velocities) const {
   Beads beyond = displacements(velocities);
   flat(beyond) -= flat(expansion_point_);
@@ -150,7 +152,7 @@ double ImplicitBalance::smallest_gap(const Beads& velocities) const {
   for (const auto* contacts : {&internal_contacts_, &external_contacts_})
     for (const Contact& c : *contacts) {
       const double gap = c.gap + gap_change(c, beyond);
-      if (gap < c.cutoff)  // reported gap: to the wall, not to the image
+      if (gap < c.cutoff)  // reported gap: bead to wall, half of bead to image
         smallest = std::min(smallest, c.first == c.second ? gap / 2 : gap);
     }
   return smallest;

@@ -11,7 +11,7 @@
 
 namespace beadswim {
 
-/// References to the scene, which must outlive it.
+/// References to the scene and its communicator, which must outlive this object.
 struct StepScene {
   const OverdampedScene& scene;
   std::span<const double> radii;  ///< one per bead [length]
@@ -19,25 +19,25 @@ struct StepScene {
   const Communicator& communicator;
 };
 
-/// Linear system of a time step at the expansion point u* (implicit_step.hpp). Each rank stores the parts of
-/// its own swimmers. Arguments and results hold all beads and are equal on all ranks. Functions that return
-/// Beads are collective.
+/// Linear system of a time step, linearised at the expansion point u*. Symbols as in implicit_step.hpp. Each
+/// rank stores the parts of its own swimmers. Arguments and results contain all beads and are equal on all
+/// ranks. Functions that return Beads are collective.
 class ImplicitBalance {
  public:
-  /// Evaluates forces and contacts at `expansion_point`, u*. `history` and `expansion_point` must outlive
-  /// this object.
+  /// Evaluates forces and contacts at the expansion point. `start`: positions x now; `history`: r;
+  /// `expansion_point`: u*; `distant`: d. `history` and `expansion_point` must outlive this object.
   ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start, const Beads& history,
                   const Beads& expansion_point, const Beads& distant);
 
-  Beads initial_displacements() const;                                       ///< u for unchanged d
-  Beads initial_forces() const;                                              ///< F for unchanged d
+  Beads initial_displacements() const;                                       ///< u for the given d
+  Beads initial_forces() const;                                              ///< F for the given d
   Beads displacements(const Beads& velocities) const;                        ///< u = (r + h v)/w
   Beads residual(const Beads& forces, const Beads& velocities) const;        ///< drive - D v - F
   Beads left_hand_side(const Beads& forces, const Beads& velocities) const;  ///< F + D v
   Beads own_forces(const Beads& residual) const;    ///< solves (1 + D mu_own) p = residual for p
   Beads own_velocities(const Beads& forces) const;  ///< mu_own F
-  double smallest_gap(
-      const Beads& velocities) const;  ///< smallest gap of a contact at the end of the step [length]
+  /// Returns the smallest gap of all contacts at the end of the step [length].
+  double smallest_gap(const Beads& velocities) const;
 
  private:
   template <class Value>
@@ -48,9 +48,9 @@ class ImplicitBalance {
   const Communicator& communicator_;
   StepRule rule_;
   const Beads &history_, &expansion_point_;
-  std::size_t first_ = 0, last_ = 0;  ///< swimmers of this rank
+  std::size_t first_ = 0, last_ = 0;  ///< this rank has the swimmers [first_, last_)
   std::vector<ImplicitSwimmer> parts_;
-  std::vector<Contact> internal_contacts_, external_contacts_;  ///< within one swimmer; all others
+  std::vector<Contact> internal_contacts_, external_contacts_;  ///< within a swimmer; all others
 };
 
 }  // namespace beadswim

@@ -9,18 +9,20 @@
 namespace beadswim {
 namespace {
 
-/// Accepted norm of the last correction, relative to the tolerance of the mobility product.
+/// Largest accepted norm of the final correction, divided by the tolerance of the mobility product and the
+/// norm of the velocities.
 constexpr double residual_share = 0.3;
 
 constexpr int max_products = 100;  ///< per expansion point
 
-/// Number of search directions stored by GCR, each with three vectors per bead.
+/// Number of search directions that the GCR method stores, each with three vectors per bead.
 constexpr std::size_t max_directions = 20;
 
-/// Limits of the distance between u* and the solution [smallest radius]. own_move_limit: swimmers solved
-/// alone may end this far from the initial guess. own_move_tolerance: otherwise u* is iterated until it
-/// changes by less. joint_move_tolerance: all swimmers together may end this far from u*. joint_move_limit:
-/// bound for convergence when the iterations are exhausted.
+/// Limits of the distance between the expansion point u* and the solution u [smallest radius].
+///   own_move_limit        for the initial guess as u* and each swimmer solved alone
+///   own_move_tolerance    if own_move_limit is exceeded: u* is iterated until it changes by less
+///   joint_move_tolerance  for all swimmers solved together; if exceeded, u* is moved to the solution
+///   joint_move_limit      largest distance that counts as converged after max_iterations
 constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_tolerance = 1e-2,
                  joint_move_limit = 0.1;
 constexpr int max_own_iterations = 20, max_iterations = 10;
@@ -39,13 +41,13 @@ ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double>
     for (const Spring& spring : type.springs) shortest_arm_ = std::min(shortest_arm_, spring.rest_length);
 }
 
-/// Returns the largest displacement of a bead [smallest radius]. The value of rank 0 is used on all ranks,
-/// because roundoff may differ between processors and all ranks must take the same decision.
+/// Returns the largest distance between `from` and `to` of any bead [smallest radius]. All ranks use the
+/// value of rank 0, because roundoff may differ between processors and all ranks must make the same decision.
 double ImplicitStep::largest_move(const Beads& from, const Beads& to) const {
   double farthest = 0;
   for (std::size_t b = 0; b < from.size(); ++b) {
     const double move = (to[b] - from[b]).norm() / smallest_radius_;
-    if (!(move <= farthest)) farthest = move;  // also if move is NaN
+    if (!(move <= farthest)) farthest = move;  // true also if move is NaN
   }
   MPI_Bcast(&farthest, 1, MPI_DOUBLE, 0, communicator_.get());
   return farthest;
@@ -65,16 +67,17 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
       balance.emplace(scene, rule, start, from, expansion_point, result.distant);
       Beads ends = balance->initial_displacements();
       const double move = largest_move(expansion_point, ends);
-      const bool is_near =
-          !(move > (alone == 1 ? own_move_limit : own_move_tolerance));  // NaN: becomes a fault later
+      // True also if `move` is NaN, which check_faults() reports later.
+      const bool is_near = !(move > (alone == 1 ? own_move_limit : own_move_tolerance));
       if (is_near || alone == max_own_iterations) break;
       expansion_point = std::move(ends);
     }
     result = solve_linearised(*balance, expansion_point, start);
     products += result.products;
     const double move = largest_move(expansion_point, result.displacements);
-    // An arm that rotates by a displacement `move` is stretched by move^2/l by the linearisation. This must
-    // be below the tolerance relative to the displacement of the beads.
+    // If an arm of rest length l rotates, the linearised forces stretch it by about move^2/l. This error must
+    // be below the tolerance times `way`, the root mean square displacement of the beads. `turn` is the
+    // largest `move` that satisfies this.
     const double way =
         rule.span / rule.weight * flat(result.velocities).norm() / std::sqrt(3.0 * start.size());
     const double turn = std::sqrt(scene_.tolerance * shortest_arm_ * way) / smallest_radius_;
@@ -101,7 +104,7 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
     return velocities;
   };
   struct Direction {
-    Beads forces, velocities, left_hand_side;  ///< p, mu p, p + D mu p; left-hand sides are orthonormal
+    Beads forces, velocities, left_hand_side;  ///< p, mu p and p + D mu p; the p + D mu p are orthonormal
   };
   std::deque<Direction> directions;
   Beads forces = balance.initial_forces();
@@ -111,10 +114,10 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
     Beads own = balance.own_forces(residual);
     const Beads answer = balance.own_velocities(own);
     std::array<double, 2> norms{flat(answer).norm(), flat(velocities).norm()};
-    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0, communicator_.get());  // all ranks must decide alike
+    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0, communicator_.get());  // all ranks must make the same decision
     const auto [missing, speed] = norms;
-    const bool is_missing =
-        missing > residual_share * scene_.tolerance * speed;  // NaN: becomes a fault later
+    // False if a norm is NaN, which check_faults() reports later.
+    const bool is_missing = missing > residual_share * scene_.tolerance * speed;
     if (!is_missing || result.products >= max_products) {
       result.is_converged = !is_missing;
       result.distant = velocities;

@@ -9,27 +9,31 @@
 #include "beadswim/overdamped/overdamped_scene.hpp"
 #include "implicit_balance.hpp"
 
-// An implicit time step of all swimmers. Displacements u with w u - r = h v, velocities v and forces F solve
+// An implicit time step of all swimmers. The unknowns are the displacements u of the beads from the start of
+// the step, their velocities v and the forces F at its end. u follows from w u - r = h v, where the weight w,
+// the history r and the time step h are given by the time discretisation (StepRule). v and F satisfy
 //
 //   v = mu F,   F + D v = drive
 //
-// where mu, D and drive are evaluated at the expansion point u*. D has one dense block per swimmer
-// (implicit_swimmer.hpp) and sparse entries for contacts between swimmers.
+// Here mu is the mobility of all beads. mu, D and drive are evaluated at an expansion point u*. D contains
+// the damping of dashpots, and the stiffness of springs, angular springs and contacts. It has one dense block
+// per swimmer (implicit_swimmer.hpp) and sparse entries for contacts between swimmers.
 //
-// If the flow d = v - mu_own F caused by all other swimmers were known, each swimmer could be solved alone.
-// This gives the first approximation, with d extrapolated from earlier steps. u* is the initial guess. If
-// swimmers solved alone end too far from it, u* is moved to their end and the contacts are found again
-// (Newton's method).
+// The flow d = v - mu_own F is caused by all other swimmers, where mu_own is the mobility of each swimmer
+// alone. If d were known, each swimmer could be solved alone. This gives the first approximation, with d
+// extrapolated from earlier steps. u* is the initial guess of u. If this approximation is too far from u*, it
+// becomes the new u*, and the contacts are found again (Newton's method).
 //
 // One mobility product then gives the residual
 //
 //   rho = drive - D v - F
 //
-// which is small where d varies smoothly. The correction of each swimmer alone is F += p and v += mu_own p
-// with (1 + D mu_own) p = rho. If it is below 0.3 of the tolerance of the product, it is applied and the step
-// ends. Otherwise the residual is reduced by the generalised conjugate residual method (GCR), with this
-// correction as preconditioner and one product per iteration. If the step then ends far from u*, for example
-// where beads come into contact, the solution is repeated with u* at that end.
+// The residual is small if d changes smoothly in time. Each swimmer alone is then corrected by F += p and
+// v += mu_own p, where p solves (1 + D mu_own) p = rho. If the norm of mu_own p, divided by the norm of v, is
+// below 0.3 of the tolerance of the product, the step is complete after this correction. Otherwise the
+// generalised conjugate residual method (GCR) reduces the residual. Its preconditioner is this correction,
+// and each iteration evaluates one product. If the resulting u is far from u*, for example when beads come
+// into contact, the solution is repeated with this u as u*.
 //
 // Reference: Eisenstat, Elman and Schultz, SIAM J. Numer. Anal. 20, 345 (1983).
 
@@ -38,10 +42,10 @@ namespace beadswim {
 struct ImplicitStepResult {
   Beads displacements;  ///< u
   Beads velocities;     ///< v
-  Beads distant;        ///< d
+  Beads distant;        ///< d, velocities in the flow of all other swimmers
   long products = 0;    ///< mobility products evaluated
-  double smallest_gap =
-      std::numeric_limits<double>::infinity();  ///< between beads that repel each other at the end [length]
+  /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
+  double smallest_gap = std::numeric_limits<double>::infinity();
   bool is_converged = true;
 };
 
@@ -51,8 +55,8 @@ class ImplicitStep {
   ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, const MobilityProduct& mobility,
                const Communicator& communicator);
 
-  /// Solves one step. `start`: positions now; `from`: r; `guess`: of u; `distant`: extrapolated d. Arrays
-  /// hold all beads and are equal on all ranks. Collective.
+  /// Solves one step. `start`: positions now; `from`: r; `guess`: initial guess of u; `distant`: extrapolated
+  /// d. All arrays contain all beads and are equal on all ranks. Collective.
   ImplicitStepResult solve(const StepRule& rule, const Beads& start, const Beads& from, const Beads& guess,
                            const Beads& distant) const;
 

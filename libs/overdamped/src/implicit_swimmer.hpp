@@ -5,54 +5,55 @@
 #include "beadswim/overdamped/contacts.hpp"
 #include "swimmer_response.hpp"
 
-// One swimmer in an implicit time step with the rule w u - r = h v for its displacements u. The forces are
-// linearised at the expansion point u*:
+// One swimmer in an implicit time step. v are the velocities of its beads at the end of the step. u are their
+// displacements from the start of the step, with w u - r = h v (StepRule). The forces F are linearised at the
+// expansion point u*:
 //
 //   F = F(u*) - K (u - u*) - C v = drive - D v,   D = C + h/w K,   drive = F(u*) - K (r/w - u*)
 //
-//   K  stiffness of springs, angular spring and contacts between its own beads [mass/time^2]
+//   K  stiffness of springs, angular spring and contacts between beads of the swimmer [mass/time^2]
 //   C  damping of the dashpots [mass/time]
-//   d  velocities of its beads in the flow caused by all other swimmers [length/time]
+//   d  velocities of the beads in the flow caused by all other swimmers [length/time]
 //
-// For given d the swimmer satisfies
+// With the mobility mu_own of the swimmer alone, v and F satisfy for given d
 //
 //   v = mu_own F + d,   (1 + D mu_own) F = drive - D d
 
 namespace beadswim {
 
-/// Time discretisation weight u - history = span v, with v at the end of the step. u is the displacement from
-/// the positions at the start.
+/// Time discretisation w u - r = h v. v are the velocities at the end of the step, u the displacements from
+/// the start of the step. The history r is a weighted sum of earlier displacements.
 struct StepRule {
   double weight = 1;  ///< w
   double span = 0;    ///< h [time]; 0: velocities at the present positions
   double time = 0;    ///< time at the end of the step [time]
 };
 
-/// A swimmer with all quantities that act on it. Vectors hold x, y, z of beads 1, 2, 3.
+/// A swimmer and all quantities that act on it. Vectors contain x, y, z of beads 1, 2, 3.
 struct SwimmerSurroundings {
   const SwimmerType& type;
   Vec3 initial_axis;                 ///< axis at the start of the run
-  Vector9 start;                     ///< positions of its beads [length]
+  Vector9 start;                     ///< positions of the beads at the start of the step [length]
   Vector9 history, expansion_point;  ///< r, u* [length]
   Vector9 distant;                   ///< d [length/time]
-  Vector9 external_forces;           ///< forces by external contacts at u*
+  Vector9 external_forces;           ///< forces of the external contacts at u*
   Matrix9 external_stiffness;        ///< stiffness of the external contacts
-  double viscosity = 0;              ///< dynamic
+  double viscosity = 0;              ///< dynamic, eta [mass/(length time)]
   const ContactScale& scale;
 };
 
-/// The linear system of a swimmer and its solution. External contacts are those with other swimmers or with
-/// images.
+/// Linear system of a swimmer and its solution. An external contact is a contact with another swimmer or with
+/// an image.
 struct ImplicitSwimmer {
-  Vector9 drive;                         ///< without external contacts
+  Vector9 drive;                         ///< drive without external contacts
   Matrix9 resistance;                    ///< D, without external contacts
   Matrix9 mobility;                      ///< mu_own, in open space
   Eigen::PartialPivLU<Matrix9> balance;  ///< 1 + D mu_own, where D includes external contacts
-  Vector9 forces;                        ///< F for unchanged d
-  Vector9 end;                           ///< u for unchanged d
+  Vector9 forces;                        ///< F for the given d
+  Vector9 end;                           ///< u for the given d
 };
 
-/// Evaluates the system of a swimmer and solves it for unchanged d.
+/// Evaluates the linear system of a swimmer and solves it for the given d.
 ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings& surroundings);
 
 }  // namespace beadswim

@@ -22,10 +22,10 @@ void check_no_slip_walls(const Layout& layout, const std::string& source) {
   }
 }
 
-/// Throws InputError if the box is too narrow for the Ewald sum or for the contacts between beads and images.
+/// Throws InputError if the box is too narrow for the Ewald sum or for contacts between beads and images.
 void require_room(const OverdampedScene& scene, const std::string& source) {
   const double largest = largest_radius(scene.types);
-  constexpr double radii = 4.4;  // a bead must not be in contact with two images of another one
+  constexpr double radii = 4.4;  // no bead may be in contact with two images of the same bead
   for (int a = 0; a < 3 && scene.box; ++a) {
     if (scene.box->lengths[a] >= radii * largest) continue;
     throw InputError(fmt::format("{}:/domain/lengths/{}", source, a),

@@ -45,7 +45,7 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
   return rank_share(std::ssize(scene_.swimmers), communicator_.rank(), communicator_.size());
 }
 
-/// Solves a step from the present positions and counts its mobility products.
+/// Solves one step from the present positions. Adds its mobility products to the statistics.
 ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
                                                 const Beads& distant) {
   ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
@@ -54,7 +54,7 @@ ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Bead
   return result;
 }
 
-/// Sets the velocities at the initial positions, by a step of zero length.
+/// Sets the velocities at the initial positions. They follow from a time step of length zero.
 void OverdampedSystem::solve_initial_velocities() {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
@@ -64,7 +64,7 @@ void OverdampedSystem::solve_initial_velocities() {
   state_.distant[0] = std::move(result.distant);
 }
 
-/// Takes one step of length h as n implicit Euler substeps: u_k = u_{k-1} + (h/n) v_k.
+/// Takes one step of length h as `parts` implicit Euler substeps: u_k = u_{k-1} + (h/parts) v_k.
 OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
   const double span = scene_.step / parts;
   Step step{.displacements = Beads(radii_.size(), Vec3::Zero()),
@@ -81,8 +81,8 @@ OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
   return step;
 }
 
-/// Takes one step of third order by extrapolation of 1, 2 and 3 Euler substeps. The errors of order h and h^2
-/// cancel.
+/// Takes one step of third order. The results of 1, 2 and 3 implicit Euler substeps are extrapolated, so that
+/// the errors of order h and h^2 cancel.
 void OverdampedSystem::take_first_step() {
   const Step one = take_euler_steps(1), two = take_euler_steps(2), three = take_euler_steps(3);
   const auto extrapolated = [&](Beads Step::*part) {
@@ -93,8 +93,8 @@ void OverdampedSystem::take_first_step() {
           .distant = extrapolated(&Step::distant)});
 }
 
-/// Takes one BDF3 step. It is formulated in displacements from the present positions, since coordinates may
-/// be large.
+/// Takes one step by the backward difference formula of third order. It uses displacements from the present
+/// positions, because coordinates may be large and would lose significance.
 void OverdampedSystem::take_bdf_step() {
   const auto& [x, x1, x2] = state_.positions;
   const auto& [v, v1] = state_.velocities;
@@ -102,10 +102,10 @@ void OverdampedSystem::take_bdf_step() {
   const double h = scene_.step;
   const Beads u1 = weighted_sum({{1, &x1}, {-1, &x}}), u2 = weighted_sum({{1, &x2}, {-1, &x}});
   const StepRule rule{.weight = 11.0 / 6, .span = h, .time = time() + h};
-  ImplicitStepResult result =
-      solve_step(rule, weighted_sum({{-1.5, &u1}, {1.0 / 3, &u2}}),
-                 weighted_sum({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),  // cubic through x, x_1, v and v_1
-                 weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
+  // The guess is the cubic in time through x and x_1 with the slopes v and v_1.
+  ImplicitStepResult result = solve_step(rule, weighted_sum({{-1.5, &u1}, {1.0 / 3, &u2}}),
+                                         weighted_sum({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
+                                         weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
   accept({.displacements = std::move(result.displacements),
           .velocities = std::move(result.velocities),
@@ -135,7 +135,7 @@ void OverdampedSystem::step() {
   for (const Vec3& v : state_.velocities[0]) state_.largest_speed = std::max(state_.largest_speed, v.norm());
 }
 
-/// Records the first fault. All ranks hold all beads, so all ranks find the same fault.
+/// Records the first fault. Each rank stores all beads, so all ranks find the same fault.
 void OverdampedSystem::check_faults() {
   const auto& [now, before, earlier] = state_.positions;
   const auto record_fault = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number,

@@ -33,7 +33,8 @@ Matrix9 own_mobility(const SwimmerType& type, const BeadVectors& positions, doub
 
 Matrix9 own_stiffness(const SwimmerType& type, const BeadVectors& positions) {
   Matrix9 stiffness = Matrix9::Zero();
-  Eigen::Matrix<double, 3, 9> bend = Eigen::Matrix<double, 3, 9>::Zero();  // d(u_2 - u_1)/dx
+  Eigen::Matrix<double, 3, 9> bend =
+      Eigen::Matrix<double, 3, 9>::Zero();  // d(u_2 - u_1)/dx, u: arm directions
   for (int arm = 0; arm < 2; ++arm) {
     const Vec3 along = positions[arm + 1] - positions[arm];
     const double length = along.norm();

@@ -12,7 +12,7 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
-constexpr double frequency_step = 0.02;  // relative step of the difference quotient
+constexpr double frequency_step = 0.02;  // relative change of frequency in the difference quotient
 
 /// Returns the mass of a sphere [mass].
 double mass(double radius, double density) {
@@ -21,7 +21,8 @@ double mass(double radius, double density) {
 
 }  // namespace
 
-// M(omega rho/(eta (1 - eps)))/(1 - eps) to first order in eps, with dM/d(ln omega) by a central difference.
+// The matrix M is a function of omega rho/eta, divided by eta. Replacing eta by eta (1 - eps) therefore
+// divides M by 1 - eps and omega by 1 - eps. The derivative dM/d(ln omega) is a central difference.
 Eigen::Matrix3cd LatticeLag::FrequencySamples::with_delayed_stress(Complex eps) const {
   return (at + eps * (above - below) / (2 * frequency_step)) / (1.0 - eps);
 }
@@ -45,7 +46,8 @@ LatticeLag::LatticeLag(const Question& question)
       reynolds_(reynolds_form(scene_).total),
       exact_(motion(unsteady_mobility(scene_), induced_.at, form_)) {}
 
-/// `mobility`: bead velocities per force on the beads; `induced`: per induced force on the fluid [time/mass].
+/// Returns the motion of the driven swimmer. `mobility`: velocities of the beads per force on the beads
+/// [time/mass]. `induced`: velocities of the beads per induced force on the fluid [time/mass].
 LatticeLag::Motion LatticeLag::motion(const Eigen::Matrix3cd& mobility, const Eigen::Matrix3cd& induced,
                                       const DriftForm& form) const {
   const LinearResponse response = linear_response(scene_.swimmer, mobility);
@@ -56,7 +58,7 @@ LatticeLag::Motion LatticeLag::motion(const Eigen::Matrix3cd& mobility, const Ei
           .reynolds = reynolds_stress_velocity(reynolds_, force)};
 }
 
-// Mobility U/F by F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U.
+// Returns the mobility U/F of the last equation in lattice_lag.hpp.
 Eigen::Matrix3cd LatticeLag::with_delayed_links(const Eigen::Matrix3cd& induced,
                                                 const LatticeTiming& timing) const {
   const CollinearSwimmer& swimmer = scene_.swimmer;

@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-constexpr std::array edges{12, 24, 48, 96};  // of a rank's block [cell]: from in cache to far beyond it
+constexpr std::array edges{12, 24, 48, 96};  // of the block of a rank [cell]; the smallest fits the cache
 constexpr double timing_interval = 0.06;     // duration of one timing [s]
 constexpr int rounds = 3;
 
@@ -26,8 +26,8 @@ CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
   return scene;
 }
 
-/// Returns a scene with swimmers at rest side by side: beads of radius 4 cells, as dense as in the swarm of
-/// the paper.
+/// Returns a scene with swimmers at rest side by side. Beads have a radius of 4 cells. Their volume fraction
+/// is that of the swarm in the paper.
 CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks) {
   CoupledScene scene = fluid_scene(64, precision, ranks);
   scene.bead_boundary = scheme;
@@ -46,7 +46,8 @@ CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks)
   return scene;
 }
 
-/// Returns the wall time of a step until all ranks have finished [s], the median of some timings. Collective.
+/// Returns the wall time per step until all ranks have finished [s]: the median of `rounds` timings.
+/// Collective.
 double seconds_of_step(const CoupledScene& scene, const Communicator& communicator) {
   CoupledSystem system(scene, communicator);
   const auto seconds_of = [&](int steps) {
@@ -66,7 +67,8 @@ double seconds_of_step(const CoupledScene& scene, const Communicator& communicat
   return result;
 }
 
-/// Returns y at x = `at` by linear interpolation of log y against log x; constant outside the range of x.
+/// Returns y at x = `at` by linear interpolation of log y as a function of log x. y is constant outside the
+/// range of x.
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (at <= x.front()) return y.front();
   for (std::size_t i = 1; i < x.size(); ++i) {

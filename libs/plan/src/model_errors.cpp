@@ -22,9 +22,9 @@ QuasiStaticMotion motion_of(const Prediction& prediction) {
   return {.velocity = prediction.velocity, .arm_amplitudes = prediction.stroke.amplitude};
 }
 
-/// Returns the motion by the model in the question's box: the Rotne-Prager motion in the box, corrected by
-/// the difference between the model and Rotne-Prager in open space. The correction of the velocity is scaled
-/// to the stroke in the box.
+/// Returns the motion by a mobility model in the question's box. It is the Rotne-Prager motion in the box,
+/// corrected by the difference between the model and Rotne-Prager theory in open space. The difference of the
+/// velocities is multiplied by the ratio of the stroke areas in the box and in open space.
 QuasiStaticMotion motion_in_box(const Question& question, const char* method_in_open_space) {
   const Prediction pairs_in_box = predicted("rpy-box-ode", question);
   const Prediction pairs = predicted("rpy-ode", question), model = predicted(method_in_open_space, question);
@@ -43,34 +43,36 @@ const char* method_of(MobilityModel model) {
   return model == MobilityModel::rpy ? "rpy-ode" : "multipole-ode";
 }
 
-/// Error estimates below this value have not been validated: the references of docs/speed-against-error.md
-/// are known to 0.2 and 0.4 %.
+/// Error estimates below this value have not been validated, because the reference velocities of
+/// docs/speed-against-error.md have uncertainties of 0.2 and 0.4 %.
 constexpr double min_validated_error = 0.002;
 
 double relative(double value, double reference) {
   return reference != 0 ? std::abs(value / reference - 1) : 0;
 }
 
-/// Returns the scatter of a scheme over bead positions within a cell, divided by the scatter of mr
-/// (docs/resolution.md).
+/// Returns the scatter of results with a bead boundary over different bead positions within a cell, divided
+/// by the scatter with the bead boundary mr (docs/resolution.md).
 double scatter_over_mr(BeadScheme scheme) {
   return scheme == BeadScheme::mr ? 1 : scheme == BeadScheme::staircase ? 4 : 1.5;
 }
 
-/// Returns the error by cells of finite size, fitted to measurements: docs/speed-against-error.md at short
-/// time steps, docs/hard-cases.md below 2 cells per radius. The mobility of a bead depends on its position
-/// within a cell. An oscillation over several cells averages this dependence; for a short one, its slope adds
-/// an error. `swing`: the smaller arm amplitude [cell].
+/// Returns the error by cells of finite size. It is fitted to measurements: docs/speed-against-error.md with
+/// small time steps, docs/hard-cases.md below 2 cells per radius.
+/// The mobility of a bead on the lattice depends on its position within a cell. An oscillation over several
+/// cells averages this dependence. An oscillation over less than a cell does not, which causes the error
+/// `by_place`. `swing`: the smaller arm amplitude [cell].
 ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme, double swing) {
-  constexpr double shortest = 0.2;  // below, the error is constant [cell]
+  constexpr double shortest = 0.2;  // for smaller swings the error is constant [cell]
   const double n2 = cells_per_radius * cells_per_radius, n5 = n2 * n2 * cells_per_radius;
   const double by_place = 0.114 / std::pow(cells_per_radius, 1.7) / std::pow(std::max(swing, shortest), 2.5);
   const double arm = 0.03 / n2 + 0.05 / n5, scatter = scatter_over_mr(scheme);
   return {.velocity = scatter * (0.045 / n2 + by_place), .arm_amplitudes = {scatter * arm, scatter * arm}};
 }
 
-/// Returns the error by gaps that cells do not resolve: gaps at rest ("contact at the start" in
-/// docs/hard-cases.md) and gaps in the stroke only ("driving" there). Both gaps are in cells.
+/// Returns the error by gaps that cells do not resolve. `at_rest`: smallest gap at rest [cell] ("contact at
+/// the start" in docs/hard-cases.md). `smallest_stroke_gap`: smallest gap during the stroke [cell] ("driving"
+/// in docs/hard-cases.md).
 ErrorEstimate error_of_gaps(double at_rest, double smallest_stroke_gap) {
   constexpr double resolved = 2.5, unresolved_gap = 1, touching = 0.25;  // [cell]
   constexpr double max_error_at_rest = 0.25, max_error_in_stroke = 0.04;
@@ -115,8 +117,8 @@ BestPrediction best_prediction(const Question& question) {
   return known;
 }
 
-// The error of the time steps is 3.3e-5 of the velocity with 100 steps per cycle, and of third order
-// (docs/method/mobility-swarms.md).
+// The error of the time steps is 3.3e-5 of the velocity with 100 steps per cycle. It is proportional to the
+// third power of the time step (docs/method/mobility-swarms.md).
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              int steps_per_cycle) {
   const QuasiStaticMotion motion = question.box ? motion_in_box(question, method_of(model))

@@ -23,8 +23,8 @@ namespace {
 constexpr std::array usual_cells{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 constexpr std::array usual_times{0.6, 0.8, 1.0, 1.5, 2.0};
 
-/// Returns resolutions near the usual ones [cells per radius] for which each edge of the box is an integer
-/// number of cells. Multiples of 1/4 are preferred. Returns no resolution in open space.
+/// Returns resolutions within 13 % of `usual_cells` [cells per radius] for which each edge of the box is an
+/// integer number of cells. Multiples of 1/4 are preferred. Returns an empty list in open space.
 std::vector<double> commensurate_resolutions(const Layout& layout) {
   if (!layout.domain) return {};
   const Vec3 edges = layout.domain->lengths / smallest_radius(layout);
@@ -53,8 +53,8 @@ std::vector<double> commensurate_resolutions(const Layout& layout) {
   return result;
 }
 
-/// Returns why the result of a run would be qualitatively wrong although put_on_lattice allows it; empty if
-/// it would not.
+/// Returns the reason why the result of a run would be qualitatively wrong, even if put_on_lattice() accepts
+/// its settings. Returns an empty string if there is no such reason.
 std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, double roundoff) {
   if (mach > max_incompressible_mach)
     return fmt::format(
@@ -69,7 +69,7 @@ std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, doub
   if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time)
     return fmt::format("tau {:.4g} is too near 1/2; take {} or more", on_lattice.lattice.relaxation_time,
                        min_stable_relaxation_time);
-  constexpr double contact = 0.1;  // [cell]: below, strokes have errors of 100 % (docs/hard-cases.md)
+  constexpr double contact = 0.1;  // [cell]; smaller gaps cause errors of 100 % (docs/hard-cases.md)
   if (on_lattice.smallest_gap < contact)
     return "beads touch at rest, or all but touch, and a stroke would be the contact's own give; move them "
            "apart";
@@ -115,7 +115,7 @@ void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSp
   run.output_bytes = output_bytes(run.settings, on_lattice.scene.swimmers.size(), cells, bytes / cells);
 }
 
-/// Returns the candidate with these settings. `speed` is measured when the first candidate needs it.
+/// Returns the candidate with these settings. `speed` is measured by the first candidate that needs it.
 PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,
                        const RunSettings& settings, const std::string& source,
                        std::optional<LatticeSpeed>& speed, const Communicator& communicator) {
@@ -125,7 +125,8 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
   run.refused = reason_against([&] {
     request.require_choices_apply(settings);
     const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
-    for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);  // throws if too many
+    // Throws if a type needs too many substeps.
+    for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
     const long steps = total_steps(settings.cycles, steps_per_cycle);
     const double mach = largest_speed(facts) * std::numbers::sqrt3 / on_lattice.lattice.scales.velocity();

@@ -22,7 +22,7 @@ double product_seconds(const OverdampedScene& scene, const Communicator& communi
                                  .radii = bead_radii(scene),
                                  .tolerance = scene.tolerance},
                                 places, communicator);
-  product.apply(places, forces, velocities);  // the first product prepares plans and tables
+  product.apply(places, forces, velocities);  // the first product also prepares tables
   const auto seconds_of = [&](int products) {
     MPI_Barrier(communicator.get());
     const double begin = MPI_Wtime();
@@ -38,15 +38,15 @@ double product_seconds(const OverdampedScene& scene, const Communicator& communi
          (once > timing_interval ? once : seconds_of(static_cast<int>(timing_interval / once) + 1));
 }
 
-/// Returns why no mobility model is accurate for this scene; empty if there is no such reason.
+/// Returns the reason why no mobility model is accurate for this scene; empty if there is none.
 std::string mobility_obstacle(const SceneFacts& facts) {
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
     if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) return film;
   return {};
 }
 
-/// Adds the cost of the products and of the other work of each step (docs/method/mobility-swarms.md,
-/// docs/performance.md).
+/// Adds the cost of a candidate: products of mobility and forces, other work of each step, memory and disk
+/// space (docs/method/mobility-swarms.md, docs/performance.md).
 void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
   const bool has_dashpots = std::ranges::any_of(setup.scene.types, [](const SwimmerType& type) {
     return type.springs[0].damping > 0 || type.springs[1].damping > 0;

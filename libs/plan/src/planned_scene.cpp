@@ -31,9 +31,9 @@ SwimmerFacts evaluate_swimmer(Representative representative) {
   return swimmer_facts;
 }
 
-/// Returns exp(rate cycles), the factor by which deviations from the order of a swarm grow. The rate is a
-/// power law of gamma omega/k through two values of docs/swarm-stability.md: 0.011 at 0.59 and 0.10 at 3.4
-/// [1/cycle].
+/// Returns exp(rate cycles), the factor by which deviations from the order of a swarm grow. The rate
+/// [1/cycle] is a power law of drag times angular frequency over stiffness, gamma omega/k. It passes through
+/// two values of docs/swarm-stability.md: 0.011 at gamma omega/k = 0.59 and 0.10 at 3.4.
 double growth_of_disorder(const CollinearSwimmer& swimmer, double cycles) {
   const double drag = 6 * std::numbers::pi * swimmer.viscosity * swimmer.radius[1];
   const double softness =
@@ -42,13 +42,15 @@ double growth_of_disorder(const CollinearSwimmer& swimmer, double cycles) {
   return std::exp(std::min(max_growth_exponent, rate * cycles));
 }
 
-/// Returns the factor by which a small tilt grows in half a period. Driving forces F along fixed axes that
-/// compress the swimmer turn it with the rate F sin(tilt)/(6 pi eta a l). Their mean over half a period is
-/// 2/pi of the amplitude:
+/// Returns the factor by which a small tilt of the axis against the driving forces grows in half a period.
+/// Driving forces along fixed axes turn the axis while they compress the swimmer. The mean of the force F
+/// over half a period is 2/pi of its amplitude F_max:
 ///
-///   growth = exp((2/pi) F (T/2) / (6 pi eta a l))
+///   rate of the tilt = F sin(tilt) / (6 pi eta a l)
+///   growth           = exp((2/pi) F_max (T/2) / (6 pi eta a l))
 ///
-/// In the other half period, the forces extend the swimmer and the tilt decreases again.
+/// a: bead radius, l: arm length [length]. eta: dynamic viscosity [mass/(length time)]. T: period [time]. In
+/// the other half period, the forces extend the swimmer and the tilt decreases again.
 double growth_of_tilt(const SwimmerType& type, double viscosity) {
   if (type.driving.frame == DrivingFrame::body) return 1;
   constexpr double pi = std::numbers::pi;
@@ -63,7 +65,7 @@ double growth_of_tilt(const SwimmerType& type, double viscosity) {
 SceneFacts scene_facts(const Layout& layout, double cycles) {
   SceneFacts facts;
   if (layout.domain) {
-    constexpr double off_place = 1e-6;  // in radii, as in beadswim-layout reduce
+    constexpr double off_place = 1e-6;  // [smallest radius], as in beadswim-layout reduce
     ReducedCell reduced = reduce(layout, off_place * smallest_radius(layout));
     facts.cell = std::move(reduced.layout);
     facts.cells = reduced.cells;

@@ -12,19 +12,19 @@
 
 namespace beadswim {
 
-/// A representative swimmer, with all results of theory that do not depend on the model of the run.
+/// A representative swimmer, with the results of theory for it that do not depend on the model of the run.
 struct SwimmerFacts {
   Representative representative;
-  std::optional<BestPrediction> best;  ///< nullopt: theory has no motion for it
-  std::string obstacle;                ///< reason if `best` is nullopt
-  std::optional<LatticeLag> lag;       ///< nullopt: theory cannot evaluate the lag
-  double tilt_growth = 1;              ///< largest factor by which a tilt grows within a period
+  std::optional<BestPrediction> best;  ///< nullopt: theory finds no periodic motion
+  std::string obstacle;                ///< reason why `best` or `lag` is nullopt
+  std::optional<LatticeLag> lag;       ///< errors by time steps; nullopt: theory cannot evaluate them
+  double tilt_growth = 1;              ///< factor by which a tilt grows in half a period (growth_of_tilt)
 };
 
-/// The scene as theory sees it.
+/// A scene and the results of theory for its swimmers.
 struct SceneFacts {
-  Layout cell;            ///< smallest cell that the scene repeats
-  Index3 cells{1, 1, 1};  ///< repetitions of the cell along x, y, z
+  Layout cell;            ///< smallest cell whose repetition gives the scene
+  Index3 cells{1, 1, 1};  ///< number of repetitions along x, y, z
   std::vector<SwimmerFacts> swimmer_facts;
   double disorder_growth = 1;  ///< factor by which deviations from the order of the swarm grow in the run
 };
@@ -32,21 +32,23 @@ struct SceneFacts {
 /// Returns the facts of a layout for a run of `cycles` base cycles.
 SceneFacts scene_facts(const Layout& layout, double cycles);
 
-/// Returns a message if theory has no motion for the swimmer, or if beads come so close in their stroke that
-/// no mobility model is accurate in the thin film between them. Returns an empty string otherwise.
+/// Returns a message if theory finds no periodic motion for the swimmer. Returns a message, too, if beads
+/// come so close during the stroke that no mobility model is accurate in the thin film between them.
+/// Otherwise returns an empty string.
 std::string film_obstacle(const SwimmerFacts& swimmer_facts);
 
-/// Returns the larger of each error.
+/// Returns the larger of `a` and `b` for each quantity.
 ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
 
 /// Returns all errors, multiplied by `factor`.
 ErrorEstimate scaled(double factor, ErrorEstimate error);
 
-/// Factor of the error estimate if neighbours, walls or the driving of a slanted swimmer are approximated.
+/// Factor by which the error estimate is multiplied if the Question of a swimmer approximates its neighbours,
+/// its box or its driving.
 constexpr double approximation_factor = 2;
 
-/// Returns the largest errors of all representatives, with the factors for approximations, tilt and disorder.
-/// `error_of` returns the ErrorEstimate of one SwimmerFacts.
+/// Returns the largest errors of all representatives, multiplied by the factors for approximations, for
+/// growth of tilt and for growth of disorder. `error_of` returns the ErrorEstimate for one SwimmerFacts.
 template <class ErrorOf>
 ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
   ErrorEstimate error;
@@ -67,7 +69,8 @@ constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
 /// state of one lattice cell [byte].
 double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_per_cell);
 
-/// Return the candidates with the lattice and with mobility models, with their errors and costs. Collective.
+/// Return the candidates with the model lbm and with mobility models, with their errors and costs.
+/// Collective.
 std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,
                                      const PlanRequest& request, const std::string& source,
                                      const Communicator& communicator);

@@ -13,9 +13,11 @@
 namespace beadswim {
 namespace {
 
-/// Returns a periodic box with about one swimmer's share of the volume. Its length along the swimmer is the
-/// edge of the original box, divided by an integer if swimmers follow each other. The box is larger than the
-/// share if the swimmer would not fit or if the width would be below four radii.
+/// Returns a periodic box for one swimmer, whose volume is about the volume of `box` divided by the number of
+/// swimmers (its share). Its length along the swimmer is the edge of `box` in this direction, divided by an
+/// integer. This integer is the largest that keeps the length above 1.2 swimmer lengths and above the edge of
+/// a cube with the volume of the share. Length and width are increased, if necessary, to 1.2 swimmer lengths
+/// and four bead radii.
 BoxPlace share_of(const Box& box, std::size_t swimmers, const CollinearSwimmer& swimmer, const Vec3& axis) {
   constexpr double room = 1.2, radii_across = 4;
   int along = 0;
@@ -28,7 +30,7 @@ BoxPlace share_of(const Box& box, std::size_t swimmers, const CollinearSwimmer& 
   return box_place_at_centre({x, y, y});
 }
 
-/// Returns the type with the component of the driving along the swimmer's axis only.
+/// Returns the type, driven only by the component of its forces along the swimmer's axis.
 SwimmerType driven_along_its_line(SwimmerType type, const Vec3& axis) {
   for (double& amplitude : type.driving.amplitude) amplitude *= axis.x();
   type.driving.frame = DrivingFrame::body;
@@ -77,7 +79,8 @@ Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
           driving.amplitude[1], driving.phase, driving.period};
 }
 
-/// Returns the first swimmer and those with the largest and smallest force and period, without duplicates.
+/// Returns the first swimmer, those with the largest and the smallest force, and those with the longest and
+/// the shortest period, without duplicates.
 std::vector<const Swimmer*> extremes(const Layout& cell, const std::vector<const Swimmer*>& all) {
   const auto force = [&](const Swimmer* swimmer) {
     const auto& [a, b] = cell.resolved_type(*swimmer).driving.amplitude;

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double default_tolerance = 0.03;
 
-/// Refuses runs that need more memory than the nodes have. Collective.
+/// Rejects runs that need more memory than the nodes have. Collective.
 void mark_runs_beyond_memory(std::vector<PlannedRun>& runs, const Communicator& communicator) {
   double bytes_of_rank = installed_bytes() / count_ranks_on_node(communicator);
   MPI_Allreduce(MPI_IN_PLACE, &bytes_of_rank, 1, MPI_DOUBLE, MPI_MIN, communicator.get());
@@ -33,8 +33,8 @@ void mark_runs_beyond_memory(std::vector<PlannedRun>& runs, const Communicator& 
   }
 }
 
-/// Chooses the cheapest run within the tolerance and the run with the smallest error, and refuses runs whose
-/// error is not finite. Rank 0 decides for all ranks. Collective.
+/// Chooses the cheapest run within the tolerance and the run with the smallest error. Rejects runs whose
+/// error is not finite. All ranks use the choice of rank 0. Collective.
 void choose(RunPlan& plan, const Communicator& communicator) {
   constexpr int none = -1;
   std::array<int, 2> found{none, none};  // choice, best
@@ -79,7 +79,7 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
         fmt::format("driving along fixed axes presses it together for so long that a tilt grows {:.2g} "
                     "times, and it turns over; straight it stays so until something disturbs it",
                     swimmer_facts.tilt_growth));
-  reason_against([&] {  // the candidate's own row states an error
+  reason_against([&] {  // if this throws, the row of the candidate contains the message
     const ErrorEstimate stokes =
         mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}.steps_per_cycle);
     const auto& [first, second] = stokes.arm_amplitudes;
@@ -119,7 +119,7 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
     return;
   const std::optional<SufficientBox> box =
       sufficient_box(swimmer_facts.representative.question, plan.tolerance / 3);
-  constexpr double worthwhile = 0.7;  // largest volume relative to the present box
+  constexpr double worthwhile = 0.7;  // largest volume of a proposed box / volume of the present box
   if (!box || (layout.domain && box->lengths.prod() > worthwhile * layout.domain->lengths.prod())) return;
   int along = 0;
   layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);

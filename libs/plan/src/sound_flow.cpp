@@ -16,8 +16,8 @@ double shell(double wave_times_radius) {
   return wave_times_radius == 0 ? 1 : std::sin(wave_times_radius) / wave_times_radius;
 }
 
-/// Returns the integral of (sin(ka)/(ka))^2 over k from `first` to infinity; it is pi/(2a) for first = 0
-/// [1/length].
+/// Returns the integral of (sin(ka)/(ka))^2 over k from `first` to infinity [1/length]. The integral from 0
+/// is pi/(2a). a: `radius`.
 double shell_integral_from(double first, double radius) {
   constexpr int points = 400;
   double below = 0;
@@ -28,7 +28,7 @@ double shell_integral_from(double first, double radius) {
   return pi / (2 * radius) - below;
 }
 
-/// Wavevectors of the periodic box in which mirror images replace the walls.
+/// Wavevectors of a periodic box. Free-slip walls are replaced by mirror images in a box of twice the length.
 struct Waves {
   Waves(const BoxPlace& place, double shortest_radius) : place(place), lengths(mirrored_lengths(place.box)) {
     const double volume = lengths[0] * lengths[1] * lengths[2];
@@ -40,7 +40,7 @@ struct Waves {
   double wave(int axis, int n) const { return 2 * pi * n / lengths[axis]; }
   double volume() const { return lengths[0] * lengths[1] * lengths[2]; }
 
-  /// Returns the factor of the mirror images behind walls that are perpendicular to y or z.
+  /// Returns the factor by which the mirror images at walls normal to `axis` (y or z) change a wave.
   double mirror_factor(int axis, double wave) const {
     return place.box.has_mirrors(axis) ? 1 + std::cos(2 * wave * place.middle_bead[axis]) : 1;
   }
@@ -71,8 +71,8 @@ SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& 
   const bool walls_across = place->box.has_mirrors(0);
   for (int nx = 1; nx <= waves.count(0); ++nx) {
     const double kx = waves.wave(0, nx);
-    // Sum over all waves with this k_x. It is a matrix, because the form factors depend on |k| and the bead
-    // radii.
+    // Sum over all waves with this k_x. Element (j, i) contains the form factors of beads j and i, which
+    // depend on |k| and on the bead radii.
     Eigen::Matrix3cd amplitude = Eigen::Matrix3cd::Zero();
     for (int ny = 0; ny <= waves.count(1); ++ny) {
       const double ky = waves.wave(1, ny);

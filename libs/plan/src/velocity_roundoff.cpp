@@ -12,16 +12,17 @@
 namespace beadswim {
 namespace {
 
-// Single precision compared with double precision, relative to the speed of the fastest bead: measured upper
-// bounds of the velocity error in one cycle, and of the drift of the mean fluid velocity per step.
+// Errors of single precision, measured relative to double precision and divided by the speed of the fastest
+// bead. They are upper bounds of the error of the velocity in one cycle, and of the drift of the mean fluid
+// velocity per step.
 constexpr double error_over_bead_speed = 1e-8;
 constexpr double drift_over_bead_speed = 1e-13;
 
-// Double precision: error of the displacement in one cycle, for coordinates of some tens of cells.
+// Error of double precision: error of the displacement in one cycle, if coordinates are some tens of cells.
 constexpr double displacement_error = 1e-13;  // [cell]
 
 struct Speeds {
-  double bead, swimmer;  ///< fastest bead; mean of the swimmer over a period [cell/step]
+  double bead, swimmer;  ///< fastest bead; swimmer, averaged over a period [cell/step]
 };
 
 /// Returns the speeds of a swimmer of this type with the driving along its axis.
@@ -40,7 +41,7 @@ double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long 
   for (const SwimmerType& type : scene.types) {
     const Speeds speeds = predicted_speeds(type, lattice_viscosity(scene.relaxation_time));
     if (speeds.bead == 0) continue;  // the type is not driven
-    constexpr double none = 1e-12;   // relative to the bead's speed: zero within roundoff
+    constexpr double none = 1e-12;   // swimmer speed over bead speed that is zero within roundoff
     const bool is_swimming = speeds.swimmer > none * speeds.bead;
     if (scene.precision == Precision::fp64) {
       if (is_swimming)

@@ -140,7 +140,8 @@ void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, 
   }
 }
 
-/// Keeps one fault per place, because a misplaced swimmer usually has several faulty beads.
+/// Keeps the first fault of each place in the document, because a misplaced swimmer usually has several
+/// faulty beads.
 void keep_first_of_each_place(Faults& faults) {
   std::unordered_set<std::string> seen;
   std::erase_if(faults, [&seen](const LayoutFault& fault) { return !seen.insert(fault.place).second; });
@@ -166,7 +167,8 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
 }
 
 void normalise_axes(Layout& layout) {
-  // Axes of unit length to roundoff are unchanged, so that reading and writing a layout changes no bits.
+  // Axes whose length is 1 within roundoff are unchanged, so that a layout is read and written without any
+  // change of bits.
   constexpr double roundoff = 4 * std::numeric_limits<double>::epsilon();
   for (Swimmer& swimmer : layout.swimmers) {
     const double excess = std::abs(swimmer.axis.norm() - 1);

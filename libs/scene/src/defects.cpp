@@ -18,8 +18,9 @@
 namespace beadswim {
 namespace {
 
-/// Independent streams of random numbers, so that one seed does not use the same numbers for different
-/// changes. The values define the result of a seed and must not change.
+/// Purposes of random numbers (KeyedRandom). Each purpose has its own sequence, so that different changes
+/// with the same seed use different random numbers. The values of this enumeration must not change, because
+/// the results of a seed depend on them.
 enum Purpose : std::uint64_t { draw = 0, place, turn, region, offset, strength, frequency, layer };
 
 KeyedRandom swimmer_random(const Swimmer& swimmer, std::uint64_t seed, Purpose purpose) {
@@ -35,8 +36,8 @@ std::size_t resolved_count(const ShareOrCount& share_or_count, std::size_t all, 
                    fmt::format("{}: more than there are {}, {}; take fewer", count, things, all));
 }
 
-/// Draws `count` of the indices 0 ... keys.size() - 1: those with the smallest random numbers. Returns them
-/// in ascending order.
+/// Draws `count` of the indices 0 ... keys.size() - 1: the indices whose keys have the smallest random
+/// numbers. Returns them in ascending order.
 std::vector<std::size_t> draw_keys(const std::vector<std::uint64_t>& keys, std::size_t count,
                                    std::uint64_t seed, Purpose purpose) {
   std::vector<std::pair<std::uint64_t, std::size_t>> tickets;
@@ -54,7 +55,7 @@ const Box& required_box(const Layout& layout, const char* defect) {
   throw InputError("/domain", fmt::format("is null (unbounded fluid), which {} has no places in", defect));
 }
 
-/// Returns the gap that interstitials and repairs aim at [length].
+/// Returns the gap that added or separated beads should have to other surfaces [length].
 double min_clearance(const Layout& layout) {
   return 0.1 * smallest_radius(layout);
 }
@@ -89,7 +90,8 @@ class Push {
   int bead_pushes_ = 0;
 };
 
-/// Changes the driving of each chosen swimmer with random numbers of its own.
+/// Calls `change` for the driving of each chosen swimmer, with random numbers that depend on the swimmer's
+/// id.
 void change_driving(Layout& layout, const std::vector<std::size_t>& chosen, std::uint64_t seed,
                     Purpose purpose,
                     const std::function<void(const Swimmer&, Driving&, KeyedRandom&)>& change) {
@@ -128,7 +130,7 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
   std::vector<PlacedBead> beads = placed_beads(layout);
   const double clearance = min_clearance(layout), cutoff = 2 * largest_radius(beads) + clearance;
   CellList cells = bead_cells(beads, layout.domain, cutoff);
-  std::size_t sorted = beads.size();  // number of beads in the cells; later beads are tested one by one
+  std::size_t sorted = beads.size();  // number of beads in `cells`; beads added later are tested one by one
 
   const auto is_free = [&](const Vec3& centre, double radius) {
     for (int a = 0; a < 3; ++a) {
@@ -271,7 +273,7 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
   const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
   std::ranges::sort(order, {}, [&](std::size_t s) { return height(s); });
   const double same = 1e-6 * smallest_radius(layout);
-  if (periodic) {  // keeps a layer on the face of the box together
+  if (periodic) {  // a layer at a face of the box may be split between both ends; this joins it
     const double length = layout.domain->lengths[axis];
     while (height(order.back()) > length - same && height(order.front()) < same) {
       height(order.back()) -= length;
@@ -284,8 +286,9 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
     layers.back().push_back(s);
   }
 
-  const std::size_t first =
-      periodic ? 0 : 1;  // in a periodic box the first gap is the one to the image of the last layer
+  // Gap n is between layers n - 1 and n. In a periodic box, gap 0 is between the image of the last layer and
+  // layer 0. In open space and between walls there is no gap 0.
+  const std::size_t first = periodic ? 0 : 1;
   std::vector<std::uint64_t> numbers;
   for (std::size_t n = first; n < layers.size(); ++n) numbers.push_back(n);
   const std::vector<std::size_t> moved = draw_keys(
@@ -315,8 +318,8 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
 void repair_overlaps(Layout& layout) {
   constexpr int max_passes = 1000;
   const double clearance = min_clearance(layout);
-  const double tolerance =
-      0.5 * clearance;  // displacements exceed the required gap, so that the iteration ends
+  // Beads are displaced to the gap `clearance`, but half of this gap is accepted, so that the iteration ends.
+  const double tolerance = 0.5 * clearance;
   for (int pass = 0; pass < max_passes; ++pass) {
     const std::vector<PlacedBead> beads = placed_beads(layout);
     std::vector<Push> pushes(layout.swimmers.size());

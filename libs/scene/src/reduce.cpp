@@ -56,8 +56,8 @@ class SwimmerFinder {
   CellList cells_;
 };
 
-/// Returns the largest distance of a swimmer from an equivalent one [length], when the scene is displaced by
-/// the edge of the box divided by `parts`. Infinite if a swimmer has no equivalent one.
+/// Returns the largest distance of a swimmer from an equivalent one [length], after a displacement of the
+/// scene along `axis` by the edge of the box divided by `parts`. Infinite if a swimmer has no equivalent one.
 double largest_shift_after_move(const Layout& layout, const SwimmerFinder& finder, int axis,
                                 std::size_t parts) {
   const Vec3 step = Vec3::Unit(axis) * layout.domain->lengths[axis] / static_cast<double>(parts);
@@ -95,8 +95,8 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   Box& cell = *result.layout.domain;
   cell.lengths = layout.domain->lengths.cwiseQuotient(result.cells.cast<double>().matrix());
   for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = wrapped(swimmer.position, cell);
-  // Keeps one of each set of equivalent swimmers. Indirectly equivalent ones differ by up to twice the
-  // tolerance.
+  // Keeps one swimmer of each set of equivalent swimmers. Two swimmers that are both equivalent to a third
+  // one can differ by up to twice the tolerance.
   const SwimmerFinder twins(result.layout, cell, 2 * tolerance);
   std::vector<bool> is_kept(all);
   std::vector<Swimmer> firsts;

@@ -3,7 +3,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns the vector between the centres of beads 2 of neighbours in one block [length].
+/// Returns the distances along x, y and z between the middle beads of neighbouring swimmers in one block
+/// [length].
 Vec3 pitch(const SwarmPlan& plan, const SwimmerType& type) {
   return plan.core_gap + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX();
 }
@@ -21,7 +22,7 @@ void for_each_place(const Index3& grid, Visit&& visit) {
 }  // namespace
 
 Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type) {
-  // n swimmers have n - 1 distances within the block and one to the next block.
+  // Along each axis, n swimmers have n - 1 distances within the block, and one distance to the next block.
   const Vec3 last = (plan.block_swimmers - 1).cast<double>().matrix().cwiseProduct(pitch(plan, type));
   return last + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX() + plan.block_gap;
 }

@@ -49,11 +49,12 @@ NormalImpulse normal_impulse(const NearContactLaw& law, const CloseBead& first, 
   return {.total = total, .contact = std::max(0.0, total - by_film)};
 }
 
-/// Angular velocities w of the beads relative to the line of centres, and mobilities that relate them to
-/// impulses.
+/// Angular velocities w of the beads relative to the line of centres, and mobilities that relate the
+/// velocities to impulses. I: moment of inertia of a bead; m: reduced mass; r: distance of the centres;
+/// pairs: CloseBead::pairs.
 struct PairRotation {
   Vec3 first, second;                                     ///< w, perpendicular to the line
-  double first_mobility, second_mobility, line_mobility;  ///< 1/I, 1/I, 1/(m r^2)
+  double first_mobility, second_mobility, line_mobility;  ///< pairs/I, pairs/I, 1/(m r^2)
 
   /// Applies angular impulses to the beads, balanced by forces perpendicular to the line of centres.
   void apply(const Vec3& on_first, const Vec3& on_second) {
@@ -68,7 +69,8 @@ struct AngularImpulses {
   Vec3 first, second;
 };
 
-/// Solves (1 + M C) w = w* with C = step ((c_aa, c_ab), (c_ab, c_bb)) and returns the impulses -C w.
+/// Solves (1 + M C) w = w* (near_contact.hpp) with C = step ((c_aa, c_ab), (c_ab, c_bb)). Returns the
+/// impulses -C w.
 AngularImpulses film_angular_impulses(const PairRotation& w, const Sliding& film, double step) {
   // clang-format off
   const double c11 = step * film.aa, c12 = step * film.ab, c22 = step * film.bb;
@@ -85,9 +87,10 @@ AngularImpulses film_angular_impulses(const PairRotation& w, const Sliding& film
   // clang-format on
 }
 
-/// Returns the angular impulses of friction. The friction stops the sliding of the surfaces at the point of
-/// contact, or has the impulse `max_impulse` if that does not suffice. The sliding velocity is n x (r_a w_a +
-/// r_b w_b), where r_a and r_b are the distances of the point of contact from the centres.
+/// Returns the angular impulses of friction. Friction stops the sliding of the surfaces at the point of
+/// contact if an impulse of at most `max_impulse` suffices. Otherwise its impulse is `max_impulse`. The
+/// sliding velocity is n x (r_a w_a + r_b w_b), where n is the unit vector along the line of centres, and r_a
+/// and r_b are the distances of the point of contact from the centres.
 AngularImpulses friction_angular_impulses(const PairRotation& w, double r_a, double r_b, double max_impulse) {
   const Vec3 sliding = r_a * w.first + r_b * w.second;
   const double mobility = r_a * r_a * w.first_mobility + r_b * r_b * w.second_mobility +
@@ -108,7 +111,7 @@ PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& fir
   const double gap = distance - a - b;
   const double reduced_mass_shared = 1 / (first.pairs / first.mass + second.pairs / second.mass);
   const double reduced_mass_alone = 1 / (1 / first.mass + 1 / second.mass);
-  // Limit of the resistance of the film for beads with several pairs: near_contact.hpp.
+  // The resistance of the film is limited for beads with several pairs. near_contact.hpp states the reason.
   const double other_pairs = std::max(first.pairs, second.pairs) - 1;
   const auto limit_fraction = [&](double resistance, double mobility) {
     return other_pairs * step * resistance * mobility > 1 ? 1 / (other_pairs * step * resistance * mobility)

@@ -38,8 +38,9 @@ Phase moved(const Phase& phase, const Phase& rate, double interval) {
   return result;
 }
 
-/// Returns omega^2/K_A of bending, in which the displacements of the beads are proportional to
-/// (1/l1, -1/l1 - 1/l2, 1/l2).
+/// Returns omega^2/K_A = sum_i g_i^2/m_i, where omega is the angular frequency of bending, K_A the angular
+/// stiffness and m_i the mass of bead i. The bending angle is theta = sum_i g_i y_i, with g = (1/l1, -1/l1 -
+/// 1/l2, 1/l2) and the displacements y_i perpendicular to the swimmer.
 double bending_mobility(const SwimmerType& type) {
   const double g1 = 1 / type.springs[0].rest_length, g3 = 1 / type.springs[1].rest_length, g2 = g1 + g3;
   return g1 * g1 / mass(type.beads[0]) + g2 * g2 / mass(type.beads[1]) + g3 * g3 / mass(type.beads[2]);
@@ -58,8 +59,8 @@ double moment_of_inertia(const Bead& bead) {
 int substeps_for(const SwimmerType& type, double step) {
   const auto& [first, second] = type.springs;
   const std::array m{mass(type.beads[0]), mass(type.beads[1]), mass(type.beads[2])};
-  // Gershgorin bound of the eigenvalues of the stretching modes, for stiffness or damping a, b of the two
-  // springs.
+  // Gershgorin bound of the eigenvalues of (mass matrix)^-1 times (spring matrix) for stretching. a and b are
+  // the stiffness or damping of the two springs.
   const auto stretching = [&m](double a, double b) {
     return std::max({2 * a / m[0], 2 * (a + b) / m[1], 2 * b / m[2]});
   };

@@ -38,7 +38,7 @@ Json json_of(const Units& units) {
 
 // --- driving
 
-/// Returns the driving with the members of `json` in place of its own.
+/// Returns `driving`, after replacing the members that `json` contains.
 Driving override_driving(Driving driving, const Json& json) {
   visit_fields(
       [&](const char* name, auto& field, auto...) {
@@ -48,7 +48,7 @@ Driving override_driving(Driving driving, const Json& json) {
   return driving;
 }
 
-/// Returns the members of `driving` that differ from the driving of the type.
+/// Returns the members of `driving` that differ from `of_type`, the driving of the type.
 Json difference(const Driving& driving, const Driving& of_type) {
   Json json = driving;
   const Json ordinary = of_type;

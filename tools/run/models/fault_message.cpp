@@ -20,7 +20,7 @@ std::string place_of(const Fault& fault, const LatticeScales& scales) {
   return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_of(fault.bead), p[0], p[1], p[2]);
 }
 
-/// Returns the likely cause of non-finite numbers or of beads that are too fast, with a remedy.
+/// Returns the likely cause of a non-finite state or of beads that are too fast, with a remedy.
 std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_so_far) {
   const double density = on_lattice.density_on_lattice(), tau = on_lattice.lattice.relaxation_time;
   if (density < min_stable_density) {

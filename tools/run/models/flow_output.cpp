@@ -13,8 +13,8 @@
 namespace beadswim {
 namespace {
 
-/// Converts a plane with one block per component (gather_plane) to the order of VTK, with all components of a
-/// cell adjacent.
+/// Converts the values of one plane of cells to the order of VTK. `plane` contains one component after the
+/// other, as gather_plane() returns it. In the result, all components of a cell are adjacent.
 std::vector<float> interleaved(const std::vector<double>& plane, int components) {
   const std::size_t cells = plane.size() / components;
   std::vector<float> result;
@@ -102,7 +102,7 @@ void FlowOutput::write(const CoupledSystem& system) {
         return covered_cell != covered_cells.end() ? covered_cell->second.number : 0.0;
       })};
   const Index3& cells = system.decomposition().cells();
-  if (!communicator_.is_root()) {  // sends the planes to rank 0 in the order in which it writes them
+  if (!communicator_.is_root()) {  // sends planes in the order in which rank 0 writes them
     for (const VtiField& f : fields) {
       for (int z = 0; z < cells[2]; ++z) f.plane(z);
     }

@@ -9,22 +9,23 @@
 
 namespace beadswim {
 
-/// Writes flow fields to TRAJECTORY.flow/STEP.vti, with the index TRAJECTORY.flow.pvd, in units of the
-/// layout.
+/// Writes flow fields, in units of the layout, to files TRAJECTORY.flow/STEP.vti. The file
+/// TRAJECTORY.flow.pvd lists them for ParaView.
 class FlowOutput {
  public:
-  /// Creates the folder. `interval`: steps between fields. `done`: last step of the earlier run that this run
-  /// continues, or 0; its fields up to this step are kept in the index. Throws InputError if the folder
-  /// cannot be created.
+  /// Creates the folder. `interval`: number of steps between flow fields. `done`: last step of the earlier
+  /// run that this run continues, or 0. Fields of the earlier run up to this step stay in the list. Throws
+  /// InputError if the folder cannot be created.
   FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
              const Communicator& communicator);
 
-  /// Writes velocity, pressure relative to the fluid at rest, and bead number of each cell. Collective.
+  /// Writes for each cell the velocity, the pressure minus the pressure at rest, and the number of the bead
+  /// that covers it (0: none). Collective.
   void write(const CoupledSystem& system);
 
  private:
   PvdEntry entry_of(long step) const;
-  void remove_after(long done) const;  ///< removes fields of later steps, which will be written again
+  void remove_after(long done) const;  ///< removes fields of later steps, which this run writes anew
 
   std::string stem_;
   LatticeScales scales_;

@@ -11,8 +11,8 @@ namespace beadswim {
 
 /// Plan of a run with the model lbm.
 struct LatticePlan : ModelPlan {
-  /// The communicator must outlive the plan. Throws InputError as put_on_lattice() does
-  /// (scene_on_lattice.hpp), and if the machine has too little memory. Collective.
+  /// The communicator must outlive the plan. Throws the errors of put_on_lattice() (scene_on_lattice.hpp).
+  /// Throws InputError if the machine has too little memory. Collective.
   LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
               const Communicator& communicator);
 
@@ -55,7 +55,7 @@ class LatticeModel : public Model {
   const Communicator& communicator_;
   CoupledSystem system_;
   std::optional<FlowOutput> flow_;
-  long first_step_ = 0;                     ///< first step that this program computes
+  long first_step_ = 0;                     ///< number of steps of the earlier run that this run continues
   SceneTotals first_totals_, last_totals_;  ///< in lattice units
   long last_totals_step_ = 0;
 };

@@ -17,8 +17,8 @@
 // Interface between the time loop of a run and the model of the fluid. A ModelPlan describes a run and makes
 // its Model.
 //
-// Quantities are in units of the layout. Positions and motions of beads are an exception: they are in units
-// of the model [ModelUnits], so that a checkpoint stores samples without a conversion.
+// Quantities are in units of the layout, except positions and motions of beads. These are in units of the
+// model [ModelUnits], so that a checkpoint stores samples without a conversion.
 //
 // All functions are collective, unless their comment says that they are local to one rank.
 
@@ -44,7 +44,7 @@ struct SwimmerPose {
   SwimmerMotion motion;  ///< [ModelUnits]
 };
 
-/// Sums over the complete scene.
+/// Totals of the scene.
 struct ModelTotals {
   std::optional<Vec3> momentum;       ///< momentum of fluid and beads [mass length/time]
   Vec3 mean_flow = Vec3::Zero();      ///< velocity of fluid and beads, averaged over the volume [length/time]
@@ -65,7 +65,7 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Advances by one time step. Does not throw if the state becomes unphysical; fault() then returns the
+  /// Advances by one time step. Does not throw if the state becomes unphysical; then fault() returns the
   /// fault.
   virtual void step() = 0;
   /// Returns the number of steps since the start of the run, including steps of runs that it continues.
@@ -74,28 +74,30 @@ class Model {
 
   /// Returns the number of swimmers that this rank owns until the next step. Local.
   virtual int own_swimmers() const = 0;
-  /// Returns id and type of an own swimmer, numbered from 0. Local.
+  /// Returns id and type of a swimmer that this rank owns. `number`: from 0 to own_swimmers() - 1. Local.
   virtual SwimmerIdentity own_swimmer(int number) const = 0;
-  /// Returns the bead positions of an own swimmer at the present time plus `ahead`, to second order in
-  /// `ahead` [ModelUnits]. `ahead`: fraction of a step, positive or negative. Local.
+  /// Returns the bead positions of a swimmer that this rank owns, at the present time plus `ahead` time steps
+  /// [ModelUnits]. `ahead`: fraction of a step, positive or negative. The error is of third order in `ahead`.
+  /// Local.
   virtual std::array<Vec3, 3> bead_positions(int number, double ahead) const = 0;
   /// Returns all swimmers in the order of their ids on rank 0, and an empty list on other ranks.
   virtual std::vector<SwimmerPose> gather_swimmers() const = 0;
 
   virtual ModelTotals first_totals() const = 0;  ///< totals at the start of the run
   virtual ModelTotals totals() = 0;              ///< evaluates the present totals
-  /// Returns the first fault on any rank, or nullopt. The totals are checked only if they were evaluated
-  /// after the last step. Returns the same on all ranks.
+  /// Returns the first fault of any rank, or nullopt; the same on all ranks. Total mass and momentum are
+  /// checked only if totals() was called after the last step.
   virtual std::optional<ModelFault> fault() const = 0;
 
-  /// Writes the present flow fields if the options of the plan request flow fields.
+  /// Writes the present flow fields. Has no effect if the options do not request flow fields.
   virtual void write_flow() = 0;
   /// Adds the data of the model to a record that contains status, momentum and cost.
   virtual void describe(RunRecord& record) const = 0;
-  /// Returns warnings on the steps done that may have impaired the results, one line each.
+  /// Returns warnings about states of the run that may have impaired the results, one line each.
   virtual std::vector<std::string> warnings() const = 0;
 
-  /// Writes the history of the run that a checkpoint keeps (few numbers, on rank 0).
+  /// Writes the numbers that describe the past of the run, such as largest speed and smallest gap, for a
+  /// checkpoint. Rank 0 writes them.
   virtual void write_history(OutgoingMessage& history) const = 0;
   /// Writes the state, from which the run continues, as sections of a checkpoint.
   virtual void write_state(CheckpointWriter& checkpoint) = 0;
@@ -103,7 +105,7 @@ class Model {
   virtual void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) = 0;
 };
 
-/// Description of a run that is known before memory for its model is allocated.
+/// Description of a run. It is made before memory for the model is allocated.
 struct ModelPlan {
   ModelPlan() = default;
   virtual ~ModelPlan() = default;
@@ -114,7 +116,7 @@ struct ModelPlan {
   /// fields. The plan must outlive the model. Throws InputError on all ranks.
   virtual std::unique_ptr<Model> make(long flow_until) const = 0;
 
-  RunOptions options;  ///< requested options, with the choices of the plan for those left open
+  RunOptions options;  ///< requested options; the plan has set those that were left open
   ModelUnits units;
   double base_period = 0;                    ///< duration of one cycle of the run [time]
   double time_step = 0;                      ///< [time]
@@ -122,7 +124,7 @@ struct ModelPlan {
   std::vector<double> periods;               ///< driving period of each type [step]
   std::vector<std::array<double, 3>> radii;  ///< radii of beads 1, 2, 3 of each type [length]
   std::vector<PlacedSwimmer> swimmers;       ///< in the order of their ids [ModelUnits]
-  std::optional<double> cells;               ///< number of lattice cells; nullopt without a lattice
+  std::optional<double> cells;               ///< number of lattice cells; nullopt: no lattice
   std::string announcement;                  ///< description of the run, one line
   std::vector<std::string> warnings;         ///< warnings that are known before the run, one line each
 };

@@ -61,7 +61,7 @@ std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) co
   std::array<Vec3, 3> positions;
   for (int b = 0; b < 3; ++b) {
     const std::size_t bead = 3 * (system_.own_swimmers().first + number) + b;
-    const Vec3 gained = state.velocities[0][bead] - state.velocities[1][bead];  // in the last step
+    const Vec3 gained = state.velocities[0][bead] - state.velocities[1][bead];  // change in the last step
     positions[b] = state.positions[0][bead] + time * (state.velocities[0][bead] + 0.5 * ahead * gained);
   }
   return positions;

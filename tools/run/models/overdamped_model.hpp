@@ -11,7 +11,7 @@ namespace beadswim {
 /// Plan of a run with a mobility model.
 struct OverdampedPlan : ModelPlan {
   /// The communicator must outlive the plan. Throws InputError if the layout has no-slip walls, if its box is
-  /// too narrow, or if an option applies to lattices only.
+  /// too narrow, or if an option is set that applies to the model lbm only.
   OverdampedPlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                  const Communicator& communicator);
 

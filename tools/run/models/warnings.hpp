@@ -9,10 +9,12 @@
 
 namespace beadswim {
 
-/// Returns the warnings that are known before the run. `roundoff`: relative error by velocity_roundoff().
+/// Returns the warnings that are known before the run. `roundoff`: relative error of the velocity that
+/// velocity_roundoff() returns.
 std::vector<std::string> warnings_before(const SceneOnLattice& on_lattice, double roundoff);
 
-/// Returns a warning if compressibility affects the results. `mach`: largest Mach number of the run.
+/// Returns a warning if the beads were so fast that compressibility affects the results. `mach`: largest Mach
+/// number of a bead in the run.
 std::vector<std::string> warnings_after(double mach);
 
 }  // namespace beadswim

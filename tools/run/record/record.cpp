@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Returns the sum over all ranks of their largest resident memory [byte]. Collective.
+/// Returns the largest resident memory of each rank, summed over all ranks [byte]. Collective.
 std::int64_t peak_memory_bytes(const Communicator& communicator) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

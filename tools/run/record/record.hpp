@@ -10,8 +10,8 @@ namespace beadswim {
 /// Returns the run record, which is complete on rank 0 only. Collective.
 RunRecord make_record(const RunParts& parts, const LayoutDocument& layout, const RunOutcome& outcome);
 
-/// Returns the dimensionless numbers of a run without the Mach number. Arguments in any coherent units.
-/// `speed`: largest bead speed. `period`: base period.
+/// Returns the dimensionless numbers of a run, without the Mach number. All arguments have the same system of
+/// units. `speed`: largest bead speed. `period`: base period.
 DimensionlessNumbers dimensionless_numbers(std::span<const SwimmerType> types, double speed,
                                            double kinematic_viscosity, double period);
 

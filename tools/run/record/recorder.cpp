@@ -10,8 +10,8 @@
 namespace beadswim {
 namespace {
 
-/// Interpolates linearly between `first` (part = 0) and `last` (part = 1). std::lerp returns exactly the
-/// common value if both are equal.
+/// Interpolates linearly between `first` (part = 0) and `last` (part = 1). If `first` and `last` are equal,
+/// std::lerp returns exactly this value.
 Vec3 interpolate(double part, const Vec3& first, const Vec3& last) {
   Vec3 result;
   for (int a = 0; a < 3; ++a) result[a] = std::lerp(first[a], last[a], part);
@@ -112,7 +112,7 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
   if (logs_.size() > max_swimmers_listed) cycles.clear();
   cycles.push_back(cycle_statistics(index, log.samples, log.period));
   log.samples.erase(log.samples.begin(),
-                    log.samples.end() - 1);  // keeps the end, the start of the next
+                    log.samples.end() - 1);  // the last sample is the first of the next cycle
 }
 
 void Recorder::record(const Model& model, const ModelTotals& totals) {

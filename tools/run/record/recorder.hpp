@@ -11,15 +11,16 @@
 
 namespace beadswim {
 
-/// Records frames and samples. Frames are taken at the same phases of each base period and written to the
-/// trajectory. Samples are taken at the same phases of each swimmer's own period; rank 0 computes cycle
-/// statistics from them.
+/// Records frames and samples. A frame contains the positions and velocities of all beads and is written to
+/// the trajectory. A sample contains the bead positions of one swimmer; rank 0 computes cycle statistics from
+/// samples. Frames are taken at the same phases of each base period. Samples are taken at the same phases of
+/// each period of the swimmer's own driving.
 class Recorder {
  public:
   Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
            const Communicator& communicator);
 
-  /// Returns the step of frame k: the step nearest to k/frames_per_cycle cycles.
+  /// Returns the step of a frame. Frame k is taken at the step nearest to k/frames_per_cycle base cycles.
   long step_of_frame(long frame) const;
 
   /// Returns whether the next frame is due at this step.
@@ -32,7 +33,8 @@ class Recorder {
   /// Records the next frame. `totals`: present totals of the model. Collective.
   void record(const Model& model, const ModelTotals& totals);
 
-  // Statistics on rank 0. For more than max_swimmers_listed swimmers, only the last cycle is kept.
+  // Return statistics, on rank 0 only. For more than max_swimmers_listed swimmers, swimmers() contains only
+  // the last cycle.
   std::vector<SwimmerRecord> swimmers() const;
   const std::vector<SwarmCycle>& swarm() const { return swarm_; }
 
@@ -46,7 +48,7 @@ class Recorder {
   /// Bead positions of one swimmer at one sampling time, sent to rank 0.
   struct PositionSample {
     int id = 0;
-    long number = 0;                ///< number k of the sample
+    long number = 0;                ///< number of the sample since the start of the run
     double time = 0;                ///< [step]
     std::array<Vec3, 3> positions;  ///< [ModelUnits]
 
@@ -92,13 +94,13 @@ class Recorder {
   TrajectoryWriter& trajectory_;
   SamplingSchedules schedules_;
   long next_frame_ = 0;
-  OutgoingMessage pending_samples_;  ///< samples of this rank that have not been gathered
+  OutgoingMessage pending_samples_;  ///< samples of this rank that rank 0 does not yet have
 
   // Used on rank 0 only:
-  std::vector<PositionSample> gathered_;  ///< samples since the last frame
+  std::vector<PositionSample> gathered_;  ///< samples of all ranks since the last frame
   FlowSample last_frame_;
-  std::vector<SwimmerLog> logs_;   ///< in the order of swimmer ids
-  std::vector<SwarmCycle> swarm_;  ///< for two or more swimmers
+  std::vector<SwimmerLog> logs_;   ///< one per swimmer, in the order of ids
+  std::vector<SwarmCycle> swarm_;  ///< one per base cycle; empty for a single swimmer
 };
 
 }  // namespace beadswim

@@ -5,7 +5,7 @@
 
 namespace beadswim {
 
-/// Sampling times of a swimmer: sample k is taken at the step nearest to k/per_cycle() periods.
+/// Sampling times of a swimmer. Sample k is taken at the step nearest to k/per_cycle() driving periods.
 class SamplingSchedule {
  public:
   /// `period`: driving period [step]. There are at most `max_per_cycle` samples per period, and at most one
@@ -22,7 +22,7 @@ class SamplingSchedule {
   double interval_;  ///< [step]
 };
 
-/// Sampling times of all swimmer types, queried step by step.
+/// Sampling times of all swimmer types. The steps of a run are queried in ascending order.
 class SamplingSchedules {
  public:
   SamplingSchedules(std::span<const double> periods, int max_per_cycle);
@@ -38,7 +38,7 @@ class SamplingSchedules {
     long next_step = 0;
   };
   std::vector<Type> types_;
-  long next_step_ = 0;  ///< minimum over all types
+  long next_step_ = 0;  ///< smallest next_step of all types
 };
 
 }  // namespace beadswim

@@ -4,9 +4,9 @@
 
 namespace beadswim {
 
-/// Adds the terms of a bead one by one to its order-free sums, whose range is larger than that of the lanes.
-/// Batch: terms[t][k], k < count; Sums: sums[t]. Throws FaultError if a term is too large for the sums or
-/// non-finite.
+/// Adds the terms of a batch to the order-free sums of a bead one by one: batch.terms[t][k], k < count, to
+/// sums.sums[t]. This accepts larger terms than the kernels. Throws FaultError if a term is too large for the
+/// sums or non-finite.
 template <class Batch, class Sums>
 void add_one_by_one(const Batch& batch, int count, Sums& sums, const BeadOnLattice& bead) {
   try {

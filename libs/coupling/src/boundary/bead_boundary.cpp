@@ -22,7 +22,7 @@ LinkBead link_bead(const BeadOnLattice& bead, double slip = 0) {
           .slip = slip};
 }
 
-/// Fills the last vector of the batch with neutral links.
+/// Fills the unused entries of the last vector of the batch with links that contribute nothing.
 void fill_lanes(LinkBatch& batch) {
   for (int k = batch.links; k % LinkSums::lanes != 0; ++k) {
     for (double* values :
@@ -33,7 +33,7 @@ void fill_lanes(LinkBatch& batch) {
   }
 }
 
-/// Directions j with c_i.c_j != 0, and the values c_i.c_j, for one direction i.
+/// For one direction i: all directions j with c_i.c_j != 0, and the values c_i.c_j.
 struct Projections {
   int count = 0;
   std::array<int, 14> direction{};
@@ -54,7 +54,7 @@ constexpr auto projections_on_directions = [] {
   return table;
 }();
 
-/// Collects links of one image of a bead in batches and passes them to the link kernel.
+/// Collects links of one image of a bead in batches and passes the batches to the link kernel.
 template <class Real>
 class LinkReflection {
  public:
@@ -91,7 +91,7 @@ class LinkReflection {
     const int out = link.out, in = d3q19::opposite(out);
     const std::ptrdiff_t fluid_cell = boundary_.coverage.cell(x, y, z) + populations_.shift(out);
     const Real* outgoing = populations_.outgoing_row<Real>(in, fluid_cell);
-    if (!link.fluid_is_own) {  // the owner of the fluid cell reflects
+    if (!link.fluid_is_own) {  // the rank that owns the fluid cell reflects
       link.outgoing = static_cast<double>(*outgoing);
       return;
     }
@@ -118,7 +118,7 @@ class LinkReflection {
     batch_.speed[k] = link.fluid_behind > 1 ? momentum_along(in, fluid_cell) : 0;
   }
 
-  /// Returns c_i.u of a cell.
+  /// Returns c_i.u, where u is the momentum of the cell.
   double momentum_along(int i, std::ptrdiff_t cell) const {
     const Projections& projections = projections_on_directions[i];
     double sum = 0;
@@ -128,7 +128,8 @@ class LinkReflection {
     return sum;
   }
 
-  /// Reads the populations that the links need. Short loops allow many memory accesses at the same time.
+  /// Reads the populations that the links need. One short loop per array allows many memory accesses at the
+  /// same time.
   void fetch() {
     for (int k = 0; k < batch_.links; ++k) batch_.outgoing[k] = static_cast<double>(*outgoing_[k]);
     if (cells_behind_ >= 1) {
@@ -154,7 +155,8 @@ class LinkReflection {
   std::array<const Real*, LinkBatch::max_links> outgoing_, behind_, arrived_, two_behind_, arrived_behind_;
 };
 
-/// Refills an uncovered cell from the populations that arrived along its former links (refill.hpp).
+/// Refills an uncovered cell (refill.hpp) from the populations that streamed into it along the links that
+/// ended in it.
 void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& links,
             const BeadOnLattice& bead, const RelaxationRates& rates) {
   const LinkBead b = link_bead(bead);

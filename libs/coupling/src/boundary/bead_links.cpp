@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Finds links from the runs of covered cells of one image and appends them.
+/// Finds links from the runs of covered cells of one image and appends them to `links`.
 struct LinkFinder {
   const Coverage& coverage;
   const CoveredImage& covered;
@@ -24,7 +24,7 @@ struct LinkFinder {
     const CoveredRun facing = coverage.images().run(covered, y + cy, z + cz);
     for (int cx = -1; cx <= 1; ++cx) {
       const int out = direction[cx + 1][cy + 1][cz + 1];
-      if (out <= 0) continue;  // direction of rest, or no direction of the lattice
+      if (out <= 0) continue;  // velocity zero, or no direction of the lattice
       add_cells(run.low, std::min(run.high, facing.low - cx), y, z, out);
       add_cells(std::max(run.low, facing.high - cx), run.high, y, z, out);
     }
@@ -78,7 +78,8 @@ bool same_box(const BeadImage& a, const BeadImage& b) {
   return (a.low == b.low).all() && (a.high == b.high).all();
 }
 
-/// Returns for each image whether no other image and no wall can lie within `distance` cells of its cells.
+/// Returns a list with one entry per image: true if no other image and no wall can lie within `distance`
+/// cells of the cells of the image.
 std::vector<bool> images_alone(const Coverage& coverage, int distance) {
   const std::vector<CoveredImage>& images = coverage.images().images;
   std::vector<bool> alone;
@@ -158,8 +159,8 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
   known.links.assign(found_.begin(), found_.end());
 }
 
-/// Returns the position, in the order of the step, of the first row that the links of a segment read or
-/// write.
+/// Returns place_of_row() of the row, among all rows whose populations the links of a segment read or write,
+/// that the step sweeps first.
 int BeadLinks::place_of_segment(int y, int z, int downwards) const {
   int first = std::numeric_limits<int>::max();
   const auto involve = [&](int row_y, int row_z) {
@@ -186,7 +187,7 @@ int BeadLinks::place_of_segment(int y, int z, int downwards) const {
   return first;
 }
 
-/// Calls visit(segment, its position in the order of the step) for all segments that have links.
+/// Calls visit(segment, place_of_row() of its row) for all segments that have links.
 template <class Visit>
 void BeadLinks::for_each_segment(Visit&& visit) const {
   for (int i = 0; i < std::ssize(images_); ++i) {

@@ -34,13 +34,14 @@ std::vector<ImagePair> find_close_pairs(const std::vector<CoveredImage>& images)
   return pairs;
 }
 
-/// Returns r^2 - R^2 of a cell, which is negative inside the bead.
+/// Returns r^2 - R^2, where r is the distance of a cell from the centre of the bead and R the radius of the
+/// bead. The result is negative inside the bead.
 double power(const CoveredImage& covered, int x, int y, int z) {
   return covered.from_centre(x, y, z).squaredNorm() - covered.radius * covered.radius;
 }
 
-/// Divides the cells of row (y, z) that lie inside both beads. Each bead keeps one run, because it gets all
-/// cells on one side of a plane.
+/// Divides the cells of row (y, z) that lie inside both beads between the runs of the two beads. A plane
+/// separates the cells of the two beads, so that each run remains consecutive.
 void part_row(const CoveredImage& first, CoveredRun& of_first, const CoveredImage& second,
               CoveredRun& of_second, int y, int z) {
   const auto is_lost = [&](int x) {
@@ -51,8 +52,8 @@ void part_row(const CoveredImage& first, CoveredRun& of_first, const CoveredImag
   while (of_first.low < of_first.high && is_lost(of_first.high - 1)) --of_first.high;
   if (of_first.empty() || of_second.empty()) return;
   if (of_second.high <= of_first.low || of_first.high <= of_second.low) return;
-  // Removes the cells of the first bead from the second instead of comparing again: rounding must not assign
-  // a cell to both beads.
+  // Removes the cells of the first run from the second run. A second comparison of distances could assign a
+  // cell to both beads because of rounding.
   if (of_first.low - of_second.low > of_second.high - of_first.high) {
     of_second.high = std::max(of_first.low, of_second.low);
   } else {
@@ -136,7 +137,7 @@ void Coverage::find_runs(std::span<const BeadOnLattice> beads) {
   for (const ImagePair& pair : now_.close_pairs) part(now_.images[pair.first], now_.images[pair.second]);
 }
 
-/// Divides the cells that lie inside both beads.
+/// Divides the cells that lie inside both beads between the two beads.
 void Coverage::part(const CoveredImage& first, const CoveredImage& second) {
   const BeadImage &a = first.image, &b = second.image;
   if (!are_close(a, b, 0)) return;

@@ -1,5 +1,5 @@
 // This file is compiled once per instruction set; BEADSWIM_INSTRUCTION_SET is the namespace. It must not emit
-// functions outside this namespace.
+// functions outside this namespace (reason: lattice/src/row_kernels.cpp).
 #include "link_kernel.hpp"
 
 #include "beadswim/core/order_free_terms.hpp"
@@ -48,7 +48,7 @@ bool reflect(LinkBatch& batch, const LinkBead& bead, LinkSums& sums) {
     batch.terms[3][k] = r[1] * p[2] - r[2] * p[1];  // angular impulse
     batch.terms[4][k] = r[2] * p[0] - r[0] * p[2];
     batch.terms[5][k] = r[0] * p[1] - r[1] * p[0];
-    batch.terms[6][k] = outgoing - returned;  // mass
+    batch.terms[6][k] = outgoing - returned;  // fluid mass that the bead takes up
     batch.terms[7][k] = w;
   }
   return order_free::add_terms(batch.terms, places, sums);

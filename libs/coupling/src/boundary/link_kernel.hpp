@@ -8,23 +8,24 @@
 
 namespace beadswim {
 
-/// Links of one bead. Entries after the last link, up to the end of its vector, have direction (1, 0, 0) and
-/// zeros.
+/// Links of one image of a bead. x is the fluid cell of a link and c the direction from x to the covered
+/// cell. f(x) is the outgoing population of x along c, and g(x) the outgoing population along -c. Unused
+/// entries of the last vector have direction (1, 0, 0) and are otherwise zero.
 struct LinkBatch {
   static constexpr int max_links = 64;
 
   int links = 0;
-  double x[max_links], y[max_links], z[max_links];     ///< centre of the covered cell from that of the bead
-  double cx[max_links], cy[max_links], cz[max_links];  ///< direction from the covered cell to the fluid cell
+  double x[max_links], y[max_links], z[max_links];     ///< vector from the bead centre to the covered cell
+  double cx[max_links], cy[max_links], cz[max_links];  ///< -c
   double weight[max_links];                            ///< weight of the direction
-  double outgoing[max_links];      ///< population that leaves the fluid cell towards the bead
-  double fluid_behind[max_links];  ///< number of fluid cells behind; cli and mr simplify if there are too few
-  double behind[max_links];   ///< population of the fluid cell behind in the same direction; for cli and mr
-  double arrived[max_links];  ///< population of the fluid cell in the opposite direction; for cli and mr
-  double two_behind[max_links];  ///< population of the second fluid cell behind in the same direction; for mr
-  double arrived_behind[max_links];  ///< population of the fluid cell behind, opposite direction; for mr
-  double speed[max_links];  ///< momentum of the fluid cell along the link, positive towards the bead; for mr
-  double returned[max_links];  ///< result: returned population, rounded to the precision of the populations
+  double outgoing[max_links];                          ///< f(x)
+  double fluid_behind[max_links];    ///< BeadLink::fluid_behind; if too small, cli and mr use a simpler law
+  double behind[max_links];          ///< f(x - c); for cli and mr
+  double arrived[max_links];         ///< g(x); for cli and mr
+  double two_behind[max_links];      ///< f(x - 2 c); for mr
+  double arrived_behind[max_links];  ///< g(x - c); for mr
+  double speed[max_links];           ///< c.u(x), where u is the momentum; for mr
+  double returned[max_links];  ///< result: reflected population, rounded to the precision of the populations
   double terms[link_terms][max_links];  ///< result: contributions of each link to the bead
 };
 
@@ -32,13 +33,13 @@ struct LinkBatch {
 struct LinkBead {
   double velocity[3], angular_velocity[3];
   double mass_source;  ///< returned mass: fluid mass that each link returns, divided by its weight
-  double radius;
-  double slip;  ///< multireflection_slip() of the relaxation rates; for mr
+  double radius;       ///< [cell]
+  double slip;         ///< multireflection_slip() of the relaxation rates; for mr
 };
 
-/// Link kernels of one instruction set. A kernel reflects the populations that leave along the links of a
-/// batch and adds the contributions to the sums of the bead. If a term is too large or non-finite, it adds
-/// nothing and returns false.
+/// Link kernels of one instruction set. A kernel reflects the populations that leave fluid cells along the
+/// links of a batch, and adds the contributions of the links to the sums of the bead. If a term is too large
+/// or non-finite, it adds nothing to the sums and returns false.
 struct LinkKernels {
   using Reflect = bool(LinkBatch&, const LinkBead&, LinkSums&);
   Reflect* reflect_by_scheme[3][2];  ///< [scheme with links][is single precision]
@@ -62,7 +63,7 @@ BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v3)
 BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v4)
 #endif
 
-/// Kernels of one instruction set, in the order of BeadScheme.
+/// Link kernels of one instruction set, in the order of BeadScheme.
 #define BEADSWIM_LINK_KERNELS_OF(set, scheme) \
   { set::reflect<BeadScheme::scheme, double>, set::reflect<BeadScheme::scheme, float> }
 #define BEADSWIM_LINK_KERNELS(set)                                                            \

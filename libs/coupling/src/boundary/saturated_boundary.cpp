@@ -11,8 +11,8 @@
 namespace beadswim {
 namespace {
 
-/// A cell that several beads touch. The law is that of saturated_cell.hpp with F = sum over beads of sigma
-/// (u_b - v).
+/// A cell that several beads touch. The law of saturated_cell.hpp applies, with F = sum of sigma (u_b - v)
+/// over the beads.
 class SharedCell {
  public:
   void add(const SaturatedRun& run, double solid_fraction, double viscosity, const Vec3& from_centre,
@@ -30,7 +30,8 @@ class SharedCell {
   /// Returns the force F on fluid that streams in with momentum u.
   Vec3 force(const Vec3& u) const { return (pull_ - sigma_ * u) / (1 + sigma_ / 2); }
 
-  /// Divides the actual change of the momentum of the fluid, from u to u + change, among the beads.
+  /// Divides the change of the momentum of the fluid among the beads. u: momentum before; change: actual
+  /// change, after the populations were rounded.
   void distribute_change(std::vector<SaturatedSums>& sums, const Vec3& u, const Vec3& change) const {
     const Vec3 mean = u + 0.5 * force(u);
     Vec3 rest = change;  // the first bead gets the remainder, so that rounding loses no momentum
@@ -62,7 +63,8 @@ class SharedCell {
   Vec3 pull_ = Vec3::Zero();
 };
 
-/// Passes the cells of one row to the kernel, and evaluates cells that several beads touch one by one.
+/// Applies the forces in the cells of one row. Passes cells that a single bead touches to the kernel.
+/// Evaluates cells that several beads touch one by one.
 template <class Real>
 class SaturatedRowUpdate {
  public:
@@ -75,7 +77,7 @@ class SaturatedRowUpdate {
   void row() {
     for (std::size_t n = 0; n < runs_.size(); ++n) {
       const SaturatedRun& run = runs_[n];
-      int start = run.low;  // of the next cells that no other bead touches
+      int start = run.low;  // first of the next consecutive cells that no other bead touches
       for (int x = run.low; x < run.high; ++x) {
         if (!is_shared(n, x)) continue;
         push(run, start, x);
@@ -95,7 +97,7 @@ class SaturatedRowUpdate {
     return false;
   }
 
-  /// Applies the force in the cells [low, high) of a run, which no other bead touches.
+  /// Applies the force in the cells [low, high) of a run. No other bead touches these cells.
   void push(const SaturatedRun& run, int low, int high) {
     constexpr int max_cells = SaturatedBatch<Real>::max_cells, lanes = SaturatedSums::lanes;
     for (; low < high; low += max_cells) {

@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Squares of the smallest and largest distance from the origin in [low, low + 1].
+/// Squares of the smallest and of the largest distance between 0 and a point of the interval [low, low + 1].
 struct Distances {
   double nearest, farthest;
 };
@@ -31,7 +31,8 @@ void SaturatedCells::find(std::span<const BeadOnLattice> beads) {
   fractions_.clear();
   for (int b = 0; b < std::ssize(beads); ++b) {
     const Vec3& centre = beads[b].motion.position;
-    // for_each_image() compares with centres of cells; a bead touches cells up to half a cell farther.
+    // for_each_image() finds cells whose centre lies within the radius. A bead also touches cells whose
+    // centre lies up to half a cell farther out along an axis.
     for_each_image(block_in_lattice_, 0, centre, beads[b].radius + 0.5,
                    [&](const BeadImage& image) { find_of_image(b, centre, beads[b].radius, image); });
   }
@@ -56,8 +57,8 @@ void SaturatedCells::find_of_image(int bead, const Vec3& centre, double radius, 
   }
 }
 
-/// Finds the touched cells of one row. row: run over the complete box of the image; y, z: relative to the low
-/// corner of the box.
+/// Finds the touched cells of one row. row: all cells of the row in the box of the image; y, z: coordinates
+/// of the row relative to the low corner of the box.
 void SaturatedCells::find_of_row(const SaturatedRun& row, double radius, const BeadImage& image, int y,
                                  int z) {
   const double radius_squared = radius * radius;
@@ -73,12 +74,12 @@ void SaturatedCells::find_of_row(const SaturatedRun& row, double radius, const B
   while (run.low < run.high && !is_touched(run.high - 1)) --run.high;
   if (run.low == run.high) return;
 
-  const auto below =
-      [&](int plane) {  // volume of the bead in this column, from its centre to a plane across x
-        const int x = plane - image.low[0];
-        return volume_below(x, y + 1, z + 1, radius) - volume_below(x, y, z + 1, radius) -
-               volume_below(x, y + 1, z, radius) + volume_below(x, y, z, radius);
-      };
+  // Returns the signed volume of the bead within this row of cells, between its centre and a plane across x.
+  const auto below = [&](int plane) {
+    const int x = plane - image.low[0];
+    return volume_below(x, y + 1, z + 1, radius) - volume_below(x, y, z + 1, radius) -
+           volume_below(x, y + 1, z, radius) + volume_below(x, y, z, radius);
+  };
   int known_plane = run.low;
   double known = below(known_plane);
   for (int x = run.low; x < run.high; ++x) {
@@ -116,7 +117,7 @@ void SaturatedCells::cut(const Vec3& centre, double radius, const BeadImage& ima
   }
 }
 
-/// Returns C(a, b, c) of the corner at which the planes x, y, z intersect.
+/// Returns C(a, b, c) of the corner at which the planes x, y and z intersect (sphere_overlap.hpp).
 double SaturatedCells::volume_below(int x, int y, int z, double radius) const {
   const auto& [planes, one, two] = cuts_;
   const std::size_t nx = planes[0].size(), ny = planes[1].size();

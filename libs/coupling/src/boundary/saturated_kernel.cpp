@@ -1,5 +1,5 @@
 // This file is compiled once per instruction set; BEADSWIM_INSTRUCTION_SET is the namespace. It must not emit
-// functions outside this namespace.
+// functions outside this namespace (reason: lattice/src/row_kernels.cpp).
 #include "saturated_kernel.hpp"
 
 #include "beadswim/core/order_free_terms.hpp"
@@ -17,7 +17,7 @@ BEADSWIM_KERNEL Lanes load(const double* from) {
   return values;
 }
 
-/// Loads the populations of `cells` cells, cells <= lanes. The other lanes are zero.
+/// Loads one population of each of `cells` cells, cells <= lanes. The other lanes are zero.
 template <class Real>
 BEADSWIM_KERNEL Lanes load_populations(const Real* from, int cells) {
   Real __attribute__((vector_size(lanes * sizeof(Real)))) stored{};

@@ -14,17 +14,17 @@ struct SaturatedBatch {
   static constexpr int max_cells = 64;
 
   int cells = 0;
-  Real* places[d3q19::directions];           ///< addresses of the incoming populations of the first cell
-  double solid_fraction[max_cells];          ///< zero after the last cell, up to the end of its vector
-  double x[max_cells];                       ///< centre of the cell relative to the centre of the bead
-  double y, z;                               ///< the same for all cells
+  Real* places[d3q19::directions];   ///< addresses of the incoming populations of the first cell
+  double solid_fraction[max_cells];  ///< fraction that the bead fills; zero in unused entries
+  double x[max_cells];               ///< x of the centre of each cell, relative to the centre of the bead
+  double y, z;                       ///< y and z of the centres, the same for all cells
   double terms[saturated_terms][max_cells];  ///< result: contributions of each cell to the bead
 };
 
 /// Data of a bead that the kernel needs, in lattice units.
 struct SaturatedBead {
   double velocity[3], angular_velocity[3];
-  double viscosity;  ///< kinematic, of the fluid [cell^2/step]
+  double viscosity;  ///< kinematic viscosity of the fluid [cell^2/step]
 };
 
 /// Kernels of one instruction set. A kernel applies the force of the bead to the incoming populations of a

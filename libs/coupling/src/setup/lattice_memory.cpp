@@ -27,12 +27,13 @@ double bead_surface(const CoupledScene& scene) {
 }
 
 double lattice_bytes(const CoupledScene& scene) {
-  constexpr double padding = 1.04;  // factor for the halo
+  constexpr double padding = 1.04;  // memory of block and halo, divided by the memory of the block
   const double number = static_cast<double>(bytes_per_population(scene.precision));
   const double cells = padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
-  constexpr double links_of_area =
-      5.74;  // links per unit of area: sum of |c_i.n| over half of the directions, mean over n
-  constexpr double lists = 1.2;  // factor for lists of rows and segments
+  // Links per unit of surface area [1/cell^2]: sum of |c_i.n| over one direction of each opposite pair,
+  // averaged over the surface normals n.
+  constexpr double links_of_area = 5.74;
+  constexpr double lists = 1.2;  // factor that accounts for the lists of rows and segments
   return cells + lists * sizeof(BeadLink) * links_of_area * bead_surface(scene);
 }
 

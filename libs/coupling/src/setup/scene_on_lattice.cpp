@@ -20,10 +20,11 @@
 namespace beadswim {
 namespace {
 
-/// Default if neither the settings nor the layout specify a resolution: docs/speed-against-error.md.
+/// Resolution if neither the settings nor the layout specify it. docs/speed-against-error.md explains the
+/// choice.
 constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time = 1};
 
-/// Smallest radius of a bead [cell]. A smaller bead may cover no centre of a cell.
+/// Smallest radius of a bead [cell]. A smaller bead may contain no cell centre, so that it covers no cell.
 constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
@@ -55,8 +56,8 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
   }
 }
 
-/// Throws InputError if the relaxation time is so small that links are unstable or the strokes are wrong by
-/// up to a half.
+/// Throws InputError if the relaxation time is so small that links are unstable or stroke amplitudes wrong by
+/// up to 50 %.
 void require_viscosity(BeadScheme scheme, double relaxation_time) {
   if (!has_links(scheme) || relaxation_time >= min_stable_relaxation_time) return;
   throw InputError(Setting::relaxation_time,
@@ -103,7 +104,7 @@ double phase_of_delay(const LatticeChoice& lattice, double period) {
   return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) / period;
 }
 
-/// Returns the lattice. Throws InputError if beads are too small or steps too long.
+/// Returns the lattice for a layout. Throws InputError if beads are too small or time steps too long.
 LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, double period) {
   constexpr double latest = 0.3;  // [rad]
   const LatticeChoice lattice = choose_lattice(smallest_radius(layout), resolution, layout.fluid, period);

@@ -7,13 +7,14 @@
 namespace beadswim {
 namespace {
 
-/// Distance up to which a bead is sent to a rank [cell]. A rank thus still receives a bead that left its
-/// block in this step.
+/// Number of layers of cells around a block in which its rank still receives beads. The rank thus also
+/// receives a bead that has left its block in this step.
 constexpr int margin = 2;
 
 constexpr int publish_tag = 11, collect_tag = 12;  // Halo uses the tags 0 and 1
 
-/// Returns the largest distance from bead 2 at which a bead of the same swimmer can touch a cell [cell].
+/// Returns an upper bound of the distance from bead 2 at which a bead of the same swimmer can touch a cell
+/// [cell].
 double max_touched_distance(const CoupledScene& scene) {
   double farthest = 0;
   for (const SwimmerType& type : scene.types) {

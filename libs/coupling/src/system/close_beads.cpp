@@ -67,7 +67,8 @@ LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
 }
 
 NearContactLaw near_contact_law(const CoupledScene& scene) {
-  constexpr double collision_steps = 2;  // the minimum for an implicit step to follow a spring
+  // Duration of a collision [step]: the shortest duration for which an implicit step follows the spring.
+  constexpr double collision_steps = 2;
   double smallest = std::numeric_limits<double>::infinity();
   for (const SwimmerType& type : scene.types) {
     for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);

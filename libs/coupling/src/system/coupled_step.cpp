@@ -14,16 +14,17 @@ namespace beadswim {
 namespace {
 
 /// Adds the change of the momentum of the fluid within a bead to the impulse on the bead. This fluid moves
-/// with the bead, but its inertia is not part of the inertia of the bead. Its acceleration must therefore not
-/// load the bead.
+/// with the bead, but its inertia is not part of the inertia of the bead. The force that accelerates this
+/// fluid must therefore not act on the bead.
 void add_change(Load& impulse, Load& inner, const Load& inner_now) {
   impulse.force += inner_now.force - inner.force;
   impulse.torque += inner_now.torque - inner.torque;
   inner = inner_now;
 }
 
-/// Predicts the velocities at the end of the next step for the case that no bead is close: extrapolates the
-/// change in this step, without the impulses of close beads.
+/// Predicts the velocities of the beads at the end of the next step for the case that no bead is close to
+/// another. Extrapolates the change of velocity in this step, after subtraction of the impulses of close
+/// beads.
 void predict(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLoads& close,
              const SwimmerType& type) {
   for (int b = 0; b < 3; ++b) {
@@ -38,15 +39,16 @@ void predict(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLo
 }  // namespace
 
 void CoupledSystem::step() {
-  ++steps_done_;  // valid at the end of this step
-  // Fluid: boundary conditions at halo, walls and beads, then streaming and collision, row by row.
+  ++steps_done_;  // the new number is valid at the end of this step
+  // Fluid: applies the boundary conditions at halo, walls and beads, then streams and collides, row by row.
   if (has_links(scene_.bead_boundary)) {
     step_fluid_with_links();
   } else {
     step_fluid_with_saturated_cells();
   }
 
-  // Beads: impulses are sent to the owners of the swimmers, which advance the swimmers and publish the beads.
+  // Beads: sends the impulses to the owners of the swimmers. The owners advance the swimmers and send the
+  // beads to the ranks near them.
   std::map<BeadName, Impulse> impulses;
   record_faults([&] {
     impulses = exchange_.collect(beads_);
@@ -57,7 +59,8 @@ void CoupledSystem::step() {
   std::swap(beads_before_, beads_);
   beads_ = exchange_.publish(owned_);
 
-  // Changed cells, then the links or saturated cells and the close pairs for the next step.
+  // Transfers the momentum of cells that beads have covered or uncovered. Prepares links or saturated cells,
+  // and close pairs, for the next step.
   if_state_is_finite([&] {
     coverage_.update(beads_);
     if (has_links(scene_.bead_boundary))
@@ -90,7 +93,8 @@ void CoupledSystem::step_fluid_with_saturated_cells() {
 
 void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses) {
   for (SwimmerState& swimmer : owned_) {
-    // Mean of the impulses of two steps, because the impulses of half-way bounce-back alternate (Ladd 1994).
+    // Uses the mean of the impulses of two successive steps, because the impulses of half-way bounce-back
+    // alternate from step to step (Ladd 1994).
     SwimmerLoads loads;
     SwimmerLoads close;
     for (int b = 0; b < 3; ++b) {
@@ -117,7 +121,7 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
                     1, substeps_[swimmer.type]);
     if (std::optional<Fault> fault = fault_of(swimmer)) {
       record_fault(*fault);
-      swimmer.motion = before;  // the ranks agree to stop within some steps; the results stay valid
+      swimmer.motion = before;  // keeps positions valid until all ranks stop, some steps later
     }
     predict(swimmer, before, close, type);
   }

@@ -181,7 +181,7 @@ FluidTotals CoupledSystem::exchange_inner_fluid(FluidTotals& fluid) const {
 }
 
 void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) const {
-  everything = block_totals(populations_);  // cells of the block; beads and pending impulses follow
+  everything = block_totals(populations_);  // cells of the block; beads and pending impulses are added below
   const FluidTotals beads_volume =
       has_links(scene_.bead_boundary) ? exchange_covered_cells(everything) : exchange_inner_fluid(everything);
   all_cells = everything;
@@ -194,8 +194,8 @@ void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) 
     }
   }
   for (const BeadOnLattice& bead : beads_) {
-    everything.density_deviation.add(
-        bead.impulse.mass);  // adds exact sums, because the part of one rank must not be rounded
+    // Adds exact sums: rounding on each rank would make the totals depend on the number of ranks.
+    everything.density_deviation.add(bead.impulse.mass);
     for (int a = 0; a < 3; ++a) everything.momentum[a].add(bead.impulse.linear[a]);
   }
   for (const auto& [name, impulse] : pending_impulses_) {

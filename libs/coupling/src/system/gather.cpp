@@ -14,7 +14,8 @@ int cells_in_plane(const Block& block, int z) {
   return local >= 0 && local < block.size[2] ? block.size[0] * block.size[1] : 0;
 }
 
-/// Sorts the values of a plane, which `packed` contains block by block, into global order.
+/// Sorts the values of a plane from the order of `packed`, block by block, into global order: component
+/// (slowest), y, x.
 std::vector<double> in_global_order(const Decomposition& decomposition, int z, int components,
                                     const std::vector<double>& packed) {
   const Index3& cells = decomposition.cells();

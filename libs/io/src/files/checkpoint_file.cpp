@@ -56,7 +56,7 @@ bool all_agree(bool yes, const Communicator& communicator) {
 }
 
 H5Handle open_file(const std::string& path, const Communicator& communicator) {
-  // Rank 0 checks first, so that HDF5 does not open a missing or foreign file in parallel.
+  // Rank 0 first checks that the file exists and is an HDF5 file, before all ranks open it in parallel.
   const bool is_hdf5 = !communicator.is_root() || H5Fis_hdf5(path.c_str()) > 0;
   if (!all_agree(is_hdf5, communicator))
     throw InputError(
@@ -92,7 +92,7 @@ H5Handle transfer_mode(H5FD_mpio_xfer_t mode, const std::string& what) {
   return transfer;
 }
 
-// Start and extents of the part of one component, in the dataset [component][z][y][x].
+// Return start and extents of one component of a rank's part in the dataset [component][z][y][x].
 std::array<hsize_t, 4> start_of(const LatticePart& part, int component) {
   return {hsize_t(component), hsize_t(part.offset[2]), hsize_t(part.offset[1]), hsize_t(part.offset[0])};
 }
@@ -100,8 +100,8 @@ std::array<hsize_t, 4> count_of(const LatticePart& part) {
   return {1, hsize_t(part.size[2]), hsize_t(part.size[1]), hsize_t(part.size[0])};
 }
 
-/// Adds the numbers of one component of a part to the hash. The index of a number is that in the complete
-/// lattice, so that the hash does not depend on the division into parts.
+/// Adds the numbers of one component of a part to the hash. Each number enters the hash with its index in the
+/// complete lattice, so that the hash does not depend on the division into parts.
 template <class Real>
 void add_to(LatticeHash& hash, const LatticePart& part, int component, std::span<const Real> numbers) {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
@@ -134,8 +134,8 @@ std::uint64_t sum_over_ranks(std::uint64_t value, const Communicator& communicat
   return value;
 }
 
-/// Returns the extents of a dataset. Throws SolverError if it does not have this number of dimensions or
-/// declares more data than the file stores.
+/// Returns the extents of a dataset. Throws SolverError if the dataset does not have `dimensions` dimensions,
+/// or if it declares more data than the file stores.
 template <std::size_t dimensions>
 std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::string& what) {
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
@@ -154,8 +154,8 @@ std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::str
   return shape;
 }
 
-/// Returns the text of an attribute, or an empty text if there is no attribute with one string of fixed
-/// length.
+/// Returns the text of an attribute. Returns an empty text if the attribute does not exist or is not a single
+/// string of fixed length.
 std::string attribute(const H5Handle& file, const char* name) {
   if (H5Aexists(file, name) <= 0) return "";
   const H5Handle at(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);

@@ -18,8 +18,8 @@
 namespace beadswim {
 namespace {
 
-// Cycle quantities are outside the H5MD groups, because MDAnalysis expects all series in /observables to have
-// one value per frame.
+// Cycle quantities are in a group of their own, outside the H5MD groups, because MDAnalysis expects one value
+// per frame in every series of /observables.
 const std::string swimmers_group = "swimmers/";
 constexpr const char* trajectory_section = "trajectory";  ///< section of a checkpoint
 
@@ -51,8 +51,8 @@ int lock_output(const std::string& path, const Communicator& communicator) {
   return part;
 }
 
-/// Opens PATH.part on all ranks: as an empty file, or with the contents that the checkpoint contains.
-/// `locked` is the descriptor of rank 0.
+/// Opens PATH.part on all ranks: as an empty file, or with the trajectory that the checkpoint contains.
+/// `locked` is the file descriptor of PATH.part on rank 0.
 H5Handle open_file(const std::string& path, int locked, const CheckpointReader* checkpoint,
                    const Communicator& communicator) {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
@@ -73,7 +73,7 @@ H5Handle open_file(const std::string& path, int locked, const CheckpointReader* 
   return {file, H5Fclose, path};
 }
 
-/// Size [byte] from which each frame has its own chunk, which is compressed. Smaller frames share
+/// Smallest size [byte] of a frame that is stored in a compressed chunk of its own. Smaller frames share
 /// uncompressed chunks. In both cases, writing a frame does not move data of earlier frames.
 constexpr hsize_t chunk_bytes = 16384;
 

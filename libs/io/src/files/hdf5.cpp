@@ -75,7 +75,7 @@ void check_hdf5(herr_t status, const std::string& what) {
 }
 
 bool has_plausible_extents(hid_t dataset, std::span<const hsize_t> extents) {
-  constexpr double max_compression = 1032;  // by deflate
+  constexpr double max_compression = 1032;  // upper bound of the compression ratio of deflate
   const std::string what = "dataset";
   try {
     const H5Handle type(H5Dget_type(dataset), H5Tclose, what);

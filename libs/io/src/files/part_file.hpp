@@ -2,7 +2,7 @@
 
 #include <string>
 
-// An incomplete file is named PATH.part.
+// A file is named PATH.part until it is complete.
 
 namespace beadswim {
 

@@ -94,7 +94,7 @@ void write_stdout(const std::string& text) {
   }
 }
 
-/// Returns the target of a symbolic link, which need not exist.
+/// Returns the target of a symbolic link. The target need not exist.
 fs::path link_target(const std::string& link) {
   std::error_code loop;
   const fs::path target = fs::weakly_canonical(link, loop);
@@ -149,7 +149,7 @@ void write_text(const std::string& path, const std::string& text) {
   std::error_code ignored;
   // A symbolic link is resolved, so that its target is replaced and not the link.
   const fs::path target = fs::is_symlink(path, ignored) ? link_target(path) : fs::path(path);
-  // A pipe or device has no earlier content to keep, and must not be replaced by a file.
+  // A pipe or device has no earlier contents to preserve, and must not be replaced by a regular file.
   const fs::file_status status = fs::status(target, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {
     return write_in_place(target, text);

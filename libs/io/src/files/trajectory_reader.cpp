@@ -72,8 +72,8 @@ hid_t native_type(std::int64_t) {
   return H5T_NATIVE_INT64;
 }
 
-/// Returns true if numbers of this type in the file can be read as Number: any number as a floating-point
-/// type, and integers of at most the same size as an integer type.
+/// Returns true if numbers of the type `type` in the file can be read as Number. A floating-point Number
+/// accepts all numbers. An integer Number accepts integers of at most its own size.
 template <typename Number>
 bool holds(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);

@@ -35,7 +35,7 @@ struct TrajectorySource {
   std::size_t frames = 0, beads = 0;
 };
 
-/// Returns an attribute with one number per bead, independent of time.
+/// Returns an XDMF attribute with one number per bead that does not depend on time.
 std::string static_attribute(const TrajectorySource& in, const std::string& name, const char* type) {
   return fmt::format(
       "<Attribute Name=\"{0}\" AttributeType=\"Scalar\" Center=\"Node\">"
@@ -43,7 +43,7 @@ std::string static_attribute(const TrajectorySource& in, const std::string& name
       name, in.beads, type, in.file);
 }
 
-/// Returns a reference to three numbers per bead in one frame.
+/// Returns an XDMF data item that refers to one frame of a dataset with three numbers per bead.
 std::string frame_slab(const TrajectorySource& in, const std::string& name, const char* type,
                        std::size_t frame) {
   return fmt::format(

@@ -5,7 +5,7 @@
 
 namespace beadswim {
 
-/// A file of schemas/: for example the name "layout" and the text of schemas/layout.schema.json.
+/// Name and text of a file in the folder schemas/. The file layout.schema.json has the name "layout".
 struct EmbeddedSchema {
   std::string_view name;
   std::string_view text;

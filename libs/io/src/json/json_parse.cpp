@@ -10,7 +10,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns line and column of a byte. All three numbers start at 1, as in nlohmann-json.
+/// Returns "line L, column C" for the byte with the number `byte`. All three numbers start at 1, as in
+/// nlohmann-json.
 std::string line_and_column(const std::string& text, std::size_t byte) {
   const std::size_t before = std::min(byte > 0 ? byte - 1 : 0, text.size());
   const auto line = std::count(text.begin(), text.begin() + before, '\n') + 1;
@@ -95,8 +96,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
   /// Appends a value to the open array, or assigns it to the last key of the open object. Returns a pointer
-  /// to the value. The pointer is valid as long as the value is open, because only values inside it are added
-  /// in this time.
+  /// to the value. The pointer remains valid until the value is complete, because until then values are added
+  /// only inside it.
   Json* add(Json value) {
     if (open_.empty()) return &(root_ = std::move(value));
     if (open_.back()->is_array()) {

@@ -5,8 +5,8 @@
 namespace beadswim {
 namespace {
 
-/// States which branches of an "if" apply to a value. Both are true if this is unknown, because the condition
-/// is not only on the type or because there is no value.
+/// Branches of an if/then/else that apply to a value. Both are true if it is unknown which branch applies:
+/// the value is missing, or the condition does not concern the type only.
 struct Branches {
   bool then_taken = true;
   bool else_taken = true;
@@ -18,7 +18,7 @@ Branches branches(const Json& condition, const Json* value) {
   return {met, !met};
 }
 
-/// Adds a schema and all subschemas that it applies to the same value.
+/// Adds a schema to `found`, and all parts of the schema that apply to the same value (allOf, anyOf, ...).
 void add_expanded(const Json& root, const Json& schema, const Json* value, Subschemas& found) {
   if (!schema.is_object()) return;
   if (const auto reference = schema.find("$ref"); reference != schema.end()) {
@@ -36,7 +36,8 @@ void add_expanded(const Json& root, const Json& schema, const Json* value, Subsc
   if (taken.else_taken && schema.contains("else")) add_expanded(root, schema["else"], value, found);
 }
 
-/// Returns the entry of this schema for a member or element, or nullptr if it has none.
+/// Returns the subschema that `schema` contains for a member or element of the value, or nullptr if there is
+/// none.
 const Json* entry_for(const Json& schema, const std::string& key) {
   if (schema.contains("properties") && schema["properties"].contains(key)) return &schema["properties"][key];
   if (schema.contains("additionalProperties")) return &schema["additionalProperties"];

@@ -13,7 +13,7 @@ namespace beadswim {
 using Subschemas = std::vector<const Json*>;
 
 /// Returns the subschemas of `root` that apply to the complete document. If the condition of an if/then/else
-/// is only on the type of the value, one branch is followed, otherwise both.
+/// concerns only the type of the value, follows the branch that applies. Otherwise follows both branches.
 Subschemas document_schemas(const Json& root, const Json& document);
 
 /// Returns the subschemas that apply to a member or an element of a value to which `parents` apply. `key` is
@@ -22,7 +22,7 @@ Subschemas document_schemas(const Json& root, const Json& document);
 Subschemas member_schemas(const Json& root, const Subschemas& parents, const std::string& key,
                           const Json* value);
 
-/// Returns the entry for a keyword in the first subschema that has one, or nullptr.
+/// Returns the value of a keyword in the first subschema that contains the keyword, or nullptr if none does.
 const Json* find_keyword(const Subschemas& schemas, const std::string& keyword);
 
 /// Returns the names in the "properties" of all given subschemas.

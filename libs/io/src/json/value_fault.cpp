@@ -14,7 +14,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns true if valijson only repeats the failure of a descendant for an ancestor.
+/// Returns true if valijson only repeats the failure of a value for an object or array that contains the
+/// value.
 bool is_echo(const SchemaFailure& failure) {
   return failure.description.starts_with("Failed to validate");
 }
@@ -161,8 +162,8 @@ class Explainer {
     std::vector<std::string> suggestions;
     if (!place.has_unknown_keys) return suggestions;
     const std::vector<std::string> names = property_names(schemas);
-    std::vector<std::string>
-        absent;  // preferred: a key that the object already has was probably not intended
+    // Absent keys are suggested first: a key that the object already contains was probably not intended.
+    std::vector<std::string> absent;
     for (const std::string& name : names) {
       if (!object.contains(name)) absent.push_back(name);
     }

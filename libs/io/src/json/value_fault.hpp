@@ -8,7 +8,7 @@
 
 namespace beadswim {
 
-/// A constraint that failed in valijson.
+/// A constraint of the schema that valijson found to be violated.
 struct SchemaFailure {
   std::vector<std::string> path;  ///< keys and indices from the root to the value
   std::string description;        ///< message of valijson

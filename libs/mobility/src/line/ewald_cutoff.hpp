@@ -1,16 +1,17 @@
 #pragma once
 
-// Cutoffs of Ewald sums. Gaussian factors below exp(-6.3^2) = 6e-18 are neglected.
+// Cutoffs of Ewald sums with the splitting parameter xi (`splitting`, [1/length]). Gaussian factors below
+// exp(-6.3^2) = 6e-18 are neglected.
 
 namespace beadswim {
 
 constexpr double gaussian_cutoff = 6.3;
 
-/// Returns the largest wavenumber in the sum over waves [1/length].
+/// Returns the wavenumber up to which waves are summed [1/length].
 inline double max_wavenumber(double splitting) {
   return 2 * gaussian_cutoff * splitting;
 }
-/// Returns the largest distance of an image [length].
+/// Returns the distance up to which images are summed [length].
 inline double image_cutoff(double splitting) {
   return gaussian_cutoff / splitting;
 }

@@ -19,13 +19,13 @@ SteadyLine unbounded_steady(double viscosity, double displacement) {
           .laplacian = {.value = laplacian, .slope = -3 * laplacian / displacement}};
 }
 
-/// Returns the kernel f(x_r - x_s).
+/// Returns the kernel f(x_r - x_s), where direct = f(x_r - x_s).
 template <class T>
 LineKernel<T> make_kernel(const LineValue<T>& direct) {
   return {.value = direct.value, .by_receiver = direct.slope, .by_source = -direct.slope};
 }
 
-/// Returns the kernel f(x_r - x_s) - f(x_r + x_s).
+/// Returns the kernel f(x_r - x_s) - f(x_r + x_s), where mirrored = f(x_r + x_s).
 template <class T>
 LineKernel<T> make_kernel(const LineValue<T>& direct, const LineValue<T>& mirrored) {
   return {.value = direct.value - mirrored.value,

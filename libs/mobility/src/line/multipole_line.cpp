@@ -13,8 +13,13 @@ namespace beadswim::multipole {
 
 namespace {
 
-/// Returns the coordinate xi of sphere i, cosh xi = (R^2 + a_i^2 - a_j^2) / (2 R a_i). The equivalent form
-/// cosh xi - 1 = (R - a_i - a_j) (R - a_i + a_j) / (2 R a_i) avoids loss of significance near contact.
+/// Returns the bispherical coordinate xi of sphere i relative to sphere j. With the distance R of the centres
+/// and the radii a_i and a_j:
+///
+///   cosh xi     = (R^2 + a_i^2 - a_j^2) / (2 R a_i)
+///   cosh xi - 1 = (R - a_i - a_j) (R - a_i + a_j) / (2 R a_i)
+///
+/// The second form avoids loss of significance near contact.
 double bispherical_coordinate(const Line& line, int i, int j) {
   const double a_i = line.radius[i], a_j = line.radius[j];
   const double distance = std::abs(line.position[i] - line.position[j]);
@@ -23,9 +28,10 @@ double bispherical_coordinate(const Line& line, int i, int j) {
   return std::log1p(excess + std::sqrt(excess * (2 + excess)));
 }
 
-/// Estimates the order that sphere i needs beside sphere j. The contribution of order n is C exp(-2 n xi).
-/// Numerical experiments give C near 8000 for distant spheres and 8000 / (mean xi)^6 for close ones,
-/// with the mean over both spheres. This is an initial guess; the true error follows from the solution.
+/// Estimates the multipole order that sphere i requires because of sphere j. The order n contributes C
+/// exp(-2 n xi) to the mobility. Numerical experiments give C near 8000 for distant spheres and near 8000/x^6
+/// for close spheres, where x is the mean of xi of both spheres. This is an initial guess. The actual error
+/// follows from the solution.
 double needed_order(const Line& line, int i, int j, double log_tolerance) {
   const double xi = bispherical_coordinate(line, i, j);
   const double mean_xi = (xi + bispherical_coordinate(line, j, i)) / 2;

@@ -5,12 +5,12 @@
 
 #include "multipole_sphere.hpp"
 
-// Spheres on a line, with the number of multipoles that the distance to their neighbours requires.
+// Spheres on a line. The number of multipoles of each sphere follows from the distances to its neighbours.
 
 namespace beadswim::multipole {
 
-/// The unknowns of sphere i start at row start[i] of the linear system. `start` has one additional entry, the
-/// end.
+/// Spheres on a line and the layout of their linear system. The unknowns of sphere i start at row start[i].
+/// The last entry of `start` is the number of rows.
 struct Line {
   std::span<const double> radius, position;  ///< [length]
   std::vector<Sphere> sphere;
@@ -22,13 +22,13 @@ struct Line {
   Pair pair(int receiver, int source) const;
 };
 
-/// Sets up the spheres with orders for an error near exp(log_tolerance), by an empirical estimate. Throws
-/// InputError if an order exceeds max_multipole_order.
+/// Sets up the spheres. An empirical estimate gives the multipole orders for an error near
+/// exp(log_tolerance). Throws InputError if an order exceeds max_multipole_order.
 Line make_line(std::span<const double> radii, std::span<const double> positions, double log_tolerance);
 
-/// Returns the bispherical coordinate xi of sphere i with respect to its nearest neighbour. The images of the
-/// other spheres in sphere i lie within a_i exp(-xi) of its centre, so its multipoles of order n decay as
-/// exp(-n xi). Infinite for a lone sphere.
+/// Returns the bispherical coordinate xi of sphere i relative to its nearest neighbour, or infinity for a
+/// lone sphere. All image points of the other spheres, reflected into sphere i, lie within a_i exp(-xi) of
+/// its centre. The multipoles of sphere i therefore decay with the order n as exp(-n xi).
 double nearest_bispherical_coordinate(const Line& line, int i);
 
 }  // namespace beadswim::multipole

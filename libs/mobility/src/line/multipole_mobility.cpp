@@ -18,17 +18,17 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using multipole::Line;
 
-/// Linear system for the own flows of the spheres, matrix * own = drive. Each column has one sphere moving at
-/// unit velocity.
+/// Linear system matrix * own = drive. Its solution `own` contains the own flow of each sphere
+/// (multipole_sphere.hpp). In column k, sphere k moves at unit velocity and all other spheres are at rest.
 struct System {
-  MatrixXd matrix;  ///< identity minus the responses to the flows of other spheres
-  MatrixXd drive;   ///< own flows of lone moving spheres
-  std::vector<std::vector<MatrixXd>> translation{};  ///< [receiver][source]
+  MatrixXd matrix;  ///< identity minus the responses of spheres to the flows of other spheres
+  MatrixXd drive;   ///< own flow of the moving sphere if it were alone
+  std::vector<std::vector<MatrixXd>> translation{};  ///< T of multipole_sphere.hpp: [receiver][source]
 };
 
 struct Solution {
-  MatrixXd own;      ///< own flows (A, B) of all spheres; one column per moving sphere
-  MatrixXd adjoint;  ///< column i: derivative of A_0 of sphere i by each entry of drive
+  MatrixXd own;      ///< coefficients A and B of all spheres; one column per moving sphere
+  MatrixXd adjoint;  ///< column i: derivatives of A_0 of sphere i by the rows of drive
 };
 
 void check_positive(double number, const std::string& name) {
@@ -80,7 +80,7 @@ Solution solve(const Line& line, const System& system) {
   return {.own = lu.solve(system.drive), .adjoint = lu.transpose().solve(strengths)};
 }
 
-/// Returns the force of each sphere on the fluid, divided by its A_0: -8 pi eta a.
+/// Returns -8 pi eta a for each sphere. This factor times A_0 is the force of the sphere on the fluid.
 VectorXd force_per_strength(const Line& line, double viscosity) {
   const Eigen::Map<const VectorXd> radius(line.radius.data(), line.size());
   return -8 * std::numbers::pi * viscosity * radius;
@@ -90,15 +90,15 @@ MatrixXd symmetric_part(const MatrixXd& matrix) {
   return (matrix + matrix.transpose()) / 2;
 }
 
-/// Returns mu = R^-1, where R is force divided by velocity.
+/// Returns mu = R^-1. The resistance R_ik is the force of sphere i if sphere k moves at unit velocity.
 MatrixXd mobility_of(const Line& line, const Solution& flow, const VectorXd& force) {
   MatrixXd resistance(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) resistance.row(i) = force[i] * flow.own.row(line.start[i]);
   return symmetric_part(resistance.inverse());
 }
 
-/// Returns the derivative of all A_0 (rows) at unit velocities (columns) by the offset from `source` to
-/// `receiver`.
+/// Returns the derivatives of A_0 of all spheres (rows) by the offset from `source` to `receiver`. In column
+/// k, sphere k moves at unit velocity.
 MatrixXd strength_slope(const Line& line, const System& system, const Solution& flow, int receiver,
                         int source) {
   const MatrixXd own = flow.own.middleRows(line.start[source], line.sphere[source].unknowns());
@@ -122,7 +122,7 @@ std::vector<MatrixXd> strength_slopes(const Line& line, const System& system, co
   return slopes;
 }
 
-/// Returns d mu / d x_k = -mu (d R / d x_k) mu.
+/// Returns d mu / d x_k = -mu (d R / d x_k) mu, where R is the resistance and x_k the position of sphere k.
 std::vector<MatrixXd> mobility_slopes(const Line& line, const System& system, const Solution& flow,
                                       const MatrixXd& mobility, const VectorXd& force) {
   std::vector<MatrixXd> slopes = strength_slopes(line, system, flow);
@@ -130,13 +130,16 @@ std::vector<MatrixXd> mobility_slopes(const Line& line, const System& system, co
   return slopes;
 }
 
-/// Returns an upper bound of the truncation error of every A_0. An own flow of order n contributes
-/// adjoint_n * own_n, which decays as exp(-2 n xi). The bound is the geometric series that continues the last
-/// orders kept. Since signs are ignored, it is about 50 times the true error of mu. The error of the slopes
-/// is larger by a factor 2 n d(xi)/dR. Ten times the series also bounded the slopes of 300 random lines of
-/// spheres, with a margin of a factor 4.
+/// Returns an upper bound of the truncation error of each A_0. A multipole of order n contributes
+/// adjoint_n * own_n, which decays as exp(-2 n xi). The error is bounded by the geometric series that
+/// continues the last computed orders. Signs are ignored, so this series is about 50 times the true error of
+/// mu.
+///
+/// The error of the slopes is larger than the error of mu by a factor 2 n d(xi)/dR, where R is the distance
+/// of the centres. The series is therefore multiplied by 10. In tests with 300 random lines of spheres, this
+/// bound was at least 4 times the error of the slopes.
 MatrixXd strength_error(const Line& line, const Solution& flow) {
-  constexpr int last = 2;  // the last odd and the last even order, for A and for B
+  constexpr int last = 2;  // one odd and one even order, for A and for B
   constexpr double for_slopes = 10;
   MatrixXd error = MatrixXd::Zero(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) {
@@ -176,7 +179,7 @@ MultipoleMobility multipole_mobility(std::span<const double> radii, std::span<co
               .order = line.largest_order()};
     }
     if (!std::isfinite(error)) throw NotFiniteError("the mobility of spheres on a line is not finite");
-    log_tolerance -= std::log(error / tolerance) + 1;  // the missing accuracy and a margin
+    log_tolerance -= std::log(error / tolerance) + 1;  // the excess of the error, and a margin
   }
 }
 

@@ -6,7 +6,8 @@ namespace beadswim::multipole {
 
 namespace {
 
-/// Returns B_0 .. B_L of own flows that are given in 2L rows.
+/// Returns the coefficients B_0 .. B_L of own flows. Own flows are stored as A_0 .. A_L-1, B_1 .. B_L in 2L
+/// rows.
 Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
   const Eigen::Index order = own_flow.rows() / 2;
   Eigen::MatrixXd phi(order + 1, own_flow.cols());
@@ -18,7 +19,7 @@ Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
 }  // namespace
 
 // clang-format off
-// The no-slip condition on r = 1, with X = A + alpha, Y = B + beta, has the components P_l:
+// The components P_l of the no-slip condition on r = 1 are, with X = A + alpha and Y = B + beta:
 //
 //   tangential               0     = (l-2)/(2l-1) X_l-1 + (l+3)/(2l+3) X_l+1 + Y_l
 //   radial + (l+1) tang.     A_l-1 = (2l-1)/(2(l+1)) [ (l-2)(2l+1)/(2l-1) alpha_l-1 + (l+1) alpha_l+1 + (2l+1) beta_l ]
@@ -67,7 +68,9 @@ Eigen::MatrixXd translation(const Pair& pair) {
   return t;
 }
 
-// phi of the source, (z - z_j) chi_j + phi_j = (z - z_i) chi_j + [(z_i - z_j) chi_j + phi_j], gives
+// The potential z chi + phi of the source j is measured from its centre z_j. Relative to the centre z_i of
+// the receiver it is (z - z_j) chi_j + phi_j = (z - z_i) chi_j + [(z_i - z_j) chi_j + phi_j]. Therefore, with
+// offset = z_i - z_j:
 //   alpha = T A,   beta = (a_j/a_i) T B + (offset/a_i) T A
 IncomingFlow unit_flows(const Pair& pair, const Eigen::MatrixXd& translation) {
   const int sources = pair.source_order, rows = pair.receiver_order;

@@ -30,8 +30,9 @@ PeriodicLine::Axis transverse_axis(const Box& box, int axis, double place) {
   return {.period = 2 * length, .mirror = 2 * place};
 }
 
-/// Returns, for each wavenumber k >= 0 of an axis, k^2 and the sum of cos(k d) over both signs and over the
-/// copies.
+/// Returns k^2 and a weight for each wavenumber k >= 0 of an axis below `longest` [1/length]. The weight is
+/// the sum of cos(k d) over both signs of k and over the copies of the line, at distance d from the line
+/// along this axis.
 std::vector<PeriodicLine::Wave> axis_waves(const PeriodicLine::Axis& axis, double longest) {
   std::vector<PeriodicLine::Wave> waves;
   const double spacing = 2 * std::numbers::pi / axis.period;
@@ -43,7 +44,7 @@ std::vector<PeriodicLine::Wave> axis_waves(const PeriodicLine::Axis& axis, doubl
   return waves;
 }
 
-/// Returns the squared distances along one axis to the images of the line [length^2].
+/// Returns the squared distances along one axis from the line to its images [length^2].
 std::vector<double> axis_images(const PeriodicLine::Axis& axis, double cutoff) {
   std::vector<double> squares;
   const auto add_lattice_of = [&](double offset) {
@@ -62,7 +63,7 @@ std::vector<double> axis_images(const PeriodicLine::Axis& axis, double cutoff) {
 
 PeriodicLine periodic_line(const Box& box, double y, double z) {
   check(box);
-  // The distance 6/xi = V^(1/3) then contains about four images, for any shape of the box.
+  // About four images are then within the distance 6/xi = V^(1/3), for any shape of the box of volume V.
   constexpr double splitting_of_unit_volume = 6;
   const double volume = box.lengths[0] * box.lengths[1] * box.lengths[2];
   return {.period = (box.has_mirrors(0) ? 2 : 1) * box.lengths[0],

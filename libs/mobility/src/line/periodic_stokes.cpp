@@ -11,9 +11,11 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+/// Sums over the transverse wavevectors (k_y, k_z) for one k_x, with k_t^2 = k_y^2 + k_z^2,
+/// k^2 = k_x^2 + k_t^2 and tau = 1/(4 xi^2).
 struct TransverseSum {
-  double oseen = 0;      ///< sum of k_t^2/k^4 (1 + k^2 tau) exp(-k^2 tau)
-  double laplacian = 0;  ///< sum of the same terms times -k^2/6
+  double oseen = 0;      ///< sum of g = k_t^2/k^4 (1 + k^2 tau) exp(-k^2 tau)
+  double laplacian = 0;  ///< sum of -g k^2/6
 };
 
 TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, double k_x, double splitting) {
@@ -31,11 +33,11 @@ TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, doubl
 }
 
 // clang-format off
-/// Evaluates the part of one image below the division of the integral, times 4 pi eta. With
-/// g = 2 xi exp(-xi^2 r^2)/sqrt(pi), d B_n/dx = -x B_{n+1} and the B_n of periodic_stokes.hpp:
+/// Evaluates the contribution of one image to the integral over s < 1/(4 xi^2) (periodic_stokes.hpp), times 4
+/// pi eta. With g = 2 xi exp(-xi^2 r^2)/sqrt(pi), d B_n/dx = -x B_{n+1} and the B_n of periodic_stokes.hpp:
 ///
 ///   oseen      B_0 - rho^2 B_1/2
-///   laplacian  (1/6) [ rho^2 B_2 - 2 B_1 + 2 xi^2 g (1 - xi^2 rho^2) ];  the last term is due to the division
+///   laplacian  (1/6) [ rho^2 B_2 - 2 B_1 + 2 xi^2 g (1 - xi^2 rho^2) ];  the last term is due to the limit
 SteadyLine screened_image(double x, double rho2, double xi) {
   const double r2 = x * x + rho2, r = std::sqrt(r2), xi2 = xi * xi;
   const double g   = 2 * xi / std::sqrt(pi) * std::exp(-xi2 * r2);
@@ -102,8 +104,8 @@ SteadyLine PeriodicStokes::at(double displacement) const {
 
 SteadyLine PeriodicStokes::images() const {
   SteadyLine flow = at(0);
-  // The waves contain the upper part of the source's own flow. Adds the limit of screened minus full flow at
-  // r = 0.
+  // The sum over wavevectors contains the part s > 1/(4 xi^2) of the flow of the source itself. Its limit at
+  // r = 0 is subtracted.
   const double xi = line_.splitting;
   const double own = xi / (2 * viscosity_ * std::pow(pi, 1.5));
   flow.oseen.value -= own;

@@ -24,7 +24,8 @@ Complex mean_decay(Complex z) {
   return sum;
 }
 
-/// Evaluates the complementary error function by its power series for |z| < 1.5. The largest term is near 4.
+/// Evaluates the complementary error function for |z| < 1.5 by a power series. Its largest term is near 4, so
+/// little significance is lost.
 Complex complementary_error_function(Complex z) {
   Complex sum = 0, term = z;  // (-1)^n z^{2n+1}/n!
   for (int n = 0; n <= 40; ++n) {
@@ -34,6 +35,8 @@ Complex complementary_error_function(Complex z) {
   return 1.0 - 2 / std::sqrt(pi) * sum;
 }
 
+/// Sums over the transverse wavevectors (k_y, k_z) for one k_x, with k^2 = k_x^2 + k_y^2 + k_z^2 and
+/// tau = 1/(4 xi^2).
 struct TransverseSum {
   Complex heat_sum;    ///< sum of exp(-k^2 tau)/(k^2 + alpha^2)
   Complex steady_sum;  ///< sum of exp(-k^2 tau)/(k^2 (k^2 + alpha^2)) without k = 0
@@ -54,23 +57,27 @@ TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, doubl
   return sum;
 }
 
-/// A node of the integral over s = 1/(4 p^2) < tau, with the factors of exp(-p^2 r^2) and of its d^2/dx^2.
+/// A quadrature node of the integrals over s < tau, where s = 1/(4 p^2), with the factors of exp(-p^2 r^2)
+/// and of its second derivative along x.
 struct HeatNode {
   double p = 0;
-  Complex plain;  ///< factor of exp(-p^2 r^2) in both integrals
-  Complex helmholtz_curved, total_curved;
+  Complex plain;                           ///< factor of exp(-p^2 r^2) in both integrals
+  Complex helmholtz_curved, total_curved;  ///< factors of the second derivative in each integral
 };
 
-/// Returns the nodes for integral_0^tau f(s) g_s ds = (2 pi^{3/2})^{-1} integral_xi^oo f e^{-p^2 r^2} dp. The
-/// upper limit is the p where the Gaussian of the nearest image is negligible. The variable is ln p, in which
-/// the integrand varies on a scale of 1.
+/// Returns the quadrature nodes for
+///
+///   integral_0^tau f(s) g_s ds = (2 pi^{3/2})^{-1} integral_xi^oo f e^{-p^2 r^2} dp
+///
+/// The upper limit of p is finite: there the Gaussian is negligible at the distance `nearest` of the nearest
+/// image. The integration variable is ln p, because the integrand varies on a scale of 1 in ln p.
 std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
   const Complex alpha2 = alpha * alpha;
   const double span = std::log(std::max(gaussian_cutoff / (xi * nearest), 1.2));
   constexpr double longest_panel = 0.7;
   const int panels = static_cast<int>(std::ceil(span / longest_panel));
   using Rule =
-      boost::math::quadrature::gauss<long double, 16>;  // the rule for double has errors in the last bits
+      boost::math::quadrature::gauss<long double, 16>;  // Boost's rule for double is inexact in the last bits
   std::vector<HeatNode> nodes;
   const auto add = [&](double y, double weight) {
     const double p = xi * std::exp(y), s = 1 / (4 * p * p);
@@ -84,7 +91,7 @@ std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
   for (int panel = 0; panel < panels; ++panel) {
     const double from = span * panel / panels, to = span * (panel + 1) / panels;
     const double middle = (from + to) / 2, half = (to - from) / 2;
-    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {  // nodes on (0, 1); the others are symmetric
+    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {  // nodes in (0, 1); each has a mirror node
       const auto place = static_cast<double>(Rule::abscissa()[n]);
       const auto weight = static_cast<double>(Rule::weights()[n]);
       add(middle - half * place, half * weight);
@@ -94,8 +101,8 @@ std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
   return nodes;
 }
 
-/// Returns the distance to the nearest image of a source [length]. It bounds the diameter of spheres without
-/// overlap.
+/// Returns the distance from a source to its nearest image [length]. Spheres that do not overlap their images
+/// have at most this diameter.
 double nearest_image(const PeriodicLine& line) {
   double nearest = line.period;
   for (const auto& axis : {line.y, line.z}) {
@@ -121,8 +128,8 @@ PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Com
     : steady_(steady), alpha_(alpha) {
   const auto& line = steady.line();
   if (decays_within_box()) {
-    constexpr double decay_length =
-        40;  // e^-40 = 4e-18, relative to the flow at the surface of the largest sphere
+    // Flow below e^-40 = 4e-18 of the flow at the surface of the largest sphere is neglected.
+    constexpr double decay_length = 40;
     cutoff_ = decay_length / alpha.real() + nearest_image(line);
     image_lines_ = image_lines(line, cutoff_);
     return;
@@ -143,7 +150,7 @@ PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Com
   }
 }
 
-/// Compares alpha with the splitting xi, where 6/xi is the cube root of the volume of the box.
+/// Returns true if |alpha| V^{1/3} > 13, where V is the volume of the box. The splitting is xi = 6/V^{1/3}.
 bool PeriodicUnsteadyStokes::decays_within_box() const {
   return std::abs(alpha_) > 13.0 / 6 * steady_.line().splitting;
 }
@@ -191,8 +198,10 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displac
   return {scale * sum.helmholtz, scale * sum.total};
 }
 
-/// Evaluates the part of the source's own flow that the waves contain, the integral over s > tau at r = 0:
-/// I = integral_0^xi e^{-alpha^2/(4 p^2)} dp = xi e^{-alpha^2 tau} - (alpha/2) sqrt(pi) erfc(alpha/(2 xi)).
+/// Evaluates the flow of the source itself that the sum over wavevectors contains: the integral over s > tau
+/// at r = 0. It follows from
+///
+///   I = integral_0^xi e^{-alpha^2/(4 p^2)} dp = xi e^{-alpha^2 tau} - (alpha/2) sqrt(pi) erfc(alpha/(2 xi))
 PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::self_flow_of_waves() const {
   const double xi = steady_.line().splitting, tau = 1 / (4 * xi * xi);
   const Complex alpha2 = alpha_ * alpha_, decay = std::exp(-alpha2 * tau);

@@ -10,7 +10,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Value of a radial function h(r) and D h, D^2 h, D^3 h with D = (1/r) d/dr.
+/// A radial function h(r) and its derivatives D h, D^2 h and D^3 h, where D = (1/r) d/dr.
 using RadialDerivatives = std::array<Complex, 4>;
 
 // clang-format off
@@ -31,9 +31,9 @@ RadialDerivatives coulomb(double r) {
   return decaying(0, r);
 }
 
-/// Evaluates (e^{-alpha r} - 1)/r = sum_{m >= 1} (-alpha)^m r^{m-1}/m! for |z| < 1, with D r^n = n r^{n-2}.
-/// The term m = 1 is constant in space and has no derivatives. The function value is set to 0, since only
-/// derivatives are used.
+/// Evaluates h = (e^{-alpha r} - 1)/r = sum_{m >= 1} (-alpha)^m r^{m-1}/m! for |z| < 1, where z = alpha r.
+/// Since D r^n = n r^{n-2}, each term is differentiated exactly. The term m = 1 is constant in space and has
+/// no derivatives. h itself is set to 0, because only its derivatives are used.
 RadialDerivatives decaying_less_coulomb(Complex z, double r) {
   constexpr int last = 22;  // 1/22! = 9e-22
   const double r2 = r * r;
@@ -54,12 +54,12 @@ RadialDerivatives difference(const RadialDerivatives& a, const RadialDerivatives
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 
-/// Returns h(r) and its slope along x. Since dr^2/dx = 2 x, d/dx = x D.
+/// Returns h(r) and its derivative by x. Since dr^2/dx = 2 x, d/dx = x D.
 LineValue<Complex> plain(const RadialDerivatives& h, double x) {
   return {h[0], x * h[1]};
 }
 
-/// Returns d^2 h/dx^2 = D h + x^2 D^2 h and its slope along x, 3 x D^2 h + x^3 D^3 h.
+/// Returns d^2 h/dx^2 = D h + x^2 D^2 h and its derivative by x, 3 x D^2 h + x^3 D^3 h.
 LineValue<Complex> second_derivative(const RadialDerivatives& h, double x) {
   return {h[1] + x * x * h[2], 3 * x * h[2] + x * x * x * h[3]};
 }

@@ -12,10 +12,10 @@
 namespace beadswim {
 namespace {
 
-// Measured work, relative to the work per pair of beads (docs/performance.md).
+// Measured computing times, divided by the computing time per pair of beads (docs/performance.md).
 constexpr double pair_work = 1;
-constexpr double window_point_work = 0.1;  ///< three components, spreading and gathering
-constexpr double mesh_point_work = 2.5;    ///< six transforms
+constexpr double window_point_work = 0.1;  ///< per bead and mesh point of its window, for three components
+constexpr double mesh_point_work = 2.5;    ///< per mesh point, for six Fourier transforms
 
 double work(const EwaldScene& scene, const EwaldPlan& plan) {
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
@@ -29,13 +29,15 @@ double work(const EwaldScene& scene, const EwaldPlan& plan) {
          window_point_work * scene.beads * std::pow(plan.window, 3) + mesh_point_work * points;
 }
 
-/// Returns s = xi cutoff for the tolerance. Random forces F act on spheres of radius a with the number
-/// density n. The pairs beyond the cutoff contribute to the velocity of a sphere about
+/// Returns s = xi * cutoff, such that the error is within the tolerance. The estimate assumes random forces F
+/// on spheres of radius a with the number density n. The pairs beyond the cutoff contribute to the velocity
+/// of a sphere about
 ///
 ///   F/(6 pi eta a)  3/(2 sqrt(pi)) xi a (1 + 4/3 (xi a s)^2) exp(-s^2) sqrt(pi n s/xi^3)
 ///
-/// This is the root of the sum of the squared Gaussians of the near tensor over r > s/xi. Neglected waves
-/// contribute as much. The estimate is limited to a third of the tolerance.
+/// This is the square root of the sum over all spheres at r > s/xi of the squared Gaussians in the near
+/// tensor. The neglected waves contribute an error of equal size. Each estimate may be at most a third of the
+/// tolerance.
 double scaled_cutoff(const EwaldScene& scene, double xi) {
   const double density = scene.beads / (scene.lengths[0] * scene.lengths[1] * scene.lengths[2]);
   const double size = xi * scene.largest_radius;
@@ -48,10 +50,11 @@ double scaled_cutoff(const EwaldScene& scene, double xi) {
   return s;
 }
 
-/// Returns the plan for a given splitting.
+/// Returns the plan for the splitting parameter xi.
 EwaldPlan plan_with(const EwaldScene& scene, double xi) {
   const double s = scaled_cutoff(scene, xi);
-  // The optimal shape and its error were found by numerical experiments (docs/method/mobility-product.md).
+  // The window shape m with the smallest error, and this error, were found by numerical experiments
+  // (docs/method/mobility-product.md).
   const auto shape = [](int points) { return 0.95 * std::sqrt(std::numbers::pi * points); };
   const double size = xi * s * scene.largest_radius;
   const auto error = [&](int points) {
@@ -59,8 +62,8 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
   };
   int window = 4;
   while (window < 26 && error(window) > scene.tolerance) window += 2;
-  // Part of the Gaussian must remain for the kernel. Otherwise the samples of the kernel alias in open space:
-  // share = (window pi/(2 s m))^2 <= 0.6.
+  // The windows may apply at most 0.6 of the far part's Gaussian: share = (window pi/(2 s m))^2 <= 0.6.
+  // Otherwise the remaining kernel of open space is too narrow for the mesh, and its samples alias.
   const double minimum = std::numbers::pi * window / shape(window) / (2 * std::sqrt(0.6));
   return {.xi = xi,
           .cutoff = s / xi,
@@ -76,10 +79,10 @@ EwaldPlan plan_ewald(const EwaldScene& scene) {
     throw InputError(Setting::tolerance, fmt::format("{} is not between 1e-12 and 1e-2", scene.tolerance));
   const double shortest = scene.lengths.minCoeff();
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
-  // Cutoffs from half the shortest edge, or the size of the swarm in open space, down to that of nearest
-  // neighbours.
+  // The trial cutoffs decrease from half the shortest edge of a periodic box, or from V^(1/3) of the swarm in
+  // open space, to the largest bead diameter.
   const double max_cutoff = scene.is_periodic ? shortest / 2 : std::cbrt(volume);
-  const double min_cutoff = 2 * scene.largest_radius;  // overlapping spheres must be summed as pairs
+  const double min_cutoff = 2 * scene.largest_radius;  // the sum over pairs must include all overlaps
   if (max_cutoff < min_cutoff)
     throw InputError(
         "box", fmt::format("its edge of {} is less than four radii of {}; enlarge it, or take none ({})",

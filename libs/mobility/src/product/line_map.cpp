@@ -12,8 +12,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Returns orthonormal columns that sum to zero. Column k has equal entries 1 .. k + 1 and one of opposite
-/// sign (Helmert).
+/// Returns n - 1 orthonormal columns that sum to zero. Column k, counted from 0, has k + 1 equal entries,
+/// followed by one entry of the opposite sign (Helmert matrix).
 MatrixXd zero_sum_basis(Eigen::Index n) {
   MatrixXd basis = MatrixXd::Zero(n, n - 1);
   for (Eigen::Index k = 0; k < n - 1; ++k) {
@@ -30,7 +30,7 @@ VectorXd uniform_velocity_forces(const MatrixXd& mobility) {
   return forces / forces.sum();
 }
 
-/// Returns G = A^-1 # X, the positive definite solution of G A G = X.
+/// Returns the geometric mean G = A^-1 # X, which is the positive definite solution of G A G = X.
 MatrixXd riccati_root(const MatrixXd& a, const MatrixXd& x) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> of_a(a);
   const MatrixXd root = of_a.operatorSqrt(), inverse_root = of_a.operatorInverseSqrt();

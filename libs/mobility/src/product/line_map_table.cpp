@@ -10,9 +10,9 @@
 namespace beadswim {
 namespace {
 
-constexpr double max_gap = 64;  // [mean radius]
-constexpr double pair_excess = 0.01, triplet_excess = 0.02;
-constexpr double truncation = 1e-8;  // tolerance of multipole_mobility
+constexpr double max_gap = 64;                               // [mean radius]
+constexpr double pair_excess = 0.01, triplet_excess = 0.02;  // cosh xi - 1 at the smallest gap
+constexpr double truncation = 1e-8;                          // tolerance of multipole_mobility
 
 double mean(double a, double b) {
   return (a + b) / 2;
@@ -32,7 +32,7 @@ Eigen::MatrixXd exact_map(const std::array<double, n>& radii, const std::array<d
                   rotne_prager_line(radii, positions, viscosity));
 }
 
-/// Evaluates Lagrange's polynomials at t for the nodes 0 to n - 1.
+/// Evaluates the n Lagrange polynomials of the nodes 0 to n - 1 at t.
 template <int n>
 std::array<double, n> lagrange_weights(double t) {
   constexpr auto scales = [] {
@@ -54,7 +54,8 @@ std::array<double, n> lagrange_weights(double t) {
 
 }  // namespace
 
-/// Solves gap (R - a_l + a_s) = 2 excess R a_l with R = gap + a_l + a_s, where a_l is the larger radius.
+/// Solves gap (R - a_l + a_s) = 2 excess R a_l. The radii are a_l (larger) and a_s (smaller), and the
+/// distance of the centres is R = gap + a_l + a_s.
 double min_tabulated_gap(double radius_i, double radius_j, double excess) {
   const auto [small, large] = std::minmax(radius_i, radius_j);
   const double half = small - excess * large;

@@ -1,4 +1,4 @@
-// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace.
+// Compiled once per instruction set. BEADSWIM_INSTRUCTION_SET is the namespace of the instruction set.
 #include "mobility_kernels.hpp"
 
 #include <cmath>
@@ -97,18 +97,18 @@ void pair_velocities(const PairTable& table, const double* force, PairBatch& bat
                        : pair_velocities_of<4>(table, force, batch, velocity);
 }
 
-/// Window of a bead: P points along each axis and their weights.
+/// Window of a bead: the P mesh points along each axis that receive its Gaussian, and their weights.
 template <int P>
 struct Window {
   int first[3];
   double weight[3][P];
-  int planes[P], rows[P];  ///< wrapped indices; a plane is -1 if another rank owns it
+  int planes[P], rows[P];  ///< periodic indices; a plane is -1 if another rank owns it
 
   BEADSWIM_KERNEL void set_position(const WindowMesh& mesh, const double* position) {
     for (int a = 0; a < 3; ++a) {
       double place = (position[a] - mesh.origin[a]) * mesh.inverse_spacing[a];
-      place -= mesh.points[a] *
-               std::floor(place * mesh.inverse_points[a]);  // wrapped, so that it fits into an int
+      // Periodic wrapping makes the index fit into an int.
+      place -= mesh.points[a] * std::floor(place * mesh.inverse_points[a]);
       const double below = std::floor(place);
       const bool is_on_mesh = below >= 0 && below < mesh.points[a];  // false for NaN
       first[a] = (is_on_mesh ? static_cast<int>(below) : 0) - P / 2 + 1;
@@ -175,7 +175,7 @@ BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads,
     w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
     for (int c = 0; c < 3; ++c) {
-      double along[P]{};  // weighted sums over the first two axes
+      double along[P]{};  // weighted sums over the window points of the first two axes
       for (int p = 0; p < P; ++p) {
         if (w.planes[p] < 0) continue;
         for (int q = 0; q < P; ++q) {

@@ -14,8 +14,8 @@
 namespace beadswim {
 namespace {
 
-/// Smallest number of spheres for which a mesh is used in open space. Sums over all pairs are as fast for
-/// fewer spheres.
+/// Smallest number of spheres for which a mesh is used in open space. For fewer spheres a sum over all pairs
+/// takes no longer.
 constexpr std::size_t min_spheres_on_mesh = 1000;
 
 void check(const MobilityScene& scene) {
@@ -49,8 +49,8 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
   return ewald;
 }
 
-/// Sums over ranks, always in order of the ranks. The result has the same bits whenever the number of ranks
-/// is the same.
+/// Replaces velocities by their sum over all ranks. The sum is always evaluated in the order of the ranks, so
+/// its bits depend only on the number of ranks.
 void sum_over_ranks(std::span<Vec3> velocities, const Communicator& communicator) {
   const int ranks = communicator.size();
   if (ranks == 1) return;
@@ -72,12 +72,12 @@ struct MobilityProduct::Parts {
   MobilityScene scene;
   const Communicator& communicator;
   std::optional<EwaldPlan> plan;
-  std::unique_ptr<NearPairs> near_pairs;  ///< none: all pairs are summed without a mesh
+  std::unique_ptr<NearPairs> near_pairs;  ///< null: all pairs are summed without a mesh
   std::unique_ptr<ParticleMesh> mesh;
-  std::vector<double>
-      self;  ///< self-mobility of each sphere minus the self-interaction in the far part [time/mass]
+  /// Self-mobility of each sphere, minus the part of it that the far part contains [time/mass].
+  std::vector<double> self;
   std::optional<NearField> near_field;
-  std::optional<NearMap> near_map;  ///< map for mapped_places
+  std::optional<NearMap> near_map;  ///< map S at the positions mapped_places
   std::vector<Vec3> mapped_places;
 
   const NearMap& near_map_at(std::span<const Vec3> positions);
@@ -105,7 +105,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));
   if (!parts_->plan) return;
-  // Roundoff may differ between processors: all ranks use the plan of rank 0.
+  // Roundoff may differ between processors, so all ranks use the plan of rank 0.
   MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   const EwaldPlan& plan = *parts_->plan;
   parts_->near_pairs = std::make_unique<NearPairs>(NearPairs::Law{.model = scene.model,
@@ -129,7 +129,8 @@ const std::optional<EwaldPlan>& MobilityProduct::plan() const {
   return parts_->plan;
 }
 
-/// Returns the map for the positions. Products of one time step have the same positions and share the map.
+/// Returns the map S at the positions. All products of a time step have the same positions and use the same
+/// map.
 const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positions) {
   if (!near_map || !std::ranges::equal(positions, mapped_places)) {
     near_map = near_field->at(positions);
@@ -138,7 +139,7 @@ const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positio
   return *near_map;
 }
 
-/// Sets the velocities by pairs and mesh. They must be zero on entry.
+/// Adds the velocities due to the forces, evaluated with pairs and mesh. `velocities` must be zero on entry.
 void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                             std::span<Vec3> velocities) const {
   std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
@@ -162,7 +163,7 @@ void MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec
   map.map_forces(mapped);
   parts_->add_velocities(positions, mapped, velocities);
   map.map_velocities(velocities);
-  // Roundoff may differ between processors: all ranks use the velocities of rank 0.
+  // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
   MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0,
             parts_->communicator.get());
 }

@@ -12,7 +12,7 @@
 namespace beadswim {
 namespace {
 
-/// Positions wrapped into the periodic box, in order of their cells, for a fast test of distances.
+/// Positions, wrapped into the periodic box and sorted by their cells. They allow a fast test of distances.
 class FoldedPositions {
  public:
   FoldedPositions(std::span<const Vec3> places, std::span<const int> order, const Vec3& lengths) {
@@ -25,8 +25,8 @@ class FoldedPositions {
     }
   }
 
-  /// Returns true if the distance of the nearest images is below the cutoff. A margin of 1e-9 covers
-  /// roundoff.
+  /// Returns true if the smallest distance between images of points s and t is below the cutoff. A margin of
+  /// 1e-9 covers roundoff.
   bool are_within(double cutoff, int s, int t) const {
     const Vec3 direct = (places_[s] - places_[t]).cwiseAbs();
     return direct.cwiseMin(lengths_ - direct).squaredNorm() < (1 + 1e-9) * cutoff * cutoff;
@@ -37,12 +37,12 @@ class FoldedPositions {
   std::vector<Vec3> places_;
 };
 
-/// Calls visit(separation, is_direct) for all images of a separation in the periodic box that are shorter
-/// than `cutoff`.
+/// Calls visit(separation, is_direct) for each periodic image of the separation `direct` that is shorter than
+/// `cutoff`. is_direct is true for `direct` itself.
 template <class Visitor>
 void for_each_image(const Vec3& direct, const Vec3& lengths, double cutoff, const Visitor& visit) {
   Vec3 nearest = direct, edges = Vec3::Zero();
-  std::array<double, 3> around{};  // number of further images along each axis that may be within the cutoff
+  std::array<double, 3> around{};  // farther images per axis that may be within the cutoff
   for (int a = 0; a < 3; ++a) {
     if (lengths[a] == 0) continue;
     edges[a] = -std::nearbyint(direct[a] / lengths[a]);
@@ -132,7 +132,8 @@ std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) con
   return links;
 }
 
-/// Adds the link of two beads, or of a bead and an image. `one` and `other` are indices into Images::places.
+/// Adds the link of two beads, or of a bead and a mirror image of a bead. `one` and `other` are indices into
+/// Images::places.
 void NearField::add_pair(const Images& images, int one, int other, const Vec3& separation,
                          std::vector<PairLink>& links) const {
   const int beads = static_cast<int>(radii_.size());

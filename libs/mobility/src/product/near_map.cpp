@@ -7,8 +7,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns an upper bound of the norm of the exponent and of its transpose, the largest sum of
-/// the norms of the 3 x 3 blocks in a row.
+/// Returns an upper bound of the norm of the exponent L = sum of log S_p, and of the norm of its transpose.
+/// The bound is the largest sum of the norms of the 3 x 3 blocks in one row.
 double norm_bound(std::span<const PairLink> pairs, std::size_t beads) {
   std::vector<double> rows(beads, 0.0);
   for (const PairLink& pair : pairs) {
@@ -51,8 +51,9 @@ NearMap::NearMap(std::vector<SwimmerLink> swimmers, std::vector<PairLink> pairs)
   parts_ = std::max(1, static_cast<int>(std::ceil(norm_bound(pairs_, place.size()))));
 }
 
-/// Evaluates exp(L/parts) by its Taylor series, `parts` times. increments(pair, a, b) returns the changes of
-/// the bead and of its partner.
+/// Applies exp(L/parts_) to the vectors `parts_` times, by its Taylor series. a and b are the components of
+/// the bead's and of its partner's vector along the axis of the pair. increments(pair, a, b) returns the
+/// changes of these two vectors along the axis.
 template <class PairAction>
 void NearMap::exponentiate(std::span<Vec3> vectors, const PairAction& increments) const {
   if (pairs_.empty()) return;

@@ -13,12 +13,14 @@
 namespace beadswim {
 namespace {
 
-/// Returns the coefficients of the polynomial of degree 5 through values at the Chebyshev points of [0, 1].
+/// Values at the Chebyshev points of [0, 1], or coefficients of the polynomial of degree 5 through these
+/// values.
 using Fit = Eigen::Matrix<double, PairTable::degree + 1, 1>;
 double chebyshev_point(int k) {
   constexpr int n = PairTable::degree + 1;
   return 0.5 - 0.5 * std::cos(std::numbers::pi * (k + 0.5) / n);
 }
+/// Returns the coefficients for given values.
 Fit fit(const Fit& values) {
   constexpr int n = PairTable::degree + 1;
   static const Eigen::Matrix<double, n, n> inverse = [] {
@@ -42,7 +44,7 @@ NearPairs::NearPairs(Law law) : law_(std::move(law)) {
 PairTensor NearPairs::tensor(double radius_i, double radius_j, double r) const {
   const bool is_sphere = has_finite_radii(law_.model);
   const double squares = is_sphere ? radius_i * radius_i + radius_j * radius_j : 0;
-  if (is_sphere && r < 1e-3 * std::min(radius_i, radius_j)) {  // avoids cancellation of large terms
+  if (is_sphere && r < 1e-3 * std::min(radius_i, radius_j)) {  // avoids cancellation of large terms as r -> 0
     return rotne_prager_tensor(radius_i, radius_j, r, law_.viscosity) -
            far_tensor(law_.xi, 0, 0, law_.viscosity).sphere_tensor(squares);
   }
@@ -86,7 +88,7 @@ void NearPairs::tabulate() {
   table_.coefficients = coefficients_.data();
 }
 
-/// Beads in order of their cells, and the pairs of one bead.
+/// Beads sorted by their cells, and the current batch of pairs of one bead.
 struct NearPairs::Work {
   CellList cells;
   std::vector<double> places[3];

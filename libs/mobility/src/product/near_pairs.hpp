@@ -11,8 +11,9 @@
 
 namespace beadswim {
 
-/// Part of an Ewald sum that is evaluated pair by pair: the near part of spheres within the cutoff, and the
-/// difference that overlaps make, which the mesh does not contain.
+/// Part of an Ewald sum that is evaluated pair by pair. It contains the near part of all pairs within the
+/// cutoff. For overlapping spheres it also contains the difference between the tensor of overlapping spheres
+/// and the formula for spheres that do not overlap, which the mesh uses for all pairs.
 class NearPairs {
  public:
   struct Law {
@@ -20,12 +21,13 @@ class NearPairs {
     double viscosity;
     std::vector<double> radii;  ///< radii of all spheres, images included [length]
     Vec3 lengths;               ///< edges of the periodic box; 0 in open space [length]
-    double xi, cutoff;
+    double xi, cutoff;          ///< of the Ewald sum [1/length], [length]
   };
 
   explicit NearPairs(Law law);
 
-  /// Adds the contribution of this rank's pairs. `velocities` holds the first spheres, as many as are needed.
+  /// Adds the contribution of this rank's pairs. `velocities` contains only the spheres whose velocities are
+  /// required, which must be the first spheres.
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities, const Communicator& communicator) const;
 
@@ -36,13 +38,13 @@ class NearPairs {
   void flush(Work& work, int one) const;
 
   Law law_;
-  double min_tabulated_distance_;  ///< closer pairs are evaluated directly [length]
-  bool has_one_radius_;            ///< radii are equal, or do not matter
+  double min_tabulated_distance_;  ///< closer pairs are evaluated without the table [length]
+  bool has_one_radius_;            ///< all radii are equal, or the model ignores radii
   PairTable table_;
   std::vector<double> coefficients_;
 };
 
-/// Adds the contribution of this rank to the sum over all pairs in open space, without splitting.
+/// Adds the contribution of this rank to the sum over all pairs in open space, without an Ewald sum.
 void add_all_pairs(MobilityModel model, double viscosity, std::span<const double> radii,
                    std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
                    const Communicator& communicator);

@@ -33,8 +33,8 @@ Complex* as_complex(const FftwArray& array) {
   return reinterpret_cast<Complex*>(array.get());
 }
 
-/// In-place Fourier transforms of real meshes. Meshes are divided among ranks by planes of the first axis,
-/// transforms by planes of the second axis.
+/// In-place Fourier transforms of real meshes. The ranks share a mesh by planes perpendicular to its first
+/// axis, and a transform by planes perpendicular to its second axis.
 class Transform {
  public:
   Transform(const std::array<int, 3>& points, const Communicator& communicator) : points_(points) {
@@ -45,7 +45,8 @@ class Transform {
                                               &first_plane_, &waves_, &first_wave_);
     const FftwArray scratch = array();
     auto* complex = reinterpret_cast<fftw_complex*>(scratch.get());
-    // Estimated plans do not depend on timing, so every run has the same plans and the same bits.
+    // FFTW_ESTIMATE selects an algorithm without timing, so every run uses the same algorithm and gets the
+    // same bits.
     forward_.reset(fftw_mpi_plan_dft_r2c_3d(n[0], n[1], n[2], scratch.get(), complex, communicator.get(),
                                             FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_OUT));
     backward_.reset(fftw_mpi_plan_dft_c2r_3d(n[0], n[1], n[2], complex, scratch.get(), communicator.get(),
@@ -69,8 +70,8 @@ class Transform {
   int first_plane() const { return static_cast<int>(first_plane_); }
   std::ptrdiff_t wave_count() const { return waves_ * points_[0] * (points_[2] / 2 + 1); }
 
-  /// Calls visit(index in the array, indices along x, y, z) for the wavevectors of this rank. Indices are
-  /// signed.
+  /// Calls visit(place, i, j, k) for each wavevector of this rank. `place` is its index in the array. i, j
+  /// and k are its signed indices along x, y and z.
   template <class Visitor>
   void for_each_wave(const Visitor& visit) const {
     const auto signed_index = [](int i, int n) { return 2 * i > n ? i - n : i; };
@@ -88,7 +89,7 @@ class Transform {
   FftwPlan forward_, backward_;
 };
 
-/// Returns the product of a symmetric tensor (xx, xy, xz, yy, yz, zz) and a vector.
+/// Returns the product of a symmetric tensor, stored as (xx, xy, xz, yy, yz, zz), and a vector.
 template <class T>
 std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex, 3>& f) {
   return {t[0] * f[0] + t[1] * f[1] + t[2] * f[2], t[1] * f[0] + t[3] * f[1] + t[4] * f[2],
@@ -97,10 +98,10 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 
 }  // namespace
 
-// With beads of one radius, the kernel includes the laplacian. Otherwise two fields are used: the forces F
-// and the forces times a_j^2, D. The velocities are
+// If all beads have one radius, one field is transformed: the forces F. Its kernel includes the laplacian.
+// Otherwise a second field D is transformed: the forces times a_j^2. The velocities are then
 //
-//   u_i = (K F + L D) + a_i^2 (L F),     K Oseen part, L = laplacian/6
+//   u_i = (K F + L D) + a_i^2 (L F),     K: kernel of the Oseen term, L: kernel of laplacian/6
 struct ParticleMesh::Mesh {
   EwaldPlan plan;
   Vec3 lengths;
@@ -108,13 +109,13 @@ struct ParticleMesh::Mesh {
   const Communicator& communicator;
   bool is_periodic;
   int fields = 1;
-  double shared_size = 0;  ///< a_i^2 + a_j^2 of all pairs, if there is one field [length^2]
+  double shared_size = 0;  ///< a_i^2 + a_j^2, equal for all pairs if there is one field [length^2]
   WindowMesh geometry;
   std::array<double, 3> spacing{};  ///< h [length]
   std::unique_ptr<Transform> transform;
-  std::vector<std::array<FftwArray, 3>> values;  ///< per field: forces, later velocities
-  std::vector<int> order;                        ///< beads sorted by rows of the mesh, for locality in memory
-  std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: transforms of K and of L
+  std::vector<std::array<FftwArray, 3>> values;  ///< mesh values per field: forces, replaced by velocities
+  std::vector<int> order;                        ///< beads sorted by rows of the mesh, for memory locality
+  std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: Fourier transforms of K and L
 
   void set_points(const std::array<int, 3>& points);
   void fit_to_beads(std::span<const Vec3> positions);
@@ -179,7 +180,8 @@ void ParticleMesh::Mesh::set_points(const std::array<int, 3>& points) {
 
 namespace {
 
-/// Returns the part eta of the far part's Gaussian that the window takes over, from 2 xi^2 h^2/eta = decay.
+/// Returns the fraction of the far part's Gaussian that the windows apply along one axis, from 2 xi^2
+/// h^2/share = decay (particle_mesh.hpp).
 double share_of(const EwaldPlan& plan, const WindowMesh& mesh, int axis) {
   const double xh = plan.xi / mesh.inverse_spacing[axis];
   return 2 * xh * xh / mesh.decay[axis];
@@ -238,7 +240,7 @@ void ParticleMesh::Mesh::sample_kernel() {
       }
     }
     for (int c = 0; c < 6; ++c) {
-      transform->forward(samples[c]);  // the transform of an even function is real
+      transform->forward(samples[c]);  // the Fourier transform of an even function is real
       const Complex* waves = as_complex(samples[c]);
       for (std::ptrdiff_t w = 0; w < transform->wave_count(); ++w) kernel[k][w][c] = scale * waves[w].real();
     }
@@ -310,7 +312,7 @@ void ParticleMesh::Mesh::multiply() {
 }
 
 void ParticleMesh::Mesh::multiply_periodic() {
-  std::array<double, 3> wave, remaining;  // wavenumber per index, remaining exponent per squared index
+  std::array<double, 3> wave, remaining;  // wavenumber per index; exponent of the kernel per squared index
   for (int a = 0; a < 3; ++a) {
     wave[a] = 2 * std::numbers::pi / lengths[a];
     remaining[a] = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);

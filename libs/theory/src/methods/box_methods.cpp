@@ -18,7 +18,7 @@ std::string box_text(const Box& box) {
 }
 
 /// Adds validity, uncertainty and settings of both methods. `second_order`: velocity in the box to second
-/// order [length/time].
+/// order in amplitude [length/time].
 void add_limits(const Question& question, double second_order, Prediction& prediction) {
   const CollinearSwimmer& swimmer = question.swimmer;
   const double unbounded = second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager)).velocity;

@@ -47,13 +47,15 @@ std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer) {
   return std::nullopt;
 }
 
-/// Returns a zero pair mobility: (4.4) to (4.8) are exact for beads without hydrodynamic interaction.
+/// Returns a pair mobility of zero. (4.4) to (4.8) of the paper are exact for beads without hydrodynamic
+/// interaction.
 PairMobility no_interaction(double, double, double, double) {
   return {};
 }
 
 /// Returns the driven stroke to lowest order in lambda/l, with the amplitudes of (4.4) and (4.5). The paper
-/// states only the phase difference (4.6). The single phases are those of the response without interaction.
+/// states only the phase difference (4.6). The phase of each arm is taken from the linear response without
+/// hydrodynamic interaction.
 Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
   Stroke stroke = first_order_stroke(swimmer, no_interaction);
   stroke.amplitude = oseen_arm_amplitudes(swimmer);
@@ -63,7 +65,8 @@ Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
 constexpr const char* measured_origin = "measured";
 constexpr const char* driven_origin = "predicted by (4.4) to (4.8)";
 
-/// Result of a formula: its velocity and stroke, with texts on the origin of the stroke and the validity.
+/// Velocity and stroke by a formula, with texts for users: where the stroke comes from, whether the formula
+/// is valid, and which pair mobility it uses.
 struct Formula {
   double velocity = 0;
   Stroke stroke;
@@ -73,11 +76,11 @@ struct Formula {
   std::string pairs;
 };
 
-/// Relative distance from exact Stokes flow below which a truncated formula is usable.
+/// Relative difference from exact Stokes flow below which a truncated formula is usable.
 constexpr double usable_distance = 0.25;
 
-/// Returns the exact velocity with which a formula is compared. For a measured stroke, this is the velocity
-/// of the same stroke, because only the geometry factor of the formula can be wrong.
+/// Returns the velocity in exact Stokes flow with which a formula is compared. For a measured stroke, this is
+/// the velocity of the same stroke, because only the geometry factor of the formula can be wrong.
 std::optional<double> exact_reference_velocity(const Question& question, const Formula& formula) {
   const bool measured = formula.stroke_origin == measured_origin;
   return measured ? exact_velocity_for_stroke(question, formula.stroke) : exact_velocity(question);
@@ -121,7 +124,7 @@ Prediction usable_if_close(const Question& question, const Formula& formula) {
   return prediction;
 }
 
-/// Returns a formula with the driven stroke, to first order with the pair mobility `law`.
+/// Returns a formula with the stroke that the driving causes, to first order with the pair mobility `law`.
 Formula formula_for_driven_stroke(const Question& question, PairLaw law, const std::string& pairs) {
   Formula formula;
   formula.pairs = pairs;
@@ -131,7 +134,8 @@ Formula formula_for_driven_stroke(const Question& question, PairLaw law, const s
   return formula;
 }
 
-/// Returns a formula with the measured stroke, or with the driven stroke if none was measured.
+/// Returns a formula with the measured stroke, or with the stroke that the driving causes if none was
+/// measured.
 Formula formula_for_given_stroke(const Question& question, PairLaw law, const std::string& pairs) {
   Formula formula = formula_for_driven_stroke(question, law, pairs);
   if (!question.measured_stroke) return formula;

@@ -11,7 +11,7 @@
 
 namespace beadswim {
 
-/// Returns a prediction with the velocity, stroke and mean arms of the motion.
+/// Returns a prediction with the velocity, the stroke and the mean arm lengths of the motion.
 Prediction prediction_from(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion);
 Prediction prediction_from(const PeriodicMotion& motion);
 
@@ -26,7 +26,8 @@ std::optional<double> exact_velocity(const Question& question);
 /// `question.exact`.
 double exact_stroke_velocity(const Question& question, const Stroke& stroke);
 
-/// Returns exact_stroke_velocity(); nullopt if `question.exact` is not set or the velocity is only roundoff.
+/// Returns exact_stroke_velocity(); nullopt if `question.exact` is not set or if the velocity is zero within
+/// roundoff.
 std::optional<double> exact_velocity_for_stroke(const Question& question, const Stroke& stroke);
 
 /// Returns sqrt((velocity/exact - 1)^2 + change^2), where `change` is the relative change at finite
@@ -39,10 +40,11 @@ std::string distance_from_exact(const Question& question, double velocity, std::
 /// Marks the prediction as not usable and appends the reason to `validity`.
 void mark_unusable(Prediction& prediction, const std::string& reason);
 
-/// Marks the prediction as not usable if beads would touch within its stroke.
+/// Marks the prediction as not usable if beads would touch during the predicted stroke.
 void mark_unusable_if_beads_touch(const Question& question, Prediction& prediction);
 
-/// Appends to `validity` the part of the velocity that second order neglects. Requires `question.exact`.
+/// Appends to `validity` the relative change of the velocity that second-order methods neglect. Requires
+/// `question.exact`.
 void add_amplitude_limit(const Question& question, Prediction& prediction);
 
 /// Adds the settings that all methods share: driving and dimensionless numbers.

@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 /// Stroke and velocity to second order, in the box or in open space.
 struct Motion {
   Eigen::Vector2cd arm;
-  double drift = 0, reynolds = 0;  ///< with the exact geometry factor [length/time]
+  double drift = 0, reynolds = 0;  ///< V_drift and V_R, times C_exact/C_RP [length/time]
   double within_beads = 0;         ///< part of `reynolds` from the volume of the beads [length/time]
 };
 

@@ -17,6 +17,7 @@ namespace beadswim {
 namespace {
 
 /// Returns a message if a bead is so large, relative to the penetration depth, that exp(kappa) overflows.
+/// kappa: bead radius times |alpha| (inverse_penetration_depth).
 std::optional<std::string> penetration_depth_obstacle(const Question& question) {
   constexpr double largest_kappa = 200;
   const CollinearSwimmer& swimmer = question.swimmer;
@@ -38,9 +39,11 @@ void add_settings(const Question& question, Prediction& prediction) {
   add_driving_settings(question, prediction);
 }
 
-/// Returns the relative uncertainty of the velocity by unsteady pairs. It combines the error of steady pairs,
-/// the same relative error of the change by inertia, the contribution of the volume of the beads to V_R, and
-/// the change at finite amplitude.
+/// Returns the relative uncertainty of the velocity with unsteady Faxen pairs. It combines
+///  - the relative error of steady Rotne-Prager pairs,
+///  - the same relative error of the change of velocity by inertia,
+///  - the contribution of the volume of the beads to V_R,
+///  - the relative change of the velocity at finite amplitude.
 std::optional<double> pair_uncertainty(const Question& question, double quasi_static, double velocity,
                                        double within_beads) {
   const std::optional<double> exact = exact_velocity(question);

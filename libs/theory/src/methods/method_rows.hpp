@@ -6,11 +6,11 @@
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 
-// Functions of the rows in the table of methods (methods.cpp).
+// Functions in the rows of the table of methods (methods.cpp).
 
 namespace beadswim {
 
-// Each returns why a question cannot be treated; nullopt if it can.
+// Each function returns the reason why a method cannot treat the question; nullopt if it can treat it.
 std::optional<std::string> overlap_obstacle(const Question& question);
 std::optional<std::string> exact_obstacle(const Question& question);
 std::optional<std::string> equal_shape_obstacle(const Question& question);

@@ -58,7 +58,7 @@ Prediction predict_rpy_ode(const Question& question) {
 }
 
 double min_exact_gap(const CollinearSwimmer& swimmer) {
-  constexpr double min_gap_over_radius = 0.02;  // the multipole series needs fewer than 200 terms here
+  constexpr double min_gap_over_radius = 0.02;  // where the multipole series needs fewer than 200 terms
   return min_gap_over_radius * *std::min_element(swimmer.radius.begin(), swimmer.radius.end());
 }
 

@@ -15,7 +15,7 @@ namespace beadswim {
 
 namespace {
 
-/// Returns the exact reference; nullopt if beads touch or so nearly touch that the multipole series
+/// Returns the exact reference; nullopt if beads touch, or if the gap is so small that the multipole series
 /// would need too many terms.
 std::optional<ExactStokes> exact_stokes(const CollinearSwimmer& swimmer) {
   ExactStokes exact;

@@ -12,7 +12,7 @@
 namespace beadswim {
 namespace {
 
-/// Returns the collinear swimmer of a type, with the driving along its axis.
+/// Returns the collinear swimmer of a type, with the driving forces along the axis of the swimmer.
 CollinearSwimmer along_own_axis(const SwimmerType& type, const Fluid& fluid) {
   return collinear_swimmer(type, Vec3::UnitX(), fluid.dynamic_viscosity());
 }

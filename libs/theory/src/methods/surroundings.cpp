@@ -12,15 +12,15 @@ namespace {
 
 /// Returns 0, 1 or 2 for an axis parallel to x, y or z, in either direction; nullopt otherwise.
 std::optional<int> coordinate_axis(const Vec3& axis) {
-  constexpr double largest_sine = 1e-9;  // error of a normalised axis
+  constexpr double largest_sine = 1e-9;  // roundoff of a normalised axis
   for (int i = 0; i < 3; ++i) {
     if (axis.cross(Vec3::Unit(i)).norm() <= largest_sine * axis.norm()) return i;
   }
   return std::nullopt;
 }
 
-/// Returns the box with its axes permuted so that the swimmer's axis comes first. For a swimmer that points
-/// in the negative direction, the coordinate along the axis is measured from the far end of the box.
+/// Returns the box with its axes permuted so that the swimmer's axis comes first. If the swimmer points in
+/// the negative direction, the coordinate along the axis is measured from the upper end of the box.
 BoxPlace box_place(const Box& box, const Swimmer& swimmer, int axis) {
   const Vec3 position = wrapped(swimmer.position, box);
   BoxPlace place;

@@ -24,16 +24,17 @@ struct EqualParts {
   double W;  ///< pi eta omega lambda
   double sin_alpha, cos_alpha;
 
-  /// Returns (k^2 + 4 W^2) (k^2 + 36 W^2), which is expanded in the printed (4.4) and (4.5).
+  /// Returns (k^2 + 4 W^2) (k^2 + 36 W^2). The paper prints this product expanded in (4.4) and (4.5).
   double denominator() const { return (k * k + 4 * W * W) * (k * k + 36 * W * W); }
-  /// Returns N of (4.7).
+  /// Returns N of (4.7), the numerator of sin(delta1 - delta2).
   double shift_numerator() const {
     return 2 * (A * A - B * B) * W * k + A * B * (k * k + 12 * W * W) * sin_alpha;
   }
 };
 
 // clang-format off
-/// Returns D^2 of (4.8), with powers of k and W collected:
+/// Returns the square of D of (4.8), the denominator of sin(delta1 - delta2), with powers of k and W
+/// collected:
 ///
 ///   A^2 B^2 k^4 + 4 k^2 W^2 (A^4 + 6 A^2 B^2 + B^4) + 16 W^4 (4 A^4 + 25 A^2 B^2 + 4 B^4)
 ///   + 16 AB W^2 (A^2 + B^2) (k^2 + 20 W^2) cos alpha + 8 A^2 B^2 W^2 (k^2 + 16 W^2) cos 2 alpha
@@ -56,8 +57,9 @@ double stroke_area_rate(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   return swimmer.angular_frequency() * stroke.area();
 }
 
-/// Returns omega lambda (28l - 45 lambda) / (192 l^3 [..]), the common factor of both forms of (4.23).
-/// `coefficient`: the factor of l in the term k^2 W^2 of the denominator.
+/// Returns omega lambda (28l - 45 lambda) / (192 l^3 [..]), the common factor of the printed and the repaired
+/// (4.23). [..] is the bracket in the denominator. `coefficient`: factor of l in the term k^2 W^2 of this
+/// bracket, 8 as printed and 10 as repaired.
 double rpy_force_prefactor(const CollinearSwimmer& swimmer, double coefficient) {
   const EqualParts s(swimmer);
   const double lambda = swimmer.radius[0], l = swimmer.arm[0], k2 = s.k * s.k, W2 = s.W * s.W;
@@ -66,7 +68,7 @@ double rpy_force_prefactor(const CollinearSwimmer& swimmer, double coefficient) 
   return swimmer.angular_frequency() * lambda * (28 * l - 45 * lambda) / (192 * l * l * l * bracket);
 }
 
-/// Returns (2l - 5 lambda) k^2 + 24 W^2 l of (4.23).
+/// Returns (2l - 5 lambda) k^2 + 24 W^2 l, the bracket in the numerator of (4.23).
 double rpy_force_symmetric_part(const CollinearSwimmer& swimmer) {
   const EqualParts s(swimmer);
   const double lambda = swimmer.radius[0], l = swimmer.arm[0];
@@ -135,7 +137,7 @@ std::array<double, 2> oseen_arm_amplitudes(const CollinearSwimmer& swimmer) {
   const double d1_squared = (A2 * k2 + 4 * W2 * (4 * A2 +     B2 + 4 * AB * s.cos_alpha) - mixed) / s.denominator();
   const double d2_squared = (B2 * k2 + 4 * W2 * (    A2 + 4 * B2 + 4 * AB * s.cos_alpha) + mixed) / s.denominator();
   // clang-format on
-  // For an arm at rest, roundoff may be negative.
+  // If an arm is at rest, roundoff may make the square negative.
   return {std::sqrt(std::max(d1_squared, 0.0)), std::sqrt(std::max(d2_squared, 0.0))};
 }
 
@@ -143,7 +145,7 @@ double oseen_sin_phase_shift(const CollinearSwimmer& swimmer) {
   const EqualParts s(swimmer);
   const double squared = shift_denominator_squared(s);
   if (!(squared > 0)) return 0;  // the phase of an arm at rest is undefined
-  return std::clamp(s.shift_numerator() / std::sqrt(squared), -1.0, 1.0);  // roundoff may exceed 1
+  return std::clamp(s.shift_numerator() / std::sqrt(squared), -1.0, 1.0);  // roundoff may make N/D exceed 1
 }
 
 }  // namespace beadswim

@@ -16,7 +16,7 @@ namespace {
 /// InputError if they are neither.
 double driving_direction(DrivingFrame frame, const Vec3& axis) {
   if (frame != DrivingFrame::lab) return 1;
-  constexpr double largest_sine = 1e-9;  // sine of the angle to x: error of a normalised axis
+  constexpr double largest_sine = 1e-9;  // sine of the angle to x: roundoff of a normalised axis
   if (axis.cross(Vec3::UnitX()).norm() > largest_sine * axis.norm()) {
     throw InputError("axis",
                      fmt::format("[{}, {}, {}] is not along x, but the driving is (frame \"lab\"), so the "

@@ -10,10 +10,10 @@ namespace beadswim {
 
 namespace {
 
-constexpr double max_amplitude_over_gap = 0.02;  // at the small driving
+constexpr double max_amplitude_over_gap = 0.02;  // arm amplitude over gap at rest, for the reduced driving
 
-/// Mobility in open space for arm lengths close to rest, by cubic interpolation in both arms. It needs 16
-/// evaluations of the mobility; the periodic motion alone would need some hundred.
+/// Mobility in open space for arm lengths close to rest, by cubic interpolation in each arm length. It needs
+/// 16 evaluations of the mobility. Without interpolation, the periodic motion needs some hundred.
 class InterpolatedMobility {
  public:
   InterpolatedMobility(const CollinearSwimmer& swimmer, const MobilityFunction& mobility)
@@ -74,7 +74,8 @@ class InterpolatedMobility {
   std::array<std::array<Eigen::Matrix3d, 4>, 4> values_;
 };
 
-/// Returns the factor s of the driving for which arm amplitudes and mean changes are much below the gaps.
+/// Returns a factor s of the driving amplitudes that keeps arm amplitudes and mean arm changes much smaller
+/// than the gaps.
 double small_driving(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
   const std::array<double, 2> gaps = gaps_at_rest(swimmer);
   double size = 0;

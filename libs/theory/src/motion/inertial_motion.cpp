@@ -26,9 +26,10 @@ Eigen::Vector3d excess_masses(const InertialScene& scene) {
   return excess;
 }
 
-/// Returns the effective a^2 of a bead in the steady flow of its unsteady induced force. The force acts on
-/// the surface, where the mean of r^2 is a^2, and in the volume, where it is 3/5 a^2; the result is the
-/// weighted mean.
+/// Returns the mean of r^2 over the induced force of a bead, r: distance of the force from the centre
+/// [length^2]. On the surface r^2 is a^2, in the volume its mean is 3/5 a^2; the parts of the force on
+/// surface and volume are the weights. The result replaces a^2 in the steady flow of the force. `kappa`:
+/// alpha a.
 Complex steady_size(double radius, Complex kappa) {
   return radius * radius * (1.0 + kappa + kappa * kappa / 5.0) / induced_force_factor(kappa);
 }
@@ -79,7 +80,7 @@ Eigen::Matrix3cd unsteady_mobility(const InertialScene& scene) {
 
 Eigen::Vector3cd induced_forces(const InertialScene& scene, const LinearResponse& response) {
   const double omega = scene.swimmer.angular_frequency();
-  // -i omega (m - m_f) U with U = i omega xi.
+  // Adds -i omega (m - m_f) U, where U = i omega xi.
   return response.force +
          omega * omega * excess_masses(scene).cast<Complex>().cwiseProduct(response.displacement);
 }

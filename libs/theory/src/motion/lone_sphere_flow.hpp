@@ -20,8 +20,8 @@
 // For a function q(r) with q_n = ((1/r) d/dr)^n q:   grad d/dx q = (q_1 + x^2 q_2) e_x + x s q_2 e_s
 // clang-format on
 //
-// Both flows are divergence-free and uniform on the sphere. Reference: Landau and Lifshitz, Fluid Mechanics,
-// sections 20 and 24. Page: docs/method/inertia.md.
+// Both flows are divergence-free, and uniform on the surface of the sphere. Reference: Landau and Lifshitz,
+// Fluid Mechanics, sections 20 and 24. Page: docs/method/inertia.md.
 
 namespace beadswim {
 

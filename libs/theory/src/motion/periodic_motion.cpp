@@ -25,8 +25,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Motion at the nodes (columns): change of arm 1, displacement of bead 2, change of arm 2 [length]. The arms
-/// are unknowns, because a stiff spring's tension would lose significance in a difference of bead positions.
+/// Motion at the nodes (columns): change of arm 1, displacement of bead 2, change of arm 2 [length]. The
+/// changes of the arms are unknowns, not the positions of beads 1 and 3. The tension of a stiff spring would
+/// lose significance in the difference of two bead positions.
 using NodalMotion = NodalValues;
 
 /// Returns the matrix that maps a column of NodalMotion to the displacements of the three beads.
@@ -45,16 +46,17 @@ Vector3d motion_of_beads(const Vector3d& p) {
   return {p[1] - p[0], p[1], p[2] - p[1]};
 }
 
-/// Equations of motion of one swimmer on one set of nodes. At each node,
+/// Equations of motion of one swimmer on one set of nodes (symbols: periodic_motion.hpp). At each node,
 ///
 ///   omega Z dq + K q + omega C dq = g,    sum_k w_k (dp_k + V/omega) = 0
 ///
-///   Z   = (D mu D^T)^-1
-///   g   tensions of the driving, F = D^T g
+///   Z   = (D mu D^T)^-1, tensions of the arms per arm rate [mass/time]
+///   g   tensions of the arms by the driving, F = D^T g [mass length/time^2]
 ///   q   changes of the two arms [length]
 ///   d   derivative with respect to omega t, so that rates and V/omega are lengths
 ///
-/// Each equation balances the tensions of one arm, so that a stiff and a soft spring do not share roundoff.
+/// Each row of the first equation balances the tensions of one arm. Roundoff of a stiff spring therefore does
+/// not affect the equation of a soft spring.
 class HarmonicBalance {
  public:
   HarmonicBalance(const CollinearSwimmer& swimmer, const LinePositions& rest,
@@ -80,7 +82,8 @@ class HarmonicBalance {
 
   NodalMotion rates(const NodalMotion& motion) const { return motion * derivative_.transpose(); }
 
-  /// Returns the negative Newton step of (motion, V/omega), with the driving multiplied by `driving`.
+  /// Returns minus the Newton step of the unknowns (motion, V/omega), if the driving is multiplied by
+  /// `driving`.
   VectorXd newton_step(const NodalMotion& motion, double velocity, double driving) const {
     const int unknowns = 3 * nodes_ + 1;
     const NodalMotion rate = rates(motion);
@@ -99,7 +102,7 @@ class HarmonicBalance {
     return jacobian.partialPivLu().solve(residual);
   }
 
-  /// Returns V by the force distribution of the rigid swimmer (periodic_motion.hpp) [length/time].
+  /// Returns V as minus the mean of (w_k(x) - w_k(X)) dp_k/dt (periodic_motion.hpp) [length/time].
   double drift_velocity(const NodalMotion& motion) const {
     const Vector3d at_rest = rigid_force_distribution(mobility_({rest_[0], rest_[1], rest_[2]}).value);
     const NodalMotion rate = beads_ * rates(motion);
@@ -147,7 +150,7 @@ class HarmonicBalance {
     return node_equations;
   }
 
-  /// Returns g, the tensions of the driving in the two arms at a node.
+  /// Returns g, the tensions of the two arms by the driving, at a node.
   Eigen::Vector2d driving_tension(int node) const {
     return (driving_ * std::polar(1.0, node_phase(node, nodes_))).real();
   }
@@ -158,7 +161,7 @@ class HarmonicBalance {
   double omega_;
   MatrixXd derivative_;
   Matrix3d beads_ = beads_from_motion();
-  Eigen::Vector2d stiffness_, damping_;  ///< k_i, omega c_i
+  Eigen::Vector2d stiffness_, damping_;  ///< k_i, omega c_i [mass/time^2]
   Eigen::Vector2cd driving_;
   Eigen::Vector2d row_scale_;  ///< scales the equations of both arms to the same magnitude
 };
@@ -177,12 +180,12 @@ double smallest_gap_of(const CollinearSwimmer& swimmer, const HarmonicBalance& b
   return smallest;
 }
 
-/// Solves the equations by Newton's method with the initial guess `state`. A step is halved while it would
-/// bring gaps below `min_gap`. Returns nullopt if the method does not converge.
+/// Solves the equations by Newton's method with the initial guess `state`. A step that would bring a gap
+/// below `min_gap` is halved until it does not. Returns nullopt if the method does not converge.
 std::optional<State> solve_newton(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
                                   State state, double driving, double min_gap) {
   constexpr int max_steps = 40, max_halvings = 12;
-  constexpr double last_step = 1e-8;  // relative; after the step, the error is its square
+  constexpr double last_step = 1e-8;  // relative; the error after the last step is its square
   const int nodes = static_cast<int>(state.motion.cols());
   if (!(smallest_gap_of(swimmer, balance, state.motion) > min_gap)) state.motion.setZero();
   for (int step = 0; step < max_steps; ++step) {

@@ -35,7 +35,8 @@ std::vector<QuadratureNode> gauss_legendre(int count) {
   return nodes;
 }
 
-/// Integrand of Q on the half-plane (x, s), from the flows of the three spheres.
+/// Integrand of Q on the half-plane (x, s), from the flows of the three spheres. x: coordinate along the
+/// axis; s: distance from the axis [length].
 class ReynoldsStress {
  public:
   ReynoldsStress(const CollinearSwimmer& swimmer, double fluid_density, const Eigen::Vector3d& towing)
@@ -46,7 +47,7 @@ class ReynoldsStress {
 
   const LinePositions& center() const { return center_; }
 
-  /// Returns u_i u_j* : grad u^ at (x, s).
+  /// Returns the matrix of the elements u_i u_j* : grad u^ at (x, s).
   Eigen::Matrix3cd integrand(double x, double s) const {
     Eigen::Matrix<std::complex<double>, 3, 2> flow;  // row: sphere; column: component along x, along s
     Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
@@ -66,9 +67,10 @@ class ReynoldsStress {
   Eigen::Vector3d towing_;
 };
 
-/// Integrates r^2 times the integrand along a ray from the centre of a bead, at the angle with cosine
-/// `cosine` to x. The ray ends at the distance `farthest` [length]. Outside the bead, the variable is q with
-/// r = a/q^2, which also resolves large penetration depths.
+/// Integrates r^2 times the integrand along a ray from the centre of a bead, r: distance from the centre
+/// [length]. `cosine`: cosine of the angle between the ray and x. `farthest`: distance at which the ray ends
+/// [length]. Outside the bead, the integration variable is q with r = a/q^2, which also resolves large
+/// penetration depths.
 ReynoldsForm radial_integral(const ReynoldsStress& stress, int bead, double radius, double cosine,
                              double farthest, const std::vector<QuadratureNode>& nodes) {
   const double sine = std::sqrt(1 - cosine * cosine), center = stress.center()[bead];
@@ -110,7 +112,8 @@ ReynoldsForm space_integral(const ReynoldsStress& stress, const CollinearSwimmer
 
 ReynoldsForm reynolds_stress_form(const CollinearSwimmer& swimmer, double fluid_density,
                                   const Eigen::Vector3d& towing) {
-  // Relative difference of two successive rules. The error of the finer rule is at most a third of it.
+  // Relative difference of the results of two successive quadrature rules at which the refinement ends. The
+  // error of the finer rule is at most a third of this difference.
   constexpr double converged = 3e-5;
   constexpr int min_count = 16, max_count = 128;
   const ReynoldsStress stress(swimmer, fluid_density, towing);

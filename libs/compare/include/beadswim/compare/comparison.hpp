@@ -28,14 +28,14 @@ struct Reference {
   ComparedValues swimming;
 };
 
-/// Determines which comparisons decide on the verdict.
+/// Quantities, tolerance and reference that determine the verdict.
 struct Criterion {
   std::vector<ComparedQuantity> quantities;
-  double tolerance = 0;      ///< largest |relative error| that passes
-  std::size_t deciding = 0;  ///< index of the reference whose rows decide on the verdict
+  double tolerance = 0;      ///< largest accepted |relative error|
+  std::size_t deciding = 0;  ///< index of the reference that determines the verdict
 };
 
-/// Comparison of one number of a run with the same number of a reference.
+/// Comparison of one number of a run with the corresponding number of a reference.
 struct ComparisonRow {
   ComparedQuantity quantity{};
   std::optional<int> arm;  ///< 1 or 2 for arm amplitudes
@@ -70,7 +70,7 @@ struct ComparisonRow {
 /// `run` if only the reference is zero.
 double relative_error(double run, double reference);
 
-/// Returns the root of the mean square of at least one value.
+/// Returns the root mean square of `values`. There must be at least one value.
 double root_mean_square(std::span<const double> values);
 
 /// Returns the index of the best reference that is usable and contains all quantities; nullopt if there is
@@ -80,11 +80,12 @@ std::optional<std::size_t> best_reference(std::span<const Reference> references,
                                           std::span<const ComparedQuantity> quantities);
 
 /// Returns one row per number that both the run and a reference contain, ordered by quantity, arm and
-/// reference. The rows of the deciding reference decide on the verdict if this reference is usable.
+/// reference. The verdict depends on the rows of the reference Criterion::deciding, if this reference is
+/// usable.
 std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
                                            const Criterion& criterion);
 
-/// Returns true if at least one row decides and all deciding rows pass.
+/// Returns true if at least one row has decides == true, and if pass == true in all of these rows.
 bool verdict(std::span<const ComparisonRow> rows);
 
 }  // namespace beadswim

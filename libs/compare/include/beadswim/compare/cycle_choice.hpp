@@ -22,7 +22,7 @@ struct CycleChoice {
 CycleChoice parse_cycle_choice(const std::string& text);
 
 /// Returns the selected cycles. `cycles` are in increasing order of their index. Throws InputError if a
-/// selected cycle does not exist; the message names `source` and the available cycles.
+/// selected cycle does not exist; the message states `source` and the available cycles.
 std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> cycles,
                                                const CycleChoice& choice, const std::string& source);
 

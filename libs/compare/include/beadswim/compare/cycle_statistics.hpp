@@ -6,7 +6,8 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Motion of one swimmer in one cycle of its driving. See docs/method/stroke-fit.md.
+// Motion of one swimmer in one cycle of its driving. The arm lengths are L_i(t) = mean + d_i cos(w t +
+// delta_i), w = 2 pi/T, equation (4.1) of the paper (Pickl et al. 2017). See docs/method/stroke-fit.md.
 
 namespace beadswim {
 
@@ -52,8 +53,8 @@ struct CycleStatistics {
 ///   samples  at least 4, in order of time; the last sample is one period after the first
 ///   period   [time]
 /// Time averages use the trapezoidal rule over all samples. The stroke is fitted without the last sample,
-/// because the first sample already represents this phase. Throws InputError if the samples do not satisfy
-/// the conditions.
+/// because the first sample has the same phase. Throws InputError if the samples do not satisfy the
+/// conditions.
 CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, double period);
 
 }  // namespace beadswim

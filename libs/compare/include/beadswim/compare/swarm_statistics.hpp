@@ -8,7 +8,9 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Motion and order of a swarm at the end of a base cycle. See docs/method/swarm-statistics.md.
+// Motion and order of a swarm at the end of a base cycle. A base cycle is one period of the driving; if the
+// periods of the swimmers differ, it is one period of the first swimmer's type. Angle brackets <...> denote
+// the mean over the swimmers. See docs/method/swarm-statistics.md.
 
 namespace beadswim {
 
@@ -18,13 +20,13 @@ struct SwarmMember {
   Vec3 axis = Vec3::UnitX();                  ///< unit vector from bead 1 to bead 3
   Vec3 initial_axis = Vec3::UnitX();          ///< axis at the start of the run
   double kinetic_energy = 0;                  ///< kinetic energy of the beads [energy]
-  std::optional<CycleStatistics> last_cycle;  ///< last complete cycle of its own driving, if there is one
+  std::optional<CycleStatistics> last_cycle;  ///< last complete cycle of its own driving; empty if none
 };
 
 /// Distribution of one quantity over swimmers with equal weights, in the unit of the quantity.
 struct Spread {
   double mean = 0;
-  double deviation = 0;  ///< standard deviation: root of the mean squared difference from the mean (1/N)
+  double deviation = 0;  ///< population standard deviation: root of the mean squared difference from the mean
   double smallest = 0, largest = 0;
 
   static void visit_fields(auto&& visit, auto& spread) {
@@ -42,7 +44,7 @@ struct SwarmSwimming {
   Vec3 velocity_deviation = Vec3::Zero();  ///< standard deviation of each velocity component [length/time]
   Spread speed_along_axis;                 ///< velocity of each swimmer along its own axis [length/time]
   Vec3 mean_flow = Vec3::Zero();           ///< mean of CycleStatistics::mean_flow over swimmers [length/time]
-  std::array<Spread, 2> arm_amplitudes{};  ///< d1, d2 of (4.1) [length]
+  std::array<Spread, 2> arm_amplitudes{};  ///< d1, d2 of (4.1) of the paper [length]
   std::array<Spread, 2> arm_means{};       ///< mean arm lengths [length]
   std::array<double, 2> arm_phase_order{};  ///< Kuramoto |<exp(i delta)>| of delta1, delta2; 1: equal phases
 
@@ -68,7 +70,7 @@ struct SwarmStatistics {
   double nematic_order = 0;               ///< S, largest eigenvalue of <(3 axis axis - 1)/2>; 1: all parallel
   Vec3 director = Vec3::Zero();           ///< unit eigenvector to S, with its largest component > 0
   Spread rotation;                        ///< angle between axis and initial axis, in [0, pi] [rad]
-  std::optional<Spread> nearest_neighbour;  ///< distance [length]; empty for one swimmer without images
+  std::optional<Spread> nearest_neighbour;  ///< distance [length]; empty if no swimmer has a neighbour
   double kinetic_energy = 0;                ///< kinetic energy of all beads [energy]
 
   static void visit_fields(auto&& visit, auto& swarm) {
@@ -85,10 +87,10 @@ struct SwarmStatistics {
   }
 };
 
-/// Evaluates the statistics of a swarm at the end of base cycle `index`. Nearest neighbours are those of
-/// swimmer centres, periodic images included (nearest_neighbours.hpp). All swimmers have equal weight, so
-/// that the order of `members` affects the result only by roundoff. Without members, all results are zero or
-/// empty.
+/// Evaluates the statistics of a swarm at the end of base cycle `index`. Distances to nearest neighbours are
+/// between swimmer centres, periodic images included (nearest_neighbours.hpp). All swimmers have equal
+/// weight, so that the order of `members` affects the result only by roundoff. Without members, all results
+/// are zero or empty.
 SwarmStatistics swarm_statistics(int index, std::span<const SwarmMember> members,
                                  const std::optional<Box>& box);
 

@@ -9,7 +9,7 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/names.hpp"
 
-// Quantities in which runs and predictions are compared.
+// Quantities that are compared between runs and predictions.
 
 namespace beadswim {
 
@@ -22,9 +22,9 @@ inline constexpr auto name_table<ComparedQuantity> =
                                                  {ComparedQuantity::sin_phase_shift, "sin_phase_shift"}});
 
 /// Compared quantities of one swimmer, from a run or a prediction. A source may provide only some of them.
-///   velocity         { v }       along the swimmer's axis, in the frame of zero volume flux [length/time]
-///   arm_amplitudes   { d1, d2 }  of (4.1) [length]
-///   sin_phase_shift  { sin beta }, beta = delta1 - delta2
+///   velocity         { v }         along the swimmer's axis, relative to the mean flow [length/time]
+///   arm_amplitudes   { d1, d2 }    of equation (4.1) of the paper (Pickl et al. 2017) [length]
+///   sin_phase_shift  { sin beta }  beta = delta1 - delta2, the phase of arm 1 ahead of arm 2
 using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
 
 /// Returns the swimmer's velocity relative to the fluid, projected onto the swimmer's axis [length/time]. The

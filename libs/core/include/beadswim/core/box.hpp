@@ -8,11 +8,12 @@
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// The box that contains fluid and swimmers, with its periodic and mirror images. Any coherent unit system.
+// The box that contains fluid and swimmers, and the periodic and mirror images of points in it. All lengths
+// have the same unit, which is not prescribed.
 //
 //   L_a  length of the box along axis a
 //   x_a  coordinate of a position
-//   n_a  index of the periodic image that contains the position, floor(x_a / L_a)
+//   n_a  number of the periodic copy of the box that contains the position: floor(x_a / L_a); 0 in the box
 
 namespace beadswim {
 
@@ -43,7 +44,7 @@ struct Box {
   }
 };
 
-/// Returns n_a along periodic axes and 0 along the others.
+/// Returns n_a for each periodic axis and 0 for each other axis.
 inline Vec3 image_number(const Vec3& position, const Box& box) {
   Vec3 image = Vec3::Zero();
   for (int a = 0; a < 3; ++a)
@@ -51,8 +52,8 @@ inline Vec3 image_number(const Vec3& position, const Box& box) {
   return image;
 }
 
-/// Wraps the periodic coordinates of a position into the box: x_a - L_a n_a. Other coordinates are unchanged.
-/// In open space (no box), all coordinates are unchanged.
+/// Wraps the periodic coordinates of a position into the box: x_a - L_a n_a. Coordinates along other axes are
+/// unchanged. In open space (no box), all coordinates are unchanged.
 inline Vec3 wrapped(const Vec3& position, const std::optional<Box>& box) {
   return box ? Vec3(position - box->lengths.cwiseProduct(image_number(position, *box))) : position;
 }
@@ -68,8 +69,8 @@ inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::opti
   return separation;
 }
 
-/// Returns the lengths of the periodic box that consists of the box and its mirror images [length]: 2 L_a
-/// along axes with free-slip walls and L_a along periodic axes. In open space all lengths are 0.
+/// Returns the edges of the larger box that the box and its mirror images form together [length]: 2 L_a along
+/// axes with free-slip walls and L_a along other axes. In open space all edges are 0.
 inline Vec3 mirrored_lengths(const std::optional<Box>& box) {
   Vec3 lengths = Vec3::Zero();
   for (int a = 0; a < 3 && box; ++a) lengths[a] = box->lengths[a] * (box->has_mirrors(a) ? 2 : 1);

@@ -9,24 +9,26 @@
 
 namespace beadswim {
 
-/// Sorts points into cells, in order to find pairs of points within a cutoff. The edge of a cell is at least
-/// half the cutoff. All neighbours of a point are therefore in its own cell or at most two cells away along
-/// each axis. Memory and construction time are linear in the number of points.
+/// Sorts points into cells, so that pairs of points within a cutoff are found without a test of all pairs.
+/// The edge of a cell is at least half the cutoff. All points within the cutoff of a point are therefore in
+/// its own cell or at most two cells away along each axis. Memory and construction time are linear in the
+/// number of points.
 class CellList {
  public:
   /// Builds the list.
   ///   positions  at least one point [length]; non-finite coordinates are allowed
-  ///   cutoff     [length]
+  ///   cutoff     distance up to which pairs are found [length]
   ///   lengths    edges of the periodic box [length]; all 0 in open space
   CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths);
 
   bool is_periodic() const { return lengths_[0] > 0; }
 
-  /// Returns the indices of the points in the order of their cells.
+  /// Returns the indices of all points, sorted by cell.
   const std::vector<int>& order() const { return order_; }
 
-  /// Calls visit(begin, end) for ranges of positions in order(). Together the ranges contain, once each, all
-  /// points after position s that may be within the cutoff of the point order()[s].
+  /// Calls visit(begin, end) for index ranges [begin, end) of order(). Together the ranges contain each index
+  /// t > s for which the points order()[s] and order()[t] may be within the cutoff, once each. Calls for all
+  /// s therefore visit each pair of points once.
   template <class Visitor>
   void for_each_range_after(int s, const Visitor& visit) const {
     const int own = cell_[s];
@@ -48,20 +50,21 @@ class CellList {
   }
 
  private:
-  /// Indices of consecutive cells along one axis, `last` included. An index outside [0, counts_) stands for
-  /// the cell of a periodic image.
+  /// First and last index of consecutive cells along one axis, both included. An index outside [0, counts_)
+  /// refers to the cell of a periodic image.
   struct Range {
     int first, last;
   };
-  /// Returns the cells along `axis` that may contain neighbours of a point in cell `at`, each cell once.
+  /// Returns the cells along `axis` that may contain neighbours of a point in the cell with index `at`.
+  /// Contains each cell once.
   Range neighbour_cells(int at, int axis) const {
     const int count = counts_[axis];
     if (is_periodic()) return count >= 5 ? Range{at - 2, at + 2} : Range{0, count - 1};
     return {std::max(0, at - 2), std::min(count - 1, at + 2)};
   }
 
-  /// Calls visit(first, last) for ranges of cells. Together the ranges contain, once each, `cell` and all
-  /// cells that may contain neighbours of its points.
+  /// Calls visit(first, last) for ranges of consecutive cells, both included. Together the ranges contain
+  /// `cell` and all cells that may contain neighbours of its points, once each.
   template <class Visitor>
   void for_each_row_around(int cell, const Visitor& visit) const {
     const Range x = neighbour_cells(cell / (counts_[1] * counts_[2]), 0);
@@ -80,10 +83,10 @@ class CellList {
   int cell_of(const Vec3& position) const;
 
   Vec3 lengths_;
-  Vec3 low_ = Vec3::Zero();  ///< lowest corner of the cells
+  Vec3 low_ = Vec3::Zero();  ///< corner of the cells with the smallest coordinates
   std::array<double, 3> inverse_edge_{};
   std::array<int, 3> counts_{};  ///< cells along each axis
-  std::vector<int> start_;       ///< position in order_ at which each cell starts; last entry: size of order_
+  std::vector<int> start_;       ///< index in order_ of the first point of each cell; last: number of points
   std::vector<int> order_;
   std::vector<int> cell_;  ///< cell of each point, in the order of order_
 };

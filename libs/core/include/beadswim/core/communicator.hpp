@@ -6,7 +6,8 @@
 
 namespace beadswim {
 
-/// Initialises MPI in the constructor and finalises it in the destructor. A program has one, in main.
+/// Initialises MPI in the constructor and finalises it in the destructor. A program creates one MpiSession,
+/// in main.
 class MpiSession {
  public:
   MpiSession(int* argc, char*** argv);
@@ -38,7 +39,7 @@ class Communicator {
 /// ranks. Throws SolverError on rank 0 if the total exceeds 2 GiB. Collective.
 std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator& communicator);
 
-/// Returns the number of ranks of the communicator that share memory with this rank, itself included.
+/// Returns the number of ranks of the communicator that share memory with this rank, this rank included.
 /// Collective.
 int count_ranks_on_node(const Communicator& communicator);
 

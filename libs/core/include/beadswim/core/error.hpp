@@ -5,7 +5,7 @@
 
 namespace beadswim {
 
-/// Exit statuses of every program (the table in docs/exit-status.md).
+/// Exit statuses of all programs. They are explained in docs/exit-status.md.
 enum class ExitStatus : int {
   fine = 0,
   negative_verdict = 1,
@@ -20,10 +20,11 @@ enum class Setting : int;  // setting.hpp
 /// status 2.
 class InputError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;  ///< takes a complete message, which includes the place
-  /// The message begins with the name of the invalid setting: words, or the flag in a program that has one.
+  using std::runtime_error::runtime_error;  ///< constructor from a complete message with place and remedy
+  /// Begins the message with the name of the invalid setting. The name is a flag if the program has a flag
+  /// for the setting, otherwise words.
   InputError(Setting setting, const std::string& what_and_remedy);
-  /// `where` is a file, FILE:JSON-POINTER, or a flag of the program that throws.
+  /// Begins the message with `where`: a file, FILE:JSON-POINTER, or a flag of the program that throws.
   InputError(const std::string& where, const std::string& what_and_remedy)
       : std::runtime_error(where + ": " + what_and_remedy) {}
 };
@@ -34,13 +35,14 @@ class SolverError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A non-finite number in a calculation, which has therefore become unstable. Exit status 3.
+/// Failure because a calculation has become unstable and has produced a non-finite number. Exit status 3.
 class NotFiniteError : public SolverError {
  public:
   using SolverError::SolverError;
 };
 
-/// Intended stop of a run with intact results: speed limit, time limit or signal. Exit status 4.
+/// Stop of a run before its end by a speed limit, a time limit or a signal. The results until the stop are
+/// valid. Exit status 4.
 class StoppedEarly : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -49,7 +51,7 @@ class StoppedEarly : public std::runtime_error {
 /// Writes text to stderr. Ignores write errors, because a closed or full stderr must not end a run.
 void print_to_stderr(const std::string& text);
 
-/// Prints "PROGRAM: message" of the current exception on stderr and returns its exit status. To be called
+/// Prints "PROGRAM: message" of the current exception on stderr and returns its exit status. Must be called
 /// inside a catch block.
 int report_current_exception(const std::string& program);
 

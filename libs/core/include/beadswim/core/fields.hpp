@@ -18,9 +18,11 @@
 //     }
 //   };
 //
-// A visitor takes the name of a field, a reference to the field, and marks (below), which it may ignore. The
-// names are the keys in JSON, in the same order. The list is used for messages between ranks, hashes and
-// checkpoints (core/message.hpp), for JSON (io/fields_json.hpp) and for columns in HDF5 (io/columns.hpp).
+// The visitor `visit` is called once per field, with the name of the field, a reference to the field, and
+// optional marks. The marks are empty structs, which are defined below; a visitor may ignore them. In JSON
+// the names are the keys, in the order of the list. The list is also used for messages between ranks, hashes
+// and checkpoints (core/message.hpp) and for columns in HDF5 files (io/columns.hpp). The conversion to JSON
+// is in io/fields_json.hpp.
 
 namespace beadswim {
 
@@ -28,7 +30,7 @@ struct IgnoreField {
   void operator()(const char*, auto&, auto...) const {}
 };
 
-/// A struct that lists its fields; T may be const.
+/// Is satisfied by a struct that lists its fields in visit_fields. T may be const.
 template <class T>
 concept HasFields = requires(T& record) {
   std::remove_const_t<T>::visit_fields(IgnoreField{}, record);

@@ -4,9 +4,9 @@
 
 namespace beadswim {
 
-/// Allocates zeroed memory, on huge pages if the system provides them. A kernel that streams through many
-/// arrays at once would exceed the translation lookaside buffer for small pages. Free the memory with
-/// std::free. Throws std::bad_alloc.
+/// Allocates zeroed memory, on huge pages of 2 MiB if the system provides them. A kernel that accesses many
+/// arrays at once needs more small pages than the processor's translation lookaside buffer can store. Free
+/// the memory with std::free. Throws std::bad_alloc.
 void* allocate_zeros_on_huge_pages(std::size_t bytes);
 
 }  // namespace beadswim

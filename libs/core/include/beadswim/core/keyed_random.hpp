@@ -9,11 +9,12 @@
 namespace beadswim {
 
 /// Random number generator whose sequence depends only on a seed and two keys. The numbers of one swimmer
-/// therefore do not depend on other swimmers. They are the same on every machine, unlike those of the
-/// distributions of the C++ standard library. Generator: SplitMix64 (Steele, Lea and Flood 2014).
+/// therefore do not depend on other swimmers. The numbers are equal on all machines, which the distributions
+/// of the C++ standard library do not guarantee. Generator: SplitMix64 (Steele, Lea and Flood 2014).
 class KeyedRandom {
  public:
-  /// `key` identifies the object, for example a swimmer, and `purpose` the use of the numbers.
+  /// `key` identifies the object, for example a swimmer. `purpose` distinguishes several sequences of the
+  /// same object.
   KeyedRandom(std::uint64_t seed, std::uint64_t key, std::uint64_t purpose)
       : state_(mix_bits(mix_bits(mix_bits(seed) ^ key) ^ purpose)) {}
 

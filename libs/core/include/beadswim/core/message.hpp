@@ -10,13 +10,14 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Messages that contain plain values and records (core/fields.hpp). They are exchanged between ranks or
-// stored in files, and are valid only on machines with the same representation of numbers. OutgoingMessage
-// and IncomingMessage are called with a list of values, so that one function can serve both directions.
+// Messages are sequences of bytes that contain plain values and records (core/fields.hpp). They are exchanged
+// between ranks or stored in files. The bytes are copied from memory, so they are valid only on machines with
+// the same representation of numbers. OutgoingMessage and IncomingMessage have the same call operator,
+// message(value, ...), so that one function template can write and read the same list of values.
 
 namespace beadswim {
 
-/// Calls transfer(field) for each field of a record, in the order of messages and checkpoints:
+/// Calls transfer(field) for each field of a record, in the order of the fields in messages and checkpoints:
 ///   1. plain values
 ///   2. nested records
 ///   3. arrays of records: element 0 of all arrays, then element 1, ...
@@ -147,7 +148,7 @@ class IncomingMessage {
   }
   template <class T>
   void get(std::optional<T>& value) {
-    std::uint8_t has_value = 0;  // not bool: a damaged file may hold any byte
+    std::uint8_t has_value = 0;  // not bool: a damaged file may contain any byte
     get(has_value);
     if (has_value > 1) throw SolverError("a message is damaged");
     if (has_value == 1) get(value.emplace());

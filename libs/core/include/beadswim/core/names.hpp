@@ -11,8 +11,8 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 
-// Names of the values of an enumeration, as used in flags and documents. Each enumeration has one table,
-// which is defined next to it:
+// Tables of the names that the values of an enumeration have in flags and documents. Each enumeration has one
+// table, which is defined next to the enumeration:
 //
 //   template <>
 //   inline constexpr auto name_table<Precision> =

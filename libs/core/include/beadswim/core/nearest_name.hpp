@@ -7,8 +7,8 @@ namespace beadswim {
 
 /// Returns the candidate that a misspelt `name` probably stands for, or an empty text if there is none. A
 /// candidate qualifies if few insertions, deletions, substitutions and swaps of adjacent letters turn `name`
-/// into the candidate or into a part of it ("viscosty" and "kinematic_viscosity"). If several candidates
-/// qualify, returns the one with the fewest such changes.
+/// into the candidate or into a part of it (for example "viscosty" into a part of "kinematic_viscosity"). If
+/// several candidates qualify, returns the candidate with the fewest such changes.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
 /// Returns the end of a message about an unknown name: "; did you mean \"NEAREST\"?", or "." if

@@ -4,15 +4,15 @@
 
 // Splits terms of an OrderFreeSum into a coarse and a fine part, in double precision, for vectorised loops.
 //
-// Adding and then subtracting 3/2 x 2^22 rounds a number x with |x| < 2^21 to a multiple of 2^-30, ties to
+// Adding and then subtracting 1.5 * 2^22 rounds a number x with |x| < 2^21 to a multiple of 2^-30, ties to
 // even, as OrderFreeSum does. This multiple is the coarse part. The fine part is the remainder, rounded in
-// the same way to a multiple of 2^-62. Up to 4096 coarse parts below 2^10 have an exact sum in double
-// precision, in any order, and so have their fine parts.
+// the same way to a multiple of 2^-62. The sum of up to 4096 coarse parts with absolute values below 2^10 is
+// exact in double precision, in any order. The sum of their fine parts is exact too.
 
 namespace beadswim::order_free {
 
 constexpr double largest_term = 0x1p10;  ///< exclusive upper bound of |term|
-constexpr int max_terms = 4096;          ///< maximum number of terms whose parts are summed in doubles
+constexpr int max_terms = 4096;          ///< maximum number of terms whose parts have exact sums in doubles
 
 // `Value` is double or a vector of doubles.
 

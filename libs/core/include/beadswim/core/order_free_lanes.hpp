@@ -8,8 +8,9 @@
 
 namespace beadswim {
 
-/// N order-free sums, each with 8 partial sums (lanes). Kernels add terms that are split into coarse and fine
-/// parts (order_free_cut.hpp).
+/// N sums whose bits do not depend on the order of their terms (order_free_sum.hpp). Each sum has 8 partial
+/// sums, the lanes of a vector register. Kernels add terms that are already split into coarse and fine parts
+/// (order_free_cut.hpp).
 template <int N>
 struct OrderFreeLanes {
   static constexpr int lanes = 8;
@@ -18,8 +19,8 @@ struct OrderFreeLanes {
   int terms = 0;  ///< number of terms in each lane, at most order_free::max_terms
   std::array<OrderFreeSum, N> sums;
 
-  /// Prepares each lane for `more` further terms: moves the lanes into the sums if they would exceed the
-  /// maximum.
+  /// Prepares each lane for `more` additional terms. If a lane would then contain more than
+  /// order_free::max_terms terms, first adds all lanes to `sums` and empties them.
   void reserve_terms(int more) {
     if (terms + more > order_free::max_terms) gather();
     terms += more;

@@ -5,15 +5,15 @@
 
 // A sum whose bits do not depend on the order of its terms and therefore not on the number of ranks.
 //
-// Each term is split into two integers, x = coarse 2^-30 + fine 2^-62, which are summed separately. The
-// absolute error of the splitting is less than 2^-62 (2.2e-19) per term. The range suffices for sums up to
-// 2^33 and for at least 2^31 terms. Larger sums throw.
+// Each term x is split into two integers, x = coarse 2^-30 + fine 2^-62. The two integers are summed
+// separately. The absolute error of the splitting is less than 2^-62 (2.2e-19) per term. The range suffices
+// for sums up to 2^33 and for at least 2^31 terms. A larger sum throws SolverError.
 
 namespace beadswim {
 
 class OrderFreeSum {
  public:
-  /// Adds one term. Throws NotFiniteError unless |x| < 2^31 (NaN throws too), and SolverError if the sum
+  /// Adds one term. Throws NotFiniteError if x is NaN or |x| >= 2^31. Throws SolverError if the sum
   /// overflows.
   void add(double x) {
     if (!(std::abs(x) < largest_term)) throw_out_of_range(x);
@@ -32,8 +32,8 @@ class OrderFreeSum {
     add(fine, -other.fine);
   }
 
-  /// Adds a sum of terms that are already split: `coarse_sum` is a multiple of 2^-30 below 2^33 and
-  /// `fine_sum` a multiple of 2^-62 below 2, in absolute value.
+  /// Adds the sum of several terms that are already split into coarse and fine parts. `coarse_sum` is a
+  /// multiple of 2^-30 with |coarse_sum| < 2^33. `fine_sum` is a multiple of 2^-62 with |fine_sum| < 2.
   void add_split(double coarse_sum, double fine_sum) {
     add(coarse, static_cast<std::int64_t>(coarse_sum * coarse_per_unit));
     add(fine, static_cast<std::int64_t>(fine_sum * fine_per_unit));
@@ -43,7 +43,8 @@ class OrderFreeSum {
     return static_cast<double>(coarse) / coarse_per_unit + static_cast<double>(fine) / fine_per_unit;
   }
 
-  // Public data for messages and MPI reductions: MPI_SUM of these MPI_INT64_T numbers adds sums exactly.
+  // These members are public so that messages and MPI reductions can access them. MPI_SUM over both numbers,
+  // as MPI_INT64_T, adds sums exactly.
   std::int64_t coarse = 0;
   std::int64_t fine = 0;
 

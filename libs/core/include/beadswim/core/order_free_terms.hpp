@@ -2,15 +2,17 @@
 
 #include "beadswim/core/order_free_lanes.hpp"
 
-// For kernels, which are compiled once per instruction set: all functions here are always inlined.
+// Functions for kernels. Kernels are compiled once per instruction set, so all functions here are always
+// inlined (kernel.hpp).
 
 namespace beadswim::order_free {
 
 constexpr int lanes = OrderFreeLanes<1>::lanes;
 using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 
-/// Adds terms[n][0] to terms[n][places - 1] to sum n, for each of the N sums. `places` is a multiple of the
-/// number of lanes. If a term is NaN or |term| >= largest_term, adds nothing and returns false.
+/// Adds the terms terms[n][0], ..., terms[n][places - 1] to sum n, for each of the N sums. `places` is a
+/// multiple of the number of lanes. If a term is NaN or |term| >= largest_term, adds nothing and returns
+/// false.
 template <int N, int capacity>
 BEADSWIM_KERNEL bool add_terms(const double (&terms)[N][capacity], int places, OrderFreeLanes<N>& sums) {
   Lanes coarse[N], fine[N];

@@ -72,7 +72,8 @@ inline constexpr auto name_table<Setting> =
                                         {Setting::unbounded, "unbounded fluid"},
                                         {Setting::viscosity, "the viscosity"}});
 
-/// Returns the name of a setting in messages: words, unless the program has replaced them by flags.
+/// Returns the name of a setting in messages: the name from set_setting_names() if a program has called it,
+/// otherwise words.
 std::string name_of(Setting setting);
 
 /// Makes all later messages name settings by `name`. A program calls this function once, before it uses a

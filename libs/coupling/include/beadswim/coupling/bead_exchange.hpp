@@ -24,10 +24,12 @@ constexpr double max_stretch = 2;
 
 /// Exchanges messages between the rank that owns a swimmer and the ranks whose cells its beads touch.
 ///
-/// The rank whose block contains bead 2 owns the swimmer. In each step the owner sends the beads to the ranks
-/// near them (publish), and these ranks return the impulses that their cells have transferred to the beads
-/// (collect). A rank communicates with a fixed set of peers: the ranks that the beads of its swimmers can
-/// touch. There is no global communication.
+/// The rank whose block contains bead 2 owns the swimmer. In each step, messages go in both directions:
+/// - publish(): the owner sends the beads to the ranks near them.
+/// - collect(): these ranks return the impulses that their cells have transferred to the beads.
+///
+/// A rank exchanges messages only with a fixed set of ranks, its peers: the ranks whose blocks the beads of
+/// its swimmers can touch. There is no global communication.
 class BeadExchange {
  public:
   BeadExchange(const Communicator& communicator, const Decomposition& decomposition,
@@ -36,12 +38,15 @@ class BeadExchange {
   /// Returns the rank whose block contains `position` (unwrapped coordinates [cell]).
   int owner_of(const Vec3& position) const;
 
-  /// Returns the fault that forbids the publication of a swimmer, if there is one: an arm longer than
-  /// max_stretch, whose beads may touch ranks that are no peers of the owner, or a bead nearer to a wall than
-  /// min_wall_gap. The step of the fault is not set.
+  /// Returns a fault if the beads of a swimmer must not be published at their present positions. Fault::step
+  /// is not set.
+  /// - torn_arm: an arm is longer than max_stretch, so that its beads may touch blocks of ranks that are not
+  ///   peers.
+  /// - wall: the gap between a bead and a wall is smaller than min_wall_gap.
   std::optional<Fault> position_fault(const SwimmerState& swimmer) const;
 
-  /// Moves swimmers whose bead 2 has left the block from `owned` to their new owners. Returns the beads near
+  /// Sends the beads of the swimmers in `owned` to the ranks near the beads. Moves each swimmer whose bead 2
+  /// has left the block to the list `owned` of its new owner. Returns the beads of all swimmers that are near
   /// this block, sorted by name.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
@@ -51,8 +56,8 @@ class BeadExchange {
   /// Returns the ranks that this rank communicates with, including itself.
   const std::vector<int>& peers() const { return peers_; }
 
-  /// Sends the impulses of `beads` to their owners. Returns the total impulses on the beads of owned
-  /// swimmers.
+  /// Sends the impulses of `beads` to the owners of the beads. Returns the total impulses on the beads of
+  /// owned swimmers.
   std::map<BeadName, Impulse> collect(std::span<const BeadOnLattice> beads);
 
  private:
@@ -68,7 +73,8 @@ class BeadExchange {
   std::vector<int> peers_;
   Traffic traffic_;
   const std::vector<SwimmerType>& types_;
-  std::vector<std::array<double, 3>> radii_;  ///< of each type, as the fluid sees the beads [cell]
+  /// CoupledScene::radius_on_lattice() of the three beads of each type [cell]
+  std::vector<std::array<double, 3>> radii_;
 };
 
 }  // namespace beadswim

@@ -7,18 +7,21 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/block.hpp"
 
-// Images of a bead in a block of a lattice that may be periodic. The coordinates of a bead are never wrapped.
+// Periodic images of a bead in a block of the lattice. The coordinates of a bead are never wrapped into the
+// box.
 
 namespace beadswim {
 
-/// Cells [low, high) of a block that an image of a bead may cover, in local coordinates (-margin to size +
-/// margin). Cell p of the block is cell p + shift in the unwrapped coordinates of the bead.
+/// One periodic image of a bead. It may cover the box of cells [low, high), in local coordinates of the
+/// block. The box is limited to the block and `margin` layers of cells around it. The cell with local
+/// coordinates p has the coordinates p + shift in the unwrapped coordinates of the bead.
 struct BeadImage {
   Index3 low, high;
   Index3 shift;
 };
 
-/// Returns true if the boxes of two images are at most `distance` cells apart along every axis.
+/// Returns true if along every axis the nearest cells of the boxes of two images are at most `distance` cells
+/// apart. If `distance` is 0, the boxes must share cells.
 inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
   return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
 }
@@ -27,7 +30,7 @@ inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
 struct BlockInLattice {
   Block block;
   Index3 cells;
-  std::array<Boundary, 3> boundary;  ///< of the lattice
+  std::array<Boundary, 3> boundary;  ///< boundary conditions of the lattice
 
   bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
 };
@@ -37,7 +40,7 @@ BlockInLattice block_in_lattice(const Decomposition& decomposition, int rank,
 
 namespace detail {
 
-/// Local cells [low, high); cell + shift is the cell in unwrapped coordinates.
+/// Cells [low, high) along one axis in local coordinates. cell + shift is the unwrapped coordinate.
 struct Interval {
   int low, high, shift;
 };

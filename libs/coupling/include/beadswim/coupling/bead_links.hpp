@@ -11,35 +11,39 @@
 
 namespace beadswim {
 
-/// A link between a covered cell and a fluid cell of the block or its halo. At least one of the two cells
-/// belongs to the block.
+/// A link: the line between the centres of a covered cell and an adjacent fluid cell, which the surface of a
+/// bead cuts. Both cells lie in the block or its halo, and at least one of them belongs to the block. A fluid
+/// cell x + c is *behind* the fluid cell x if c points from the covered cell to x; the second cell behind is
+/// x + 2 c.
 struct BeadLink {
-  std::array<std::int16_t, 3> from_low;  ///< covered cell relative to the low corner of the image
+  std::array<std::int16_t, 3> from_low;  ///< covered cell, relative to the low corner of the box of the image
   std::uint8_t out : 5;                  ///< direction from the covered cell to the fluid cell
-  std::uint8_t fluid_behind : 2;  ///< number of fluid cells behind the fluid cell that the scheme reads
-  bool fluid_is_own : 1;  ///< true if the fluid cell belongs to the block; otherwise its owner reflects
-  double outgoing = 0;    ///< population that left the fluid cell along the link in the last step
+  /// Number of consecutive fluid cells behind, counted up to the number that the scheme reads.
+  std::uint8_t fluid_behind : 2;
+  bool fluid_is_own : 1;  ///< true if the fluid cell belongs to the block; otherwise another rank reflects
+  double outgoing = 0;    ///< population that left the fluid cell towards the bead in the last step
 };
 
-/// Links [first, end) of one image of a bead that are processed together.
+/// Consecutive links [first, end) of one image of a bead. The step processes them together.
 struct LinkSegment {
   int first, end;  ///< indices into the links of the image
   int image;       ///< index into CoveredImages::images
 };
 
-/// Returns the populations that a scheme needs in the halo.
+/// Returns the populations that a scheme reads in the halo.
 constexpr HaloContent halo_content(BeadScheme scheme) {
   return cells_behind(scheme) > 1 ? HaloContent::behind : HaloContent::entering;
 }
 
 /// All links of a block, sorted by the row before which the step processes them.
 ///
-/// A link reads and writes incoming populations of its covered cell, of its fluid cell and of the fluid cells
+/// A link reads and writes incoming populations of its covered cell, of its fluid cell and of the cells
 /// behind that the scheme reads. The scheme mr also reads incoming populations of all cells around the fluid
-/// cell. The step processes a segment just before it sweeps the first row that the segment uses. The sweep
-/// needs the same populations in the cache.
+/// cell. The step processes a segment just before it sweeps the first row whose populations the segment uses.
+/// The populations that the segment loads into the cache are then used by the sweep.
 ///
-/// A bead moves by a fraction of a cell per step, so that most links persist from one step to the next.
+/// A bead moves by a fraction of a cell per step. Most links therefore remain unchanged from one step to the
+/// next.
 class BeadLinks {
  public:
   explicit BeadLinks(BeadScheme scheme) : scheme_(scheme) {}
@@ -79,20 +83,24 @@ class BeadLinks {
   }
 
  private:
-  /// Offsets (dy, dz) of the rows that follow a row in the order of z, then y, and that can have links with
-  /// its cells.
+  /// Offsets (dy, dz) from a row to the adjacent rows that come later in the order of z, then y. Links can
+  /// join a cell of a row to cells of these rows.
   static constexpr std::array<std::array<int, 2>, 4> later_rows{{{1, 0}, {-1, 1}, {0, 1}, {1, 1}}};
 
-  /// The links of one image, in two segments per row. Segment `downwards` = 0 has the links from covered
-  /// cells of the row to fluid cells of the same row and of later rows. Segment 1 has the links from covered
-  /// cells of later rows to fluid cells of the row. The rows extend from one row before the box of the image
-  /// to its last row along z, and to one row after it along y.
+  /// The links of one image, in two segments per row:
+  /// - Segment 0 (downwards = 0): links from covered cells of the row to fluid cells of the same row and of
+  ///   later rows.
+  /// - Segment 1 (downwards = 1): links from covered cells of later rows to fluid cells of the row.
+  ///
+  /// If the box of the image is [low, high), the rows have low_y - 1 <= y <= high_y and low_z - 1 <= z <
+  /// high_z.
   struct ImageLinks {
     BeadImage box;
-    bool is_alone = false;         ///< no other image or wall can affect the links: the runs determine them
-    std::vector<CoveredRun> runs;  ///< runs from which the links were found
-    std::vector<int> first_of_segment;  ///< first link of each segment; last entry: number of links
-    std::vector<int> place_of_segment;  ///< position of each segment in the order of the step
+    bool is_alone = false;         ///< true if no other image and no wall can affect the links
+    std::vector<CoveredRun> runs;  ///< covered cells of each row, from which the links were found
+    /// Index of the first link of each segment. The last entry is the number of links.
+    std::vector<int> first_of_segment;
+    std::vector<int> place_of_segment;  ///< place_of_row() of the row before which each segment is processed
     std::vector<BeadLink> links;
 
     int rows_y() const { return box.high[1] - box.low[1] + 2; }

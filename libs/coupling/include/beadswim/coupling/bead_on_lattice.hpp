@@ -16,13 +16,15 @@ struct BeadName {
   auto operator<=>(const BeadName&) const = default;
 };
 
-/// Impulses that the fluid and close beads transfer to a bead, as order-free sums.
+/// Impulses that the fluid and close beads transfer to a bead. All are sums whose bits do not depend on the
+/// order of the terms.
 struct Impulse {
-  std::array<OrderFreeSum, 3> linear, angular;  ///< momentum, and angular momentum about the centre
-  OrderFreeSum mass;         ///< fluid mass, minus the mass of the same number of cells at density 1
+  /// From the fluid: momentum, and angular momentum about the centre of the bead.
+  std::array<OrderFreeSum, 3> linear, angular;
+  OrderFreeSum mass;         ///< fluid mass that the bead takes up, beyond density 1
   OrderFreeSum link_weight;  ///< sum of w_i over the links of the bead
-  std::array<OrderFreeSum, 3> inner_linear, inner_angular;  ///< of the fluid within the bead (psm)
-  std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< impulses from close beads
+  std::array<OrderFreeSum, 3> inner_linear, inner_angular;  ///< momenta of the fluid within the bead (psm)
+  std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< from close beads
   OrderFreeSum removed_fraction;  ///< sum of PairImpulse::removed_fraction over the close pairs
 
   static void visit_fields(auto&& visit, auto&... impulses) {
@@ -75,14 +77,15 @@ struct BeadVelocity {
 /// A bead as stored by the ranks whose cells it touches, in lattice units.
 struct BeadOnLattice {
   BeadName name;
-  int owner = 0;      ///< rank that advances it and gathers its impulses
-  double radius = 0;  ///< radius for the fluid [cell]
+  int owner = 0;      ///< rank that advances the bead and sums its impulses
+  double radius = 0;  ///< radius with which the bead acts on the fluid [cell]
   BeadMotion motion;
   Bead body{};                  ///< radius and density for the interaction with other beads
   BeadVelocity predicted{};     ///< velocities at the end of the next step if no other bead were close
-  double removed_fraction = 0;  ///< sum over its close pairs in the last step
-  double mass_source = 0;  ///< returned mass: fluid mass that each link returns in this step, divided by w_i
-  Impulse impulse;         ///< from the cells of this rank since the last collection by the owner
+  double removed_fraction = 0;  ///< sum over the close pairs of the bead in the last step
+  /// Returned mass: fluid mass that each link returns in this step, divided by the weight of the link.
+  double mass_source = 0;
+  Impulse impulse;  ///< from the cells of this rank; not yet sent to the owner
 
   /// Visits the fields that the owner sends to other ranks: all fields except the impulse.
   static void visit_fields(auto&& visit, auto& bead) {

@@ -12,7 +12,7 @@ enum class BeadScheme {
   psm,        ///< partially saturated cells: no links; fluid within beads is forced to move with them
 };
 
-/// Schemes that users can choose and that tests/verification measures.
+/// Names of the schemes in flags and documents.
 template <>
 inline constexpr auto name_table<BeadScheme> =
     std::to_array<NamedValue<BeadScheme>>({{BeadScheme::staircase, "staircase"},
@@ -20,12 +20,14 @@ inline constexpr auto name_table<BeadScheme> =
                                            {BeadScheme::mr, "mr"},
                                            {BeadScheme::psm, "psm"}});
 
-/// Returns false for psm, which couples by forces in cells.
+/// Returns true if the scheme reflects populations on links between fluid cells and covered cells. Returns
+/// false for psm, which applies forces in cells instead.
 constexpr bool has_links(BeadScheme scheme) {
   return scheme != BeadScheme::psm;
 }
 
-/// Returns the number of fluid cells behind its own fluid cell that a link reads.
+/// Returns the number of fluid cells that a link reads in addition to its own fluid cell. They follow this
+/// cell along the link, away from the bead.
 constexpr int cells_behind(BeadScheme scheme) {
   switch (scheme) {
     case BeadScheme::cli:

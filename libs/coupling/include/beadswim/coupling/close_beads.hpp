@@ -16,10 +16,11 @@
 
 namespace beadswim {
 
-/// Returns the cutoffs below which the lattice lacks resistance of the film between two beads [cell]. Below
-/// some gap the resistance of the lattice is constant; the cutoff is the gap at which this constant equals
-/// the exact resistance (docs/verification.md). The smallest gap, which models roughness, is a thousandth of
-/// smallest_radius.
+/// Returns the range of gaps in which the resistance of the film between two beads must be added [cell]. At
+/// gaps below the cutoffs the lattice does not resolve the film: its resistance no longer depends on the gap.
+/// The cutoff is the gap at which this constant resistance equals the exact resistance
+/// (docs/verification.md). The lower end of the range models the roughness of the surfaces. It is a
+/// thousandth of `smallest_radius`, the radius of the smallest bead.
 LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius);
 
 /// Returns the near-contact law of the scene, in lattice units.
@@ -28,25 +29,28 @@ NearContactLaw near_contact_law(const CoupledScene& scene);
 /// Largest permitted overlap of two beads [radius of the smaller bead].
 constexpr double max_overlap = 0.2;
 
-/// Returns a fault if the overlap -gap exceeds max_overlap. The step of the fault is not set.
+/// Returns a fault if the overlap of two beads exceeds max_overlap. gap: distance of the surfaces, negative
+/// if the beads overlap [cell]. Fault::step is not set.
 std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
                                 double smaller_radius);
 
 /// Result of add_contact_impulses().
 struct CloseBeads {
-  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of pairs within the cutoff [cell]
+  /// Smallest gap of the pairs within the cutoff [cell]. Infinite if there is no such pair.
+  double smallest_gap = std::numeric_limits<double>::infinity();
   std::optional<Fault> overlap;  ///< the first overlap that exceeds max_overlap
 };
 
-/// Adds the impulses of close pairs in the next step to the beads. Skips pairs within one swimmer, unless one
-/// bead is a periodic image: the owner of the swimmer evaluates them (add_swimmer_contact_impulses). Each
-/// pair is evaluated in the block that contains the middle of its gap.
+/// Adds to the beads the impulses that close pairs exchange in the next step. Skips a pair of beads of the
+/// same swimmer, because the owner of the swimmer evaluates it (add_swimmer_contact_impulses()). A pair of a
+/// bead and a periodic image of a bead of the same swimmer is not skipped. Each pair is evaluated on the rank
+/// whose block contains the middle of the gap.
 CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& coverage,
                                 std::span<BeadOnLattice> beads);
 
-/// Adds to `impulses` the impulses of close pairs within one swimmer, at the positions of the start of the
-/// step. Before the call, `impulses` must contain the impulses from the beads of other swimmers. Also adds to
-/// swimmer.removed_fraction.
+/// Adds to `impulses` the impulses of close pairs within one swimmer, evaluated at the positions at the start
+/// of the step. Before the call, `impulses` must contain the impulses from the beads of other swimmers. Also
+/// adds the contributions of these pairs to swimmer.removed_fraction.
 void add_swimmer_contact_impulses(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
                                   SwimmerLoads& impulses);
 

@@ -9,10 +9,11 @@ namespace beadswim {
 
 /// Totals of the complete scene, in lattice units.
 struct SceneTotals {
-  Vec3 momentum = Vec3::Zero();   ///< of fluid and beads, including pending impulses
-  Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity; covered cells move with their bead
-  /// Sum of (density - 1) over the fluid, plus the fluid mass that beads hold, divided by the number of
-  /// cells.
+  Vec3 momentum = Vec3::Zero();  ///< of fluid and beads; includes impulses not yet applied to the beads
+  /// Mean velocity over the volume of the box. Cells within a bead count with the velocity of the bead.
+  Vec3 mean_flow = Vec3::Zero();
+  /// Sum of (density - 1) over the fluid cells, plus the fluid mass that the beads have taken up and not yet
+  /// returned; divided by the number of cells.
   double mass_excess = 0;
 
   static void visit_fields(auto&& visit, auto& totals) {
@@ -22,11 +23,14 @@ struct SceneTotals {
   }
 };
 
-/// Returns a fault if the mass, or in a periodic box the momentum, has changed by more than roundoff explains
-/// or is non-finite. The change of momentum is divided by the momentum of all beads at `bead_speed`, the
-/// largest speed so far [cell/step]. Six cycles of the paper's swimmer at 2 cells per radius lost 2e-15 of
-/// the momentum and no mass in double precision, and 4e-7 and 2e-11 in single precision. The limits are far
-/// larger. The step of the fault is not set.
+/// Returns a fault if a conserved total has changed by more than roundoff can explain, or is non-finite. The
+/// mass is conserved; in a box that is periodic along all axes, the momentum also is. The change of momentum
+/// is divided by the momentum of all beads at `bead_speed`, the largest speed of any bead so far [cell/step].
+/// Fault::step is not set.
+///
+/// The limits in conservation.cpp are far larger than roundoff. Six cycles of the swimmer of Pickl et al.
+/// 2017 at 2 cells per radius changed the momentum by a relative 2e-15, and the mass not at all, in double
+/// precision. In single precision the relative changes were 4e-7 (momentum) and 2e-11 (mass).
 std::optional<Fault> conservation_fault(const CoupledScene& scene, const SceneTotals& first,
                                         const SceneTotals& now, double bead_speed);
 

@@ -25,13 +25,13 @@
 
 namespace beadswim {
 
-/// State of a system besides populations and swimmers, for checkpoints.
+/// Part of the state of a system that a checkpoint stores in addition to populations and swimmers.
 struct SystemProgress {
   long steps_done = 0;
-  double largest_bead_speed = 0;  ///< so far [cell/step]
-  double smallest_gap = 0;        ///< so far [cell]
+  double largest_bead_speed = 0;  ///< largest speed of any bead so far [cell/step]
+  double smallest_gap = 0;        ///< smallest gap so far, as CoupledSystem::smallest_gap() [cell]
 
-  /// Visits the extremes, but not the number of steps.
+  /// Visits the largest speed and the smallest gap, but not the number of steps.
   static void visit_fields(auto&& visit, auto& progress) {
     visit("largest_bead_speed", progress.largest_bead_speed);
     visit("smallest_gap", progress.smallest_gap);
@@ -48,9 +48,10 @@ class CoupledSystem {
   CoupledSystem(const CoupledSystem&) = delete;
   CoupledSystem& operator=(const CoupledSystem&) = delete;
 
-  /// Advances fluid and swimmers by one step (coupled_step.cpp). A fault does not end the step, so that no
-  /// rank waits for another: a swimmer with a fault keeps its position, and a rank whose state has become
-  /// non-finite stops updating its beads. fault() reports the fault. Collective.
+  /// Advances fluid and swimmers by one step (coupled_step.cpp). A fault (an unphysical state, fault.hpp)
+  /// does not interrupt the step, because other ranks would wait for messages. A swimmer with a fault keeps
+  /// its position. A rank whose state has become non-finite stops updating its beads. fault() reports the
+  /// fault. Collective.
   void step();
 
   long steps_done() const { return steps_done_; }
@@ -59,27 +60,27 @@ class CoupledSystem {
   const Populations& populations() const { return populations_; }
   const Decomposition& decomposition() const { return decomposition_; }
   const Coverage& coverage() const { return coverage_; }
-  /// Returns the beads that touch the block of this rank. Covered cells refer to them by their index in this
-  /// list.
+  /// Returns the beads that touch the block of this rank. coverage() identifies the bead of a covered cell by
+  /// its index in this list.
   const std::vector<BeadOnLattice>& beads_here() const { return beads_; }
 
-  /// Returns the first fault on any rank, if there is one. One kind of fault is a bead whose surface moves by
-  /// more than 1/2 cell per step (stop rule of the paper). Collective.
+  /// Returns the first fault on any rank, if there is one. For example, a bead has a fault if its surface
+  /// moves by more than 1/2 cell per step (the stop rule of Pickl et al. 2017). Collective.
   std::optional<Fault> fault() const { return first_fault(fault_, communicator_); }
 
   /// Returns the largest speed of any bead at the end of any step [cell/step]. Collective.
   double largest_bead_speed() const;
 
-  /// Returns the smallest gap between two beads, or between a bead and its own image, at the end of any step
-  /// [cell]. Infinite if no pair came within one cell. Collective.
+  /// Returns the smallest gap between two beads, or between a bead and its own periodic image, at the end of
+  /// any step [cell]. Returns infinity if no gap was smaller than one cell. Collective.
   double smallest_gap() const;
 
   /// Returns all swimmers in order of their id on rank 0, and an empty list on other ranks. Collective.
   std::vector<SwimmerState> gather_swimmers() const;
 
-  /// Returns all swimmers in order of their id, with their pending impulses, on rank 0, and an empty list on
-  /// other ranks. These snapshots, the outgoing populations and progress() determine all later steps.
-  /// Collective.
+  /// Returns all swimmers in order of their id on rank 0, and an empty list on other ranks. Includes their
+  /// pending impulses: impulses that the beads have received in the last step but that are not yet applied.
+  /// These snapshots, the outgoing populations and progress() determine all later steps. Collective.
   std::vector<SwimmerSnapshot> gather_snapshots();
 
   /// Returns the messages that this rank has sent since the construction of the system.
@@ -88,38 +89,39 @@ class CoupledSystem {
   /// Returns the number of other ranks that this rank communicates with.
   int neighbours() const;
 
-  /// Returns the number of steps and the extremes so far. Collective.
+  /// Returns the number of steps, the largest bead speed and the smallest gap so far. Collective.
   SystemProgress progress() const {
     return {.steps_done = steps_done_,
             .largest_bead_speed = largest_bead_speed(),
             .smallest_gap = smallest_gap()};
   }
 
-  /// Returns true if this rank owns a swimmer with the position in `swimmer`.
+  /// Returns true if this rank owns the swimmer, that is if bead 2 of `swimmer` lies in the block of this
+  /// rank.
   bool owns(const SwimmerState& swimmer) const {
     return exchange_.owner_of(swimmer.motion[1].position) == communicator_.rank();
   }
 
-  /// Restores a state of the same scene, which may have been computed on any number of ranks. `swimmers` must
-  /// include all swimmers that this rank owns. `fill` must set the outgoing populations of all cells of the
-  /// block. Collective.
+  /// Restores a state of the same scene. The state may have been computed on any number of ranks. `swimmers`
+  /// must include all swimmers that this rank owns. `fill` must set the outgoing populations of all cells of
+  /// the block. Collective.
   void restore(const SystemProgress& progress, std::span<const SwimmerSnapshot> swimmers,
                const std::function<void(Populations&)>& fill);
 
-  /// Returns the totals of the scene. They are meaningless if the state of a rank is non-finite; fault()
-  /// reports this. Collective.
+  /// Returns the totals of the scene. The totals are meaningless if the state of any rank is non-finite;
+  /// fault() reports this. Collective.
   SceneTotals totals();
 
  private:
   void step_fluid_with_links();
   void step_fluid_with_saturated_cells();
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
-  /// Finds the links or saturated cells, and adds the impulses of close beads of different swimmers, for the
-  /// next step.
+  /// Prepares the next step: finds the links or the saturated cells, and adds the impulses between close
+  /// beads of different swimmers.
   void find_links_and_contacts();
   void find_links_or_saturated_cells();
   void add_pending_impulses(std::map<BeadName, Impulse>& impulses);
-  /// Returns the fault of a swimmer, if there is one. Updates the largest speed and the smallest gap.
+  /// Returns the fault of a swimmer, if it has one. Also updates the largest speed and the smallest gap.
   std::optional<Fault> fault_of(const SwimmerState& swimmer);
   void record_fault(Fault fault);
   /// Calls a function that may throw on this rank only. Records an exception as a fault; the state then
@@ -141,14 +143,14 @@ class CoupledSystem {
   void if_state_is_finite(Function&& function) {
     if (state_is_finite_) record_faults(function);
   }
-  /// Sets `everything` to the part of this rank in the totals of fluid, beads and pending impulses. Sets
-  /// `all_cells` to its part in the totals of all cells, in which the beads move with their own velocity.
+  /// Sets two totals to the contribution of this rank. `everything`: fluid, beads and pending impulses.
+  /// `all_cells`: all cells of the lattice, where cells within a bead count with the velocity of the bead.
   void add_totals(FluidTotals& everything, FluidTotals& all_cells) const;
   /// Subtracts the covered cells, which contain no fluid, from the totals of the fluid. Returns the momentum
-  /// of the covered cells if they move with their beads.
+  /// of the covered cells at density 1 and the velocity of their beads.
   FluidTotals exchange_covered_cells(FluidTotals& fluid) const;
   /// Subtracts the fluid within the beads of owned swimmers from the totals of the fluid. Returns the
-  /// momentum of the volumes of the beads if they move with their beads.
+  /// momentum that the same volumes have at density 1 and the velocity of their beads.
   FluidTotals exchange_inner_fluid(FluidTotals& fluid) const;
 
   const Communicator& communicator_;
@@ -159,19 +161,20 @@ class CoupledSystem {
   Halo halo_;
   BeadExchange exchange_;
   NearContactLaw near_contact_;
-  std::vector<int> substeps_;  ///< substeps of each type
+  std::vector<int> substeps_;  ///< number of substeps per step, for each swimmer type
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_;
-  BeadLinks links_;                               ///< empty for psm
-  SaturatedCells saturated_cells_;                ///< empty for schemes with links
-  std::vector<LinkSums> link_sums_;               ///< one per bead of beads_; zero between steps
-  std::vector<SaturatedSums> saturated_sums_;     ///< one per bead of beads_; zero between steps
-  std::map<BeadName, Impulse> pending_impulses_;  ///< on owned swimmers, from a restored state
-  std::optional<Fault> fault_;                    ///< the first fault on this rank
-  bool state_is_finite_ = true;                   ///< false after a non-finite number on this rank
-  double largest_bead_speed_ = 0;                 ///< of owned swimmers [cell/step]
-  double smallest_gap_;                           ///< of the close beads of this block [cell]
+  BeadLinks links_;                            ///< empty for psm
+  SaturatedCells saturated_cells_;             ///< empty for schemes with links
+  std::vector<LinkSums> link_sums_;            ///< one per bead of beads_; zero between steps
+  std::vector<SaturatedSums> saturated_sums_;  ///< one per bead of beads_; zero between steps
+  /// Impulses on owned swimmers that a restored state contained and that are not yet applied.
+  std::map<BeadName, Impulse> pending_impulses_;
+  std::optional<Fault> fault_;     ///< the first fault on this rank
+  bool state_is_finite_ = true;    ///< false after a non-finite number on this rank
+  double largest_bead_speed_ = 0;  ///< largest speed so far of beads of owned swimmers [cell/step]
+  double smallest_gap_;            ///< smallest gap so far of close beads in this block [cell]
   long steps_done_ = 0;
 };
 

@@ -10,7 +10,8 @@
 
 namespace beadswim {
 
-/// Cells [low, high) of a row that one image of a bead covers, in local coordinates. Empty if low >= high.
+/// Run of covered cells: the consecutive cells [low, high) of one row that one image of a bead covers, in
+/// local coordinates. The run is empty if low >= high.
 struct CoveredRun {
   int low = 0, high = 0;
 
@@ -18,14 +19,15 @@ struct CoveredRun {
   bool operator==(const CoveredRun&) const = default;
 };
 
-/// One image of a bead with its runs of covered cells.
+/// One periodic image of a bead. Its runs of covered cells are stored in CoveredImages::runs, one run per row
+/// of its box.
 struct CoveredImage {
   BeadImage image;
-  int index;      ///< index of this image
-  int bead;       ///< index into the beads of the update
-  Vec3 centre;    ///< of the bead, unwrapped [cell]
-  double radius;  ///< of the bead [cell]
-  int first_run;  ///< index of the run of row (image.low[1], image.low[2]); y fastest
+  int index;      ///< index of this image in CoveredImages::images
+  int bead;       ///< index into the beads passed to Coverage::update()
+  Vec3 centre;    ///< centre of the bead, unwrapped [cell]
+  double radius;  ///< radius of the bead [cell]
+  int first_run;  ///< index of the run of the first row of the box; rows are ordered with y fastest
 
   /// Returns the centre of a cell relative to the centre of the bead. It is evaluated in the unwrapped
   /// coordinates of the bead, so that every block gets the same bits.
@@ -40,14 +42,14 @@ struct ImagePair {
   int first, second;
 };
 
-/// All images of all beads, in the order of the beads and then of the shifts.
+/// All images of all beads. They are ordered by bead, then by shift.
 struct CoveredImages {
   std::vector<CoveredImage> images;
   std::vector<CoveredRun> runs;
-  std::vector<ImagePair> close_pairs;  ///< pairs whose boxes are at most `close` cells apart
+  std::vector<ImagePair> close_pairs;  ///< pairs of images with are_close(..., close)
 
-  /// Distance of the boxes of close images [cell]. It suffices for links, which read up to two cells behind
-  /// their fluid cell, and for lubrication.
+  /// Distance up to which the boxes of two images count as close [cell]. It covers the cells that links read,
+  /// up to two cells beyond their fluid cell, and the gaps in which lubrication acts.
   static constexpr int close = 3;
 
   /// Returns the runs of an image, row by row.
@@ -89,14 +91,15 @@ struct CoveredImages {
 struct ChangedCell {
   Index3 local;
   std::ptrdiff_t cell;
-  int bead;          ///< index into the beads of the update that covered the cell
+  int bead;          ///< index into the beads of the update in which the bead covered the cell
   int image;         ///< index into the images of that update
-  Vec3 from_centre;  ///< position relative to the bead at that update [cell]
+  Vec3 from_centre;  ///< position relative to the centre of the bead at that update [cell]
 };
 
-/// Assigns covered cells to beads, for the cells of a block and of two layers around it. A cell is covered if
-/// its centre lies inside a bead. In the overlap of two beads, a cell belongs to the bead with the smaller
-/// r^2 - R^2. This divides the overlap along the plane of the circle in which the two surfaces intersect.
+/// Assigns covered cells to beads, in a block and in two layers of cells around it. A cell is covered if its
+/// centre lies inside a bead. Let r be the distance of a cell from the centre of a bead, and R the radius of
+/// the bead. A cell in the overlap of two beads belongs to the bead with the smaller r^2 - R^2. This rule
+/// divides the overlap along the plane of the circle in which the two surfaces intersect.
 class Coverage {
  public:
   Coverage(const BlockInLattice& lattice_block, const Populations& populations);
@@ -109,8 +112,8 @@ class Coverage {
 
   bool is_covered(int x, int y, int z) const { return state(x, y, z) == State::covered; }
 
-  /// Returns true if the cell is neither covered nor behind a no-slip wall. Behind a free-slip wall the
-  /// mirror image of the cell decides.
+  /// Returns true if the cell is neither covered nor behind a no-slip wall. A cell behind a free-slip wall
+  /// counts as fluid if its mirror image is not covered.
   bool is_fluid(const Index3& cell) const;
 
   /// Returns true if cells within `distance` cells of the image may lie behind a wall.
@@ -145,8 +148,9 @@ class Coverage {
   std::ptrdiff_t cell(int x, int y, int z) const { return origin_ + x + pitch_y_ * y + pitch_z_ * z; }
   const Index3& block_size() const { return block_in_lattice_.block.size; }
 
-  /// Returns `cell`, whose local coordinate is x. If x lies beyond the ends of a row that is periodic within
-  /// the block (RowEnds::wrapped), returns the cell of the row that has `cell` as its image.
+  /// Returns `cell`, an index of a cell whose local coordinate is x. Exception: if the row is periodic within
+  /// the block (RowEnds::wrapped) and x lies beyond its ends, returns the cell of the row whose periodic
+  /// image is `cell`.
   std::ptrdiff_t wrapped_along_x(std::ptrdiff_t cell, int x) const {
     const int cells = block_in_lattice_.block.size[0];
     if (!block_in_lattice_.is_periodic(0) || cells != block_in_lattice_.cells[0] || (x >= 0 && x < cells))
@@ -155,6 +159,7 @@ class Coverage {
   }
 
  private:
+  /// just_left: covered before the update that is in progress, and not yet found covered in this update.
   enum class State : std::uint8_t { fluid, covered, just_left };
 
   std::size_t place_of_state(int x, int y, int z) const {

@@ -8,8 +8,8 @@
 
 namespace beadswim {
 
-/// Kind of a fault, with the unit of Fault::value in brackets. Of several faults in one step, the first kind
-/// in this order is reported.
+/// Kind of a fault. The brackets give the unit of Fault::value. If several faults occur in one step, the kind
+/// that comes first in this list is reported.
 enum class FaultKind {
   not_finite,  ///< a number is non-finite or far too large
   speed,       ///< the surface of a bead moves faster than speed_limit [cell/step]
@@ -24,10 +24,10 @@ enum class FaultKind {
 struct Fault {
   FaultKind kind = FaultKind::not_finite;
   long step = 0;
-  BeadName bead{.swimmer = -1, .bead = 0};  ///< swimmer < 0: unknown
+  BeadName bead{.swimmer = -1, .bead = 0};  ///< swimmer < 0: no bead is known
   BeadName other{.swimmer = -1, .bead = 0};
   Vec3 position = Vec3::Zero();  ///< of the bead
-  double value = 0;              ///< quantity and unit: FaultKind
+  double value = 0;              ///< quantity and unit as listed at FaultKind
 
   static void visit_fields(auto&& visit, auto& fault) {
     visit("kind", fault.kind);
@@ -41,13 +41,13 @@ struct Fault {
   bool names_bead() const { return bead.swimmer >= 0; }
 };
 
-/// Returns true if `a` is reported in preference to `b`: compares step, kind, bead, other bead, and value
-/// (the larger value comes first).
+/// Returns true if `a` is reported in preference to `b`. Compares step, kind, bead, other bead and value, in
+/// this order. The smaller entry comes first; for values, the larger value comes first.
 bool comes_before(const Fault& a, const Fault& b);
 
 /// Returns the first fault of all ranks, the same on all ranks. The result does not depend on the number of
-/// ranks, with one exception: a non-finite number can be attributed to another bead, and its consequences in
-/// the same step can differ. Collective.
+/// ranks, with one exception. If a number is non-finite, the bead to which it is attributed can depend on the
+/// number of ranks, and so can the faults that it causes in the same step. Collective.
 std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communicator& communicator);
 
 /// Thrown on the rank that finds a non-finite number of a bead.

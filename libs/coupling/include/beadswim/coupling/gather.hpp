@@ -12,15 +12,15 @@
 namespace beadswim {
 
 /// Gathers one plane z of the lattice on rank 0: `components` doubles per cell, in the order component
-/// (slowest), y, x (fastest). Calls value(component, cell) for the cells of the block of each rank. Returns
-/// an empty vector on other ranks. Collective.
+/// (slowest), y, x (fastest). Each rank calls value(component, cell) for the cells of its block. Returns an
+/// empty vector on other ranks. Collective.
 std::vector<double> gather_plane(const CoupledSystem& system, const Communicator& communicator, int z,
                                  int components,
                                  const std::function<double(int component, std::ptrdiff_t cell)>& value);
 
 /// Returns the SHA-256 hash of the populations in global order and of the states of all beads in the order of
-/// the ids of their swimmers. It does not depend on the number of ranks. Returns an empty string on ranks
-/// other than 0. Collective.
+/// the ids of their swimmers. The hash does not depend on the number of ranks. Returns an empty string on
+/// ranks other than 0. Collective.
 std::string state_sha256(const CoupledSystem& system, const Communicator& communicator);
 
 }  // namespace beadswim

@@ -2,26 +2,29 @@
 
 #include "beadswim/core/kernel.hpp"
 
-// Bounce-back at a moving wall at its position on the link, by central linear interpolation (CLI).
+// Bounce-back at a moving wall, with the wall at its exact position on the link, by central linear
+// interpolation (CLI).
 //
 //   f_ibar(x, t+1) = f_i*(x) + k (f_i*(x - c_i) - f_ibar*(x)) - 6 w_i (1 + k) c_i.u_w
 //   k              = (1 - 2 q) / (1 + 2 q)
 //
-//   f_i, f_i*   population before and after the collision, less w_i;  ibar opposite to i
+//   t           number of the time step; all populations on the right-hand side are those of step t
+//   f_i, f_i*   population before and after the collision, minus w_i;  ibar opposite to i
 //   i           points from the fluid cell x into the bead;  w_i, c_i weight and velocity (d3q19.hpp)
 //   q           fraction of the link between x and the surface of the bead, 0 <= q <= 1
 //   u_w         velocity of the bead at its surface [cell/step]
 //
-// Exact in a linear shear flow for any q and any viscosity, as bounce-back (k = 0) is for q = 1/2. Steady
-// flows do not depend on the viscosity if the product of the two relaxation times is fixed (trt.hpp).
+// The scheme is exact in a linear shear flow for any q and any viscosity. Half-way bounce-back (k = 0) is
+// exact only for q = 1/2. The velocity field of a steady slow flow does not depend on the viscosity, because
+// trt.hpp keeps the product (1/w+ - 1/2)(1/w- - 1/2) of the relaxation rates fixed.
 //
 // Ginzburg, Verhaeghe & d'Humieres, Commun. Comput. Phys. 3 (2008) 427, section 5.
 
 namespace beadswim {
 
-/// Returns q for a sphere about the origin: the smaller root of (r - c + q c)^2 = R^2. c points from the
-/// fluid cell into the sphere; r is the centre of the covered cell at the end of the link. The result is
-/// limited to [0, 1].
+/// Returns q for a sphere of radius R about the origin: the smaller root of (r - c + q c)^2 = R^2. c points
+/// from the fluid cell into the sphere; r is the centre of the covered cell at the end of the link. The
+/// result is limited to [0, 1].
 BEADSWIM_KERNEL double wall_distance(const double (&c)[3], const double (&r)[3], double radius_squared) {
   const double cc = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
   const double rc = r[0] * c[0] + r[1] * c[1] + r[2] * c[2];
@@ -32,7 +35,7 @@ BEADSWIM_KERNEL double wall_distance(const double (&c)[3], const double (&r)[3],
   return q > 0 ? (q < 1 ? q : 1) : 0;
 }
 
-/// Returns k.
+/// Returns k = (1 - 2 q)/(1 + 2 q).
 BEADSWIM_KERNEL double interpolation_weight(double q) {
   return (1 - 2 * q) / (1 + 2 * q);
 }

@@ -8,7 +8,7 @@ namespace beadswim {
 /// Returns the surface area of all beads [cell^2].
 double bead_surface(const CoupledScene& scene);
 
-/// Returns the memory of the complete lattice on all ranks [byte]: populations, coverage, and links.
+/// Returns the memory of the complete lattice, summed over all ranks [byte]: populations, coverage and links.
 double lattice_bytes(const CoupledScene& scene);
 
 /// Returns the memory of this machine [byte].

@@ -26,13 +26,15 @@ struct LatticeScales {
 /// Discretisation of a scene.
 struct LatticeChoice {
   LatticeScales scales;
-  double relaxation_time = 1;  ///< tau as used [step]
+  double relaxation_time = 1;  ///< tau, adapted to the time step [step]
   long steps_per_period = 0;
 };
 
-/// Returns cell, step and relaxation time for a fluid of kinematic viscosity nu. cell =
-/// radius/cells_per_radius. step = nu_lu cell^2/nu with nu_lu = (tau - 1/2)/3, rounded such that `period` is
-/// an integer number of steps. The relaxation time is then adapted to this step.
+/// Returns cell, step and relaxation time for a fluid of kinematic viscosity nu:
+/// - cell = radius/cells_per_radius
+/// - step = nu_lu cell^2/nu with nu_lu = (tau - 1/2)/3, rounded such that `period` is an integer number of
+///   steps
+/// - relaxation time: tau, adapted to the rounded step
 LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period);
 
 /// Returns a type in lattice units.

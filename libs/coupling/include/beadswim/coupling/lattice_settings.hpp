@@ -7,15 +7,17 @@
 
 namespace beadswim {
 
-/// Settings by which a layout becomes a scene on the lattice.
+/// Settings for the conversion of a layout to a scene on the lattice.
 struct LatticeSettings {
-  std::optional<double> cells_per_radius;  ///< of the smallest bead; none: value of the layout, otherwise 4
-  std::optional<double> relaxation_time;   ///< tau [step]; none: value of the layout, otherwise 1
+  /// Cells per radius of the smallest bead. If not set: the value in the layout, or 4 if the layout has none.
+  std::optional<double> cells_per_radius;
+  /// Relaxation time tau [step]. If not set: the value in the layout, or 1 if the layout has none.
+  std::optional<double> relaxation_time;
   BeadScheme bead_boundary = BeadScheme::mr;
   bool delay_correction = true;   ///< makes beads heavier to compensate the delay of forces (force_delay.hpp)
-  bool radius_correction = true;  ///< sets the radius for which the hydrodynamic radius is that of the layout
-  bool lubrication = true;        ///< adds the resistance of films that the lattice does not resolve
-  double friction = 0.5;          ///< Coulomb's friction coefficient between beads in contact
+  bool radius_correction = true;  ///< adapts radii so that hydrodynamic radii equal the radii in the layout
+  bool lubrication = true;  ///< adds the resistance of thin films between beads that cells do not resolve
+  double friction = 0.5;    ///< Coulomb's friction coefficient between beads in contact
   Precision precision = Precision::fp64;  ///< floating-point precision of the populations
 };
 

@@ -4,10 +4,11 @@
 
 namespace beadswim {
 
-/// Terms that a link contributes to its bead: impulse (3), angular impulse (3), mass, weight of the link.
+/// Number of terms that a link contributes to its bead: impulse (3 components), angular impulse (3
+/// components), fluid mass (1) and weight of the link (1).
 constexpr int link_terms = 8;
 
-/// Sums over the links of one bead in a step.
+/// Sums over the links of one bead in one step.
 using LinkSums = OrderFreeLanes<link_terms>;
 
 }  // namespace beadswim

@@ -7,8 +7,10 @@
 //   f_ibar(x, t+1) = f_i*(x, t) - 6 w_i c_i.u_w          i points from the fluid cell x into the bead
 //   impulse        = c_i (f_i*(x, t) + f_ibar(x, t+1))
 //
-// u_w: velocity of the bead half-way along the link. f: deviations from w_i. They leave out the pressure of
-// the fluid at rest, whose sum over a closed surface is zero. Lattice units, mean density 1.
+// t: number of the time step; u_w: velocity of the bead half-way along the link; f_i, f_i*: population before
+// and after the collision, minus w_i; w_i, c_i: weight and velocity of direction i; ibar: direction opposite
+// to i. Lattice units, mean density 1. Because w_i is subtracted, the pressure of the fluid at rest is left
+// out. The force of this pressure on a closed surface is zero.
 //
 // Let r be the vector from the centre of the bead to the covered cell at the end of the link. Then u_w = v +
 // omega x (r - c_i/2). The term c_i/2 contributes neither to c_i.u_w nor to the angular impulse r x (c_i p).
@@ -31,8 +33,8 @@ BEADSWIM_KERNEL double bounced(double weight, double outgoing, double approach_s
   return outgoing - 6 * weight * approach_speed;
 }
 
-/// Returns the contribution of one link to the density deviation r around a covered cell:
-/// w_i r = f_i* - 3 w_i c_i.u_w to first order.
+/// Returns w_i r = f_i* - 3 w_i c_i.u_w, where r is the density deviation of the fluid next to a covered cell
+/// as estimated from one link. The estimate is of first order in the velocity.
 BEADSWIM_KERNEL double weighted_density_deviation(double weight, double outgoing, double approach_speed) {
   return outgoing - 3 * weight * approach_speed;
 }

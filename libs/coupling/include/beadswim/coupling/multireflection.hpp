@@ -3,26 +3,27 @@
 #include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/trt.hpp"
 
-// Bounce-back at a moving wall at its position on the link, by multireflection (MR1).
+// Bounce-back at a moving wall, with the wall at its exact position on the link, by multireflection (MR1).
 //
 // clang-format off
-//   f_ibar(x, t+1) = f_i*(x) + k1 (f_i*(x -   c_i) - f_ibar*(x))
+//   f_ibar(x, n+1) = f_i*(x) + k1 (f_i*(x -   c_i) - f_ibar*(x))
 //                            + k2 (f_i*(x - 2 c_i) - f_ibar*(x - c_i))
 //                            + a (L g_i - 3 w_i c_i.u_w)
 //
 //   k1 = (1 - 2 q - 2 q^2)/(1 + q)^2,   k2 = q^2/(1 + q)^2,   a = 4/(1 + q)^2
 //   g_i = (m_i - 3 w_i c_i.u)/(1 - t),  m_i = (f_i* - f_ibar*)/2 at x,  u = sum c_i f_i* at x
 //
-//   f_i, f_i*   population before and after the collision, less w_i;  ibar opposite to i
+//   n           number of the time step; all populations on the right-hand side are those of step n
+//   f_i, f_i*   population before and after the collision, minus w_i;  ibar opposite to i
 //   i           points from the fluid cell x into the bead;  w_i, c_i weight and velocity (d3q19.hpp)
 //   q           fraction of the link between x and the surface of the bead, 0 <= q <= 1
 //   u_w         velocity of the bead at its surface [cell/step]
 //   t           = 1/w-, the antisymmetric relaxation time [step];  L = t - 1/2 (trt.hpp)
 //
-// Exact for steady flows with parabolic velocity and linear pressure along the link, for any q and viscosity.
-// g_i is the change of the antisymmetric part in a collision. The term L g_i removes the slip that
-// remains after interpolation.
-// At t = 1 the populations after collision do not contain g_i, and the scheme is undefined.
+// The scheme is exact for steady flows with parabolic velocity and linear pressure along the link, for any q
+// and viscosity. g_i is the change of the antisymmetric part of the populations in a collision. Interpolation
+// alone would leave a slip velocity at the wall; the term L g_i removes it. At t = 1 the populations after
+// the collision do not contain g_i, and the scheme is undefined.
 // clang-format on
 //
 // Ginzburg & d'Humieres, Phys. Rev. E 68 (2003) 066614, MR1; Ginzburg, Verhaeghe & d'Humieres, Commun.
@@ -30,7 +31,7 @@
 
 namespace beadswim {
 
-/// Values that a multireflection link reads; i as above.
+/// Values that a multireflection link reads. i, x and q are defined above.
 struct MultireflectionLink {
   double outgoing;        ///< f_i*(x)
   double arrived;         ///< f_ibar*(x)
@@ -40,13 +41,13 @@ struct MultireflectionLink {
   double speed;           ///< c_i.u(x)
 };
 
-/// Returns L/(1 - t). Undefined at t = 1.
+/// Returns L/(1 - t), the factor of m_i - 3 w_i c_i.u in L g_i. It is undefined at t = 1.
 constexpr double multireflection_slip(const RelaxationRates& rates) {
   const double t = 1 / rates.antisymmetric;
   return (t - 0.5) / (1 - t);
 }
 
-/// Returns f_ibar(x, t+1) for a direction of this weight; slip = L/(1 - t), approach_speed = c_i.u_w.
+/// Returns f_ibar(x, n+1) for a direction of this weight; slip = L/(1 - t), approach_speed = c_i.u_w.
 BEADSWIM_KERNEL double bounced_multireflection(double weight, double q, double slip,
                                                const MultireflectionLink& f, double approach_speed) {
   // clang-format off

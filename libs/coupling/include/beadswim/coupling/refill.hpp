@@ -5,18 +5,22 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/trt.hpp"
 
-// The populations of a cell that a bead has just uncovered, by Grad's thirteen moments.
+// Populations of a cell that a bead has just uncovered, by Grad's thirteen-moment approximation.
 //
 //   f_i* = e_i(r, u) + 9/2 w_i (c_i.Q c_i - tr Q / 3) (1 - w+)
 //   Q    = sum c_i c_i (f_i - e_i)        each pair i, ibar contributes twice the mean of its known values
 //
-// r: mean density deviation of the fluid around the cell; u: velocity of the bead at the cell. f_i:
-// populations that have streamed into the cell from the surrounding fluid. About half of the populations are
-// known, but at least one of nearly every pair. One per pair suffices, because Q is even in c. The refill is
-// exact in a linear shear flow if one population of each pair is known. The equilibrium, Q = 0, is not exact.
+// r: mean density deviation of the fluid around the cell; u: velocity of the bead at the cell; f_i:
+// populations that have streamed into the cell from the surrounding fluid, as deviations from the weight w_i;
+// e_i: equilibrium; w+: symmetric relaxation rate (trt.hpp); ibar: direction opposite to i; tr: trace.
+// Lattice units, mean density 1.
+//
+// About half of the populations f_i are known. One known population of each pair i, ibar suffices, because Q
+// is even in c. Nearly every pair has one. If every pair has one, the refill is exact in a linear shear flow.
+// A refill with the equilibrium alone (Q = 0) is not exact in such a flow.
 //
 // Grad, Commun. Pure Appl. Math. 2 (1949) 331; as a refill: Dorschner, Chikatamarla, Boesch & Karlin, J.
-// Comput. Phys. 295 (2015) 340. Lattice units, mean density 1; f_i: deviations from w_i.
+// Comput. Phys. 295 (2015) 340.
 
 namespace beadswim {
 
@@ -26,7 +30,7 @@ struct Arrivals {
   std::array<bool, d3q19::directions> is_known{};
 };
 
-/// Returns Q.
+/// Returns the tensor Q.
 inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviation, const Vec3& velocity) {
   Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
   for (int i = 1; i < d3q19::directions; i += 2) {
@@ -45,7 +49,7 @@ inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviat
   return stress;
 }
 
-/// Returns f_i*; decay = 1 - w+.
+/// Returns the population f_i* of the refilled cell; decay = 1 - w+.
 inline double refilled(int i, double density_deviation, const Vec3& velocity, const Eigen::Matrix3d& stress,
                        double decay) {
   const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);

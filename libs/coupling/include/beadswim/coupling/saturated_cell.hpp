@@ -3,29 +3,32 @@
 #include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
-// Partially saturated cells: the force between fluid and bead in a cell of which the bead fills a fraction.
+// Partially saturated cells: the force between fluid and bead in a cell. The bead fills a fraction of the
+// cell.
 //
 //   F      = sigma (u_b - v),   v = u + F/2              so that  F = s (u_b - u),  s = sigma/(1 + sigma/2)
 //   sigma  = 3 nu k(eps),       k(eps) = 11/2 eps/(11/10 - eps)
 //   f_i   += e_i(u + F) - e_i(u)
 //
-// u: momentum that streams into the cell; v: its mean over the step; u_b: velocity of the bead at the cell;
-// eps: fraction of the cell that the bead fills; e_i: equilibrium (trt.hpp). 0 <= s < 2.
+// F: momentum that the fluid in the cell gains in the step; u: momentum that streams into the cell; v: mean
+// of the momentum over the step; u_b: velocity of the bead at the cell; eps: fraction of the cell that the
+// bead fills; k: resistance; nu: kinematic viscosity; sigma, s: coupling rates [1/step], 0 <= s < 2; e_i:
+// equilibrium (trt.hpp).
 //
-// If the product of the relaxation times is fixed, a steady slow flow depends on 3 nu = tau - 1/2 and sigma
-// only through sigma/(3 nu). Because k depends on eps alone, the drag is the same at every viscosity. The two
-// constants in k were fitted to the drag of spheres (docs/method/saturated-cells.md).
+// With the relaxation rates of trt.hpp, a steady slow flow depends on the viscosity and on sigma only through
+// sigma/(3 nu) = k. Because k depends on eps alone, the drag divided by the viscosity is the same at every
+// viscosity. The two constants in k were fitted to the drag of spheres (docs/method/saturated-cells.md).
 //
-// The term e_i(u + F) - e_i(u) may be added before or after the collision with the same result, because it
-// changes f_i and the equilibrium equally. The collision itself is that of the fluid.
+// The term e_i(u + F) - e_i(u) changes f_i and its equilibrium equally. It may therefore be added before or
+// after the collision with the same result. The collision is the same as in cells without beads.
 //
-// Noble & Torczynski, Int. J. Mod. Phys. C 9 (1998) 1189 (superposition of the collision with a solid one,
-// weight B; here s, from another law); Kupershtokh, Medvedev & Karpov, Comput. Math. Appl. 58 (2009) 965 (the
-// force term).
+// Noble & Torczynski, Int. J. Mod. Phys. C 9 (1998) 1189: superpose the collisions of fluid and solid with a
+// weight B; s corresponds to B but follows from another law. Kupershtokh, Medvedev & Karpov, Comput. Math.
+// Appl. 58 (2009) 965: the force term.
 
 namespace beadswim {
 
-// Value: double, or a vector of doubles with one lane per cell.
+// The type Value is double, or a vector of doubles with one lane per cell.
 
 /// Returns k(eps).
 template <class Value>
@@ -34,7 +37,7 @@ BEADSWIM_KERNEL Value resistance(Value solid_fraction) {
   return strength * solid_fraction / (sharpness - solid_fraction);
 }
 
-/// Returns s.
+/// Returns s = sigma/(1 + sigma/2).
 template <class Value>
 BEADSWIM_KERNEL Value forcing_rate(Value sigma) {
   return sigma / (1 + sigma / 2);

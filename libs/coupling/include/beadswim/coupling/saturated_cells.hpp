@@ -9,13 +9,14 @@
 
 namespace beadswim {
 
-/// Cells [low, high) of a row of the block, in local coordinates, that one image of a bead touches.
+/// Consecutive cells [low, high) of a row of the block, in local coordinates, that one image of a bead
+/// touches.
 struct SaturatedRun {
   int low, high;
   int row;             ///< index of the row: y + (rows along y) z
   int bead;            ///< index into the beads
-  int first_fraction;  ///< index of the fraction of cell `low`
-  int shift;           ///< cell x is cell x + shift in the unwrapped coordinates of the bead
+  int first_fraction;  ///< index of the fraction of cell `low` in the list of all fractions
+  int shift;           ///< local coordinate x is x + shift in the unwrapped coordinates of the bead
   double centre;       ///< x of the centre of the bead, unwrapped [cell]
   double y, z;         ///< centres of the cells relative to the centre of the bead [cell]
 
@@ -25,8 +26,8 @@ struct SaturatedRun {
   Vec3 from_centre(int x) const { return {x + shift + 0.5 - centre, y, z}; }
 };
 
-/// Cells of a block that beads touch, with the fractions that the beads fill. The fractions are exact, so
-/// that their sum over a bead is the volume of the bead.
+/// Cells of a block that beads touch, with the fraction of each cell that a bead fills. The fractions are
+/// exact, so that their sum over the cells of a bead is the volume of the bead [cell^3].
 class SaturatedCells {
  public:
   explicit SaturatedCells(const BlockInLattice& lattice_block);
@@ -34,7 +35,7 @@ class SaturatedCells {
   /// Finds the cells and fractions for the present positions of `beads`.
   void find(std::span<const BeadOnLattice> beads);
 
-  /// Returns the runs in row (y, z) of the block, in the order of the beads.
+  /// Returns the runs of touched cells in row (y, z) of the block, in the order of the beads.
   std::span<const SaturatedRun> runs(int y, int z) const {
     const int row = row_index(y, z);
     return std::span(runs_).subspan(first_of_row_[row], first_of_row_[row + 1] - first_of_row_[row]);
@@ -46,12 +47,12 @@ class SaturatedCells {
   }
 
  private:
-  /// Volumes that the planes between cells cut off one image of a bead (sphere_overlap.hpp).
+  /// Volumes that the planes between cells cut off from one image of a bead (sphere_overlap.hpp).
   struct Cuts {
     std::array<std::vector<double>, 3> planes;      ///< positions relative to the centre, along each axis
     std::array<std::vector<double>, 3> beyond_one;  ///< q(a) of each plane
-    std::array<std::vector<double>, 3>
-        beyond_two;  ///< [axis]: q(a, b) of the other two axes, later axis slowest
+    /// [axis]: q(a, b) of each pair of planes across the other two axes; the later axis varies slowest.
+    std::array<std::vector<double>, 3> beyond_two;
   };
 
   int row_index(int y, int z) const { return y + block_in_lattice_.block.size[1] * z; }

@@ -4,11 +4,11 @@
 
 namespace beadswim {
 
-/// Terms that a cell contributes to a bead: impulse (3), angular impulse (3), and momentum (3) and angular
-/// momentum (3) of the fluid within the bead.
+/// Number of terms that a cell contributes to a bead, 3 components each: impulse and angular impulse on the
+/// bead, momentum and angular momentum of the fluid within the bead.
 constexpr int saturated_terms = 12;
 
-/// Sums over the cells of one bead in a step.
+/// Sums over the cells of one bead in one step.
 using SaturatedSums = OrderFreeLanes<saturated_terms>;
 
 }  // namespace beadswim

@@ -12,8 +12,7 @@
 
 namespace beadswim {
 
-/// Largest permitted speed of the surface of a bead: half a cell per step (stop rule of the paper)
-/// [cell/step].
+/// Largest permitted speed of the surface of a bead [cell/step]. This is the stop rule of Pickl et al. 2017.
 constexpr double speed_limit = 0.5;
 
 /// A scene in lattice units: cell = step = mean fluid density = 1. Cell (i,j,k) is the cube from (i,j,k) to
@@ -24,11 +23,11 @@ struct CoupledScene : Swarm {
   double relaxation_time = 1;             ///< tau [step]
   Precision precision = Precision::fp64;  ///< floating-point precision of the populations
   BeadScheme bead_boundary = BeadScheme::staircase;
-  bool corrects_radii = false;  ///< sets radii for which the hydrodynamic radii are those of the types
+  bool corrects_radii = false;  ///< adapts radii so that hydrodynamic radii equal the radii of the types
   bool lubrication = true;  ///< adds the resistance of films between beads that the lattice does not resolve
   double friction = 0;      ///< Coulomb's friction coefficient between beads in contact
 
-  /// Returns the radius of a bead for the fluid [cell].
+  /// Returns the radius with which a bead acts on the fluid, corrected if corrects_radii is true [cell].
   double radius_on_lattice(const Bead& bead) const {
     return corrects_radii ? corrected_radius(bead_boundary, bead.radius) : bead.radius;
   }

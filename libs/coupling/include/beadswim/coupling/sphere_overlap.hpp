@@ -6,12 +6,14 @@
 // Exact volume of the part of a sphere that lies in an axis-parallel box.
 //
 //   C(a, b, c) = signed volume of the sphere within the box from its centre to the corner (a, b, c)
-//              = a b c                                                 if the corner lies inside, else
-//              = +- (pi R^3/6 - q(a) - q(b) - q(c) + q(a, b) + q(b, c) + q(c, a))
+//              = a b c                                           if the corner lies inside the sphere
+//              = +- (pi R^3/6 - q(a) - q(b) - q(c) + q(a, b) + q(b, c) + q(c, a))          otherwise
 //
-// C is odd in a, b and c. In the octant of the corner, q(a) is the volume of the sphere beyond the plane x =
-// a, and q(a, b) the volume beyond both x = a and y = b. If the corner lies outside the sphere, no volume
-// lies beyond all three planes. The volume in a box is the alternating sum of C over its eight corners.
+// R is the radius; a, b, c are coordinates relative to the centre. C is odd in a, b and c; it has the sign of
+// a b c. Consider the octant (eighth of space) that contains the corner. There, q(a) is the volume of the
+// sphere beyond the plane x = a. The volume q(a, b) lies beyond both planes x = a and y = b. No volume lies
+// beyond all three planes if the corner lies outside the sphere. The volume in a box is the alternating sum
+// of C over its eight corners.
 //
 //   q(a)    = pi (R - a)^2 (2 R + a) / 12
 //   q(a, b) = (R^3 alpha + a b s)/3 - a (3 R^2 - a^2) psi_a/6 - b (3 R^2 - b^2) psi_b/6
@@ -19,9 +21,9 @@
 //   s^2 = R^2 - a^2 - b^2,  tan alpha = R s/(a b),  tan psi_a = s/b,  tan psi_b = s/a
 //
 // q(a, b) follows from Gauss's theorem as the flux of r/3 through two plane faces and one spherical face. The
-// plane faces are disc segments of half-angles psi at distances a and b. The spherical face is a lune between
-// small circles that intersect at the angle alpha; its area follows from the Gauss-Bonnet theorem. Any unit
-// of length. The errors are of the order of the roundoff of R^3.
+// plane faces are disc segments of half-angles psi at the distances a and b from the centre. The spherical
+// face is a lune between small circles that intersect at the angle alpha; its area follows from the
+// Gauss-Bonnet theorem. Lengths may have any unit. The errors are of the order of the roundoff of R^3.
 
 namespace beadswim {
 
@@ -46,7 +48,7 @@ inline double octant_beyond(double a, double b, double radius) {
   // clang-format on
 }
 
-/// Cut-off volumes at the absolute values of the coordinates of a corner.
+/// Volumes beyond the planes through a corner, at the absolute values of its coordinates.
 struct CornerCuts {
   double beyond_one;  ///< q(a) + q(b) + q(c)
   double beyond_two;  ///< q(a, b) + q(b, c) + q(c, a)

@@ -11,7 +11,7 @@ namespace beadswim {
 /// Complete state of a swimmer between two steps.
 struct SwimmerSnapshot {
   SwimmerState state;
-  std::array<Impulse, 3> pending_impulses;  ///< on its beads, from all ranks, not collected yet
+  std::array<Impulse, 3> pending_impulses;  ///< impulses on its beads, not yet applied; sums over all ranks
 
   static void visit_fields(auto&& visit, auto& snapshot) {
     visit("state", snapshot.state);
@@ -19,8 +19,8 @@ struct SwimmerSnapshot {
   }
 };
 
-/// Returns the snapshots as bytes, snapshot_size() bytes per swimmer. Only machines of the same kind can read
-/// them.
+/// Returns the snapshots as bytes, snapshot_size() bytes per swimmer. Only machines with the same
+/// representation of numbers can read them.
 std::vector<char> bytes_of(const std::vector<SwimmerSnapshot>& snapshots);
 
 /// Inverse of bytes_of(). Throws SolverError if the bytes are not valid.

@@ -11,10 +11,11 @@ struct SwimmerState {
   int type = 0;  ///< index into CoupledScene::types
   Vec3 initial_axis = Vec3::UnitX();
   SwimmerMotion motion;
-  std::array<double, 3> held_mass{};  ///< fluid mass above density 1 from covered cells, still to be returned
-  std::array<double, 3> mass_source{};       ///< BeadOnLattice::mass_source of the next step
-  SwimmerLoads last_impulse;                 ///< by the fluid in the previous step
-  SwimmerLoads inner_momentum;               ///< of the fluid within the beads (psm, saturated_cells.hpp)
+  /// Fluid mass beyond density 1 that each bead has taken up and not yet returned.
+  std::array<double, 3> held_mass{};
+  std::array<double, 3> mass_source{};  ///< BeadOnLattice::mass_source of the next step
+  SwimmerLoads last_impulse;            ///< impulses of the fluid on the beads in the previous step
+  SwimmerLoads inner_momentum;          ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
   std::array<BeadVelocity, 3> predicted{};   ///< BeadOnLattice::predicted of the next step
   std::array<double, 3> removed_fraction{};  ///< BeadOnLattice::removed_fraction
 
@@ -25,7 +26,7 @@ struct SwimmerState {
     visit_bead_fields(visit, swimmer);
   }
 
-  /// Visits the fields with one entry per bead. They are the state of the beads that state_sha256() hashes.
+  /// Visits the fields with one entry per bead. state_sha256() hashes these fields.
   static void visit_bead_fields(auto&& visit, auto& swimmer) {
     visit("held_mass", swimmer.held_mass);
     visit("mass_source", swimmer.mass_source);

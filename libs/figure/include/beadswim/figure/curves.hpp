@@ -35,8 +35,8 @@ struct Level {
 };
 
 /// Appends groups as filled markers, then curves as lines. A curve with few points also has open markers.
-/// Parts of curves that are not usable are faint. All series have the given colour; without it, each has its
-/// own.
+/// Parts of curves that are not usable are faint. All series have the colour `colour`. Without `colour`, each
+/// series has its own colour.
 void append_points_and_curves(const std::vector<PointGroup>& groups, const std::vector<Curve>& curves,
                               std::optional<int> colour, Panel& panel);
 
@@ -44,13 +44,13 @@ void append_points_and_curves(const std::vector<PointGroup>& groups, const std::
 void append_levels(const std::vector<Level>& levels, double from, double to, int colour, Panel& panel);
 
 /// Sets the line styles of bead curves, which are sorted by swimmer and then by bead. The colour identifies
-/// the swimmer and the dash pattern the bead. If there is only one swimmer, colours identify its beads. If
-/// there is one bead per swimmer, each swimmer also has its own dash pattern, so that coinciding curves
-/// remain visible.
+/// the swimmer, and the dash pattern identifies the bead. If there is only one swimmer, colours identify its
+/// beads. If there is one bead per swimmer, each swimmer also has its own dash pattern, so that coinciding
+/// curves remain visible.
 void style_bead_curves(int num_beads, std::vector<Series>& curves);
 
 enum class Axes {
-  automatic,  ///< logarithmic if the plain y values are positive and span more than two decades, else linear
+  automatic,  ///< logarithmic if the y values of plain series are positive and span > 2 decades, else linear
   linear,
   log_y,
   log_log,
@@ -62,8 +62,8 @@ inline constexpr auto name_table<Axes> = std::to_array<NamedValue<Axes>>({{Axes:
                                                                           {Axes::log_y, "log-y"},
                                                                           {Axes::log_log, "log-log"}});
 
-/// Sets the scales of a panel whose series are complete. `logarithmic_axes` is the kind of axes that
-/// Axes::automatic selects if the values span more than two decades.
+/// Sets the scales of a panel whose series are complete. For Axes::automatic, `logarithmic_axes` is the kind
+/// of axes that is used if the y values span more than two decades.
 void set_axes(Axes axes, Axes logarithmic_axes, Panel& panel);
 
 /// Returns true if the y axis is logarithmic and some y values are not positive. These values are not drawn.

@@ -14,11 +14,11 @@ enum class Mark { points, line, line_and_points };
 
 enum class Emphasis {
   plain,
-  faint,  ///< thin and pale; ignored for the range of the y axis, and clipped at its ends
+  faint,  ///< thin and pale; does not affect the range of the y axis, and is clipped to it
 };
 
-/// Points (x[i], y[i]). Points that are non-finite, or not positive on a logarithmic axis, are omitted. A
-/// line is interrupted at such points.
+/// Points (x[i], y[i]). Non-finite points are omitted, and so are points that are not positive on a
+/// logarithmic axis. A line is interrupted at an omitted point.
 struct Series {
   std::string label;  ///< text in the legend; if empty, the series is not in the legend
   std::vector<double> x{}, y{};

@@ -50,7 +50,7 @@ struct SwarmPicture {
 };
 
 /// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and arms are lines. Near
-/// ones hide far ones. Throws InputError if there is no swimmer.
+/// beads and arms hide far ones. Throws InputError if there is no swimmer.
 std::string swarm_picture_to_svg(const SwarmPicture& picture);
 
 /// Moves each swimmer by multiples of the box lengths along periodic axes, so that its middle bead is in the
@@ -58,15 +58,16 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture);
 void wrap_swimmers(std::vector<PicturedSwimmer>& swimmers, const Box& box);
 
 /// Moves all swimmers by one displacement, such that a box around them starts at the origin. Returns the
-/// lengths of this box [length]. For swimmers in open space.
+/// lengths of this box [length]. Use this function for swimmers in open space.
 Vec3 enclose_swimmers(std::vector<PicturedSwimmer>& swimmers);
 
-/// Returns the distances of figure 4 of the paper, each at the outline of the swarm:
+/// Returns the distances of figure 4 of the paper (Pickl et al. 2017). Each distance is drawn at the outline
+/// of the swarm:
 ///   C  between neighbours in the same block of swimmers
 ///   D  between neighbours in adjacent blocks
-/// Along x, a distance is between the end beads that face each other. Along y and z, it is between the beads
-/// with the largest x. `block_swimmers` is the number of swimmers in a block along each axis. Returns an
-/// empty list if no swimmer has a neighbour along any axis.
+/// Along x, a distance is between the end beads that face each other. Along y and z, it is between those
+/// beads of two swimmers that have the largest x. `block_swimmers` is the number of swimmers in a block along
+/// each axis. Returns an empty list if no swimmer has a neighbour along any axis.
 std::vector<PictureDistance> swarm_distances(const std::vector<PicturedSwimmer>& swimmers,
                                              const std::vector<int>& block_swimmers);
 

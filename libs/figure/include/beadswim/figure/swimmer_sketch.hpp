@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-// Labelled sketch of one swimmer, to scale, as in figure 1 of the paper. Equal sketches have equal bytes.
+// Labelled sketch of one swimmer, to scale, as in figure 1 of the paper (Pickl et al. 2017). Equal sketches
+// have equal bytes.
 
 namespace beadswim {
 
@@ -20,7 +21,8 @@ struct SwimmerSketch {
   std::vector<std::string> notes{};
 };
 
-/// Returns a complete SVG document with beads, springs and dashpots, forces above them and lengths below.
+/// Returns a complete SVG document with beads, springs and dashpots. Forces are drawn above the beads,
+/// lengths below the beads.
 std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch);
 
 }  // namespace beadswim

@@ -12,10 +12,10 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/hdf5.hpp"
 
-// Checkpoint files in HDF5 (docs/formats/checkpoint.md). A checkpoint contains named sections of bytes, which
-// rank 0 provides, and numbers on a lattice, of which each rank provides a box of cells. A hash of the
-// contents detects damaged files. It does not depend on the number of ranks. All functions are collective
-// unless stated otherwise.
+// Checkpoint files in HDF5 (docs/formats/checkpoint.md). A checkpoint contains named sections of bytes, and
+// numbers on a lattice if the model has one. Rank 0 provides the sections. Each rank provides the numbers of
+// one box of lattice cells. A hash of the contents detects damaged files. The hash does not depend on the
+// number of ranks. All functions are collective unless stated otherwise.
 
 namespace beadswim {
 
@@ -29,13 +29,13 @@ struct LatticePart {
 /// It detects damage but is not cryptographic.
 class LatticeHash {
  public:
-  /// Adds the bits of the number at index `place` of the lattice.
+  /// Adds one number to the hash: its index `place` in the lattice and its bits.
   void add(std::uint64_t place, std::uint64_t bits);
   std::uint64_t value = 0;
 };
 
 /// Writes a checkpoint. All functions throw SolverError if the file cannot be written. The error may occur on
-/// one rank only, which must then stop the others.
+/// one rank only. This rank must then stop all other ranks.
 class CheckpointWriter {
  public:
   /// Creates the temporary file PATH.part.
@@ -48,8 +48,8 @@ class CheckpointWriter {
   void add(const std::string& section, std::span<const char> bytes);
   /// Adds a section with the contents of a file that rank 0 reads.
   void add_file(const std::string& section, const std::string& path);
-  /// Adds numbers of the type Real, float or double, on the lattice. fill(c, numbers) stores component c of
-  /// the cells of this rank's part in `numbers`, with x as the fastest index.
+  /// Adds numbers on the lattice, `components` per cell, of the type Real (float or double). fill(c, numbers)
+  /// must store component c of all cells of this rank's part in `numbers`, with x as the fastest index.
   template <class Real>
   void add_lattice(const LatticePart& part, int components,
                    const std::function<void(int, std::span<Real>)>& fill);
@@ -85,10 +85,11 @@ class CheckpointReader {
   /// Returns the size of a section [byte].
   std::uint64_t size(const std::string& section) const;
   /// Returns the bytes [first, first + count) of a section, on every rank. Throws SolverError if the section
-  /// ends before that.
+  /// is shorter than first + count bytes.
   std::vector<char> bytes(const std::string& section, std::uint64_t first, std::uint64_t count) const;
   std::string text(const std::string& section) const;
-  /// Replaces the contents of a file that is open on rank 0 by a section. Other ranks do nothing.
+  /// Replaces the contents of a file by a section, on rank 0. `descriptor` is the file descriptor of the open
+  /// file on rank 0. Other ranks do nothing.
   void copy_to(const std::string& section, int descriptor) const;
   /// Reads the lattice. Calls take(c, numbers) with component c of the cells of this rank's part, with x as
   /// the fastest index. Throws SolverError if the lattice in the file has another size.
@@ -99,8 +100,8 @@ class CheckpointReader {
  private:
   void require_undamaged() const;
   void add_sections(Sha256& hash) const;
-  /// Returns the hash of this rank's share of the lattice: consecutive planes z = const, divided among all
-  /// ranks.
+  /// Returns the hash of the lattice planes z = const that this rank reads. The planes are divided evenly
+  /// among all ranks.
   std::uint64_t hash_lattice_part() const;
 
   std::string path_;

@@ -46,7 +46,7 @@ void visit_columns(auto&& handle, Record& record) {
       record);
 }
 
-/// Converts records to columns. Without records, returns columns without numbers.
+/// Converts records to columns. If there are no records, the columns contain no numbers.
 template <HasFields Record>
 std::vector<Column> columns_of(std::vector<Record> records) {
   std::vector<Column> columns;

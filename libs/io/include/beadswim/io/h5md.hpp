@@ -33,23 +33,23 @@ struct TrajectoryHeader {
       cycle_columns{};  ///< names and shapes of the columns of TrajectoryCycle, without numbers
 };
 
-/// One frame of a trajectory, with the beads in the order of the header. Other ranks than rank 0 may leave
-/// positions and velocities empty.
+/// One frame of a trajectory, with the beads in the order of the header. Positions and velocities are
+/// required on rank 0 only.
 struct TrajectoryFrame {
   std::int64_t step = 0;
   double time = 0;                ///< [time]
-  std::vector<Vec3> positions;    ///< unwrapped [length]
+  std::vector<Vec3> positions;    ///< unwrapped: not moved back into the box [length]
   std::vector<Vec3> velocities;   ///< [length/time]
   Vec3 mean_flow = Vec3::Zero();  ///< volume average of the velocity of fluid and beads [length/time]
   Vec3 momentum = Vec3::Zero();   ///< total momentum of fluid and beads [mass length/time]
 };
 
-/// Quantities of the last complete cycle of each swimmer, in the order of the beads. They are NaN for a
-/// swimmer that has not completed a cycle.
+/// Quantities of the last complete cycle of each swimmer. The swimmers have the order of their beads in the
+/// header. The quantities of a swimmer that has not completed a cycle are NaN.
 struct TrajectoryCycle {
   std::int64_t step = 0;
   double time = 0;              ///< [time]
-  std::vector<Column> columns;  ///< the columns of the header; may be empty on other ranks than rank 0
+  std::vector<Column> columns;  ///< the columns of the header; required on rank 0 only
 };
 
 /// Returns the components x, y, z of all vectors in single precision.
@@ -86,8 +86,8 @@ class TrajectoryWriter {
     hsize_t rows = 0;
   };
 
-  /// Common datasets of time-dependent quantities that are sampled at the same times. The groups of these
-  /// quantities contain links to the same datasets.
+  /// Datasets of steps and times that several time-dependent quantities share, because they are sampled at
+  /// the same times. The group of each of these quantities contains links to the two datasets.
   struct Sampling {
     std::string step_name, time_name;  ///< paths of the datasets of steps and times in the file
   };
@@ -103,7 +103,8 @@ class TrajectoryWriter {
 
   void write_metadata(const TrajectoryHeader& header);
   void create_groups(const TrajectoryHeader& header);
-  /// Adds a series to series_: creates its dataset, or opens the dataset of a file from a checkpoint.
+  /// Adds a series to series_. Creates its dataset, or opens the existing dataset if the file comes from a
+  /// checkpoint.
   void add_series(const std::string& name, hid_t type, std::vector<hsize_t> row);
   H5Handle create_series(const std::string& name, hid_t type, const std::vector<hsize_t>& row);
   /// Adds the group of a time-dependent quantity (an H5MD element), with the datasets value, step and time.

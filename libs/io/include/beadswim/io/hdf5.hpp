@@ -28,8 +28,8 @@ class H5Handle {
   /// written.
   void close_checked(const std::string& what);
 
-  /// Releases the identifier without closing it. Needed after an error on one rank, because closing a
-  /// parallel file is collective.
+  /// Releases the identifier without closing it. Call this function after an error on one rank only, because
+  /// closing a file on all ranks would wait for every rank.
   void leave_open() { id_ = H5I_INVALID_HID; }
 
  private:
@@ -42,9 +42,10 @@ class H5Handle {
 /// Throws SolverError if `status` is negative. `what` names the object in the message.
 void check_hdf5(herr_t status, const std::string& what);
 
-/// Returns true if the file can store as many bytes as a dataset of these extents declares. Data that may be
-/// compressed can be up to 1032 times larger than the file. Call this function before memory for a dataset is
-/// allocated and before it is read: a damaged file may declare any extents, and HDF5 does not detect this.
+/// Returns true if the file is large enough for a dataset with these extents. Data in chunks may be
+/// compressed, and then may be up to 1032 times larger than the file. Call this function before memory for a
+/// dataset is allocated and before the dataset is read: a damaged file may declare any extents, and HDF5 does
+/// not detect this.
 bool has_plausible_extents(hid_t dataset, std::span<const hsize_t> extents);
 
 /// Creates a group without a time stamp, so that the bytes of the file depend only on its contents.

@@ -9,8 +9,8 @@
 
 namespace beadswim {
 
-/// JSON value whose keys stay in the order of insertion, so that documents have the order of their
-/// specification.
+/// JSON value whose objects keep their keys in the order of insertion. A document therefore has its keys in
+/// the order of its specification.
 using Json = nlohmann::ordered_json;
 
 /// Convert between JSON and an enumeration with a table of names (core/names.hpp). JSON contains the name.
@@ -32,12 +32,12 @@ std::string read_text(const std::string& path);
 Json parse_json(const std::string& text, const std::string& source);
 
 /// Returns the text of a document, which ends with a newline. Doubles are written with enough digits to be
-/// read back unchanged. Throws SolverError with the JSON pointer of a number that is non-finite;
-/// nlohmann-json would write null.
+/// read back unchanged. If a number is non-finite, throws SolverError with the JSON pointer to the number.
+/// nlohmann-json would write null instead.
 std::string dump_json(const Json& document);
 
-/// Returns the text of a document on one line, for streams with one document per line. Errors as for
-/// dump_json.
+/// Returns the text of a document on one line, for streams with one document per line. Throws as dump_json
+/// does.
 std::string dump_json_line(const Json& document);
 
 /// Writes a text file completely or not at all: writes a temporary file in the same folder, flushes it to the

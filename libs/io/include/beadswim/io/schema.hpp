@@ -8,8 +8,8 @@ namespace beadswim {
 
 /// Validates a document against an embedded JSON Schema (draft-07). The schema "layout" is the file
 /// schemas/layout.schema.json. Throws InputError with one line per fault: "source:/json/pointer: value:
-/// allowed values". The message suggests the nearest valid name for an unknown key. Another schema name or a
-/// newer version has its own message.
+/// allowed values". The message suggests the nearest valid name for an unknown key. If the document declares
+/// another schema or a newer version, the message states only this.
 void validate_json(const Json& document, const std::string& schema_name, const std::string& source);
 
 }  // namespace beadswim

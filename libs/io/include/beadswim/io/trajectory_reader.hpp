@@ -4,8 +4,8 @@
 
 namespace beadswim {
 
-/// Reads a trajectory that TrajectoryWriter wrote. Needs only one process and no MPI. The file FILE.part of
-/// an active or killed run can also be read; it provides the complete frames. H5MD does not distinguish
+/// Reads a trajectory that TrajectoryWriter wrote. Requires only one process and no MPI. Can also read the
+/// complete frames of FILE.part, the file of a run that is active or was killed. H5MD does not distinguish
 /// free-slip and no-slip walls: all walls are read as free-slip. All functions throw InputError with file,
 /// place in the file and remedy if the contents are invalid.
 class TrajectoryReader {
@@ -22,8 +22,9 @@ class TrajectoryReader {
   /// Returns frame `index` < frames(), with unwrapped positions.
   TrajectoryFrame frame(std::size_t index) const;
 
-  /// Returns the cycle quantities of all swimmers at the end of each base cycle. `columns` contains the names
-  /// and shapes of the columns. Returns an empty list for files of older versions without these quantities.
+  /// Returns the cycle quantities of all swimmers at the end of each base cycle (docs/notation.md, base
+  /// period). `columns` contains the names and shapes of the columns. Returns an empty list for files of
+  /// older versions without these quantities.
   std::vector<TrajectoryCycle> cycles(const std::vector<Column>& columns) const;
 
  private:

@@ -12,23 +12,23 @@
 
 namespace beadswim {
 
-/// One field on the cells of a lattice. It is provided plane by plane, so that the complete field need not be
-/// in memory.
+/// One field on the cells of a lattice. The field is provided one plane z = const at a time, so that the
+/// complete field need not be in memory.
 struct VtiField {
   std::string name;
   int components = 1;
-  /// Returns the numbers of plane z: all components of one cell, then of the next cell along x, then along y.
+  /// Returns the numbers of plane z: all components of each cell, with x as the fastest cell index, then y.
   /// Called for z = 0, 1, ... in this order.
   std::function<std::vector<float>(int z)> plane;
 };
 
 /// Writes fields on cells with edge `spacing` [length] and one corner of the lattice at the origin. The file
-/// is written completely or not at all. Data are inline Base64 in one piece, which all readers support.
-/// Throws SolverError if the file cannot be written.
+/// is written completely or not at all. The data are one block of Base64 text inside the XML file, a form
+/// that all readers support. Throws SolverError if the file cannot be written.
 void write_vti(const std::string& path, const Index3& cells, double spacing,
                const std::vector<VtiField>& fields);
 
-/// One file of a time series; `file` is relative to the .pvd.
+/// One file of a time series. `file` is a path relative to the folder of the .pvd file.
 struct PvdEntry {
   double time = 0;
   std::string file;

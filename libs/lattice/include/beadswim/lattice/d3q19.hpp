@@ -2,11 +2,11 @@
 
 #include <array>
 
-// The D3Q19 lattice: velocities c_i and weights w_i, with c_s^2 = 1/3 (Qian, d'Humieres & Lallemand 1992).
+// The D3Q19 lattice: velocities c_i and weights w_i. The squared speed of sound is c_s^2 = 1/3 cell^2/step^2
+// (Qian, d'Humieres & Lallemand 1992).
 //
-// Direction 0 is the direction of rest. Directions 2k-1 and 2k are opposite, so that the two-relaxation-time
-// collision reads them next to each other. All quantities are in lattice units: cell = 1, step = 1, mean
-// density = 1.
+// Direction 0 has velocity zero. Directions 2k-1 and 2k are opposite, because the two-relaxation-time
+// collision processes such pairs. All quantities are in lattice units: cell = 1, step = 1, mean density = 1.
 
 namespace beadswim::d3q19 {
 

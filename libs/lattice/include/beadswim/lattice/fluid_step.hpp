@@ -7,9 +7,10 @@
 
 namespace beadswim {
 
-/// Returns the coordinate z of the plane that a step sweeps as number n: 2, 3, ..., planes - 1, 0, 1. The two
-/// outermost planes on each side come last, because only their rows, and bead links next to these rows, read
-/// the halo across z. Messages for this halo may be in transit while the other planes are swept.
+/// Returns the coordinate z of the plane that a step sweeps as number n = 0, 1, ... The order of z is 2, 3,
+/// ..., planes - 1, 0, 1. The two outermost planes on each side thus come last. Only the rows of these
+/// planes, and bead links next to these rows, read the halo across z. Messages that fill this halo may be in
+/// transit while the other planes are swept.
 constexpr int plane_in_order(int n, int planes) {
   return (n + 2) % planes;
 }
@@ -22,9 +23,10 @@ constexpr int first_outer_plane(int planes) {
   return planes > 4 ? planes - 4 : 0;
 }
 
-/// Advances the fluid of a block by one time step. Calls before_row(y, z) before it sweeps the row (y, z). At
-/// this time the halo cells that the row reads are filled. before_row must apply the boundary condition on
-/// the links between this row and rows that have not been swept yet.
+/// Advances the fluid of a block by one time step. Calls before_row(y, z) before it sweeps the row (y, z).
+/// When before_row is called, the halo cells that the row reads are filled. before_row must apply the
+/// boundary condition on all links of this row that have not been processed yet: links within the row, and
+/// links between the row and rows that have not been swept.
 template <class BeforeRow>
 void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, BeforeRow&& before_row) {
   halo.start(populations);

@@ -18,17 +18,19 @@ namespace beadswim {
 /// mirrors populations. A no-slip wall bounces them back, so that the velocity vanishes half a cell outside
 /// the last cell.
 ///
-/// The axes are filled one after the other. Each axis includes the halo cells that are already filled, so
-/// that edges and corners need no separate treatment. No-slip walls are local to a cell and come last. Only
-/// the five directions that enter the block through a face are filled in the halo cells of this face. All
-/// other populations of the halo, and all populations behind a no-slip wall, are unspecified.
+/// The halo is filled axis by axis, in the order x, y, z. The halo plane across one axis includes the halo
+/// cells of the preceding axes, so that edges and corners need no separate treatment. The bounce-back at
+/// no-slip walls needs only populations of the cell itself and comes last. HaloContent lists the populations
+/// that are filled in a halo cell. All other populations of the halo, and all populations behind a no-slip
+/// wall, are unspecified.
 ///
-/// Messages across z may be in transit while the inner planes are swept (fluid_step.hpp), because only planes
-/// near the halo read it. With HaloContent::behind, start() completes all messages.
+/// Messages between neighbours along z may be in transit while the inner planes of constant z are swept
+/// (fluid_step.hpp), because only the outer planes read the halo across z. With HaloContent::behind, start()
+/// waits for all messages.
 class Halo {
  public:
-  /// Throws InputError if `content` is `behind` and a block is only one cell thick. The populations that are
-  /// filled must have been constructed for the same content.
+  /// Throws InputError if `content` is `behind` and a block is only one cell thick. Populations that this
+  /// object fills must have been constructed with the same `content`.
   Halo(const Communicator& communicator, const Decomposition& decomposition,
        const std::array<Boundary, 3>& boundary, HaloContent content = HaloContent::entering);
   ~Halo();
@@ -36,16 +38,18 @@ class Halo {
   Halo(const Halo&) = delete;
   Halo& operator=(const Halo&) = delete;
 
-  /// Fills all halo cells that need no message across z, and sends the messages across z.
+  /// Fills all halo cells except those that need a message from a neighbour along z. Sends the messages to
+  /// the neighbours along z.
   void start(Populations& populations);
 
   /// Lets MPI progress the pending messages. Call it repeatedly between start() and finish(): MPI need not
   /// progress messages by itself.
   void progress();
 
-  /// Receives the messages across z and fills the remaining halo cells. Since start(), the caller may have
-  /// swept rows, except those of the outermost planes. It may have processed links, except links that use
-  /// populations which enter through a face across z or at a wall.
+  /// Receives the messages from the neighbours along z and fills the remaining halo cells. Between start()
+  /// and finish(), the caller may sweep all rows except the rows of the outermost planes along z. It may
+  /// process all links except links that use a population which enters a cell through a face across z or at a
+  /// wall.
   void finish(Populations& populations);
 
   /// Fills the complete halo.
@@ -60,14 +64,14 @@ class Halo {
   /// Returns the other ranks that exchange halo cells with this rank.
   std::set<int> neighbours() const;
 
-  /// Returns the treatment of the row ends that the preceding sweep can apply. If the sweep has applied it,
-  /// fill() skips the halo across x.
+  /// Returns how a sweep can fill the halo cells at the row ends for the next step. If the last sweep has
+  /// done so, start() does not fill the halo cells across x again.
   RowEnds row_ends() const;
 
  private:
   struct Face {
     Boundary closed_by = Boundary::periodic;  ///< periodic: the face is open to a neighbour
-    int neighbour = MPI_PROC_NULL;            ///< rank across an open face; this rank if periodic in itself
+    int neighbour = MPI_PROC_NULL;  ///< rank across an open face; this rank if it is its own neighbour
     std::vector<std::byte> send, receive;
 
     bool is_open() const { return closed_by == Boundary::periodic; }

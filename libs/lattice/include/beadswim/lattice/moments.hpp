@@ -7,6 +7,7 @@
 // reproducible.
 //
 //   r = sum f_i (density minus 1),   u = sum c_i f_i (momentum)
+//   f_i population of direction i minus its weight w_i;  c_i velocity of direction i (d3q19.hpp)
 
 namespace beadswim {
 

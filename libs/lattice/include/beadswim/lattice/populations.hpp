@@ -11,38 +11,43 @@
 
 namespace beadswim {
 
-/// Halo cells before and after each row that the sweep fills itself, while the row is in the cache.
+/// Treatment of the two halo cells at the ends of each row: the cell before its first cell and the cell after
+/// its last cell along x. The sweep can fill them itself while the row is in the cache.
 enum class RowEnds {
-  left_to_halo,  ///< none: Halo fills them
-  wrapped,       ///< x is periodic and not divided among ranks: periodic images
-  mirrored,      ///< x ends in free-slip walls on both sides
+  left_to_halo,  ///< the sweep does not fill them; Halo does
+  wrapped,       ///< periodic images: x is periodic and not divided among ranks
+  mirrored,      ///< mirror images: x ends in free-slip walls on both sides
 };
 
-/// Populations of a halo cell h that are filled, for each of the five directions i that enter the block from
-/// h.
+/// Populations that are filled in a halo cell h, for each of the five directions i that point from h into the
+/// block. ibar is the direction opposite to i.
 enum class HaloContent {
-  entering,  ///< outgoing i of h
-  /// Outgoing i, outgoing ibar and incoming i of h. Incoming i of h is outgoing i of the cell behind h. If x
-  /// is periodic and not divided among ranks, only outgoing i is filled across x, because the other
-  /// populations are available at the other end of the row.
+  entering,  ///< outgoing population i of h
+  /// Outgoing populations i and ibar and incoming population i of h. The incoming population i of h is the
+  /// outgoing population i of the cell at h - c_i, on the side of h that is away from the block. If x is
+  /// periodic and not divided among ranks, only outgoing population i is filled in halo cells across x,
+  /// because the other populations can be read at the other end of the row.
   behind,
 };
 
-/// Populations of one block and of its halo, which is one cell wide. They are stored as deviations f_i - w_i
-/// after collision, in one array per direction with x fastest. There is only one copy of each population.
+/// Populations of one block and of its halo, a layer around the block that is one cell wide. They are stored
+/// after collision, as deviations f_i - w_i from their weight, in one array per direction with x fastest. The
+/// 19 populations that a collision leaves in a cell are its outgoing populations. Streaming moves them to the
+/// neighbours, where they are incoming populations. There is only one copy of each population.
 ///
 /// A step reads the 19 incoming populations of a cell and writes its 19 outgoing populations to the same 19
-/// addresses. These addresses alternate from step to step (docs/method/in-place-streaming.md):
+/// addresses. The rule that assigns an address to a population therefore alternates from step to step between
+/// two rules, called parities (docs/method/in-place-streaming.md). ibar is the direction opposite to i:
 ///
 ///   parity    outgoing i of cell x      incoming i of cell x
 ///   local     array ibar, at x          array ibar, at x - c_i
 ///   streamed  array i, at x + c_i       array i, at x
 ///
-/// Only the accessors of this class depend on the parity. At either parity, incoming i of cell x is outgoing
-/// i of its neighbour at x - c_i.
+/// Only the accessors of this class depend on the parity. At both parities, the incoming population i of cell
+/// x is the outgoing population i of its neighbour at x - c_i.
 ///
-/// A cell is identified by its index in such an array. Local coordinates run from -1 to size; the cells 0 to
-/// size - 1 belong to the block, the others to the halo.
+/// A cell is identified by its index in these arrays, which cell() returns. Local coordinates run from -1 to
+/// size along each axis. The cells 0 to size - 1 belong to the block, the others to the halo.
 class Populations {
  public:
   /// Sets all deviations to zero: fluid of density 1 at rest.
@@ -56,7 +61,8 @@ class Populations {
   }
   std::ptrdiff_t cell(const Index3& p) const { return cell(p[0], p[1], p[2]); }
 
-  /// Return the index of the neighbour along direction i, or along an axis, minus the index of the cell.
+  /// Return the index of the next cell along direction i (shift) or along an axis (pitch), minus the index of
+  /// the cell itself.
   std::ptrdiff_t shift(int i) const { return shift_[i]; }
   std::ptrdiff_t pitch(int axis) const { return axis == 0 ? 1 : (axis == 1 ? pitch_y_ : pitch_z_); }
 
@@ -67,7 +73,7 @@ class Populations {
   /// at a wall or bead, the boundary condition sets it.
   double incoming(int i, std::ptrdiff_t cell) const { return outgoing(i, cell - shift_[i]); }
 
-  /// Both set a population and return the stored value, which is rounded to the precision.
+  /// Set a population. Return the stored value, which is f rounded to the precision of the populations.
   double set_outgoing(int i, std::ptrdiff_t cell, double f) {
     if (is_row_end(cell)) row_ends_filled_ = RowEnds::left_to_halo;
     return store(place_[parity_][i] + cell, f);
@@ -76,8 +82,9 @@ class Populations {
     return store(place_[parity_][i] + cell - shift_[i], f);
   }
 
-  // Addresses of populations, for loops along rows: adjacent cells of a row are adjacent in memory. Real: the
-  // type that in_precision(precision()) selects.
+  // The following functions return the address of a population of cell `first`, for loops along rows: the
+  // same population of the next cell along x follows in memory. Real is the type that
+  // in_precision(precision()) selects.
 
   template <class Real>
   Real* outgoing_row(int i, std::ptrdiff_t first) {
@@ -92,8 +99,8 @@ class Populations {
     return outgoing_row<Real>(i, first - shift_[i]);
   }
 
-  /// Returns the address to which the collision of the present step writes outgoing i. It is one of the
-  /// addresses of the incoming populations of the same cell.
+  /// Returns the address to which the collision in the present step writes outgoing population i of cell
+  /// `first`. At this address lies one of the incoming populations of the same cell.
   template <class Real>
   Real* next_outgoing_row(int i, std::ptrdiff_t first) {
     return numbers<Real>() + place_[1 - parity_][i] + first;
@@ -106,7 +113,8 @@ class Populations {
     row_ends_filled_ = row_ends;
   }
 
-  /// Returns the treatment of the row ends that the last sweep applied and that is still valid.
+  /// Returns the treatment of the row ends that the last sweep applied, or left_to_halo if set_outgoing() has
+  /// since changed the first or last cell of a row.
   RowEnds row_ends_filled() const { return row_ends_filled_; }
 
   /// Returns the memory that the populations occupy [byte].
@@ -138,7 +146,7 @@ class Populations {
   Index3 size_;
   std::ptrdiff_t first_, pitch_y_, pitch_z_;
   std::array<std::ptrdiff_t, d3q19::directions> shift_;
-  /// [parity][i]: index of outgoing i of cell 0
+  /// [parity][i]: place of outgoing population i of the cell with index 0
   std::array<std::array<std::ptrdiff_t, d3q19::directions>, 2> place_;
   int parity_ = 1;  ///< 0: local, 1: streamed
   RowEnds row_ends_filled_ = RowEnds::left_to_halo;

@@ -11,7 +11,7 @@ namespace beadswim {
 /// totals are evaluated in double precision.
 enum class Precision {
   fp64,
-  fp32,  ///< half the memory and memory traffic; errors: docs/method/single-precision.md
+  fp32,  ///< half the memory and memory traffic of fp64; errors: docs/method/single-precision.md
 };
 
 template <>

@@ -10,9 +10,10 @@ namespace beadswim {
 
 /// Advances the fluid of a block by one step, row by row. The rows may be swept in any order. Each cell of
 /// the block reads its 19 incoming populations, collides them and writes its 19 outgoing populations. The
-/// loop has no branches. Before a row is swept, the boundary conditions must have set the incoming
-/// populations of its links, and the halo cells that it reads must have been filled. `row_ends` selects the
-/// halo cells of the next step that the sweep fills itself (Halo::row_ends()).
+/// loop has no branches. Before a row is swept, all incoming populations of its cells must be set. Boundary
+/// conditions set those on links to walls and beads; the halo contains those from outside the block.
+/// `row_ends` selects how the sweep fills the halo cells at the ends of the row for the next step
+/// (Halo::row_ends()).
 ///
 /// The results have the same bits for every instruction set and every shape of block.
 class BlockSweep {

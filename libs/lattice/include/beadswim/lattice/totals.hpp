@@ -10,10 +10,11 @@ namespace beadswim {
 
 /// Total mass and momentum of a set of cells. The bits do not depend on the decomposition of the lattice.
 struct FluidTotals {
-  OrderFreeSum density_deviation;        ///< sum of (density - 1)
-  std::array<OrderFreeSum, 3> momentum;  ///< sum of c_i f_i
+  OrderFreeSum density_deviation;        ///< sum of (density - 1) over the cells
+  std::array<OrderFreeSum, 3> momentum;  ///< sum of c_i f_i over directions and cells
 
-  /// Adds one cell. Throws SolverError if a moment is non-finite or too large for OrderFreeSum.
+  /// Adds the moments of one cell. Throws SolverError if a moment is non-finite or too large for
+  /// OrderFreeSum.
   void add(const CellMoments& moments);
   void add(const FluidTotals& other);
   void subtract(const FluidTotals& other);

@@ -15,17 +15,19 @@
 //   e_i+  =   w_i (r + 9/2 (c_i.u)^2 - 3/2 u^2)
 //   e_i-  = 3 w_i c_i.u
 //
-//   f_i     deviation of the population from w_i (less roundoff at low speed);  f_i* after the collision
+//   f_i     deviation of the population from w_i (reduces roundoff at low speed);  f_i* after the collision
 //   ibar    the direction opposite to i;  w_i, c_i weight and velocity (d3q19.hpp)
 //   r       = sum f_i, the density minus 1;  u = sum c_i f_i, the momentum (the mean density is 1)
 //   w+, w-  rates of the symmetric and antisymmetric parts [1/step]
 //
-// w+ = 1/tau sets the kinematic viscosity nu = (tau - 1/2)/3. w- = 8 (2 - w+)/(8 - w+) makes the product
-// (1/w+ - 1/2)(1/w- - 1/2) = 3/16. A plane bounce-back wall then lies half-way between cells at any viscosity.
+// w+ = 1/tau sets the kinematic viscosity nu = (tau - 1/2)/3 [cell^2/step], where tau is the relaxation time
+// [step]. w- = 8 (2 - w+)/(8 - w+) makes the product (1/w+ - 1/2)(1/w- - 1/2) = 3/16. With this product, a
+// plane bounce-back wall lies half-way between cells at any viscosity.
 // clang-format on
 //
 // Ginzburg, Verhaeghe & d'Humieres, Commun. Comput. Phys. 3 (2008) 427; incompressible equilibrium: He & Luo,
-// J. Stat. Phys. 88 (1997) 927. Valid for |u| << c_s = 0.577, with an error of order u^2.
+// J. Stat. Phys. 88 (1997) 927. The collision is valid for |u| << c_s = 0.577 cells/step; its relative error
+// is of order (u/c_s)^2.
 
 namespace beadswim {
 
@@ -59,19 +61,19 @@ BEADSWIM_KERNEL Real equilibrium(int i, Real r, Real ux, Real uy, Real uz) {
   return Real(d3q19::weight(i)) * (r + 3 * cu + Real(4.5) * cu * cu - Real(1.5) * uu);
 }
 
-/// The factors w+ / 18 and w- / 6 of the kernel, rounded to five binary digits less than Real has. The
-/// products of rates and weights are exact multiples of these factors (18, 9, 6, 9/2, 1/2 and 6, 3, 1/2
-/// times). A collision therefore conserves mass and momentum except for the rounding of the populations,
-/// which has no preferred sign. Over 20,000 steps in double precision, the momentum changed by 2e-16 of
-/// itself; with rounded weights it changed by 7e-14. The relative change of the rates is 2^-19 in single and
-/// 2^-48 in double precision.
+/// The factors w+/18 (plus_axis) and w-/6 (minus_axis), rounded to five binary digits fewer than Real has.
+/// The collision multiplies them only by small numbers such as 18 and 9/2, so that these products are exact.
+/// A collision therefore conserves mass and momentum except for the rounding of the populations, which has no
+/// preferred sign. Over 20,000 steps in double precision, the momentum changed by a relative 2e-16. With
+/// rounded weights instead of exact products, it changed by a relative 7e-14. The rounding changes the rates
+/// by a relative 2^-19 in single and 2^-48 in double precision.
 template <class Real>
 struct CollisionRates {
   Real plus_axis, minus_axis;
 };
 
 namespace detail {
-/// Returns x rounded to five binary digits less than Real has.
+/// Returns x rounded to five binary digits fewer than Real has.
 template <class Real>
 Real round_mantissa(double x) {
   int exponent = 0;
@@ -91,7 +93,7 @@ CollisionRates<Real> collision_rates(const RelaxationRates& rates) {
 template <class Real>
 BEADSWIM_KERNEL void collide_trt(Real (&f)[d3q19::directions], const CollisionRates<Real>& rates) {
   using namespace d3q19;
-  Real sum[10], difference[10];  // f_i + f_ibar and f_i - f_ibar of the pair k: i = 2k-1
+  Real sum[10], difference[10];  // f_i + f_ibar and f_i - f_ibar of pair k, with i = 2k-1
 #pragma GCC unroll 10
   for (int k = 1; k <= 9; ++k) {
     sum[k] = f[2 * k - 1] + f[2 * k];

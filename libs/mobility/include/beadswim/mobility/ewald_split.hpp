@@ -6,19 +6,22 @@
 #include "beadswim/mobility/rotne_prager_tensor.hpp"
 
 // clang-format off
-// Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part, negligible beyond about 4/xi,
-// and a smooth far part. Ewald sums in a periodic box and the mesh method in open space use it.
+// Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part and a far part. The near part
+// is negligible at distances beyond about 4/xi. The far part is smooth. Ewald sums in a periodic box and the
+// mesh method in open space use this splitting.
 //
 //   far    (I - kk/k^2)/(eta k^2) s(k) (1 - A k^2/6),   s(k) = (1 + k^2/(4 xi^2)) exp(-k^2/(4 xi^2)),   A = a_i^2 + a_j^2
 //   near   full tensor minus the far part
 //
-// An isotropic tensor without divergence follows from a scalar chi(r); its transform is -8 pi s(k)/k^4 for
-// the Oseen part:
+//   k wavevector [1/length], I unit tensor, kk and rr dyadic products; far: Fourier transform
+//
+// An isotropic tensor without divergence follows from a scalar chi(r). For the Oseen term of the far part
+// (A = 0), the Fourier transform of chi is -8 pi s(k)/k^4:
 //
 //   (I laplacian - grad grad) chi / (8 pi eta) = [ (chi'' + chi'/r) I + (chi'/r - chi'') rr/r^2 ] / (8 pi eta)
 //
-// The laplacian of the tensor follows in the same way from psi = laplacian chi. For the near part
-// chi' = erfc(xi r):
+// The formula gives the laplacian of the tensor if chi is replaced by laplacian chi. For the near part
+// chi' = erfc(xi r). With the functions s, g and c of r below, where s is not s(k):
 //
 //   8 pi eta oseen     = (s - g) I + (s + g) rr/r^2
 //   8 pi eta laplacian = [ c + g xi^2 (8 - 4 xi^2 r^2) ] I - [ 3 c + g xi^2 (4 - 4 xi^2 r^2) ] rr/r^2
@@ -32,11 +35,13 @@
 
 namespace beadswim {
 
-/// Pair tensor in two parts: spheres of radii a_i, a_j have oseen + (a_i^2 + a_j^2)/6 laplacian.
+/// Pair tensor in two terms. The tensor of two spheres of radii a_i and a_j is oseen + (a_i^2 + a_j^2)/6
+/// laplacian.
 struct SplitTensor {
   PairTensor oseen, laplacian;
 
-  /// Returns the tensor of two spheres with a_i^2 + a_j^2 = squared_radii [length^2]; 0 gives point forces.
+  /// Returns the tensor of two spheres with a_i^2 + a_j^2 = squared_radii [length^2], or of two point forces
+  /// if squared_radii = 0.
   PairTensor sphere_tensor(double squared_radii) const {
     const double size = squared_radii / 6;
     return {.isotropic = oseen.isotropic + size * laplacian.isotropic,
@@ -45,7 +50,7 @@ struct SplitTensor {
 };
 
 // clang-format off
-/// Evaluates the near part at r > 0.
+/// Evaluates the near part at the distance r > 0.
 inline SplitTensor near_tensor(double xi, double r, double eta) {
   const double unit = 1 / (8 * std::numbers::pi * eta);
   const double x2 = xi * xi, r2 = r * r;
@@ -59,24 +64,29 @@ inline SplitTensor near_tensor(double xi, double r, double eta) {
 }
 // clang-format on
 
-/// Returns the self-interaction of a sphere that is contained in the far part [time/mass]. It is subtracted
-/// where the far part is summed over all pairs of spheres, including i = j.
+/// Returns the part of the self-mobility of a sphere that the far part contains [time/mass]. If the far part
+/// is summed over all pairs of spheres including i = j, this value must be subtracted for each sphere.
 inline double far_self_mobility(double xi, double squared_radius, double viscosity) {
   const double root = std::sqrt(std::numbers::pi);
   return (4 * xi / root - 40.0 / 9 * squared_radius * xi * xi * xi / root) /
          (8 * std::numbers::pi * viscosity);
 }
 
-/// Evaluates (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2) for k > 0. `exponent` is k^2/(4 xi^2) less the part
-/// that the windows take over.
+/// Evaluates (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2) for k2 = k^2 > 0. `exponent` is the part of
+/// k^2/(4 xi^2) that the windows of the mesh do not apply (particle_mesh.hpp).
 inline double far_spectrum(double xi, double k2, double exponent, double viscosity) {
   return (1 + k2 / (4 * xi * xi)) * std::exp(-exponent) / (viscosity * k2);
 }
 
 // clang-format off
-/// Evaluates the far part in open space, where windows take over the fraction `share` of its Gaussian. Its
-/// transform is (I - kk/k^2)/(eta k^2) (1 + k^2/(4 xi^2)) exp(-(1 - share) k^2/(4 xi^2)). With X^2 = xi^2/(1
-/// - share), E = erf(X r) and G = exp(-X^2 r^2):
+/// Evaluates the far part in open space for a mesh. Its Gaussian is exp(-k^2/(4 xi^2)). The windows of the
+/// mesh apply the factor exp(-share k^2/(4 xi^2)) (particle_mesh.hpp), so the Fourier transform of the result
+/// is
+///
+///   (I - kk/k^2)/(eta k^2) (1 + k^2/(4 xi^2)) exp(-(1 - share) k^2/(4 xi^2))
+///
+/// The scalars chi and chi_lap = laplacian chi give the tensor and its laplacian. With E = erf(X r),
+/// G = exp(-X^2 r^2) and X^2 = xi^2/(1 - share):
 ///
 ///   chi     = r E + G/(sqrt(pi) X) - w E/r,     w = share/(2 xi^2)
 ///   chi_lap = 2 E/r + p G,                      p = 2 X^3/(sqrt(pi) xi^2)
@@ -86,7 +96,7 @@ inline double far_spectrum(double xi, double k2, double exponent, double viscosi
 inline SplitTensor far_tensor(double xi, double share, double r, double eta) {
   const double unit = 1 / (8 * std::numbers::pi * eta);
   const double X = xi / std::sqrt(1 - share), X2 = X * X, root = std::sqrt(std::numbers::pi);
-  if (r == 0) {  // (2/3) of the integral of the transform over all k
+  if (r == 0) {  // average of I - kk/k^2 over all directions of k: (2/3) I
     const double oseen   =   X      / (2 * root) +          X2 * X / (4 * root * xi * xi);
     const double lap     = -(X2 * X /      root  + 6 * X2 * X2 * X / (4 * root * xi * xi));
     const double average = 2.0 / 3 / (std::numbers::pi * eta);

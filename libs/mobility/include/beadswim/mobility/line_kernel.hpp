@@ -2,8 +2,8 @@
 
 #include <complex>
 
-// Values of flow kernels on a line along x: the velocity along x at the receiver x_r, per unit force along x
-// at the source x_s. Any coherent unit system.
+// Values of flow kernels on a line along x. A kernel K(x_r, x_s) is the velocity along x at the receiver x_r,
+// divided by the force along x at the source x_s. Any coherent unit system.
 
 namespace beadswim {
 
@@ -15,7 +15,8 @@ struct LineKernel {
   T by_source{};    ///< dK / dx_s
 };
 
-/// Value and slope of a function of the displacement d = x_r - x_s. Kernels are composed of such functions.
+/// Value of a function of the displacement d = x_r - x_s, and its derivative by d (slope). Kernels are
+/// composed of such functions.
 template <class T>
 struct LineValue {
   T value{};
@@ -33,16 +34,17 @@ auto operator*(const Factor& factor, const LineValue<T>& term) {
   return LineValue<decltype(factor * term.value)>{factor * term.value, factor * term.slope};
 }
 
-/// Kernel of steady Stokes flow. Two spheres of radii a_i and a_j that do not overlap have the mobility
-/// oseen + (a_i^2 + a_j^2) laplacian.
+/// Kernel of steady Stokes flow. G_xx is the velocity along x per point force along x. Two spheres of radii
+/// a_i and a_j that do not overlap have the mobility oseen + (a_i^2 + a_j^2) laplacian.
 struct SteadyFlow {
   LineKernel<double> oseen;      ///< G_xx [time/mass]
   LineKernel<double> laplacian;  ///< (1/6) laplacian of G_xx [time/(mass length^2)]
 };
 
-/// Kernel of unsteady Stokes flow at the angular frequency omega, with alpha^2 = i omega rho / eta. The radii
-/// of the spheres multiply the two parts by different factors (unsteady_sphere.hpp). The parts nearly cancel
-/// for small alpha, so their sum is evaluated separately.
+/// Kernel of unsteady Stokes flow at the angular frequency omega, with alpha^2 = i omega rho / eta. The flow
+/// is the sum of a Helmholtz part and a harmonic part. Each part has its own factor for the radii of the
+/// spheres (unsteady_sphere.hpp). For small alpha the two parts nearly cancel, so their sum is evaluated
+/// separately.
 struct UnsteadyFlow {
   LineKernel<std::complex<double>> helmholtz;  ///< decays as exp(-alpha r) [time/mass]
   LineKernel<std::complex<double>> harmonic;   ///< potential flow [time/mass]

@@ -11,23 +11,28 @@
 #include "beadswim/mobility/ewald_plan.hpp"
 #include "beadswim/mobility/mobility_model.hpp"
 
-// Velocities of many spheres from the forces on them in Stokes flow:
+// Velocities v_i of many spheres in Stokes flow from the forces f_j on them. a_i are the radii, eta is the
+// dynamic viscosity:
 //
 //   v_i = sum_j mu_ij f_j,   mu_ii = I/(6 pi eta a_i)
 //
-//   oseen     mu_ij of point forces (rotne_prager_tensor.hpp: oseen_tensor)
-//   rpy       Rotne-Prager-Yamakawa tensor of spheres; positive definite for any positions, overlaps included
-//   rpy+near  S^T mu S with mu as in rpy; S is a local map of the forces that makes the mobility of close
-//   spheres
-//             exact along their lines (near_field.hpp); also positive definite, at little additional cost
+// The model (MobilityModel) determines mu_ij for i != j:
 //
-// The spheres are in open space, or in a box with all images of all spheres. Each axis of the box is periodic
-// or has free-slip walls, which act as mirrors. The sum over images leaves out k = 0, so the volume flux is
-// zero. The sum is intended for forces that sum to zero.
+//   oseen     Oseen tensor of point forces (rotne_prager_tensor.hpp)
+//   rpy       Rotne-Prager-Yamakawa tensor of spheres; mu is positive definite even if spheres overlap
+//   rpy+near  S^T mu S instead of mu, with mu of rpy and a map S of the forces (near_field.hpp)
 //
-// Few spheres in open space are summed pair by pair, without approximation. Otherwise an Ewald sum is used:
-// the near part is a sum over pairs, the far part is evaluated on a mesh (ewald_split.hpp,
-// particle_mesh.hpp). Its cost is N log N, its memory N.
+// S makes the mobility of close spheres exact along the lines between them. S^T mu S is positive definite.
+// The additional cost is small.
+//
+// The spheres are in open space or in a box. Each axis of the box is periodic or has free-slip walls, which
+// act as mirrors. In a box the sum over j includes all periodic and mirror images of the spheres. The Fourier
+// series of this sum leaves out the wavevector k = 0, so the volume flux is zero. The forces in a box should
+// sum to zero.
+//
+// Fewer than 1000 spheres in open space are summed pair by pair, without approximation. Otherwise an Ewald
+// sum is evaluated: the near part is summed over pairs, the far part is evaluated on a mesh (ewald_split.hpp,
+// particle_mesh.hpp). For N spheres the cost of an Ewald sum is proportional to N log N, its memory to N.
 //
 // Page: docs/method/mobility-product.md.
 
@@ -38,26 +43,30 @@ struct MobilityScene {
   double viscosity = 0;       ///< dynamic, eta [mass/(length time)]
   std::optional<Box> box;     ///< none: open space
   std::vector<double> radii;  ///< one per sphere [length]
-  double tolerance = 1e-4;    ///< error of velocities, relative to their root mean square
+  double tolerance = 1e-4;    ///< error of the velocities, divided by their root mean square
 };
 
 class MobilityProduct {
  public:
-  /// `positions` [length] are approximate positions of the spheres. They determine the division of the work
-  /// between pairs and mesh, and change results only within the tolerance. Throws InputError if there is no
-  /// sphere; if a radius, the viscosity, a length or the tolerance is invalid; or if the model is rpy_near
-  /// and the number of spheres is not a multiple of three. Collective.
+  /// `positions` [length] are approximate positions of the spheres. They determine only how the work is
+  /// divided between pairs and mesh. If they differ from the positions in apply(), results change within the
+  /// tolerance. Throws InputError in these cases:
+  ///   - There is no sphere.
+  ///   - A radius, the viscosity, a length of the box or the tolerance is invalid.
+  ///   - The model is rpy_near and the number of spheres is not a multiple of three.
+  /// Collective.
   MobilityProduct(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
   ~MobilityProduct();
   MobilityProduct(const MobilityProduct&) = delete;
   MobilityProduct& operator=(const MobilityProduct&) = delete;
 
-  /// Sets velocities[i] of each sphere i. All arrays hold all spheres and are equal on all ranks. On the same
-  /// number of ranks equal arguments give the same bits; on different numbers of ranks results agree to
-  /// roundoff. Collective.
+  /// Sets velocities[i] [length/time] to v_i for each sphere i. `positions` are in [length], `forces` in
+  /// [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal number of
+  /// ranks, equal arguments give the same bits. On different numbers of ranks, results agree to roundoff.
+  /// Collective.
   void apply(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities) const;
 
-  /// Returns the parameters of the Ewald sum, or nothing if all pairs are summed.
+  /// Returns the parameters of the Ewald sum. Empty if all pairs are summed directly.
   const std::optional<EwaldPlan>& plan() const;
 
  private:

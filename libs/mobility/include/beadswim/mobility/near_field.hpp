@@ -11,43 +11,45 @@
 #include "beadswim/mobility/line_map_table.hpp"
 #include "beadswim/mobility/near_map.hpp"
 
-// Corrections that make the Rotne-Prager mobility of close beads exact along lines:
+// Corrections that make the Rotne-Prager mobility of close beads exact along the lines between the beads:
 //
-//   - The three beads of a swimmer are corrected along the line from bead 1 to bead 3, as if the swimmer were
-//     straight with its present arm lengths.
-//   - Any other pair of close beads is corrected along its line of centres. Periodic copies and mirror images
-//     behind free-slip walls are included.
+//   - The three beads of a swimmer are corrected along the line from bead 1 to bead 3. The correction is
+//     evaluated for a straight swimmer with the same arm lengths.
+//   - Any other pair of close beads is corrected along its line of centres. One of the two may be a periodic
+//     copy of a bead, or its mirror image behind a free-slip wall.
 //
-// A pair has full weight up to 4 mean radii between the centres. Its weight decreases to 0 at 6 mean radii.
-// There the correction would change the relative velocity of two equal beads under opposite forces by 0.4 %,
-// at 8 mean radii by 0.1 %. The neglected effect of a third bead is as large.
+// The correction of a pair has full weight up to a distance of 4 mean radii between the centres. The weight
+// decreases to 0 at 6 mean radii. At this distance the full correction would change the relative velocity of
+// two equal beads under opposite forces by 0.4 %. At 8 mean radii it would change this velocity by 0.1 %.
+// Both changes are as small as the effect of a third bead, which is neglected.
 //
 // Page: docs/method/near-field.md.
 
 namespace beadswim {
 
-/// Distances between the centres that limit the pair correction [mean radius of the pair].
+/// Distances between the centres of a pair at which its weight starts to decrease and becomes 0 [mean radius
+/// of the pair].
 constexpr double full_weight_distance = 4, pair_cutoff = 6;
 
-/// Returns the weight of a pair at `distance` [mean radius]: 1 up to full_weight_distance, 0 from
-/// pair_cutoff. The weight is twice continuously differentiable.
+/// Returns the weight of a pair whose centres are `distance` [mean radius of the pair] apart: 1 up to
+/// full_weight_distance, 0 from pair_cutoff. It is twice continuously differentiable.
 double pair_weight(double distance);
 
 class NearField {
  public:
-  /// `radii` holds the radii of swimmer k at 3k, 3k + 1 and 3k + 2 [length]. Throws InputError if their
-  /// number is not a multiple of three.
+  /// The radii of swimmer k are radii[3k], radii[3k + 1] and radii[3k + 2] [length]. Throws InputError if the
+  /// number of radii is not a multiple of three.
   NearField(std::vector<double> radii, std::optional<Box> box);
 
-  /// Returns the map S for spheres at these positions [length]. Throws NotFiniteError as multipole_mobility
-  /// does. Fills tables on demand, so concurrent calls are not allowed.
+  /// Returns the map S for spheres at these positions [length]. Throws NotFiniteError if multipole_mobility()
+  /// throws it. Computes nodes of tables when they are first needed, so concurrent calls are not allowed.
   NearMap at(std::span<const Vec3> positions) const;
 
  private:
   /// Positions of the beads and of their mirror images behind walls.
   struct Images {
     std::vector<Vec3> places;
-    std::vector<Vec3> mirrors;  ///< signs of the components, one per set of images
+    std::vector<Vec3> mirrors;  ///< per set of images: -1 in each mirrored component, else 1
   };
   Images mirror_images(std::span<const Vec3> positions) const;
   SwimmerLink swimmer_link(std::size_t swimmer, std::span<const Vec3> positions) const;
@@ -58,7 +60,7 @@ class NearField {
 
   std::vector<double> radii_;
   std::optional<Box> box_;
-  Vec3 lengths_;  ///< periodic box that contains the mirror images; 0 in open space [length]
+  Vec3 lengths_;  ///< edges of the periodic box that contains the mirror images [length]; 0: open space
   std::vector<TripletMapTable> triplet_tables_;
   std::vector<int> triplet_table_of_;  ///< index into triplet_tables_, per swimmer
   mutable std::map<std::array<double, 2>, PairMapTable> pair_tables_;

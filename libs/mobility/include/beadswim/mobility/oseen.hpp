@@ -20,7 +20,7 @@
 
 namespace beadswim {
 
-/// Evaluates the mobility; the radii are ignored.
+/// Evaluates the mobility. The radii are ignored.
 inline PairMobility oseen(double /*radius_i*/, double /*radius_j*/, double distance, double viscosity) {
   const double value = 1 / (4 * std::numbers::pi * viscosity * distance);
   return {.value = value, .slope = -value / distance};

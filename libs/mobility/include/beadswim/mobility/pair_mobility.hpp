@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-// Interface of the pair laws of spheres on a common line. Any coherent unit system.
+// Interface of pair laws: mobilities of two spheres along their common line. Any coherent unit system.
 
 namespace beadswim {
 

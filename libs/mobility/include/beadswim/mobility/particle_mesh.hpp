@@ -9,16 +9,25 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 
-// Far part of the Ewald sum by a mesh ("spectral Ewald"). Forces are spread to the mesh by Gaussian windows
-// W, Fourier transformed, multiplied by the kernel K, transformed back and interpolated with the same
-// windows.
+// Far part of the Ewald sum on a mesh ("spectral Ewald"). Each bead acts on the mesh points near it, weighted
+// by a Gaussian W around its centre (its window). The forces are spread to the mesh with these weights,
+// Fourier transformed, multiplied by the kernel K and transformed back. The velocities of the beads are
+// interpolated with the same weights.
 //
 //   u_i = h^3 sum_g W(x_i - g) u(g),   u = K * sum_j W(g - x_j) f_j,   K = far part / W^2
-//   W(x) = prod over axes of sqrt(2 xi^2/(pi eta)) exp(-2 xi^2 x^2/eta),   transform exp(-eta k^2/(8 xi^2))
+//   W(x) = prod over axes of sqrt(2 xi^2/(pi share)) exp(-2 xi^2 x^2/share)
+//   Fourier transform of W:  exp(-share k^2/(8 xi^2))
 //
-// eta is the part of the far part's Gaussian that the window takes over. It is chosen such that the window
-// decreases to exp(-m^2/2) over its points. In a periodic box K is known in k. In open space K is smooth: it
-// is sampled on a mesh of twice the size, where the sum is an ordinary convolution.
+//   u_i, f_j  velocity and force of the beads at x_i and x_j
+//   g, h      mesh point, mesh spacing [length];  *  convolution
+//   K         kernel; the quotient (far part)/W^2 is taken between Fourier transforms
+//   xi        splitting parameter (ewald_split.hpp) [1/length]
+//
+// The far part contains the Gaussian exp(-k^2/(4 xi^2)). Spreading and interpolation apply W once each,
+// together the factor exp(-share k^2/(4 xi^2)). K contains the remaining factor. `share` is chosen such that
+// W decreases to exp(-m^2/2) of its maximum at the edge of the window (EwaldPlan::window_shape). In a
+// periodic box the Fourier transform of K is known in closed form. In open space K is smooth and is sampled
+// on a mesh of twice the size, where the periodic convolution equals the convolution in open space.
 //
 // References: Lindbo and Tornberg, J. Comput. Phys. 229, 8994 (2010); af Klinteberg, Shamshirgar and
 // Tornberg, Res. Math. Sci. 4, 1 (2017). Page: docs/method/mobility-product.md.
@@ -33,16 +42,17 @@ class ParticleMesh {
     double viscosity = 0;               ///< dynamic [mass/(length time)]
   };
 
-  /// `lengths` are the edges of the periodic box [length], or 0 in open space, where the mesh is fitted to
-  /// the beads in each call. Collective.
+  /// `lengths` are the edges of the periodic box [length]. They are 0 in open space, where each call fits the
+  /// mesh to the beads. Collective.
   ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads beads, const Communicator& communicator);
   ~ParticleMesh();
   ParticleMesh(const ParticleMesh&) = delete;
   ParticleMesh& operator=(const ParticleMesh&) = delete;
 
-  /// Adds the contribution of this rank to the far part of the velocities. The sum over all ranks is the far
-  /// part, including the self-interaction of each bead. `positions` and `forces` hold all beads, equal on all
-  /// ranks; `velocities` holds the first beads, as many as are needed. Collective.
+  /// Adds the contribution of this rank to the far part of the velocities. The sum of these contributions
+  /// over all ranks is the far part, including the self-interaction of each bead. `positions` and `forces`
+  /// contain all beads and are equal on all ranks. `velocities` contains only the beads whose velocities are
+  /// required, which must be the first beads. Collective.
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities);
 

@@ -6,9 +6,9 @@
 
 #include "beadswim/core/box.hpp"
 
-// Lattice of the images of a force on a line along x, and its wavevectors. Walls act as mirrors: an axis with
-// walls has twice the period, and mirrors in y and z add mirrored copies of the line. Mirrors in x are
-// treated by LineFlow.
+// Lattice of the images of a force on a line along x, and the wavevectors of this lattice. Walls act as
+// mirrors. An axis with walls has twice the period of the box. Walls in y and z add mirror copies of the
+// line. LineFlow treats walls in x.
 
 namespace beadswim {
 
@@ -17,37 +17,39 @@ struct PeriodicLine {
   /// A transverse axis with the positions of the copies of the line.
   struct Axis {
     double period = 0;  ///< [length]
-    double mirror = 0;  ///< distance to the copy behind the wall at 0; 0: no wall [length]
+    double mirror = 0;  ///< distance to the copy behind the wall at 0 [length]; 0 if the axis has no walls
   };
   /// A transverse wavevector (k_y, k_z).
   struct Wave {
     double square = 0;  ///< k_y^2 + k_z^2 [1/length^2]
-    double weight = 0;  ///< sum of cos(k.d) over both signs of k_y and k_z and over all copies of the line
+    /// Sum of cos(k.d) over both signs of k_y and k_z and over all copies of the line. d: from line to copy.
+    double weight = 0;
   };
 
   double period = 0;  ///< along x [length]
   Axis y, z;
-  double splitting =
-      0;  ///< xi of the Ewald sums [1/length]; waves up to about 12 xi, images up to about 6/xi
+  /// xi of the Ewald sums [1/length], which include wavenumbers below 12.6 xi and images within 6.3/xi.
+  double splitting = 0;
 
   double copies() const { return (y.mirror > 0 ? 2 : 1) * (z.mirror > 0 ? 2 : 1); }
   double volume() const { return period * y.period * z.period; }
 };
 
-/// Returns the lattice for the line at (y, z) [length] of a box, with the splitting that balances the work
-/// for images and waves. Throws InputError as LineFlow does.
+/// Returns the lattice for the line at (y, z) [length] of a box. Its splitting balances the cost of images
+/// and waves. Throws InputError if a length is not finite and positive, or if the line is not between the
+/// walls.
 PeriodicLine periodic_line(const Box& box, double y, double z);
 
-/// Returns the transverse wavevectors shorter than `longest` [1/length].
+/// Returns the transverse wavevectors shorter than `longest` [1/length], with k_y >= 0 and k_z >= 0.
 std::vector<PeriodicLine::Wave> transverse_waves(const PeriodicLine& line, double longest);
 
-/// Returns the squared distances [length^2] from the line to its images nearer than `cutoff`. The line itself
-/// (0) is included.
+/// Returns the squared distances [length^2] from the line to its images that are nearer than `cutoff`
+/// [length]. The line itself is included, with distance 0.
 std::vector<double> image_lines(const PeriodicLine& line, double cutoff);
 
-/// Calls visit(x, rho^2) for each image of the source nearer than `cutoff` to the receiver. (x, rho) is the
-/// position of the receiver relative to the image; `displacement` is that relative to the source. An image at
-/// distance 0 is left out.
+/// Calls visit(x, rho^2) for each image of the source that is nearer than `cutoff` to the receiver. (x, rho)
+/// is the vector from the image to the receiver, along and across the line. `displacement` is the vector from
+/// the source to the receiver along the line. An image at the position of the receiver is left out.
 template <class Visitor>
 void for_each_image(double period, const std::vector<double>& image_lines, double cutoff, double displacement,
                     const Visitor& visit) {

@@ -7,18 +7,20 @@
 #include "beadswim/mobility/unsteady_stokes.hpp"
 
 // clang-format off
-// Unsteady Stokes flow of a periodic lattice of oscillating forces along x: velocity along x on their line.
-// Transforms:
+// Unsteady Stokes flow of a periodic lattice of oscillating forces along x: velocity along x on the line of
+// the forces, per force. alpha^2 = i omega rho / eta. The flow and its two parts have these Fourier
+// transforms:
 //
 //   helmholtz  (1/eta) (1 + k_x^2/alpha^2) / (k^2 + alpha^2)    with k = 0: 1/(eta alpha^2 V), uniform flow
 //   harmonic   (1/eta) ( -  k_x^2/alpha^2) /  k^2               without k = 0
 //   total      (1/eta) (1 - k_x^2/k^2)     / (k^2 + alpha^2)    with k = 0
 //
-// The harmonic part follows from the steady flow. With n copies of the force in the lattice cell of volume V,
+// The harmonic part follows from the steady velocity per force, G_xx (periodic_stokes.hpp). With n copies of
+// the force in the lattice cell of volume V:
 //
 //   eta alpha^2 harmonic = n/V - eta laplacian of the steady G_xx
 //
-// Helmholtz part and total are Ewald sums of the integrals
+// The helmholtz part and the total are evaluated as Ewald sums of the integrals
 //
 //   helmholtz  (1/eta) integral_0^oo [ e^{-alpha^2 s} g_s - (e^{-alpha^2 s}/alpha^2) d^2 g_s/dx^2 ] ds
 //   total      (1/eta) integral_0^oo [ e^{-alpha^2 s} g_s +                    q(s)  d^2 g_s/dx^2 ] ds
@@ -26,10 +28,11 @@
 //   g_s(r) = (4 pi s)^{-3/2} exp(-r^2/4s), the heat kernel;   q(s) = (1 - e^{-alpha^2 s})/alpha^2;   tau = 1/(4 xi^2)
 // clang-format on
 //
-// For s > tau the integrals are sums over waves, for s < tau sums over images with Gauss-Legendre quadrature.
-// No term is larger than the sum, so the total suffers no loss of significance as alpha -> 0. Where
-// |alpha| V^{1/3} > 13 (V volume of the box), the helmholtz flows of the images decay within the box and are
-// summed directly.
+// The integrals over s > tau are evaluated as sums over wavevectors. The integrals over s < tau are evaluated
+// as sums over images, with Gauss-Legendre quadrature in s. No term is larger than the sum, so the total
+// suffers no loss of significance as alpha -> 0. If |alpha| V_box^{1/3} > 13, where V_box is the volume of
+// the box, the helmholtz flow of an image decays within the box. The helmholtz part is then summed directly
+// over images.
 //
 // Page: docs/method/unsteady-stokes.md.
 
@@ -37,14 +40,15 @@ namespace beadswim {
 
 class PeriodicUnsteadyStokes {
  public:
-  /// Requires alpha [1/length] != 0 and |arg alpha| <= pi/4. Keeps a reference to the steady flow of the
-  /// lattice.
+  /// Requires alpha [1/length] != 0 and |arg alpha| <= pi/4. Stores a reference to `steady`, the steady flow
+  /// of the same lattice.
   PeriodicUnsteadyStokes(const PeriodicStokes& steady, std::complex<double> alpha);
 
   /// Evaluates the flow at a displacement [length] that is not a multiple of the period.
   UnsteadyLine at(double displacement) const;
 
-  /// Evaluates the flow at the source by all its images, without the singular flow of the source itself.
+  /// Evaluates the flow at the source that all images of the source cause. The singular flow of the source
+  /// itself is left out.
   UnsteadyLine images() const;
 
  private:
@@ -67,7 +71,7 @@ class PeriodicUnsteadyStokes {
   const PeriodicStokes& steady_;
   std::complex<double> alpha_;
   std::vector<WaveSum> wave_sums_;   ///< per wavenumber n 2 pi/period along x
-  std::vector<double> image_lines_;  ///< squared distances within cutoff_ [length^2]
+  std::vector<double> image_lines_;  ///< squared distances of the image lines within cutoff_ [length^2]
   double cutoff_ = 0;                ///< distance up to which images are summed [length]
 };
 

@@ -7,7 +7,7 @@
 #include "beadswim/mobility/pair_mobility.hpp"
 
 // clang-format off
-// Rotne-Prager pair mobility of two spheres of any radii on their common line, apart or overlapping.
+// Rotne-Prager pair mobility of two spheres of any radii along their common line. The spheres may overlap.
 //
 //   apart            a_i + a_j <= r           mu     =   [1 - A/(3 r^2)] / (4 pi eta r)
 //                                             dmu/dr = - [1 - A/r^2]     / (4 pi eta r^2)
@@ -23,16 +23,17 @@
 //   mu        velocity of one sphere per force on the other [time/mass]
 //
 // mu is the longitudinal component of the Oseen tensor, averaged over the surfaces of both spheres. Value and
-// slope are continuous where the branches meet. For spheres that do not overlap, the average is Faxen's
-// correction, A / (24 pi eta r^3) (I - 3 rr/r^2). Its error is of order (a/r)^4 relative to the Stokes
-// mobility of a lone sphere. Self-mobilities are those of lone spheres. For overlapping spheres the law does
-// not describe a flow between two spheres, but it keeps the dissipation positive.
+// slope are continuous at r = a_i + a_j and r = |D|. For spheres that do not overlap, the average adds
+// Faxen's correction A / (24 pi eta r^3) (I - 3 rr/r^2) to the Oseen tensor. The error of mu is then of order
+// (a/r)^4, relative to the Stokes mobility of a lone sphere. Self-mobilities are the mobilities of lone
+// spheres. For overlapping spheres the law does not describe a flow between two spheres, but it keeps the
+// dissipation positive.
 // clang-format on
 //
 // References: Rotne and Prager, J. Chem. Phys. 50, 4831 (1969), and Yamakawa, J. Chem. Phys. 53, 436 (1970),
-// for equal radii; Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014), for unequal ones;
-// Pickl et al., J. Phys.: Condens. Matter 29, 124001 (2017), eq. (4.13) with a_i^2 + a_j^2 for its a_i + a_j.
-// Page: docs/method/rotne-prager.md.
+// for equal radii; Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014), for unequal radii;
+// Pickl et al., J. Phys.: Condens. Matter 29, 124001 (2017), eq. (4.13), in which a_i + a_j is replaced by
+// a_i^2 + a_j^2 here. Page: docs/method/rotne-prager.md.
 
 namespace beadswim {
 

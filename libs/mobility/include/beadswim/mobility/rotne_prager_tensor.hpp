@@ -8,7 +8,7 @@
 #include "beadswim/mobility/pair_mobility.hpp"
 
 // clang-format off
-// Rotne-Prager-Yamakawa mobility of two spheres of any radii, apart or overlapping, in open space:
+// Rotne-Prager-Yamakawa mobility of two spheres of any radii in open space. The spheres may overlap:
 //
 //   mu = isotropic I + axial rr/r^2,     A = a_i^2 + a_j^2,  D = a_i - a_j
 //
@@ -20,8 +20,9 @@
 //   eta       dynamic viscosity [mass/(length time)]
 //   mu        velocity of one sphere per force on the other [time/mass]
 //
-// mu is the Oseen tensor averaged over both surfaces. The mobility of any number of spheres at any positions
-// is positive definite. Its component along the line of centres is the law of rotne_prager.hpp.
+// mu is the Oseen tensor averaged over both surfaces. The mobility matrix of any number of spheres at any
+// positions is positive definite. The component of mu along the line of centres is the law of
+// rotne_prager.hpp.
 //
 // Reference: Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014). Page:
 // docs/method/rotne-prager.md.
@@ -36,7 +37,8 @@ struct PairTensor {
   PairTensor operator-(const PairTensor& other) const {
     return {isotropic - other.isotropic, axial - other.axial};
   }
-  /// Returns the velocity by a force. `separation` is the vector between the centres, `distance` its length.
+  /// Returns the velocity that `force` on one sphere gives to the other sphere. `separation` is the vector
+  /// between the centres, `distance` its length.
   Vec3 apply(const Vec3& separation, double distance, const Vec3& force) const {
     if (distance == 0) return isotropic * force;
     return isotropic * force + (axial * separation.dot(force) / (distance * distance)) * separation;
@@ -50,8 +52,8 @@ inline PairTensor oseen_tensor(double r, double eta) {
   return {.isotropic = oseen, .axial = oseen};
 }
 
-/// Evaluates the form for spheres that do not overlap, at any distance. It depends only on A,
-/// `squared_radii`.
+/// Evaluates the formula for spheres that do not overlap. Distances below a_i + a_j are allowed.
+/// `squared_radii` is A = a_i^2 + a_j^2.
 inline PairTensor rotne_prager_tensor_apart(double squared_radii, double r, double eta) {
   const double oseen = 1 / (8 * std::numbers::pi * eta * r);
   const double size  = squared_radii / (r * r);  // A/r^2

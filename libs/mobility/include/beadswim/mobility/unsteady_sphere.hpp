@@ -6,16 +6,17 @@
 #include "beadswim/mobility/line_kernel.hpp"
 
 // clang-format off
-// Influence of the radius of a rigid sphere on the flow that it causes and feels, oscillating as exp(i omega
-// t).
+// Effect of the radius of a rigid sphere in a flow that oscillates as exp(i omega t). The radius changes the
+// flow that the sphere causes, and the force on the sphere in the flow u of other spheres.
 //
 //   alpha^2 = i omega rho / eta,   kappa = alpha a,   D = 1 + kappa + kappa^2/3
 //
-// If the sphere is replaced by fluid, the force density that represents it is
+// The sphere can be replaced by fluid on which this force density acts:
 //
 //   6 pi eta a (U - Ubar) [ (1 + kappa) delta(r - a)/(4 pi a^2) + (kappa^2/3)/(4 pi a^3/3) inside ]
 //
-// The sphere feels the same average of the flow of other spheres (Faxen's law):
+// The flow u of other spheres acts on the sphere by its average Ubar, with the weights of this force density
+// (Faxen's law):
 //
 //   f = 6 pi eta a D (U - Ubar),   Ubar = [ (1 + kappa) <u>_surface + (kappa^2/3) <u>_volume ]/D
 //   f = F - i omega (m - m_f) U
@@ -25,15 +26,16 @@
 //   omega     angular frequency [1/time];  rho density [mass/length^3], eta dynamic viscosity [mass/(length time)]
 //   f, F      force induced in the fluid, external force [mass length/time^2];  m, m_f mass of sphere, of displaced fluid
 //
-// Averages over a sphere multiply the helmholtz flow by sinh(kappa)/kappa (surface) or 3 (kappa cosh kappa -
-// sinh kappa)/kappa^3 (volume), and the harmonic flow by 1. Therefore, per unit induced force f,
+// The flow of a point force is the sum of a helmholtz and a harmonic part (unsteady_stokes.hpp). The average
+// of the harmonic part over a sphere equals its value at the centre. The average of the helmholtz part is the
+// value at the centre times sinh(kappa)/kappa (surface) or 3 (kappa cosh kappa - sinh kappa)/kappa^3
+// (volume). Therefore, per unit induced force f:
 //
 //   flow of a sphere       helmholtz e^kappa/D + harmonic
 //   between two spheres    Ubar_i = (helmholtz e^{kappa_i + kappa_j}/(D_i D_j) + harmonic) f_j
 //
-// where helmholtz and harmonic are the flow of a point force. The law is exact for the first flow of each
-// sphere; reflections between spheres are neglected. Spheres must not overlap. |kappa| must be below 300 to
-// avoid overflow.
+// The law is exact for the flow that each sphere causes directly. Flow that other spheres reflect is
+// neglected. Spheres must not overlap. |kappa| must be below 300 to avoid overflow.
 // clang-format on
 //
 // References: Mazur and Bedeaux, Physica 76, 235 (1974); Kim and Karrila, Microhydrodynamics (1991), chapter
@@ -41,7 +43,8 @@
 
 namespace beadswim {
 
-/// Factor of the helmholtz part of a flow, minus 1. The factor of the harmonic part is 1.
+/// Factor by which the sizes of spheres multiply the helmholtz part of a flow, minus 1. The factor of the
+/// harmonic part is 1.
 struct SizeFactor {
   std::complex<double> excess{};
 };
@@ -50,7 +53,7 @@ inline SizeFactor operator*(const SizeFactor& a, const SizeFactor& b) {
   return {a.excess + b.excess + a.excess * b.excess};
 }
 
-/// Returns D, the induced force of a lone moving sphere divided by 6 pi eta a U.
+/// Returns D for kappa = alpha a. A lone sphere of velocity U induces the force 6 pi eta a D U.
 inline std::complex<double> induced_force_factor(std::complex<double> kappa) {
   return 1.0 + kappa + kappa * kappa / 3.0;
 }
@@ -63,19 +66,20 @@ inline std::complex<double> exponential_remainder(std::complex<double> kappa) {
   return sum;
 }
 
-/// Returns e^kappa/D, the factor of the flow per unit induced force and of the average Ubar that the sphere
-/// feels.
+/// Returns e^kappa/D as a factor of the helmholtz part. It applies to the flow that the sphere causes per
+/// unit induced force, and to the average Ubar of the flow of other spheres.
 inline SizeFactor sphere_factor(std::complex<double> kappa) {
   return {(exponential_remainder(kappa) + kappa * kappa / 6.0) / induced_force_factor(kappa)};
 }
 
-/// Returns sinh(kappa)/kappa, the factor of the average of another sphere's flow over the surface.
+/// Returns sinh(kappa)/kappa as a factor of the helmholtz part of another sphere's flow. It is the ratio of
+/// the average over the surface to the value at the centre.
 inline SizeFactor surface_mean_factor(std::complex<double> kappa) {
   if (kappa == 0.0) return {};
   return {(exponential_remainder(kappa) - exponential_remainder(-kappa)) / (2.0 * kappa)};
 }
 
-/// Returns factor * helmholtz + harmonic, without loss of significance as alpha -> 0.
+/// Returns (1 + factor.excess) helmholtz + harmonic, without loss of significance as alpha -> 0.
 inline LineKernel<std::complex<double>> total_flow(const UnsteadyFlow& flow, const SizeFactor& factor) {
   const auto& [helmholtz, harmonic, total] = flow;
   return {.value = total.value + factor.excess * helmholtz.value,

@@ -4,7 +4,8 @@
 
 #include "beadswim/mobility/line_kernel.hpp"
 
-// Unsteady Stokes flow of an oscillating force exp(i omega t) along x in unbounded fluid: velocity along x.
+// Unsteady Stokes flow of a point force along x in unbounded fluid. The force oscillates as exp(i omega t).
+// The velocity along x per force is G_xx, the sum of a helmholtz and a harmonic part.
 //
 //   (i omega rho - eta laplacian) u + grad p = f,      alpha^2 = i omega rho / eta,   Re alpha > 0
 //
@@ -12,26 +13,28 @@
 //   harmonic  = 1/(4 pi eta alpha^2) d^2/dx^2 (1/r)
 //   total     = helmholtz + harmonic = G_xx
 //
+//   u    velocity, p pressure, f force density
 //   rho  density [mass/length^3];  eta dynamic viscosity [mass/(length time)]
 //   x    position of the receiver relative to the force, along x [length];  r distance [length]
 //
-// For |alpha| r < 1 the total is summed as a power series in alpha r, because its two parts nearly cancel. It
-// is accurate to 13 digits at any alpha r. As alpha -> 0 it is (I + rr/r^2)_xx/(8 pi eta r) - alpha/(6 pi
-// eta) + ...
+// For |alpha| r < 1 the total is summed as a power series in alpha r, because its two parts nearly cancel.
+// The total has a relative error of about 1e-13 at any alpha r. Its expansion for small alpha is
+//
+//   (I + rr/r^2)_xx/(8 pi eta r) - alpha/(6 pi eta) + ...
 //
 // References: Landau and Lifshitz, Fluid Mechanics, section 24; Kim and Karrila, Microhydrodynamics (1991),
 // chapter 6. Page: docs/method/unsteady-stokes.md.
 
 namespace beadswim {
 
-/// The two parts of the flow and their sum, as functions of the displacement along the line [time/mass].
+/// The helmholtz and harmonic parts of the flow and their sum (total), as functions of x [time/mass].
 struct UnsteadyLine {
   LineValue<std::complex<double>> helmholtz, harmonic, total;
 };
 
-/// Evaluates the flow. `viscosity` is dynamic [mass/(length time)], alpha [1/length], x [length].
-/// `line_distance_squared` is the squared distance of the receiver from the line of the force [length^2]. x
-/// and `line_distance_squared` must not both be 0.
+/// Evaluates the flow. `viscosity` is dynamic [mass/(length time)], alpha is in [1/length], x in [length].
+/// `line_distance_squared` is the squared distance of the receiver from the line along x through the force
+/// [length^2]. x and `line_distance_squared` must not both be 0.
 UnsteadyLine unsteady_stokeslet(double viscosity, std::complex<double> alpha, double x,
                                 double line_distance_squared);
 

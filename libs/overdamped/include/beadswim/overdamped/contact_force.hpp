@@ -1,16 +1,17 @@
 #pragma once
 
-// Repulsion that keeps beads apart in models that do not resolve the lubrication film between surfaces.
+// Repulsive force F between close beads, for models that do not resolve the lubrication film between their
+// surfaces.
 //
 //   F = strength (cutoff/gap - 1)    for gap < cutoff, else 0
 //
 //   gap       distance between the surfaces [length]
 //   cutoff    a fifth of the mean radius [length]
-//   strength  largest driving force in the scene [force]; at half the cutoff F equals this force
+//   strength  largest driving force in the scene [force]; F equals it at gap = cutoff/2
 //
-// Below a twentieth of the cutoff, F continues linearly with the gap, so that beads that overlap separate
-// again. This is a numerical model without physical parameters. Where contacts determine the result, use a
-// resolved run. Page: docs/method/contact-repulsion.md.
+// For gap < cutoff/20, F continues linearly with the gap, so that overlapping beads separate again. F is a
+// numerical model without physical parameters. If contacts determine the result, use a resolved run. Page:
+// docs/method/contact-repulsion.md.
 
 namespace beadswim {
 

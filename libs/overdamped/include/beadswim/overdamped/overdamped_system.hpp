@@ -12,27 +12,30 @@
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
-// Swimmers whose beads have no inertia. The velocity of each bead follows from the present forces on all
-// beads:
+// Swimmers in a fluid without inertia. The velocities v of the beads depend on the present positions x of all
+// beads and on the present forces F:
 //
 //   dx/dt = v,   v = mu(x) F(x, v, t)
 //
-//   F  forces by springs, dashpots, angular springs, driving and contacts
+//   F   forces of springs, dashpots, angular springs, driving and contacts
+//   mu  mobility of all beads (mobility_product.hpp)
 //
-// A time step is a backward difference formula of third order (BDF3), with linearised forces at its end:
+// A time step uses the backward difference formula of third order (BDF3). The forces are linearised at the
+// end of the step:
 //
 //   11/6 x' - 3 x + 3/2 x_1 - 1/3 x_2 = h v',   v' = mu(x*) [ F(x*) - K (x' - x*) - C v' ]
 //
-//   x'      positions at the end of the step; x, x_1, x_2 positions now and one and two steps ago
+//   x', v'  positions and velocities at the end of the step
+//   x       positions now;  x_1, x_2  positions one step and two steps ago
 //   x*      expansion point: extrapolated from earlier steps, and updated if the step ends far from it
 //   K       stiffness of springs, angular springs and contacts
 //   C       damping of the dashpots
 //   h       time step
 //
-// The stiff forces of all swimmers are solved for together, so that the time step need not resolve their
-// relaxation, even for close swimmers. One product mu F per step suffices where the flow changes smoothly. A
-// few more products are evaluated elsewhere (implicit_step.hpp). The first two steps are implicit Euler
-// steps, extrapolated to third order.
+// The stiff forces of all swimmers are solved for together. The time step may therefore exceed the relaxation
+// times of the springs, even if swimmers are close. One product mu F per step suffices if the flow changes
+// smoothly. Otherwise a step evaluates a few more products (implicit_step.hpp). Each of the first two steps
+// is extrapolated to third order from implicit Euler steps.
 //
 // References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
 // Page: docs/method/mobility-swarms.md.
@@ -41,32 +44,33 @@ namespace beadswim {
 
 enum class OverdampedFaultKind {
   not_finite,     ///< a position is non-finite
-  speed,          ///< a bead moved by more than its radius in one step; value: displacement [radius]
+  speed,          ///< a bead moved by more than its radius in a step; value: displacement [radius]
   torn_arm,       ///< an arm exceeds twice its rest length; value: length [rest length]
-  wall,           ///< the centre of a bead is beyond a wall; value: distance [length]
-  not_converged,  ///< the solver did not converge; concerns no single bead
+  wall,           ///< the centre of a bead is beyond a wall; value: distance beyond it [length]
+  not_converged,  ///< the solver did not converge; swimmer and bead are 0
 };
 
 struct OverdampedFault {
   OverdampedFaultKind kind = OverdampedFaultKind::not_finite;
-  long step = 0;                 ///< steps done, the faulty one included
+  long step = 0;                 ///< number of the step with the fault, from 1
   int swimmer = 0;               ///< id
   int bead = 0;                  ///< number of the bead, 1 to 3, or of the arm, 1 or 2
   Vec3 position = Vec3::Zero();  ///< position of the bead before the step [length]
-  double value = 0;              ///< quantity in the unit that the kind states
+  double value = 0;              ///< quantity and unit as listed in OverdampedFaultKind
 };
 
-/// State of the beads, from which a run continues, and statistics of the steps done.
+/// State from which a run continues, and statistics of all steps so far.
 struct OverdampedState {
   long steps_done = 0;
   long products = 0;         ///< mobility products evaluated
-  double largest_speed = 0;  ///< maximum over beads and steps [length/time]
-  double smallest_gap =
-      std::numeric_limits<double>::infinity();  ///< between beads that repelled each other [length]
-  std::array<Beads, 3> positions;               ///< now, one step ago and two steps ago [length]
-  std::array<Beads, 2> velocities;              ///< now and one step ago [length/time]
-  std::array<Beads, 3>
-      distant;  ///< velocities by all other swimmers; now, one and two steps ago [length/time]
+  double largest_speed = 0;  ///< largest speed of any bead in any step [length/time]
+  /// Smallest gap of any contact in any step [length]; infinity without contacts.
+  double smallest_gap = std::numeric_limits<double>::infinity();
+  std::array<Beads, 3> positions;   ///< now, one step ago and two steps ago [length]
+  std::array<Beads, 2> velocities;  ///< now and one step ago [length/time]
+  /// Velocities of the beads in the flow caused by all other swimmers; now, one and two steps ago
+  /// [length/time].
+  std::array<Beads, 3> distant;
 
   /// Visits the statistics.
   static void visit_fields(auto&& visit, auto& state) {
@@ -74,7 +78,7 @@ struct OverdampedState {
     visit("largest_speed", state.largest_speed);
     visit("smallest_gap", state.smallest_gap);
   }
-  /// Visits the fields that determine all later steps.
+  /// Visits the vectors per bead that determine all later steps.
   static void visit_bead_fields(auto&& visit, auto& state) {
     visit("positions", state.positions);
     visit("velocities", state.velocities);
@@ -88,12 +92,12 @@ struct StepRule;
 
 class OverdampedSystem {
  public:
-  /// Places the beads at their rest positions at time 0. Throws InputError as MobilityProduct does.
-  /// Collective.
+  /// Places the beads at their rest positions at time 0. Throws InputError if the constructor of
+  /// MobilityProduct throws it. Collective.
   OverdampedSystem(OverdampedScene scene, const Communicator& communicator);
   ~OverdampedSystem();
 
-  /// Advances by one step. After a fault, beads keep their positions. Collective.
+  /// Advances by one time step. After a fault, only steps_done() changes. Collective.
   void step();
 
   long steps_done() const { return state_.steps_done; }
@@ -111,7 +115,7 @@ class OverdampedSystem {
 
   const std::optional<OverdampedFault>& fault() const { return fault_; }
 
-  /// Continues from a state of the same scene. Throws SolverError if the number of beads differs.
+  /// Continues from a state of the same scene. Throws SolverError if the number of beads is different.
   void restore(OverdampedState state);
 
  private:

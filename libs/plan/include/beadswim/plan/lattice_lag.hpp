@@ -8,19 +8,24 @@
 #include "beadswim/theory/inertial_motion.hpp"
 #include "beadswim/theory/question.hpp"
 
-// Errors that finite time steps cause in a lattice-Boltzmann run, even on arbitrarily fine cells. Stress and
-// bead forces are delayed, and pressure propagates with the speed of sound. The errors are evaluated to first
-// order in the time step by the theory of motion with inertia (inertial_motion.hpp), with these replacements:
+// Errors that finite time steps cause in a lattice-Boltzmann run, even on arbitrarily fine cells. Viscous
+// stress and the forces of the fluid on beads are delayed, and pressure propagates with the speed of sound.
+// The errors are evaluated to first order in the time step. The theory of motion with inertia
+// (inertial_motion.hpp) is used with three changes: of the dynamic viscosity eta, of the induced mobility M,
+// and of the equation of motion of a bead.
 //
-//   eta(omega) = eta (1 - i omega t_s)      stress lags strain by t_s = nu/c^2 = (tau - 1/2) steps
-//   M -> M(eta(omega)) + sound_flow         c = cell/(sqrt(3) step)
+//   eta -> eta (1 - i omega t_s)            stress lags strain by t_s = nu/c^2 = (tau - 1/2) steps
+//   M -> M + sound_flow                     with the changed eta in M; sound_flow: sound_flow.hpp
 //   F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U
 //
-//   c     speed of sound of the lattice [length/time]
-//   step  time step [time]: forces by links act one step late, hence e^{-i omega step}
-//   M     induced mobility;  F, U force on a bead and its velocity;  m, m_f mass of bead and displaced fluid
-//   t_d   = 3/2 t_s + step, delay that the delay correction compensates by the added mass zeta t_d [time]
-//   zeta  = 6 pi eta a [mass/time]
+//   omega    driving frequency [rad/time];  nu  kinematic viscosity [length^2/time];  tau  relaxation time
+//   c        = cell/(sqrt(3) step), speed of sound of the lattice [length/time]
+//   step     time step [time]: the force of the fluid acts on a bead one step late, hence e^{-i omega step}
+//   F, U     force of driving, springs and dashpots on a bead, and its velocity: complex amplitudes
+//   m, m_f   mass of the bead, mass of the fluid that it displaces [mass]
+//   t_d      = 3/2 t_s + step, delay of the force of the fluid [time]. The delay correction compensates it by
+//            the added mass zeta t_d; without this correction the last term has no t_d.
+//   zeta     = 6 pi eta a, a: bead radius [mass/time]
 //
 // Page: docs/method/lattice-lag.md.
 
@@ -30,17 +35,18 @@ namespace beadswim {
 struct LatticeTiming {
   double step = 0;             ///< time step [time]
   double sound_speed = 0;      ///< cell/(sqrt(3) step) [length/time]
-  bool corrects_delay = true;  ///< whether the delay correction adds mass to beads
+  bool corrects_delay = true;  ///< whether the delay correction adds the mass zeta t_d to beads
 };
 
-/// Relative errors by finite time steps.
+/// Relative errors of arm amplitudes and velocity, caused by finite time steps.
 struct LagErrors {
-  std::array<double, 2> arm_amplitudes{};  ///< with their signs
-  double velocity = 0;                     ///< sum of the absolute errors of drift and Reynolds stress
+  std::array<double, 2> arm_amplitudes{};  ///< positive if the amplitude of the run is too large
+  double velocity = 0;                     ///< sum of the absolute errors by drift and by Reynolds stress
 };
 
 /// Evaluates the errors of one swimmer for any time step. The constructor computes all quantities that do not
-/// depend on the step. In open space, sound is taken into account for each bead alone, not between beads.
+/// depend on the step. In open space, the effect of sound is evaluated for each bead alone; sound from other
+/// beads is neglected.
 class LatticeLag {
  public:
   explicit LatticeLag(const Question& question);
@@ -54,7 +60,7 @@ class LatticeLag {
   struct FrequencySamples {
     Eigen::Matrix3cd at, below, above;
 
-    /// Returns the matrix with eta (1 - eps) in place of eta, to first order in eps.
+    /// Returns the matrix with eta replaced by eta (1 - eps), to first order in eps.
     Eigen::Matrix3cd with_delayed_stress(std::complex<double> eps) const;
   };
   struct Motion {

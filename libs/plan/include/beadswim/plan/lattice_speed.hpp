@@ -9,9 +9,9 @@ namespace beadswim {
 
 /// Cost of lattice steps in one floating-point precision.
 struct PrecisionCost {
-  std::vector<double> cells;             ///< cells per rank, ascending
+  std::vector<double> cells;             ///< numbers of cells per rank, ascending
   std::vector<double> seconds_per_cell;  ///< core-seconds per cell and step for each entry of `cells` [s]
-  std::vector<double> seconds_per_area;  ///< core-seconds per step and cell^2 of bead surface, by scheme [s]
+  std::vector<double> seconds_per_area;  ///< core-seconds per step and cell^2 of bead surface, per scheme [s]
 
   static void visit_fields(auto&& visit, auto& cost) {
     visit("cells", cost.cells);
@@ -23,11 +23,12 @@ struct PrecisionCost {
 /// Cost of a lattice step on this machine with a number of ranks.
 class LatticeSpeed {
  public:
-  /// `precisions` is in the order of Precision. Throws InputError if the lengths of the lists differ from
-  /// those of measured(), or if a cost is negative or above one second.
+  /// `precisions`: one element for each value of Precision, in the order of this enumeration. Throws
+  /// InputError if the lists have other lengths than those of measured(), or if a cost is negative or above
+  /// one second.
   LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions);
 
-  /// Measures the cost of steps, which takes some seconds. Collective.
+  /// Measures the cost of lattice steps. This takes some seconds. Collective.
   static LatticeSpeed measured(const Communicator& communicator);
 
   /// Returns the core-seconds of one step: the cost of all cells, which depends on the number of cells per

@@ -10,8 +10,8 @@
 #include "beadswim/plan/lattice_lag.hpp"
 #include "beadswim/theory/question.hpp"
 
-// Expected errors of a run with each model, before it is made: relative errors of a swimmer's velocity and
-// arm amplitudes, estimated by theory and by measured errors of the lattice. Page:
+// Relative errors of a swimmer's velocity and arm amplitudes that are expected in a run, for each model. They
+// are estimated before the run, from theory and from measured errors of lattice runs. Page:
 // docs/method/expected-errors.md.
 
 namespace beadswim {
@@ -29,13 +29,15 @@ struct ErrorEstimate {
   }
 };
 
-/// Velocity and arm amplitudes by the most accurate method of theory, with their uncertainty.
+/// Velocity and arm amplitudes by the most accurate method of theory (inertia-corrected), and their
+/// uncertainty.
 struct BestPrediction {
   double velocity = 0;                     ///< [length/time]
   std::array<double, 2> arm_amplitudes{};  ///< [length]
   ErrorEstimate uncertainty;
-  /// Measure of the cancellation of contributions to the velocity: the velocity of the same stroke in open
-  /// space without inertia, divided by the velocity, times (1 + uncertainty of the velocity). At least 1.
+  /// Factor by which errors of the lattice grow because contributions to the velocity cancel: the velocity of
+  /// the same stroke in open space without inertia, divided by the velocity, times (1 + uncertainty of the
+  /// velocity). At least 1.
   double cancellation = 1;
   bool is_swimming = true;  ///< false: the velocity is zero by symmetry, so a relative error is undefined
   double smallest_stroke_gap = 0;  ///< smallest gap of neighbouring beads in the stroke [length]
@@ -45,13 +47,13 @@ struct BestPrediction {
 /// question, for example because beads touch or overlap.
 BestPrediction best_prediction(const Question& question);
 
-/// Returns the expected error of a run with a mobility model: the difference from `best`, the uncertainty of
-/// `best`, and the error of the time steps. Throws InputError if the model has no periodic motion because
-/// beads touch.
+/// Returns the expected error of a run with a mobility model. It is the sum of the difference from `best`,
+/// the uncertainty of `best`, and the error of the time steps. Throws InputError if beads touch, so that the
+/// model has no periodic motion.
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              int steps_per_cycle);
 
-/// Resolution of a scene on a lattice.
+/// Properties of a run with the model lbm that determine its error.
 struct ResolvedRun {
   double cells_per_radius = 0;  ///< cells per radius of the smallest bead
   BeadScheme scheme = BeadScheme::mr;
@@ -61,8 +63,9 @@ struct ResolvedRun {
   LatticeTiming timing;
 };
 
-/// Returns the expected error of a resolved run: the error of the time steps by theory and the error of the
-/// cells by measurement. If `best` is not known, the estimate assumes that beads touch in their stroke.
+/// Returns the expected error of a resolved run. Theory determines the error of the time steps, measurements
+/// determine the error of the cells. If `best` is nullopt, the estimate assumes that beads touch during the
+/// stroke.
 ErrorEstimate lattice_error(const LatticeLag& lag, const std::optional<BestPrediction>& best,
                             const ResolvedRun& run);
 

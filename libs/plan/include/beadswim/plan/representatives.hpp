@@ -8,20 +8,21 @@
 
 namespace beadswim {
 
-/// A swimmer that represents all swimmers of the same type and driving, with its question to theory.
+/// A swimmer that represents all swimmers of the same type and driving, and the input of theory for it.
 struct Representative {
   int swimmer = 0;   ///< id of the swimmer
-  SwimmerType type;  ///< its type, with its own driving
+  SwimmerType type;  ///< type of the swimmer, with the driving of the swimmer
   Question question;
-  /// Text on the approximation of neighbours, box or driving in `question`; empty if there is none.
+  /// States how `question` approximates the neighbours, the box or the driving; empty if it does not.
   std::string approximation;
-  bool is_slanted = false;  ///< whether driving forces act perpendicular to its axis too
+  bool is_slanted = false;  ///< whether driving forces have a component normal to the axis
 };
 
-/// Returns one representative for each type and driving; drivings that differ only in phase offset count as
-/// one. For a type with more than eight drivings, it returns up to five: the first one, and those with the
-/// largest and smallest force and the longest and shortest period. `cell`: the smallest cell that the scene
-/// repeats (scene/reduce.hpp). Throws InputError for swimmers without springs.
+/// Returns one representative for each type and each driving of this type. Drivings that differ only in phase
+/// offset count as one. For a type with more than eight drivings, it returns up to five swimmers: the first
+/// one, those with the largest and the smallest force, and those with the longest and the shortest period.
+/// `cell`: smallest cell whose repetition gives the scene (scene/reduce.hpp). Throws InputError for swimmers
+/// without springs.
 std::vector<Representative> representatives(const Layout& cell);
 
 }  // namespace beadswim

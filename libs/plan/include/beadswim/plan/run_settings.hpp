@@ -13,7 +13,7 @@ enum class RunModel {
   rpy,
   rpy_near,
   oseen,
-  automatic,  ///< the cheapest model within the tolerance of a plan
+  automatic,  ///< the cheapest model whose expected error is within the tolerance
 };
 
 template <>
@@ -24,7 +24,7 @@ inline constexpr auto name_table<RunModel> =
                                          {RunModel::oseen, "oseen"},
                                          {RunModel::automatic, "auto"}});
 
-// A mobility model has the same name in both enumerations.
+// Convert between RunModel and MobilityModel, in which a mobility model has the same name.
 inline RunModel run_model(MobilityModel model) {
   return from_text<RunModel>(to_text(model));
 }
@@ -39,8 +39,8 @@ struct RunSettings {
   MobilitySettings mobility;               ///< used by the other models
   double cycles = 6;                       ///< length of the run [base period]
   int frames_per_cycle = 40;               ///< frames of the trajectory per base cycle
-  std::optional<double> checkpoint_every;  ///< nullopt: only if the run is stopped [cycle]
-  std::optional<double> flow_every;        ///< nullopt: no flow fields [cycle]
+  std::optional<double> checkpoint_every;  ///< interval [base period]; nullopt: only at an early stop
+  std::optional<double> flow_every;        ///< interval [base period]; nullopt: no flow fields
 };
 
 }  // namespace beadswim

@@ -7,17 +7,18 @@
 
 namespace beadswim {
 
-/// A periodic box that changes the motion of a single swimmer little. Its edges are integer multiples of the
-/// smallest radius.
+/// A periodic box so large that a single swimmer moves almost as in the surroundings of the layout. Its edges
+/// are integer multiples of the smallest radius.
 struct SufficientBox {
-  Vec3 lengths = Vec3::Zero();  ///< edges, the first along the swimmer [length]
+  Vec3 lengths = Vec3::Zero();  ///< edges; the first is parallel to the swimmer [length]
   double change = 0;            ///< largest relative change of velocity and arm amplitudes
 };
 
-/// Returns the smallest box in a series of growing boxes in which velocity and arm amplitudes differ by at
-/// most `tolerance`, relative, from those in the question's surroundings. The method is inertia-corrected.
-/// Returns nullopt if no box up to a free length of 20 (l_1 + l_2) is sufficient. Throws InputError if the
-/// method cannot treat the question.
+/// Returns a periodic box in which velocity and arm amplitudes, by the method inertia-corrected, differ by at
+/// most the relative `tolerance` from those in the question's surroundings. Boxes of increasing size are
+/// tried, and the first sufficient one is returned. The gap between the swimmer and its image along the axis
+/// is also the width of the box. It increases from 0.5 to 20 (l_1 + l_2). Returns nullopt if no box is
+/// sufficient. Throws InputError if the method cannot treat the question.
 std::optional<SufficientBox> sufficient_box(const Question& question, double tolerance);
 
 }  // namespace beadswim

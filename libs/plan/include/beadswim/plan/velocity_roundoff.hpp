@@ -4,8 +4,8 @@
 
 namespace beadswim {
 
-/// Returns the estimated relative error of the swimmers' velocity by roundoff in a run of `steps` time steps:
-/// the largest of all types. The velocity is evaluated to second order in the driving.
+/// Returns the estimated relative error of the velocity of swimmers by roundoff, in a run of `steps` time
+/// steps. It is the largest error of all types. The velocity is evaluated to second order in the driving.
 ///
 /// Single precision: the estimate is a measured error relative to the speed of the fastest bead
 /// (docs/method/single-precision.md). It is infinite for a type that is driven but does not swim.
@@ -13,7 +13,7 @@ namespace beadswim {
 /// are ignored.
 double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long steps);
 
-/// Relative error by roundoff above which a run prints a warning.
+/// Relative error of the velocity by roundoff above which a run prints a warning.
 constexpr double tolerated_roundoff = 0.002;
 
 }  // namespace beadswim

@@ -28,24 +28,25 @@ std::vector<PlacedBead> placed_beads(const Layout& layout);
 struct BeadPair {
   std::size_t first = 0;   ///< index in the list of beads
   std::size_t second = 0;  ///< not greater than `first`
-  double distance = 0;     ///< between the centres of the nearest images [length]
+  double distance = 0;     ///< smallest distance of the centres, periodic images included [length]
 };
 
 /// Returns the radius of the largest bead [length].
 double largest_radius(const std::vector<PlacedBead>& beads);
 
-/// Sorts the centres of the beads (at least one) into cells that find all centres within `cutoff` [length] of
-/// a point. The cells treat walls as periodic faces, so the search may find more centres.
+/// Sorts the bead centres into cells, so that all centres within `cutoff` [length] of a point can be found.
+/// There must be at least one bead. The cells treat walls as periodic faces, so that a search may also find
+/// centres that are farther away.
 CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff);
 
-/// Calls visit(pair) for each pair of beads whose nearest images have centres within `cutoff` [length], until
-/// visit returns false. May also visit pairs beyond the cutoff. Pairs come in ascending order of `first`,
-/// then of `second`.
+/// Calls visit(pair) for each pair of beads whose distance (BeadPair::distance) is at most `cutoff` [length],
+/// until visit returns false. May also visit pairs at larger distances. Pairs are visited in ascending order
+/// of `first`, then of `second`.
 void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff,
                        const std::function<bool(const BeadPair&)>& visit);
 
-/// Returns the pairs whose surfaces touch or intersect, at most `max_pairs` pairs. Pairs of a bead and its
-/// own periodic image are included.
+/// Returns at most `max_pairs` pairs of beads whose surfaces touch or intersect. Pairs of a bead and its own
+/// periodic image are included.
 std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
                                         const std::optional<Box>& domain, std::size_t max_pairs);
 

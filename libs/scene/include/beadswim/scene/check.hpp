@@ -10,14 +10,16 @@ namespace beadswim {
 /// An error in a layout.
 struct LayoutFault {
   std::string place;    ///< JSON pointer to the place in layout.json, for example "/swimmers/3/position"
-  std::string message;  ///< value found, values allowed, remedy
+  std::string message;  ///< states the invalid value, the allowed values and the remedy
 };
 
-/// Returns the errors that a JSON schema cannot detect: units that contradict their names, arms shorter than
-/// the sum of the radii of their beads, unknown types, repeated ids, axes that are not unit vectors, swimmers
-/// outside the box, beads that cut walls, and beads that overlap (periodic images included). Returns an empty
-/// list for a valid layout. Walls and overlaps of beads are checked only if all other checks pass. For each
-/// swimmer the first error of its beads is returned.
+/// Returns the errors of a layout that a JSON schema cannot detect. The list is empty for a valid layout.
+///   1. Units whose SI factor contradicts their name, and arms whose beads overlap at rest length.
+///   2. Unknown types, repeated ids, axes that are not unit vectors, and swimmers outside the box.
+///   3. Beads that touch or cut a wall.
+///   4. Beads that touch or overlap, periodic images included.
+/// Errors 3 are detected only if there are no errors 1 and 2. Errors 4 are detected only if there are no
+/// others. For errors 3 and 4, only the first error of each swimmer is returned.
 std::vector<LayoutFault> check_layout(const Layout& layout);
 
 /// Normalises the axes whose length differs from 1 by at most 1e-6. Leaves all other axes unchanged.

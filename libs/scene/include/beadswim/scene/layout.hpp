@@ -42,7 +42,7 @@ struct Fluid {
   }
 };
 
-/// One swimmer. Without own driving it has the driving of its type.
+/// One swimmer. A swimmer without its own driving has the driving of its type.
 struct Swimmer {
   int id = 0;
   std::string type;
@@ -65,19 +65,21 @@ struct Resolution {
 struct Layout {
   Units units;
   Fluid fluid;
-  std::optional<Box> domain;  ///< none: open space
+  std::optional<Box> domain;  ///< empty: open space
   std::map<std::string, SwimmerType> types;
   std::vector<Swimmer> swimmers;
   std::optional<Resolution> resolution;
 
-  /// Returns the type of a swimmer, with the swimmer's own driving if it has one.
+  /// Returns the type of a swimmer. If the swimmer has its own driving, the returned type contains this
+  /// driving.
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 };
 
 /// Returns the smallest radius of all beads of the layout's swimmers [length].
 double smallest_radius(const Layout& layout);
 
-/// Returns the period that all swimmers share, otherwise the period of the first swimmer's type [time].
+/// Returns the period of the swimmers if all have the same period, otherwise the period of the first
+/// swimmer's type [time].
 double base_period(const Layout& layout);
 
 /// Returns the shortest period of any swimmer's driving [time].

@@ -7,7 +7,7 @@
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
-// Swimmers in the form that all models use. Any coherent unit system.
+// Swimmers in the form that all models use. Quantities are in any coherent unit system.
 
 namespace beadswim {
 
@@ -27,7 +27,8 @@ struct Swarm {
   const SwimmerType& type_of(const PlacedSwimmer& swimmer) const { return types[swimmer.type]; }
 };
 
-/// Returns the layout's swimmers, sorted by id. Swimmers with their own driving get their own type.
+/// Returns the layout's swimmers, sorted by id. A swimmer with its own driving has its own type in the
+/// result.
 Swarm placed_swimmers(const Layout& layout);
 
 /// Returns the centres of all beads at rest, three per swimmer, in order of the swimmers.

@@ -8,9 +8,9 @@
 
 namespace beadswim {
 
-/// Swimmers parallel to x in equal blocks, as in the paper's figure 4. C and D are distances between bead
-/// centres. Along y and z they are measured from one swimmer to the next, along x between the facing end
-/// beads.
+/// Swimmers parallel to x in equal blocks, as in figure 4 of the paper (Pickl et al. 2017). C and D are
+/// distances between bead centres of neighbouring swimmers. Along y and z, corresponding beads are compared.
+/// Along x, the distance is between the end beads that face each other.
 struct SwarmPlan {
   Index3 block_swimmers{1, 3, 3};  ///< swimmers per block along x, y, z
   Index3 blocks{1, 1, 1};          ///< blocks along x, y, z
@@ -18,7 +18,7 @@ struct SwarmPlan {
   Vec3 block_gap = Vec3::Zero();   ///< D: distance of neighbours in different blocks [length]
 };
 
-/// Returns the edges of one block [length], including D to the next block.
+/// Returns the edges of one block [length], including the distance D to the next block.
 Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type);
 
 /// Returns the periodic box that contains all blocks.
@@ -26,7 +26,7 @@ Box swarm_box(const SwarmPlan& plan, const SwimmerType& type);
 
 /// Returns the swimmers of all blocks. Across the faces of the periodic box, neighbours have the distance D.
 /// Ids increase from block to block with x fastest, and in the same order within each block. The number of a
-/// block is id / (swimmers per block).
+/// block is id / (swimmers per block), rounded down.
 std::vector<Swimmer> swarm_swimmers(const SwarmPlan& plan, const SwimmerType& type,
                                     const std::string& type_name);
 

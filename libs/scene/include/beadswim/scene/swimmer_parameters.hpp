@@ -16,8 +16,8 @@ std::string body_parameters(const SwimmerType& type);
 /// Returns the parameters of the driving: "A = B = 2, α = 1.571 rad, T = 2000, along x".
 std::string driving_parameters(const Driving& driving);
 
-/// Returns one line per type of the layout, with the number of swimmers that have their own driving. At most
-/// four lines.
+/// Returns one line per type of the layout, with the number of swimmers that have their own driving. Returns
+/// at most four lines.
 std::vector<std::string> type_notes(const Layout& layout);
 
 }  // namespace beadswim

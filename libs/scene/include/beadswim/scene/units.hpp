@@ -9,7 +9,8 @@ namespace beadswim {
 
 enum class Quantity { length, time, mass };
 
-/// Returns the units that need no definition, with their size in SI: m ... nm, s ... ns, kg ... fg.
+/// Returns the units that a layout may use without a definition, with their size in SI: m ... nm, s ... ns,
+/// kg ... fg.
 const std::vector<Units::Unit>& known_units(Quantity quantity);
 
 /// Returns the known unit with this name, or nullptr.
@@ -18,7 +19,7 @@ const Units::Unit* find_known_unit(Quantity quantity, const std::string& name);
 /// Returns true if lengths, times and masses have the same units in `a` and `b`.
 bool same_units(const Units& a, const Units& b);
 
-/// Return unit names for figures: "um", "s" and "um/s", or "lattice units".
+/// Return the names of units for figures: "um", "s" and "um/s", or "lattice units".
 std::string length_unit(const Units& units);
 std::string time_unit(const Units& units);
 std::string velocity_unit(const Units& units);

@@ -5,8 +5,8 @@
 #include <numbers>
 
 // clang-format off
-// Lubrication: the film in a small gap h between two spheres resists their relative motion. To leading orders
-// in h (Jeffrey & Onishi, J. Fluid Mech. 139 (1984) 261; Kim & Karrila, section 11.2.2):
+// Lubrication: the film in a small gap h between two spheres resists their relative motion. The leading terms
+// for small h are (Jeffrey & Onishi, J. Fluid Mech. 139 (1984) 261; Kim & Karrila, section 11.2.2):
 //
 //   squeezing   F    = [ 6 pi eta R^2/h + 6 pi eta R (a^2 + 7 a b + b^2)/(5 (a + b)^2) ln(1/h) + ... ] dh/dt
 //
@@ -15,19 +15,22 @@
 //               c_aa = pi eta [ 16/5 R a^2 + 8/125 a^2 ( 8 a^2 +  6 a b + 33 b^2)/(a + b) xi ] ln(1/xi) + ...
 //               c_ab = pi eta [  4/5 R a b + 2/125 a b (43 a^2 - 24 a b + 43 b^2)/(a + b) xi ] ln(1/xi) + ...
 //
-//   a, b        radii [length];  R = a b/(a + b),  xi = 2 h/(a + b);  eta dynamic viscosity [mass/(length time)]
+//   a, b        radii [length];  R = a b/(a + b),  xi = 2 h/(a + b)
+//   eta         dynamic viscosity [mass/(length time)]
 //   F           force between the spheres [mass length/time^2];  T_a, T_b torques [mass length^2/time^2]
-//   w_a, w_b    angular velocities across the line of centres, relative to that line as it turns [1/time]
+//   w_a, w_b    angular velocities of the spheres [1/time], perpendicular to the line of centres, in a frame
+//               that rotates with this line
 // clang-format on
 //
 // The forces perpendicular to the line of centres balance the torques. They are n x (T_a + T_b)/r, where n is
-// the unit vector along the line and r the distance of the centres. A rigid rotation of the pair therefore
-// meets no resistance, and the logarithms of all of Jeffrey & Onishi's functions Y^A, Y^B, Y^C follow. The
-// resistance to rotation about the line of centres stays finite as h -> 0 and is left out.
+// the unit vector along the line and r the distance of the centres. A rotation of the pair as a rigid body
+// therefore causes no resistance. These relations reproduce the logarithmic terms of all functions Y^A, Y^B,
+// Y^C of Jeffrey & Onishi. The resistance to rotation about the line of centres stays finite as h -> 0 and is
+// omitted.
 //
-// A lattice resolves gaps down to a cutoff h_c. Below h_c it lacks the difference between the resistance at h
-// and the resistance at h_c, in which the non-singular terms cancel. The functions below return this
-// difference. Any coherent units.
+// A lattice resolves the film at gaps down to a cutoff h_c. At smaller gaps, the resistance on the lattice
+// stays at its value at h_c. The functions below return the missing part: the resistance at h minus the
+// resistance at h_c. The non-singular terms cancel in this difference. Quantities are in any coherent units.
 
 namespace beadswim {
 
@@ -36,7 +39,7 @@ namespace beadswim {
 struct LubricationRange {
   double normal = 0;      ///< cutoff h_c of squeezing; 0: nothing is added
   double tangential = 0;  ///< cutoff h_c of sliding; 0: nothing is added
-  double smallest = 0;    ///< must be positive if a cutoff is
+  double smallest = 0;    ///< must be positive if a cutoff is positive
 };
 
 /// Returns R = a b/(a + b).
@@ -44,18 +47,20 @@ inline double reduced_radius(double a, double b) {
   return a * b / (a + b);
 }
 
-/// Correction of the squeezing resistance at the gap h. `resistance`: resistance at h minus resistance at the
-/// cutoff [force time/length]. `momentum`: integral of `resistance` over the gap from the cutoff to h [force
-/// time]. It is negative; its absolute value is the momentum that the film removes from spheres that approach
-/// to h. Below the smallest gap it is linear in h.
+/// Correction of the squeezing resistance at the gap h.
+///   resistance  resistance at h minus resistance at the cutoff [force time/length]
+///   momentum    integral of `resistance` over the gap, from the cutoff to h [force time]
+/// The momentum is negative. Its absolute value is the momentum that the film removes from two spheres while
+/// their gap decreases from the cutoff to h. Below the smallest gap (LubricationRange), it is linear in h.
 struct Squeezing {
   double resistance = 0, momentum = 0;
 };
-/// Returns zero for gaps h above the cutoff. viscosity: dynamic.
+/// Returns the correction for spheres of radii a and b. It is zero for gaps h above the cutoff.
+/// viscosity: dynamic viscosity [mass/(length time)].
 inline Squeezing squeezing(double a, double b, double viscosity, const LubricationRange& range, double h) {
   if (range.normal == 0 || h >= range.normal) return {};
   // clang-format off
-  // The resistance S (1/h - 1/h_c) + L ln(h_c/h), and its integral over h
+  // slope is the resistance S (1/h - 1/h_c) + L ln(h_c/h), and integral is its integral over the gap.
   const double R = reduced_radius(a, b), h_c = range.normal;
   const double S = 6 * std::numbers::pi * viscosity * R * R;
   const double L = 6 * std::numbers::pi * viscosity * R * (a * a + 7 * a * b + b * b) / (5 * (a + b) * (a + b));
@@ -66,15 +71,17 @@ inline Squeezing squeezing(double a, double b, double viscosity, const Lubricati
   return {.resistance = slope, .momentum = integral + slope * (h - above)};
 }
 
-/// c_aa, c_ab and c_bb at the gap h, minus their values at the cutoff [force length time].
+/// Corrections of the sliding resistance: c_aa, c_ab and c_bb at the gap h, minus their values at the cutoff
+/// [force length time].
 struct Sliding {
   double aa = 0, ab = 0, bb = 0;
 };
-/// Returns zero for gaps h above the cutoff. viscosity: dynamic.
+/// Returns the correction for spheres of radii a and b. It is zero for gaps h above the cutoff.
+/// viscosity: dynamic viscosity [mass/(length time)].
 inline Sliding sliding(double a, double b, double viscosity, const LubricationRange& range, double h) {
   if (range.tangential == 0 || h >= range.tangential) return {};
   // clang-format off
-  // ln(1/xi) and xi ln(1/xi)/(125 (a + b)), minus their values at the cutoff
+  // log is ln(1/xi), and higher is xi ln(1/xi)/(125 (a + b)), each minus its value at the cutoff.
   const double xi     = 2 * std::max(h, range.smallest) / (a + b);
   const double xi_c   = 2 * range.tangential            / (a + b);
   const double log    = std::log(xi_c / xi);

@@ -6,16 +6,19 @@
 #include "beadswim/core/vec3.hpp"
 
 // Impulses that two close beads exchange within a time step: through the film between them (lubrication.hpp)
-// and by contact. Any coherent units. See docs/method/near-contact.md.
+// and by contact. Quantities are in any coherent units. See docs/method/near-contact.md.
 
 namespace beadswim {
 
 /// Parameters of lubrication, contact and friction.
 struct NearContactLaw {
-  double viscosity = 0;       ///< eta, dynamic viscosity [mass/(length time)]
-  LubricationRange range;     ///< gaps at which the resistance of the film is added
-  double stiffness_rate = 0;  ///< sqrt(k/m), m: reduced mass; a collision takes pi/stiffness_rate [1/time]
-  double damping_ratio = 0;   ///< c/(2 sqrt(k m)), c: dashpot parallel to the spring k
+  double viscosity = 0;    ///< eta, dynamic viscosity [mass/(length time)]
+  LubricationRange range;  ///< gaps at which the resistance of the film is added
+  /// Rate sqrt(k/m) [1/time] of the contact spring. k: its stiffness; m: reduced mass of the two beads. A
+  /// collision lasts pi/stiffness_rate.
+  double stiffness_rate = 0;
+  /// Damping ratio c/(2 sqrt(k m)) of the contact. c: damping of the dashpot parallel to the spring.
+  double damping_ratio = 0;
   double friction = 0;        ///< Coulomb's friction coefficient
   double contact_cutoff = 0;  ///< largest gap that two beads can close in one step [length]
 
@@ -28,36 +31,37 @@ struct NearContactLaw {
 struct CloseBead {
   double radius = 0, mass = 0, inertia = 0;
   Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
-  /// Effective number of pairs that share the mass of the bead, at least 1: the sum of
-  /// PairImpulse::removed_fraction over its pairs in the previous step. Each pair evaluates its impulse
-  /// without knowing the other pairs. With a share of the mass in each pair, the sum of the impulses does not
-  /// overshoot (Tonge, Benevolenski & Voroshilov 2012).
+  /// Effective number of close pairs that share the mass of the bead: the sum of
+  /// PairImpulse::removed_fraction over its pairs in the previous step, but at least 1. Each pair evaluates
+  /// its impulse without knowledge of the impulses of the other pairs, and therefore uses only a share of the
+  /// mass. The sum of the impulses then does not overshoot (Tonge, Benevolenski & Voroshilov 2012).
   double pairs = 1;
 };
 
 /// Impulse `linear` on the second bead and -linear on the first bead. Angular impulses on the first and
-/// second bead, each about the bead's centre. They satisfy
-/// first_angular + second_angular + separation x linear = 0.
+/// second bead, each about the bead's centre. The impulses satisfy first_angular + second_angular +
+/// separation x linear = 0.
 struct PairImpulse {
   Vec3 linear = Vec3::Zero(), first_angular = Vec3::Zero(), second_angular = Vec3::Zero();
-  double removed_fraction = 0;  ///< of the relative normal velocity, by film and spring in one step, 0 to 1
+  double removed_fraction = 0;  ///< part of the relative normal velocity that film and spring remove per step
 };
 
 /// Returns the impulses that two beads exchange within a step of length `step`. separation: vector from the
 /// centre of the first bead to the centre of the second bead at the start of the step.
 ///
-/// The scheme is implicit in the velocities and stable for any step. Resistance and spring act at the gap and
-/// at the velocities dh/dt and w of the end of the step. A star marks velocities without the exchanged
-/// impulses:
+/// The scheme is implicit in the velocities and stable for any step. The resistance of the film and the
+/// contact spring are evaluated with the gap and with the velocities dh/dt and w at the end of the step. A
+/// star marks velocities without the exchanged impulses:
 ///
 ///   m (dh/dt - dh/dt*) = Phi(h) - Phi(h + step dh/dt) + step max(0, k overlap - c dh/dt)
 ///   (1 + M C) w = w*,   then  |friction| <= mu |contact|
 ///
-/// m: reduced mass; Phi = squeezing().momentum; C = step sliding(); M: change of w per angular impulse. With
-/// Phi the film removes the correct momentum between the two gaps for any step. If a bead has n > 1 pairs
-/// (CloseBead::pairs), the resistance of the film is limited to m/((n - 1) step). The pair knows the impulses
-/// of the other pairs one step late, and a larger resistance would keep a wrong gap against the force of the
-/// spring.
+/// h: gap at the start of the step; m: reduced mass; k, c: stiffness and damping of the contact; mu: friction
+/// coefficient; Phi = squeezing().momentum; C = step sliding(); M: change of w per angular impulse. With Phi,
+/// the film removes the correct momentum between the gaps at the start and at the end of the step, for a step
+/// of any length. If a bead has n > 1 pairs (CloseBead::pairs), the resistance of the film is limited to
+/// m/((n - 1) step). Reason: the impulses of the other pairs are known only from the previous step. A larger
+/// resistance would keep the gap at a wrong value against the force of the contact spring.
 PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& first, const CloseBead& second,
                                  const Vec3& separation, double step);
 
@@ -68,10 +72,10 @@ struct ChainContact {
 };
 
 /// Returns the impulses among the three beads of a swimmer at `positions`. A Gauss-Seidel iteration makes the
-/// impulse of each close pair consistent with the impulses of the other pairs. It converges to roundoff
-/// unless the middle bead is much lighter than the others. With nearly rigid films, the residual was 1 % of
-/// the velocity if the middle bead had 1/27 of the mass of the others, and 19 % at 1/100. CloseBead::pairs
-/// has no effect.
+/// impulse of each close pair consistent with the impulses of the other pairs. The iteration converges to
+/// roundoff unless the middle bead is much lighter than the end beads. In a test with nearly rigid films, the
+/// residual was 1 % of the velocity if the middle bead had 1/27 of the mass of an end bead, and 19 % of the
+/// velocity if it had 1/100. CloseBead::pairs is ignored.
 ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
                            const std::array<Vec3, 3>& positions, double step);
 

@@ -40,25 +40,29 @@ using SwimmerLoads = std::array<Load, 3>;
 double mass(const Bead& bead);               ///< returns 4/3 pi R^3 rho [mass]
 double moment_of_inertia(const Bead& bead);  ///< returns 2/5 m R^2 [mass length^2]
 
-/// Returns the number of substeps that resolve the fastest vibration of the swimmer (springs, dashpots and
-/// angular spring, arms at rest length) within `step`. Criterion: |eigenvalue| x substep <= 1/4, a tenth of
-/// the stability limit of the integrator. Throws InputError if more than 10000 substeps are needed.
+/// Returns the number of substeps of `step` that resolve the fastest vibration of the swimmer by springs,
+/// dashpots and angular spring, with arms at rest length. Criterion: |eigenvalue| times substep is at most
+/// 1/4, a tenth of the stability limit of the integrator. The eigenvalue [1/time] is that of the equations of
+/// motion. Throws InputError if more than 10000 substeps are needed.
 int substeps_for(const SwimmerType& type, double step);
 
-/// Returns the type with vibrations that a step of constant loads can follow. The loads respond to a
-/// vibration one step late and would drive vibrations that the step does not resolve.
-/// - A spring with omega step > 1/2, where omega^2 = 3/2 k (1/m + 1/m') (both arms together), gets a dashpot
-///   of at least k step/2, but at most half of the critical damping. A slower motion at angular frequency w
-///   lags in this spring by a phase of at most w step/2.
-/// - An angular spring with omega step > 3/4, where omega is the frequency of bending, is softened to omega
-///   step = 3/4. Under a load that would accelerate the beads by a, the swimmer bends by about 2 a step^2,
-///   which is more than with the original spring. Damping is no alternative: a dashpot of internal forces
-///   cannot damp a bending direction that rotates about the axis.
+/// Returns a copy of the type in which unresolved vibrations are damped or slowed down. The loads are
+/// constant during a step and respond to a vibration one step late. They would therefore amplify a vibration
+/// that the step does not resolve.
+/// - A spring with omega step > 1/2 gets a dashpot of at least k step/2, but at most half of the critical
+///   damping. Here omega^2 = 3/2 k (1/m + 1/m'), k is the stiffness, and m and m' are the masses of the two
+///   beads. The factor 3/2 accounts for the vibration of both arms together. In a slower motion at angular
+///   frequency w, the dashpot delays the length of the spring by a phase of at most w step/2.
+/// - An angular spring with omega step > 3/4, where omega is the angular frequency of bending, is softened
+///   until omega step = 3/4. Under a load that would accelerate the beads by a, the swimmer then bends by a
+///   displacement of about 2 a step^2, which is more than with the original angular spring. Damping cannot
+///   replace this softening: a dashpot between the beads cannot damp a bending direction that rotates about
+///   the axis.
 SwimmerType with_resolved_vibrations(SwimmerType type, double step);
 
 /// Advances the beads from `time` to `time + step` under internal forces, driving forces and `loads`. The
-/// loads are constant during the step. Classical Runge-Kutta method with `substeps` substeps: error
-/// O(substep^4).
+/// loads are constant during the step. Uses the classical Runge-Kutta method with `substeps` substeps. Its
+/// error is O(substep^4).
 void advance_swimmer(SwimmerMotion& motion, const SwimmerType& type, const Vec3& initial_axis,
                      const SwimmerLoads& loads, double time, double step, int substeps);
 

@@ -5,16 +5,16 @@
 #include "beadswim/swimmers/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Forces inside one swimmer: springs and dashpots (2.2), angular spring, driving (2.1). All are pure
-// functions of unwrapped bead positions. The sum of the forces on the three beads vanishes to roundoff. See
-// docs/method/springs.md, driving.md.
+// Forces inside one swimmer: springs and dashpots, equation (2.2) of the paper (Pickl et al. 2017), angular
+// spring, and driving, equation (2.1). All functions are pure. Bead positions are unwrapped. The sum of the
+// forces on the three beads vanishes to roundoff. See docs/method/springs.md and driving.md.
 
 namespace beadswim {
 
 using BeadVectors = std::array<Vec3, 3>;
 
-/// Returns the spring forces (2.2) with a dashpot parallel to each spring. Tension of each arm:
-/// k (L - l) + c dL/dt.
+/// Returns the spring forces (2.2) with a dashpot parallel to each spring. The tension of an arm of length L
+/// is k (L - l) + c dL/dt, with stiffness k, rest length l and damping c.
 BeadVectors spring_forces(const std::array<Spring, 2>& springs, const BeadVectors& position,
                           const BeadVectors& velocity);
 

@@ -5,12 +5,12 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/names.hpp"
 
-// Parameters of a three-bead swimmer (paper, section 2). Any coherent unit system: the units of the layout in
-// layouts and theory, lattice units inside a resolved run.
+// Parameters of a three-bead swimmer, section 2 of the paper (Pickl et al. 2017). Quantities are in any
+// coherent unit system: the units of the layout in layouts and theory, lattice units inside a resolved run.
 
 namespace beadswim {
 
-/// Direction of the driving forces (2.1).
+/// Direction of the driving forces, equation (2.1) of the paper.
 enum class DrivingFrame {
   lab,           ///< direction x of the external field, for every orientation of the swimmer
   initial_axis,  ///< axis of each swimmer at the start of the run
@@ -43,8 +43,11 @@ struct Spring {
   }
 };
 
-/// Driving forces (2.1): F1 = A sin(w t + phi), F3 = B sin(w t + alpha + phi), F2 = -(F1 + F3); phi is 0 in
-/// the paper. In a swarm it can differ between swimmers.
+/// Driving forces (2.1) on beads 1, 2, 3:
+///   F1 = A sin(w t + phi)
+///   F2 = -(F1 + F3)
+///   F3 = B sin(w t + alpha + phi)
+/// phi is 0 in the paper. In a swarm it can differ between swimmers.
 struct Driving {
   std::array<double, 2> amplitude{};  ///< A on bead 1, B on bead 3 [mass length/time^2]
   double phase = 0;                   ///< alpha [radian]
@@ -63,7 +66,7 @@ struct Driving {
   }
 };
 
-/// Beads 1, 2, 3 in a line; springs[0] joins beads 1 and 2, springs[1] beads 2 and 3.
+/// Beads 1, 2, 3 in a line. springs[0] joins beads 1 and 2, and springs[1] joins beads 2 and 3.
 struct SwimmerType {
   std::array<Bead, 3> beads;
   std::array<Spring, 2> springs;

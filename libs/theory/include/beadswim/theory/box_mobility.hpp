@@ -8,22 +8,25 @@
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/question.hpp"
 
-// Rotne-Prager mobility of a swimmer's beads in a box, including all images of the beads.
+// Rotne-Prager mobility of the beads of a swimmer in a box, including all periodic and mirror images of the
+// beads.
 //
 //   mu_ij =                      oseen_ij + (a_i^2 + a_j^2) laplacian_ij,   i != j: bead j and its images
-//   mu_ii = 1/(6 pi eta a_i)  +  oseen_ii +      2 a_i^2    laplacian_ii,   ii: images of bead i only
+//   mu_ii = 1/(6 pi eta a_i)  +  oseen_ii +      2 a_i^2    laplacian_ii,   ii: only the images of bead i
 //
-//   oseen_ij, laplacian_ij   flow at bead i per force at bead j, and 1/6 of its Laplacian (line_flow.hpp)
-//   a_i, eta                 bead radius [length], dynamic viscosity [mass/(length time)]
+//   oseen_ij       flow at bead i per force on bead j (line_flow.hpp)
+//   laplacian_ij   1/6 of the Laplacian of this flow
+//   a_i, eta       bead radius [length], dynamic viscosity [mass/(length time)]
 //
-// If walls cross the swimmer's axis, the mobility depends on the position of the swimmer. The derivatives
-// with respect to the three bead positions then do not sum to zero, and a velocity is valid for this position
-// only. Page: docs/method/boxes.md.
+// If walls are perpendicular to the swimmer's axis, the mobility depends on the position of the swimmer. Then
+// the sum of the derivatives with respect to the three bead positions is not zero, and a velocity is valid
+// only at this position. Page: docs/method/boxes.md.
 
 namespace beadswim {
 
-/// Returns the mobility [time/mass] of beads at `positions` [length] on the line of `flow`, with its
-/// derivatives with respect to the positions [time/(mass length)].
+/// Returns the mobility of beads at `positions` on the swimmer's axis [time/mass], with its derivatives with
+/// respect to the positions [time/(mass length)]. `flow`: flow of point forces on this axis. `positions`:
+/// coordinates in which `flow` is defined [length].
 CollinearMobility rotne_prager_mobility(const LineFlow& flow, const CollinearSwimmer& swimmer,
                                         const LinePositions& positions);
 
@@ -31,10 +34,10 @@ CollinearMobility rotne_prager_mobility(const LineFlow& flow, const CollinearSwi
 /// [mass/(length time)].
 LineFlow box_line_flow(const BoxPlace& place, double viscosity);
 
-/// Returns the bead positions at rest, measured along the axis from the corner of the box [length].
+/// Returns the bead positions at rest, measured along the swimmer's axis from the corner of the box [length].
 LinePositions rest_positions(const CollinearSwimmer& swimmer, const BoxPlace& place);
 
-/// Returns a message if beads at rest overlap with images or reach through walls; nullopt if they do not.
+/// Returns a message if a bead at rest overlaps an image of a bead or a wall; nullopt if there is no overlap.
 std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const BoxPlace& place);
 
 }  // namespace beadswim

@@ -5,16 +5,18 @@
 
 // clang-format off
 // Closed expressions for a swimmer of equal radii, equal arms and equal stiffnesses without dashpots, to second order in
-// amplitude. Velocities are positive from bead 1 towards bead 3.
+// amplitude. Velocities are positive from bead 1 towards bead 3. Numbers such as (2.1) are equations of the
+// paper, which is cited below.
 //
 //   lambda, l       bead radius, rest length of the arms [length]
 //   k               stiffness of the springs [mass/time^2]
-//   A, B, alpha     driving amplitudes [mass length/time^2] and driving phase [rad] of (2.1)
+//   A, B, alpha     driving amplitudes [mass length/time^2] and driving phase [rad] in (2.1)
 //   omega           angular frequency of the driving [rad/time]
 //   d1, d2          arm amplitudes [length];  delta1, delta2  arm phases [rad]
 //   S               = omega d1 d2 sin(delta1 - delta2) [length^2/time]
 //   W               = pi eta omega lambda [mass/time^2];  eta  dynamic viscosity [mass/(length time)]
 //   v_S, v_F        velocity from a given stroke, velocity from the driving forces [length/time]
+//   printed         formula as in the paper;  repaired  formula with the printing errors corrected
 //
 // Lowest order in lambda/l (Oseen):
 //
@@ -28,9 +30,9 @@
 //
 //   d1^2 (k^2 + 4 W^2) (k^2 + 36 W^2)  =  A^2 k^2 + 4 W^2 (4 A^2 +   B^2 + 4 AB cos alpha) - 4 AB W k sin alpha         (4.4)
 //   d2^2 (k^2 + 4 W^2) (k^2 + 36 W^2)  =  B^2 k^2 + 4 W^2 (  A^2 + 4 B^2 + 4 AB cos alpha) + 4 AB W k sin alpha         (4.5)
-//   sin(delta1 - delta2) = N/D, for the driven swimmer                                                         (4.6) to (4.8)
+//   sin(delta1 - delta2) = N/D for the driven swimmer                                                          (4.6) to (4.8)
 //
-// With the stroke of (4.4) to (4.8), v_S = v_F identically.
+// For the stroke of (4.4) to (4.8), v_S and v_F are identical.
 //
 // Next order in lambda/l (Rotne-Prager):
 //
@@ -50,16 +52,20 @@
 //
 //   printed   7 (4l - 3 lambda) (4l - 7 lambda)   / { 4l (28l - 45 lambda) }                                            (4.9)
 //   repaired  7 (4l - 7 lambda)^2 (4l - 3 lambda) / { 8l (56 l^2 - 198 l lambda + 189 lambda^2) },
-//             which is (4.2), divided by the velocity of the same stroke without truncation in lambda/l.
+//             which is v_S of (4.2), divided by the velocity of the same stroke with Oseen mobilities,
+//             without truncation in lambda/l.
 //
-// Unweighted mean of the bead velocities, without the mean change of the arms and without truncation in lambda/l:
+// Unweighted mean of the three bead velocities with Rotne-Prager mobilities, without truncation in lambda/l.
+// It neglects the mean change of the arm lengths.
 //
 //            2ap - bq - 2p + q
 //   v  =  ------------------------ S,     a = gamma mu_12, b = gamma mu_13, p = da/dr, q = db/dr, gamma = 6 pi eta lambda
 //         3 (b - 1) (4a - b - 3)
+//
+//   mu_12, mu_13    mobilities of two beads at the distances r = l and r = 2l [time/mass]
 // clang-format on
 //
-// Reference: Pickl, Pande, Koestler, Ruede and Smith, J. Phys.: Condens. Matter 29, 124001 (2017).
+// The paper: Pickl, Pande, Koestler, Ruede and Smith, J. Phys.: Condens. Matter 29, 124001 (2017).
 // Page: docs/method/closed-forms.md.
 
 namespace beadswim {
@@ -82,12 +88,12 @@ double rpy_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke
 /// Returns the ratio v_S / v_F of (4.9) as printed.
 double oseen_ratio_printed(const CollinearSwimmer& swimmer);
 
-/// Returns the corrected ratio (4.9): velocity to lowest order in lambda/l, divided by the velocity of the
-/// same stroke without truncation.
+/// Returns the corrected ratio (4.9): the velocity to lowest order in lambda/l, divided by the velocity of
+/// the same stroke to all orders in lambda/l.
 double oseen_ratio_repaired(const CollinearSwimmer& swimmer);
 
-/// Returns the unweighted mean of the bead velocities with Rotne-Prager mobilities [length/time]. Requires
-/// equal radii and equal arms.
+/// Returns the unweighted mean of the bead velocities with Rotne-Prager mobilities (last formula above)
+/// [length/time]. Requires equal radii and equal arms.
 double equal_weight_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
 /// Returns the arm amplitudes d1, d2 of (4.4) and (4.5) [length].

@@ -10,16 +10,17 @@
 namespace beadswim {
 
 /// A swimmer whose beads stay on a line, with all parameters that theory needs, in any coherent units.
-/// Coordinates, forces and velocities are positive from bead 1 towards bead 3.
+/// Coordinates, forces and velocities are positive from bead 1 towards bead 3. Numbers such as (2.1) are
+/// equations of the paper (closed_forms.hpp).
 struct CollinearSwimmer {
   std::array<double, 3> radius{};     ///< lambda_i of beads 1, 2, 3 [length]
   std::array<double, 3> density{};    ///< bead density [mass/length^3]; used only with inertia
   std::array<double, 2> arm{};        ///< rest lengths l_i [length]
   std::array<double, 2> stiffness{};  ///< k_i [mass/time^2]
   std::array<double, 2> damping{};    ///< c_i of the dashpots [mass/time]
-  std::array<double, 2> amplitude{};  ///< A, B of (2.1), component along the swimmer [mass length/time^2]
-  double phase = 0;                   ///< alpha of (2.1) [radian]
-  double phase_offset = 0;            ///< phi, which shifts the arm phases and changes nothing else [radian]
+  std::array<double, 2> amplitude{};  ///< A, B of (2.1): components along the axis [mass length/time^2]
+  double phase = 0;                   ///< driving phase alpha of (2.1) [radian]
+  double phase_offset = 0;            ///< phi, which shifts the phases of both arms [radian]
   double period = 0;                  ///< T [time]
   double viscosity = 0;               ///< eta, dynamic [mass/(length time)]
 
@@ -29,15 +30,16 @@ struct CollinearSwimmer {
 };
 
 /// Returns the collinear swimmer of `type` whose beads lie along the unit vector `axis`, in a fluid of
-/// dynamic `viscosity` [mass/(length time)]. The angular spring is omitted, because it is relaxed in a
-/// straight swimmer. Driving in frame `lab` acts along x, so the amplitudes change sign for axis -x.
+/// dynamic `viscosity` [mass/(length time)]. The angular spring is omitted, because it exerts no force in a
+/// straight swimmer. Driving in the frame `lab` acts along x, so the amplitudes change sign if the axis is
+/// -x.
 ///
 /// Throws InputError if the driving frame is `lab` and the axis is not parallel to x: the beads would leave
 /// the line. Throws InputError if a spring has no stiffness: the mean arm length would be undetermined.
 CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, double viscosity);
 
-/// Returns alpha = sqrt(i omega rho / eta) with Re alpha > 0, for a fluid of density rho = `fluid_density`
-/// [1/length]. Vorticity decays like exp(-alpha x) with the distance x.
+/// Returns alpha = sqrt(i omega rho / eta) with Re alpha > 0 [1/length], where rho is `fluid_density`. This
+/// alpha is not the driving phase. Vorticity decays as exp(-alpha x) with the distance x.
 std::complex<double> inverse_penetration_depth(const CollinearSwimmer& swimmer, double fluid_density);
 
 /// Returns the bead positions at rest, with bead 2 at the origin [length].
@@ -46,8 +48,8 @@ LinePositions rest_positions(const CollinearSwimmer& swimmer);
 /// Returns the gaps of beads 1, 2 and of beads 2, 3 at rest [length]. A negative gap is an overlap.
 std::array<double, 2> gaps_at_rest(const CollinearSwimmer& swimmer);
 
-/// Returns the smaller of 2 l_i/(lambda_i + lambda_{i+1}). It equals l/lambda for equal beads and arms, and 2
-/// for beads that touch.
+/// Returns the smaller of the two ratios 2 l_i/(lambda_i + lambda_{i+1}). The ratio is l/lambda for equal
+/// beads and equal arms, and 2 for beads that touch.
 double separation_ratio(const CollinearSwimmer& swimmer);
 
 /// Returns the mobility of the beads at rest in open space, with the pair mobility `law` [time/mass].

@@ -6,26 +6,30 @@
 #include "beadswim/theory/question.hpp"
 
 // Method inertia-corrected, the most accurate prediction of a resolved run. It combines exact Stokes flow of
-// three spheres, finite amplitude, and corrections for inertia and box from Rotne-Prager theory.
+// three spheres at finite amplitude with corrections for inertia and for the box. The corrections are
+// evaluated with unsteady Rotne-Prager pairs (inertial_motion.hpp).
 //
 // Stroke: the complex arm amplitudes x follow from the impedance Z of the arms.
 //
 //   (i omega Z + K) x = g,    Z = Z_exact + Z_unsteady - Z_RP,    each Z = (D mu D^T)^-1
 //
-//   Z_exact      exact steady mobility in open space
-//   Z_unsteady   unsteady mobility of pairs in the box (inertial_motion.hpp)
-//   Z_RP         steady Rotne-Prager mobility in open space
-//   K, g, D      stiffness of the arms, tensions of the driving, arm rates (linear_response.hpp)
+//   Z_exact      mu is the exact steady mobility in open space
+//   Z_unsteady   mu is the unsteady mobility of pairs in the box (inertial_motion.hpp)
+//   Z_RP         mu is the steady Rotne-Prager mobility in open space
+//   K, g         stiffness of the arms, tensions of the arms by the driving (linear_response.hpp)
+//   D            matrix that maps bead velocities to rates of the arm lengths (linear_response.hpp)
 //
-// Velocity to second order in amplitude, with V_drift and V_R of the theory with inertia for this stroke:
+// Velocity to second order in amplitude. V_drift and V_R are the sum and the last term of V in
+// inertial_motion.hpp, evaluated for this stroke:
 //
 //   V = (C_exact / C_RP) (V_drift(x) + V_R(x)),
 //
 // where C is the geometry factor (perturbation.hpp). Without inertia
-// V_drift + V_R = C_RP omega d_1 d_2 sin(delta_1 - delta_2).
+//   V_drift + V_R = C_RP omega d_1 d_2 sin(delta_1 - delta_2),   d, delta: arm amplitudes and phases.
 //
-// Finite amplitude: the difference between the periodic motion and second order, both in exact Stokes flow,
-// is scaled with |x_1 x_2| and added to the velocity. The ratio of the two strokes multiplies x.
+// Finite amplitude: two motions in exact Stokes flow are compared, the periodic motion at finite amplitude
+// and the motion to second order. The difference of their velocities, scaled with |x_1 x_2|, is added to V.
+// The ratio of their complex arm amplitudes multiplies x.
 //
 // Page: docs/method/inertia.md.
 
@@ -37,8 +41,8 @@ struct InertialVelocity {
   double by_stroke = 0;           ///< change because inertia changes the stroke
   double by_drift = 0;            ///< change because the flow around moving beads is unsteady
   double by_reynolds_stress = 0;  ///< mean Reynolds stress, in open space
-  double by_box = 0;              ///< change by the box
-  double by_amplitude = 0;        ///< change from second order to finite amplitude
+  double by_box = 0;              ///< change because of the images in the box
+  double by_amplitude = 0;        ///< change because the amplitude is finite
   double uncertainty = 0;         ///< absolute uncertainty of the sum
 
   double sum() const {

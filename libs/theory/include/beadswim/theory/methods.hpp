@@ -14,9 +14,10 @@ struct Method {
   std::string name;
   /// Input that the method uses in addition to the swimmer.
   enum class Input { driving, driving_or_stroke, stroke, driving_in_box } input;
-  /// Returns why the method cannot treat the question, and the remedy; nullopt if it can.
+  /// Returns the reason why the method cannot treat the question, and a remedy; nullopt if it can treat it.
   std::optional<std::string> (*obstacle)(const Question& question);
-  /// Returns the prediction. Requires a question without obstacle. Throws InputError on failure.
+  /// Returns the prediction. Requires a question without obstacle. Throws InputError if the calculation
+  /// fails.
   Prediction (*predict)(const Question& question);
 
   /// Returns whether the method uses a measured stroke.
@@ -26,7 +27,8 @@ struct Method {
 /// Returns all methods, in the order in which they are listed for users.
 const std::vector<Method>& methods();
 
-/// Returns the method of that name. Throws InputError, which names the most similar name and all names.
+/// Returns the method of that name. Throws InputError if there is none; the message contains the most similar
+/// name and all names.
 const Method& find_method(const std::string& name);
 
 /// Returns the method's prediction. Throws InputError with the reason if the method cannot treat the question

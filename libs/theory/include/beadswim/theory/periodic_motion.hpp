@@ -12,18 +12,20 @@
 //   dx/dt = mu(x) f,   f = F(t) - D^T [K (D x - l) + C D dx/dt],   x_k(t) = X_k + p_k(t) + V t
 //
 //   x_k, X_k   position of bead k and its position at rest [length]
-//   p_k        periodic displacement with the period of the driving, mean over beads and time zero [length]
+//   p_k        displacement with the period of the driving; its mean over beads and time is zero [length]
 //   V          velocity of the swimmer [length/time]
-//   K, C       diagonal matrices of stiffness k_i and damping c_i;  D: linear_response.hpp
+//   mu, f, F   mobility [time/mass], total forces and driving forces on the beads [mass length/time^2]
+//   K, C, l    diagonal matrices of stiffness k_i and damping c_i, rest lengths of the arms [length]
+//   D          matrix that maps bead velocities to rates of the arm lengths (linear_response.hpp)
 //
 // Discretisation: p is represented by its values at M equidistant times (nodes), M odd. Its rate is the
 // derivative of the trigonometric polynomial through these values. Newton's method solves the equations of
 // motion at the nodes for p and V. M increases until the highest quarter of the harmonics is negligible.
 //
-// Velocity: the forces sum to zero, hence sum_k w_k(x) dx_k/dt = 0 at every time, where w is the force
-// distribution of a rigid swimmer (perturbation.hpp). Therefore
+// Velocity: the forces sum to zero, hence sum_k w_k(x) dx_k/dt = 0 at every time, where w_k is the share of
+// bead k in the force that tows a rigid swimmer (perturbation.hpp). Therefore
 //
-//   V = - < sum_k (w_k(x) - w_k(X)) dp_k/dt >,    < > mean over a period.
+//   V = - < sum_k (w_k(x) - w_k(X)) dp_k/dt >,    < >: mean over a period.
 //
 // This form avoids loss of significance for small strokes.
 //
@@ -38,15 +40,15 @@ using MobilityFunction = std::function<CollinearMobility(const LinePositions&)>;
 struct PeriodicMotion {
   double velocity = 0;                ///< V, positive towards bead 3 [length/time]
   std::array<double, 2> arm_means{};  ///< <L_i> [length]
-  Stroke stroke;                      ///< first harmonic of the arm lengths, as in (4.1)
+  Stroke stroke;                      ///< first harmonic of the arm lengths, as in stroke.hpp
   double smallest_gap = 0;            ///< minimum over the cycle of the gaps of neighbouring beads [length]
   int nodes = 0;                      ///< M, number of nodes per period
 };
 
-/// Returns the periodic motion about the bead positions `rest`, where the springs are relaxed. The gaps of
+/// Returns the periodic motion about the bead positions `rest`, at which the springs are relaxed. The gaps of
 /// neighbouring beads must stay above `min_gap` [length].
-/// Throws InputError if no such motion is found. The message states which fraction of the driving is
-/// possible.
+/// Throws InputError if no such motion is found. The message states up to which fraction of the driving
+/// amplitude a motion was found.
 PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositions& rest,
                                const MobilityFunction& mobility, double min_gap = 0);
 

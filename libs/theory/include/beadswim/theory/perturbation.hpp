@@ -7,18 +7,20 @@
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// Mean velocity V and mean change m_i of the arms, to second order in the driving amplitude.
+// Mean velocity V and mean changes m_i of the arm lengths, to second order in the driving amplitude.
 //
 //   V = w^T <dmu f>,   w = mu^-1 1 / (1^T mu^-1 1),   dmu = sum_k (d mu / d x_k) xi_k
 //   D mu D^T (k_i m_i) = D <dmu f>
 //
+//   mu     mobility at rest [time/mass];  dmu  its change by the bead displacements
 //   xi, f  displacements and forces of the beads in the linear response (linear_response.hpp)
-//   w      force distribution of a rigid swimmer, sum 1
-//   m_i    mean change of arm i [length], for which the three beads have the same mean velocity
+//   w      force distribution of a rigid swimmer, sum 1;  1 in its formula is the vector (1, 1, 1)
+//   m_i    mean change of arm i [length], which gives the three beads the same mean velocity
+//   k_i    stiffness of arm i;  D  matrix that maps bead velocities to rates of the arm lengths
 //   < >    mean over a period
 //
-// The mean tensions k_i m_i are internal forces, which the weights w eliminate from V. An unweighted mean of
-// the bead velocities without m_i is not the velocity of the periodic motion.
+// The mean tensions k_i m_i are internal forces, which the weights w eliminate from V. The unweighted mean of
+// the bead velocities, evaluated without m_i, is not the velocity of the periodic motion.
 //
 // Page: docs/method/second-order-perturbation.md.
 
@@ -37,13 +39,13 @@ Eigen::Vector3d rigid_force_distribution(const Eigen::Matrix3d& mobility);
 /// Returns the periodic motion to second order in A and B. `mobility`: mobility at rest and its derivatives.
 SecondOrderMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility);
 
-/// Returns the second-order velocity for arms that change by Re(x_i exp(i omega t)), x = `arm`, independent
-/// of the forces that drive them [length/time].
+/// Returns the second-order velocity for arms that change by Re(x_i exp(i omega t)), x = `arm` [length/time].
+/// It does not depend on the forces that cause this stroke.
 double velocity_of_stroke(const Eigen::Vector2cd& arm, const CollinearMobility& mobility,
                           double angular_frequency);
 
-/// Returns the geometry factor C of V = C omega d_1 d_2 sin(delta_1 - delta_2) [1/length]. The law holds in
-/// open space for any driving.
+/// Returns the geometry factor C of V = C omega d_1 d_2 sin(delta_1 - delta_2) [1/length], d and delta: arm
+/// amplitudes and phases. The law is valid in open space for any driving.
 double geometry_factor(const CollinearMobility& mobility);
 
 }  // namespace beadswim

@@ -25,11 +25,11 @@ struct StrokeUncertainty {
 /// Velocity and stroke of a swimmer by one method, with their uncertainty, in the units of the swimmer.
 struct Prediction {
   std::string method;
-  bool usable = true;    ///< false: shown to users, but never a reference
+  bool usable = true;    ///< false: printed, but not used as a reference
   std::string validity;  ///< range of validity and known errors, as text
   double velocity = 0;   ///< mean over a period, positive towards bead 3 [length/time]
-  /// Estimated relative error of the velocity; nullopt if unknown. The error is relative to exact Stokes flow
-  /// at finite amplitude, or to Navier-Stokes flow for methods with inertia.
+  /// Estimated relative error of the velocity; nullopt if unknown. The exact velocity is that of Stokes flow
+  /// at finite amplitude, or of Navier-Stokes flow for methods with inertia.
   std::optional<double> uncertainty;
   Stroke stroke;
   std::optional<StrokeUncertainty> stroke_uncertainty;  ///< nullopt if unknown
@@ -37,7 +37,7 @@ struct Prediction {
   std::optional<std::array<double, 2>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
-  std::vector<Setting> settings;  ///< assumptions and contributions, by name
+  std::vector<Setting> settings;  ///< assumptions of the method and contributions to the velocity
 
   static void visit_fields(auto&& visit, auto& prediction) {
     visit("method", prediction.method);

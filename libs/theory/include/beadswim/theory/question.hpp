@@ -25,26 +25,27 @@ struct ExactStokes {
   double amplitude_change = 0;  ///< estimated relative change of the velocity at finite amplitude
 };
 
-/// Input of all methods: a swimmer, its surroundings, and its measured stroke if there is one.
+/// Input of all methods: a swimmer, its surroundings (box or open space), and its stroke if it was measured.
 struct Question {
   CollinearSwimmer swimmer;
   double fluid_density = 0;     ///< rho [mass/length^3]
-  std::optional<BoxPlace> box;  ///< nullopt: open space, or surroundings that `box_obstacle` explains
-  std::string box_obstacle;     ///< why methods for boxes cannot treat the surroundings; empty if they can
+  std::optional<BoxPlace> box;  ///< nullopt: open space, or methods for boxes are not applicable
+  std::string box_obstacle;     ///< reason why methods for boxes are not applicable; empty if none
   std::optional<Stroke> measured_stroke;
   std::optional<ExactStokes> exact;  ///< set by with_exact_reference(); nullopt if not available
 };
 
-/// Returns the exact mobility of the beads at `positions` in open space, to the relative error `tolerance`.
+/// Returns the mobility of the beads at `positions` in exact Stokes flow in open space. `tolerance`: relative
+/// error at which the multipole series is truncated.
 CollinearMobility exact_mobility(const CollinearSwimmer& swimmer, const LinePositions& positions,
                                  double tolerance = 1e-12);
 
 /// Returns the question with `exact` set. `exact` stays nullopt if beads touch or nearly touch, because the
-/// multipole series would need too many terms.
+/// multipole series would then need too many terms.
 Question with_exact_reference(Question question);
 
-/// Returns warnings that concern all methods: beads that touch within the stroke, and a driving so strong
-/// that the relative error of second-order methods exceeds `tolerance`.
+/// Returns warnings that concern all methods. They report beads that touch during the stroke, and driving so
+/// strong that the relative error of second-order methods exceeds `tolerance`.
 std::vector<std::string> warnings(const Question& question, double tolerance);
 
 }  // namespace beadswim

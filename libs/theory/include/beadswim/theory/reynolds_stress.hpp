@@ -9,14 +9,15 @@
 //   V_R = rho int <u u> : grad u^ dV = 1/2 Re sum_ij f_i f_j* Q_ij,    <u u> = 1/2 Re(u u*)
 //
 //   u    first-order flow: sum of the flows of isolated oscillating spheres with induced forces f_i
-//   u^   steady flow of the three spheres, towed with equal velocity by forces w with the sum 1: sum of the
-//        flows of isolated spheres
+//   u^   steady flow of the three spheres, towed with equal velocity by the forces w, whose sum is 1. It is
+//        approximated by the sum of the flows of isolated spheres.
+//   Q    matrix of the quadratic form;  * denotes the complex conjugate
 //
 // The law follows from the Navier-Stokes equations to second order in amplitude by the reciprocal theorem.
 //
 // The integral extends over all space. Inside a sphere, the sphere's own flow is uniform, and the flows of
-// the other spheres are continued. At this level of approximation, this choice makes V independent of a
-// common oscillation of beads and fluid.
+// the other spheres are evaluated by their formulas outside. At this level of approximation, this choice
+// makes V independent of a common oscillation of beads and fluid.
 //
 // Page: docs/method/inertia.md.
 
@@ -25,11 +26,11 @@ namespace beadswim {
 /// Q, a Hermitian matrix, and its contribution from the beads [time^3/(mass^2 length)].
 struct ReynoldsForm {
   Eigen::Matrix3cd total;   ///< integral over all space
-  Eigen::Matrix3cd inside;  ///< contribution of the volume of the beads, a measure of the approximation
+  Eigen::Matrix3cd inside;  ///< contribution of the volume of the beads, a measure of the error
 };
 
-/// Returns Q in open space. `towing`: share w of each bead in the towing force, sum 1. The error is below
-/// 1e-5 of the largest element, for penetration depths from a tenth of a radius to a thousand arms.
+/// Returns Q in open space. `towing`: the forces w of u^. The error is below 1e-5 of the largest element, for
+/// penetration depths from 0.1 bead radii to 1000 arm lengths.
 ReynoldsForm reynolds_stress_form(const CollinearSwimmer& swimmer, double fluid_density,
                                   const Eigen::Vector3d& towing);
 

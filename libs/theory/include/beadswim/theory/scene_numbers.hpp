@@ -12,14 +12,14 @@
 
 namespace beadswim {
 
-/// Numbers of one swimmer type with the driving of the type.
+/// Numbers of one swimmer type, evaluated with the driving of the type.
 struct TypeNumbers {
-  double reynolds = 0;           ///< 2 lambda v / nu of the fastest bead, v its velocity amplitude
-  double penetration_depth = 0;  ///< delta = sqrt(2 nu / omega) [length]
+  double reynolds = 0;                       ///< largest 2 lambda v / nu of the beads, v: velocity amplitude
+  double penetration_depth = 0;              ///< delta = sqrt(2 nu / omega) [length]
   double radius_over_penetration_depth = 0;  ///< lambda / delta with the largest radius lambda
   std::array<double, 2> arm_over_radius{};   ///< l_i / lambda with the mean radius lambda of the arm's beads
   std::array<double, 2> drag_over_spring{};  ///< gamma omega / k_i with gamma = 6 pi eta lambda
-  std::array<double, 2> arm_amplitude{};     ///< d_i to first order, Rotne-Prager [length]
+  std::array<double, 2> arm_amplitude{};     ///< d_i to first order with Rotne-Prager mobility [length]
   std::array<double, 2> arm_gap{};           ///< gap of the arm's beads at rest [length]
   std::optional<std::array<double, 3>> box_over_length;  ///< box edges / swimmer length
 
@@ -41,7 +41,7 @@ struct ResolutionNumbers {
   double time_step = 0;                            ///< (tau - 1/2)/3 cell^2/nu [time]
   std::map<std::string, double> steps_per_period;  ///< for each type
   std::optional<double> cells_in_box;
-  double mach = 0;  ///< v sqrt(3) time_step / cell of the fastest bead of all types
+  double mach = 0;  ///< sqrt(3) v time_step / cell, v: speed of the fastest bead of all types
 
   static void visit_fields(auto&& visit, auto& numbers) {
     visit("cell", numbers.cell);
@@ -52,7 +52,7 @@ struct ResolutionNumbers {
   }
 };
 
-/// Numbers of all types, and of the scene as a whole.
+/// Numbers of all types, and numbers of the complete scene.
 struct SceneNumbers {
   std::map<std::string, TypeNumbers> types;
   double smallest_gap = 0;  ///< smallest gap at rest of beads, images and walls [length]

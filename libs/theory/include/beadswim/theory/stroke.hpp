@@ -5,7 +5,7 @@
 
 namespace beadswim {
 
-/// Harmonic oscillation of the two arms (4.1): L_i(t) = mean_i + d_i cos(omega t + delta_i).
+/// Harmonic oscillation of the two arms, (4.1) of the paper: L_i(t) = mean_i + d_i cos(omega t + delta_i).
 struct Stroke {
   std::array<double, 2> amplitude{};  ///< d_i >= 0 [length]
   std::array<double, 2> phase{};      ///< delta_i in (-pi, pi] [radian]; 0 where d_i is 0

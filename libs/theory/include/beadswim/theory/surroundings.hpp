@@ -8,9 +8,9 @@
 
 namespace beadswim {
 
-/// Surroundings of a swimmer. `box` is set if the swimmer is alone in a box that theory can treat; its first
-/// axis is parallel to the swimmer. `obstacle` is set if methods for boxes cannot treat the surroundings.
-/// Neither is set in open space.
+/// Surroundings of a swimmer. `box` is set if the swimmer is alone in a box that theory can treat. The first
+/// axis of this box is parallel to the swimmer. `obstacle` is set if methods for boxes cannot treat the
+/// surroundings. Neither is set in open space.
 struct Surroundings {
   std::optional<BoxPlace> box;
   std::string obstacle;

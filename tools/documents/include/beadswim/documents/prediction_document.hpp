@@ -9,7 +9,7 @@
 
 namespace beadswim {
 
-/// A method that could not treat the swimmer, with the reason.
+/// A method that cannot treat the swimmer, with the reason.
 struct LeftOutMethod {
   std::string method;
   std::string reason;
@@ -26,8 +26,8 @@ struct PredictionDocument {
   int swimmer = 0;  ///< id of the swimmer in the layout
   std::vector<Prediction> predictions;
   std::vector<LeftOutMethod> left_out;
-  std::vector<std::string> warnings;  ///< contact within the stroke, driving beyond small amplitude
-  Json provenance = Json::array();    ///< one record per program
+  std::vector<std::string> warnings;  ///< beads that touch, or driving too strong for some methods
+  Json provenance = Json::array();    ///< one entry per program that made the document
 };
 
 /// Returns the document as JSON.

@@ -31,7 +31,7 @@ inline constexpr auto name_table<RunStatus> =
 struct SwimmerRecord {
   int id = 0;
   std::vector<CycleStatistics> cycles;  ///< complete cycles, in order
-  std::optional<double> period;         ///< period of its driving if it differs from the base period [time]
+  std::optional<double> period;         ///< period of its driving [time]; nullopt: the base period
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);
@@ -40,10 +40,11 @@ struct SwimmerRecord {
   }
 };
 
-/// A record of more swimmers contains statistics of the swarm only. The trajectory contains all swimmers.
+/// Largest number of swimmers whose statistics a record lists one by one. A record of a larger swarm contains
+/// statistics of the swarm only. The trajectory contains all swimmers.
 constexpr std::size_t max_swimmers_listed = 64;
 
-/// Statistics of the swarm, and momentum of fluid and beads, at the end of a base cycle.
+/// Statistics of the swarm, and momentum of fluid and beads [mass length/time], at the end of a base cycle.
 struct SwarmCycle {
   SwarmStatistics statistics;
   Vec3 momentum = Vec3::Zero();
@@ -54,11 +55,11 @@ struct SwarmCycle {
   }
 };
 
-/// Driving forces (2.1). Amplitudes and phase are nullopt if they differ between swimmers.
+/// Driving of the swimmers. Amplitudes and phase are nullopt if they differ between swimmers.
 struct DrivingRecord {
   double period = 0;                               ///< base period: duration of one cycle of the run [time]
-  std::optional<std::array<double, 2>> amplitude;  ///< A, B [mass length/time^2]
-  std::optional<double> phase;                     ///< alpha [radian]
+  std::optional<std::array<double, 2>> amplitude;  ///< A, B of beads 1 and 3 [mass length/time^2]
+  std::optional<double> phase;                     ///< driving phase alpha [radian]
 
   static void visit_fields(auto&& visit, auto& driving) {
     visit("period", driving.period);
@@ -80,11 +81,11 @@ struct MomentumRecord {
   }
 };
 
-/// Dimensionless numbers of the run, with the largest bead speed that occurred.
+/// Dimensionless numbers of the run. nu: kinematic viscosity; omega: angular frequency of the base period.
 struct DimensionlessNumbers {
-  double reynolds_bead = 0;                  ///< largest bead speed x diameter / nu
+  double reynolds_bead = 0;                  ///< largest bead speed in the run x diameter / nu
   double penetration_depth_over_radius = 0;  ///< sqrt(2 nu/omega) / smallest bead radius
-  std::optional<double> mach;                ///< largest bead speed / lattice speed of sound
+  std::optional<double> mach;                ///< largest bead speed in the run / lattice speed of sound
 
   static void visit_fields(auto&& visit, auto& numbers) {
     visit("reynolds_bead", numbers.reynolds_bead);
@@ -102,9 +103,9 @@ struct LatticeResolution {
   double kinematic_viscosity_lattice = 0;    ///< nu [cell^2/step]
   std::int64_t steps_per_cycle = 0;          ///< time steps per base cycle
   std::string bead_boundary;                 ///< "staircase", "cli", "mr" or "psm"
-  std::optional<double> density_on_lattice;  ///< smallest effective bead density [fluid density]
-  std::optional<double> radius_on_lattice;   ///< hydrodynamic radius of the smallest bead [cell]
-  std::optional<double> angular_softening;   ///< smallest angular stiffness / angular stiffness of the layout
+  std::optional<double> density_on_lattice;  ///< smallest bead density on the lattice [fluid density]
+  std::optional<double> radius_on_lattice;   ///< radius of the smallest bead on the lattice [cell]
+  std::optional<double> angular_softening;   ///< smallest ratio of angular stiffness to that of the layout
   std::string precision;                     ///< "double" or "single"
 
   static void visit_fields(auto&& visit, auto& resolution) {
@@ -122,12 +123,12 @@ struct LatticeResolution {
   }
 };
 
-/// Interaction of beads that are close to each other or to periodic images.
+/// Lubrication and contact of beads that are close to each other or to images of beads.
 struct NearContactRecord {
   std::optional<double> smallest_gap;  ///< nullopt if no pair came within one cell [length]
   bool lubrication = true;             ///< whether the lubrication correction is on
-  double normal_cut_off = 0;           ///< gap below which approach is corrected [length]
-  double tangential_cut_off = 0;       ///< gap below which sliding is corrected [length]
+  double normal_cut_off = 0;           ///< gap below which lubrication corrects normal motion [length]
+  double tangential_cut_off = 0;       ///< gap below which lubrication corrects tangential motion [length]
   double friction = 0;                 ///< coefficient of Coulomb friction
 
   static void visit_fields(auto&& visit, auto& contact) {
@@ -144,9 +145,9 @@ struct MobilityRecord {
   double time_step = 0;  ///< [time]
   std::int64_t steps_per_cycle = 0;
   double tolerance = 0;                         ///< relative error of bead velocities
-  std::int64_t products = 0;                    ///< number of products of mobility and forces
-  std::optional<double> cut_off, mesh_spacing;  ///< of the Ewald sum; nullopt for a direct sum [length]
-  std::optional<double> smallest_gap;           ///< nullopt if no pair repelled each other [length]
+  std::int64_t products = 0;                    ///< number of evaluations of mobility times forces
+  std::optional<double> cut_off, mesh_spacing;  ///< parameters of the Ewald sum [length]; nullopt: direct sum
+  std::optional<double> smallest_gap;           ///< smallest gap that caused repulsion [length]
 
   static void visit_fields(auto&& visit, auto& mobility) {
     visit("time_step", mobility.time_step);
@@ -159,9 +160,9 @@ struct MobilityRecord {
   }
 };
 
-/// Communication per lattice step: maxima over all ranks.
+/// Communication of a rank per lattice step. Each number is the maximum over all ranks.
 struct CommunicationRecord {
-  int neighbours = 0;  ///< number of ranks that a rank sends to
+  int neighbours = 0;  ///< number of ranks to which a rank sends messages
   double messages_per_step = 0;
   double bytes_per_step = 0;
 
@@ -172,7 +173,7 @@ struct CommunicationRecord {
   }
 };
 
-/// Cost of a run, including the runs that it continues.
+/// Cost of a run, including earlier runs that it continues from a checkpoint.
 struct RunCost {
   double wall_seconds = 0;
   double core_seconds = 0;
@@ -193,7 +194,7 @@ struct RunCost {
   }
 };
 
-/// The run record. Optional members are null in JSON if the model does not provide them; cost and provenance
+/// The run record. In JSON, an optional member is null if the model does not provide it. Cost and provenance
 /// may be absent.
 struct RunRecord {
   std::string model;
@@ -235,7 +236,7 @@ struct RunRecord {
   }
 };
 
-/// Selects whether cost and provenance are written. They differ between identical runs.
+/// Selects whether cost and provenance are written. They differ between runs with identical results.
 enum class RecordProvenance { written, left_out };
 
 /// Converts JSON after validation against the schema. `source`: name of the document in messages. Throws

@@ -19,7 +19,8 @@ struct TrajectoryFile {
   std::vector<int> swimmers() const;  ///< ids, in the order of the file
 };
 
-/// Opens a trajectory and reads its layout. Throws InputError, which names file and place, if it is invalid.
+/// Opens a trajectory and reads its layout. Throws InputError if the file is invalid; the message contains
+/// the file and the place in the file.
 TrajectoryFile open_trajectory(const std::string& path);
 
 /// Throws InputError with a message such as "FLAG: no swimmer 12 in run.h5md; the nearest is 8, ids are 0 to

@@ -27,17 +27,18 @@ struct VerdictCost {
   }
 };
 
-/// Rows of a comparison, and the method that decides the verdict.
+/// Rows of a comparison, and the method that determines the verdict.
 struct VerdictDocument {
-  std::string decided_by;  ///< method whose rows decide the verdict
+  std::string decided_by;  ///< method whose rows determine the verdict
   std::vector<ComparisonRow> rows;
   std::optional<VerdictCost> cost;
 };
 
-/// Returns the sum over all runs; nullopt if a record has no cost.
+/// Returns the sum of the costs of all runs; nullopt if a record contains no cost.
 std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> runs);
 
-/// Converts JSON after validation against the schema. Throws InputError, which names `source` and place.
+/// Converts JSON after validation against the schema. Throws InputError; the message contains `source` and
+/// the place in the document.
 VerdictDocument verdict_from_json(const Json& json, const std::string& source);
 
 /// Returns the document as JSON. "pass" is the verdict of the rows; an infinite relative error becomes null.
