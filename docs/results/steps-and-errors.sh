@@ -20,9 +20,16 @@ typical() {
   cat <<'TEXT'
 # Mobility products and errors of time steps
 
-The default of 100 own steps per cycle (`libs/overdamped`) costs 110 to 370 mobility products and leaves relative errors of 2e-5 to 3e-4 in the positions. CVODE of SUNDIALS, which chooses its steps, needs as many products for the same error in straight swarms and fewer in dense ones. For errors of 1e-4 to 3e-4 in straight swarms both take 60 to 140 products per cycle.
+A mobility product evaluates the velocities of all beads from the forces on them. With the default of 100 time steps per cycle, the integrator of `libs/overdamped` ("own steps") needs 110 to 370 products per cycle and has relative errors of 2e-5 to 3e-4 in the positions. CVODE of SUNDIALS, which chooses its own step sizes, needs as many products for the same error in swarms of parallel swimmers, and fewer in dense swarms. For errors of 1e-4 to 3e-4 in swarms of parallel swimmers both need 60 to 140 products per cycle.
 
-The tables hold errors of time steps alone, relative to CVODE at tolerance 1e-10. "Positions" is the root mean square error of the bead positions, divided by that of their displacement. "Of swimming" is the error of the swarm's mean displacement, divided by it. CVODE uses backward differences of orders 1 to 5 with a tolerance for the local error in arm rest lengths, and GMRES with one preconditioner block per swimmer. Products are evaluated to 1e-4; all are counted, including those of the start. `docs/results/steps-and-errors.sh` repeats this; the program `overdamped_steps_and_errors` also prints steps, times, more tolerances and CVODE with constant mobility in its Jacobian, which needs as many products.
+The tables contain errors of the time steps alone, relative to CVODE at tolerance 1e-10.
+
+- "Error of positions": root mean square error of the bead positions, divided by the root mean square displacement of the beads.
+- "Of swimming": relative error of the swarm's mean displacement.
+- CVODE: backward differences of orders 1 to 5, with the stated tolerance for the local error in units of the arm rest length; GMRES with one preconditioner block per swimmer.
+- Products: evaluated to a tolerance of 1e-4. All are counted, including those of the start.
+
+`docs/results/steps-and-errors.sh` repeats the measurement.
 TEXT
   build/release/bin/overdamped_steps_and_errors --product-tolerance 1e-4 | typical
 } >docs/results/steps-and-errors.md
