@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/rank_failure.hpp"
 #include "beadswim/io/xdmf.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "beadswim/tools/program.hpp"
@@ -64,13 +64,6 @@ void print_record(const RunRecord& record, const RunOptions& options) {
   write_text("-", dump_json(run_record_to_json(record, provenance)));
 }
 
-/// For a failure that may be known to this rank alone: it speaks, and takes the others with it.
-[[noreturn]] void stop_all_ranks(const Communicator& communicator) {
-  report_current_exception(program_name);
-  MPI_Abort(communicator.get(), static_cast<int>(ExitStatus::failed));
-  std::abort();
-}
-
 /// The index for ParaView: without it the run's results are whole.
 void index_trajectory(const std::string& path) {
   try {
@@ -81,7 +74,8 @@ void index_trajectory(const std::string& path) {
 }
 
 /// Runs to the end, and prints the record.
-RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document) {
+RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document,
+                          const Communicator& failures) {
   try {
     std::optional<RunPast> past;
     if (request.checkpoint)
@@ -97,7 +91,7 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
     return outcome;
   } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
     tell_how_to_go_on(parts.checkpoints);
-    stop_all_ranks(parts.communicator);
+    abort_after_failure(program_name, failures);
   }
 }
 
@@ -128,7 +122,7 @@ void take_planned(const LayoutDocument& document, Request& request, const Commun
 }
 
 /// Throws InputError alike on all ranks while nothing has begun.
-int run(int argc, char** argv, const Communicator& communicator) {
+int run(int argc, char** argv, const Communicator& communicator, const Communicator& failures) {
   const double start = MPI_Wtime();
   auto read = read_request(argc, argv, communicator);
   if (const int* status = std::get_if<int>(&read)) return *status;
@@ -153,7 +147,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
                           request.checkpoint ? request.checkpoint->path() : "", communicator);
   const RunParts parts{start, communicator, plan, *model, trajectory, recorder, checkpoints, progress};
   catch_stop_signals();
-  const RunOutcome outcome = run_and_record(parts, request, document);
+  const RunOutcome outcome = run_and_record(parts, request, document, failures);
   const std::vector<std::string> warnings = model->warnings();
   if (communicator.is_root()) {
     warn(warnings);
@@ -166,7 +160,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
 }
 
 /// Wrong input, faults of a run and early stops are known to every rank: rank 0 speaks, all leave.
-int report_failure(const Communicator& communicator) {
+int report_failure(const Communicator& communicator, const Communicator& failures) {
   try {
     throw;
   } catch (const InputError&) {
@@ -179,7 +173,7 @@ int report_failure(const Communicator& communicator) {
     return communicator.is_root() ? report_current_exception(program_name)
                                   : static_cast<int>(ExitStatus::stopped_early);
   } catch (...) {
-    stop_all_ranks(communicator);
+    return end_after_failure(program_name, failures);
   }
 }
 
@@ -187,11 +181,11 @@ int report_failure(const Communicator& communicator) {
 
 int main(int argc, char** argv) {
   const MpiSession mpi(&argc, &argv);
-  const Communicator communicator(MPI_COMM_WORLD);
+  const Communicator communicator(MPI_COMM_WORLD), failures(MPI_COMM_WORLD);
   if (!communicator.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
   try {
-    return run(argc, argv, communicator);
+    return run(argc, argv, communicator, failures);
   } catch (...) {
-    return report_failure(communicator);
+    return report_failure(communicator, failures);
   }
 }
