@@ -82,7 +82,7 @@ def messages_of(path, flags):
         statement = text[begin:end]
         code = RUN.sub("", statement)
         speaks = LOUD.search(code) or path.name in SPEAKING
-        if not speaks:
+        if not speaks or re.search(r"\b(set_footer|begin_group|add_choice|add_switch|add_word|add_marks)\(", code):
             continue
         for start, words, _ in joined(RUN.finditer(statement), statement, flags):
             words = " ".join(words.split()).strip(" :;,")
