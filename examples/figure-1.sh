@@ -1,8 +1,8 @@
 #!/bin/bash
-# Figure 1 of the paper: the bead-spring swimmer, to scale, with the forces that drive it.
-#   examples/figure-1.sh [FOLDER [FLAGS of beadswim-layout swimmer...]]   writes to FOLDER (default out/figure-1):
+# Draws figure 1 of the paper: the bead-spring swimmer, to scale, with its driving forces.
+#   examples/figure-1.sh [FOLDER [FLAGS of beadswim-layout swimmer...]]   writes to FOLDER (default: out/figure-1):
 #     swimmer.json   the layout
-#     figure-1.svg   its sketch
+#     figure-1.svg   the sketch of the swimmer
 set -euo pipefail
 
 out=${1:-out/figure-1}

@@ -1,18 +1,18 @@
 #!/bin/bash
-# Figure 2 of the paper: the swimming velocity by its four formulas, and by theories that are not truncated in λ/l,
-# as the beads come closer.
-#   examples/figure-2.sh [FOLDER [RUN.json...]]     writes figure-2.svg to FOLDER (default out/figure-2)
-# Run records of swimmers driven with the same period and amplitude, given after the folder, are drawn as points.
+# Draws figure 2 of the paper: the velocity as a function of l/λ, by the paper's four formulas and by theories without
+# truncation in λ/l.
+#   examples/figure-2.sh [FOLDER [RUN.json...]]     writes figure-2.svg to FOLDER (default: out/figure-2)
+# Run records are drawn as points. Their swimmers must have the period and amplitude below.
 set -euo pipefail
 
 #        (4.3)              (4.2)               (4.23)            (4.24)             not truncated
 methods=oseen-force-closed,oseen-stroke-closed,rpy-force-printed,rpy-stroke-printed,rpy-perturbation,multipole-perturbation
-radius=4          # λ; lattice units here and below
+radius=4          # λ, in lattice units like all lengths, times and forces below
 period=4800
-amplitude=0.1     # A = B, so small that beads stay apart at the smallest separation; the velocity goes as A²
-smallest=3        # l/λ
-largest=30
-separations=41    # each the same factor above the last
+amplitude=0.1     # A = B; small enough that beads do not touch at the smallest separation; velocity ∝ A²
+smallest=3        # smallest l/λ
+largest=30        # largest l/λ
+separations=41    # number of separations, with a constant ratio
 
 out=${1:-out/figure-2}
 shift "$(($# > 0))"

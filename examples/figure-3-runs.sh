@@ -1,16 +1,16 @@
 #!/bin/bash
-# The runs of figure 3: the paper's single swimmer in a small periodic box, resolved in the fluid.
-#   examples/figure-3-runs.sh FOLDER [NAME...] [FLAGS of beadswim-run...]   writes run records to FOLDER, all or those named:
+# Makes the runs of figure 3: the paper's single swimmer in a small periodic box, with the lattice.
+#   examples/figure-3-runs.sh FOLDER [NAME...] [FLAGS of beadswim-run...]   writes the named run records, or all, to FOLDER:
 #     by-period.jsonl            T from 1000 to 10000, A = B = 0.2, α = π/2
 #     by-amplitude-ratio.jsonl   A/B from 0.25 to 2, T = 4800
 #     by-phase.jsonl             α from -3π/4 to π, T = 4800
-# At the paper's resolution some half an hour on 2 idle cores; half a minute with --cells-per-radius 2 --precision single.
-# Files that are there are kept. examples/figure-3.sh draws them beside theory.
+# The runs take half an hour on 2 idle cores at the paper's resolution, and half a minute with --cells-per-radius 2
+# --precision single. Existing files are kept. examples/figure-3.sh draws the runs and the theory.
 set -euo pipefail
 
-box=120,80,80     # lattice units, as all here; periodic
-amplitude=0.2     # A = B; in by-amplitude-ratio B
-period=4800       # but in by-period
+box=120,80,80     # periodic; lattice units, as everywhere in this script
+amplitude=0.2     # A = B; only B in by-amplitude-ratio
+period=4800       # except in by-period
 ranks=2
 
 out=${1:?a folder for the records}
@@ -26,7 +26,8 @@ while [[ ${1:-} == by-* ]]; do
   shift
 done
 flags=("$@")
-# A run record, as one line. Transients last some 4000 steps, of the springs longer than of the fluid in this box.
+# Prints a run record as one line. The transients take about 4000 steps; in this box, those of the springs last longer
+# than those of the fluid.
 simulate() { # PERIOD LAYOUT-FLAGS...
   local period=$1 cycles=$((3 + 4000 / $1))
   shift
@@ -36,7 +37,7 @@ simulate() { # PERIOD LAYOUT-FLAGS...
   rm "$out"/run.h5md{,.xdmf2}
 }
 
-# Records of one abscissa, whole or not at all.
+# Writes the records of one sweep. The file appears only after all runs have succeeded.
 keep() { # NAME
   [ ! -e "$out/$1.jsonl" ] || return 0
   "$1" >"$out/$1.part"

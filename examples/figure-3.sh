@@ -1,21 +1,20 @@
 #!/bin/bash
-# Figure 3 of the paper: velocity and stroke of its single swimmer by theory, and by runs.
-#   examples/figure-3.sh [FOLDER [RUN.jsonl...]]     writes four figures to FOLDER (default out/figure-3):
+# Draws figure 3 of the paper: velocity and stroke of the single swimmer by theory and by runs.
+#   examples/figure-3.sh [FOLDER [RUN.jsonl...]]     writes four figures to FOLDER (default: out/figure-3):
 #     figure-3a.svg  velocity against the driving period
-#     figure-3b.svg  the same, as difference from one theory in percent
+#     figure-3b.svg  the difference of these velocities from one theory, in percent
 #     figure-3c.svg  stroke against the ratio A/B of the driving amplitudes
-#     figure-3d.svg  stroke against the phase α of the driving
-# Run records of the swimmer, given after the folder (examples/figure-3-runs.sh makes them), are drawn as points where
-# they belong, as means over their last two cycles. Theories that know of boxes predict for the box of the first, others
-# for unbounded fluid.
+#     figure-3d.svg  stroke against the driving phase α
+# Run records of the swimmer (made by examples/figure-3-runs.sh) are drawn as points: means over their last two cycles.
+# Methods that include a box use the box of the first run record. The other methods are for unbounded fluid.
 set -euo pipefail
 
 velocity_methods=oseen-force-closed,rpy-force-repaired,rpy-equal-weight,rpy-perturbation,multipole-perturbation,inertia-corrected
 stroke_methods=oseen-force-closed,rpy-perturbation,multipole-perturbation,inertia-corrected
 relative_to=multipole-perturbation
-period=4800       # of (c) and (d); lattice units here and below
-amplitude=0.2     # A = B; in (c) B, and A follows from the ratio
-steps=40          # of T from 1000 to 10000, of A/B from 0.1 to 2, and of α from -π to π
+period=4800       # in (c) and (d); lattice units, as everywhere in this script
+amplitude=0.2     # A = B; in (c) this is B, and A follows from the ratio
+steps=40          # number of intervals of T (1000 to 10000), of A/B (0.1 to 2) and of α (-π to π)
 
 out=${1:-out/figure-3}
 shift "$(($# > 0))"
@@ -28,7 +27,7 @@ box=$(jq -rs '.[0].domain | if . then "--box \(.lengths | join(",")) --boundary 
 
 swimmer() { beadswim-layout swimmer --preset paper-single $box --jsonl "$@"; }
 evenly() { awk -v a="$1" -v b="$2" -v n="$steps" 'BEGIN { for (i = 0; i <= n; i++) print a + (b - a) * i / n }'; }
-# Sets `runs` to the file of the runs whose driving is so, if there are any.
+# Sets `runs` to the file of the runs whose driving satisfies the condition; empty if there are none.
 choose_runs() { # NAME CONDITION
   jq -c "select(.driving | (.phase - 1.5707963 | fabs < 1e-6) as \$usual_phase
     | (.amplitude[0] == .amplitude[1]) as \$equal | (.period == $period) as \$usual_period | $2)" "$out/runs.jsonl" >"$out/$1"
@@ -36,7 +35,7 @@ choose_runs() { # NAME CONDITION
   [ ! -s "$out/$1" ] || runs=("$out/$1" --cycle mean:2)
 }
 
-# With the periods of the runs, so that (b) has a prediction to hold each against.
+# The periods of the runs are included, because (b) needs a prediction for each run.
 choose_runs runs-by-period.jsonl '$equal and $usual_phase'
 { evenly 1000 10000; jq .driving.period "$out/runs-by-period.jsonl"; } | sort -gu |
   while read -r T; do swimmer --period "$T" --amplitude "$amplitude"; done |

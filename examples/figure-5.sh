@@ -1,15 +1,15 @@
 #!/bin/bash
-# Figure 5 of the paper: the uniform swarm, which moves along x in steady order.
-#   examples/figure-5.sh [FOLDER [FLAGS of beadswim-run...]]     writes to FOLDER (default out/figure-5):
-#     uniform.h5md, uniform.json   a run of one swimmer in 96 x 32 x 32, of which the swarm is made; kept if it is there
-#     figure-5a.svg                the swarm at the end, in the checkerboard colours of its blocks
-#     figure-5b.svg                x of a swimmer's middle bead; the swimmers of the swarm are all alike
-# At the paper's resolution 124 cycles take some ten minutes on one core; half a minute with --cells-per-radius 3.
+# Draws figure 5 of the paper: the uniform swarm, which moves along x and keeps its order.
+#   examples/figure-5.sh [FOLDER [FLAGS of beadswim-run...]]     writes to FOLDER (default: out/figure-5):
+#     uniform.h5md, uniform.json   a run of one swimmer in 96 x 32 x 32, the unit cell of the swarm; kept if it exists
+#     figure-5a.svg                the swarm at the end, with alternating colours of the blocks
+#     figure-5b.svg                x of the middle bead of a swimmer; all swimmers move equally
+# 124 cycles take ten minutes on one core at the paper's resolution, and half a minute with --cells-per-radius 3.
 set -euo pipefail
 
 cycles=124
 frames_per_cycle=12
-copies=3,9,9      # drawn in (a): 243 swimmers, in blocks of 1 x 3 x 3
+copies=3,9,9      # copies of the unit cell in (a): 243 swimmers, in blocks of 1 x 3 x 3
 
 out=${1:-out/figure-5}
 shift "$(($# > 0))"
@@ -21,7 +21,8 @@ if [ ! -e "$out/uniform.h5md" ]; then
   status=0
   beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce |
     beadswim-run - -o "$out/uniform.h5md" --frames-per-cycle "$frames_per_cycle" "$@" >"$out/uniform.json" || status=$?
-  # 4 and 3: stopped for a bead's speed or by contact, with what there was until then; a result here.
+  # Status 4 or 3: the run stopped early because a bead was too fast or beads overlapped. This is a result here, and
+  # the files contain the run up to this time.
   [ "$status" -eq 0 ] || [ "$status" -eq 4 ] || [ "$status" -eq 3 ] || exit "$status"
 fi
 

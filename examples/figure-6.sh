@@ -1,20 +1,20 @@
 #!/bin/bash
-# Figure 6 of the paper: the swarm with layers of unequal distance, nine swimmers in 120 x 120 x 120.
-#   examples/figure-6.sh [FOLDER [FLAGS of beadswim-run...]]     writes to FOLDER (default out/figure-6):
-#     defect.h5md, defect.json   the run; kept if it is there
+# Draws figure 6 of the paper: the swarm with layers of unequal distance, nine swimmers in 120 x 120 x 120.
+#   examples/figure-6.sh [FOLDER [FLAGS of beadswim-run...]]     writes to FOLDER (default: out/figure-6):
+#     defect.h5md, defect.json   the run; kept if it exists
 #     figure-6a.svg              x of the middle beads of swimmers A and B
-#     figure-6b.svg              z of the beads of A, which stands at a corner of its block
-#     figure-6c.svg              y of the beads of B, in its block at the edge along y and in the middle along z
+#     figure-6b.svg              z of the beads of A, at a corner of its block
+#     figure-6c.svg              y of the beads of B, at the edge of its block along y and in the middle along z
 #     figure-6-swarm.svg         the swarm at the end
-# A cycle takes some 50 s on one core at the paper's resolution, and 1 to 2 s with
-# --cells-per-radius 3 --precision single; --cycles N does fewer than 124. SWARM_FLAGS in the environment are flags of
-# beadswim-layout swarm, such as SWARM_FLAGS='--stiffness 0.0347'.
+# A cycle takes 50 s on one core at the paper's resolution, and 1 to 2 s with --cells-per-radius 3 --precision single.
+# --cycles N changes the number of cycles (default: 124). The environment variable SWARM_FLAGS contains flags of
+# beadswim-layout swarm, for example SWARM_FLAGS='--stiffness 0.0347'.
 set -euo pipefail
 
 cycles=124
 frames_per_cycle=12
-A=0               # at y = z = 23; blocks of 3 x 3 are numbered along y first
-B=3               # at y = 23, z = 60
+A=0               # id of swimmer A, at y = z = 23; ids increase along y first
+B=3               # id of swimmer B, at y = 23, z = 60
 
 out=${1:-out/figure-6}
 shift "$(($# > 0))"
@@ -26,7 +26,8 @@ if [ ! -e "$out/defect.h5md" ]; then
   status=0
   beadswim-layout swarm --preset paper-defect ${SWARM_FLAGS:-} |
     beadswim-run - -o "$out/defect.h5md" --frames-per-cycle "$frames_per_cycle" "$@" >"$out/defect.json" || status=$?
-  # 4 and 3: stopped for a bead's speed or by contact, with what there was until then; a result here.
+  # Status 4 or 3: the run stopped early because a bead was too fast or beads overlapped. This is a result here, and
+  # the files contain the run up to this time.
   [ "$status" -eq 0 ] || [ "$status" -eq 4 ] || [ "$status" -eq 3 ] || exit "$status"
 fi
 

@@ -1,18 +1,18 @@
 #!/bin/bash
-# From a clean clone to a simulated swimmer beside its prediction: installs what is missing, builds, runs one
-# swimmer resolved in the fluid, and ends with a table and a figure in out/quickstart/. The run takes some 2 minutes
-# on two cores; a smaller box, shorter period or fewer cycles less.
+# From a clean clone to a simulated swimmer and its prediction: installs missing packages, builds the programs and runs
+# one swimmer in a lattice-Boltzmann fluid. Writes the results and a figure to out/quickstart/. The run takes about
+# 2 minutes on two cores.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# The scene: the paper's single swimmer in a smaller, periodic box. Lattice units.
+# The scene: the paper's single swimmer in a smaller, periodic box, in lattice units.
 preset=paper-single
 box=120,80,80
 boundary=periodic
 period=4800
 amplitude=0.2
-cycles=4   # from the third on they differ by 0.2 % in velocity
-tolerance=0.1   # relative, of the final verdict
+cycles=4        # cycles after the second differ by 0.2 % in velocity
+tolerance=0.1   # relative error that the verdict allows
 ranks=2
 
 out=out/quickstart
@@ -42,14 +42,14 @@ mpirun -n "$ranks" beadswim-run "$out/layout.json" -o "$out/run.h5md" --cycles "
 step "Theory"
 beadswim-theory "$out/layout.json" >"$out/prediction.json"
 
-step "Simulated against predicted, in the last cycle"
+step "Comparison of run and prediction in the last cycle"
 verdict=0
 beadswim-compare "$out/run.json" "$out/prediction.json" --tolerance "$tolerance" >"$out/verdict.json" || verdict=$?
 if [ "$verdict" -gt 1 ]; then exit "$verdict"; fi
 cat >&2 <<EOF
 
-The prediction that decides, inertia-corrected, is exact Stokes flow of three spheres at finite amplitude, with the inertia
-of fluid and beads and with this box. The others leave out some of that: "validity" in prediction.json says what.
+The method inertia-corrected decides the verdict: exact Stokes flow of three spheres at finite amplitude, corrected for
+the inertia of fluid and beads and for the box. "validity" in prediction.json states what the other methods neglect.
 EOF
 
 step "Figure"
@@ -57,3 +57,9 @@ for figure in stroke.svg stroke.png; do
   beadswim-plot stroke "$out/run.json" "$out/prediction.json" -o "$out/$figure"
   echo "$out/$figure" >&2
 done
+
+step "To put the programs on PATH, run"
+echo "  export PATH=\"$PWD/build/$build/bin:\$PATH\"" >&2
+if [ "$(id -u)" -eq 0 ]; then
+  echo "  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1   # mpirun as root" >&2
+fi

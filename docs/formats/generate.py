@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Writes the reference part of the pages of this folder from schemas/*.schema.json: all that stands between the markers.
+"""Writes the reference part of the pages of this folder, between the markers, from schemas/*.schema.json.
 
-usage: docs/formats/generate.py [--check]     --check writes nothing; exit status 1 if a page is not what the schemas give
+usage: docs/formats/generate.py [--check]     --check writes nothing; exit status 1 if a page differs from its schema
 
-A schema's keys each need a description: what it is, and for numbers their unit in brackets at its end ([1]: none).
+Each key of a schema needs a description, which for numbers ends with the unit in brackets ([1]: no unit). A definition that several
+schemas share has its table on the page of the first of them.
 """
 import json
 import sys
@@ -11,31 +12,34 @@ from pathlib import Path
 
 here = Path(__file__).resolve().parent
 schemas = here.parent.parent / "schemas"
-pages = {"run": "run-record"}  # other pages are called like their schemas
+pages = {"run": "run-record"}  # other pages have the names of their schemas
+first_schemas = ["layout", "run"]  # their pages hold the tables that other pages link to
 begin = "<!-- Below: from {}, by docs/formats/generate.py -->"
 end = "<!-- Above: from {}, by docs/formats/generate.py -->"
 
-words = {"string": "text", "boolean": "true or false", "array": "list"}
+words = {"string": "text"}
 bounds = {"minimum": "≥", "exclusiveMinimum": ">", "maximum": "≤", "exclusiveMaximum": "<"}
 
 
 class Fault(Exception):
-    """Something that a schema lacks."""
+    """An error of a schema or a page."""
 
 
 class Page:
-    """The reference of one schema: a table of the document's keys, and one of each object that it names."""
+    """The reference of one schema: a table of the document's keys, and one of each object that has a definition."""
 
-    def __init__(self, schema):
+    def __init__(self, schema, homes=None):
         self.schema = schema
+        self.homes = homes or {}  # page of each definition that has its table elsewhere, by name and text
+        self.described = set()  # definitions whose meaning a row of this page states
         self.tables = []  # (name and meaning of the object, rows)
-        self.named = []  # definitions that need a table, in the order of their first use
+        self.named = []  # definitions with a table on this page, in the order of their first use
         self.faults = []
-        self.where = ""  # the object whose table is being made
+        self.where = ""  # the object of the present table
 
     def text(self):
         self.add_table(None, self.schema)
-        for name in self.named:  # grows while it is gone through
+        for name in self.named:  # grows during the loop
             self.add_table(name, self.schema["definitions"][name])
         if self.faults:
             raise Fault("\n".join(self.faults))
@@ -57,9 +61,8 @@ class Page:
         others = schema.get("additionalProperties")
         if isinstance(others, dict):
             place = f"{path}.NAME" if path else "NAME"
-            if "properties" in schema:  # keys of no name of their own, beside those that have one
-                rows.append({"key": place, "type": self.type_of(others), "unit": "", "meaning": "others", "required": "no",
-                             "allowed": "", "default": ""})
+            if "properties" in schema:  # keys without a name, beside those with one
+                rows.append({"key": place, "type": self.type_of(others), "meaning": "other settings", "values": "optional"})
             else:
                 self.add_members(place, others, rows)
 
@@ -70,13 +73,18 @@ class Page:
             self.faults.append(f"{self.where}{place}: has no description")
         if self.needs_unit(target) and not unit:
             self.faults.append(f"{self.where}{place}: its description ends with no unit in brackets; [1] says that there is none")
-        rows.append({"key": place, "type": self.type_of(value), "unit": "" if unit == "1" else unit, "meaning": meaning,
-                     "required": "yes" if required else "no", "allowed": allowed(target),
-                     "default": json.dumps(value["default"]) if "default" in value else ""})
+        if "$ref" in value and "description" not in value:
+            if value["$ref"] in self.described:
+                meaning, unit = "as above", ""
+            self.described.add(value["$ref"])
+        values = [] if required else ["optional" if "default" not in value else f"default `{json.dumps(value['default'])}`"]
+        values += [] if meaning == "as above" or not allowed(target) else [allowed(target)]
+        rows.append({"key": place, "type": self.type_of(value), "values": "; ".join(values),
+                     "meaning": meaning if unit in ("", "1") else f"{meaning} [{unit}]"})
         self.add_members(place, value, rows)
 
     def add_members(self, place, value, rows):
-        """Rows of an object's or its elements' keys, unless it has a table of its own."""
+        """Adds rows of the keys of an object or of its elements, unless the object has a table of its own."""
         for part in (value, value.get("then", {}), value.get("else", {})):
             if self.name_of(part):
                 self.use(part)
@@ -93,18 +101,21 @@ class Page:
         return value
 
     def name_of(self, value):
-        """Of the definition that a table of its own is for: of an object."""
+        """Returns the name of a definition that has a table of its own, that is, of an object."""
         reference = value.get("$ref", "").removeprefix("#/definitions/")
         return reference if reference and "properties" in self.resolved(value) else None
 
     def use(self, value):
         name = self.name_of(value)
-        if name not in self.named:
+        if name not in self.named and self.key_of(name) not in self.homes:
             self.named.append(name)
+
+    def key_of(self, name):
+        return name, json.dumps(self.schema["definitions"][name], sort_keys=True)
 
     def type_of(self, value):
         if name := self.name_of(value):
-            return f"[{name.replace('_', ' ')}](#{anchor(name)})"
+            return f"[{name.replace('_', ' ')}]({self.homes.get(self.key_of(name), '')}#{anchor(name)})"
         value = self.resolved(value)
         if "if" in value:
             return " or ".join(self.type_of(value[branch]) for branch in ("then", "else"))
@@ -115,14 +126,14 @@ class Page:
 
     def word_for(self, kind, value):
         if kind == "object" and isinstance(value.get("additionalProperties"), dict) and "properties" not in value:
-            return f"object of {self.type_of(value['additionalProperties'])} by name"
+            return f"{self.type_of(value['additionalProperties'])} by name"
         if kind != "array":
             return words.get(kind, kind)
-        count = f"{value['minItems']} × " if value.get("minItems", 0) == value.get("maxItems") else ""
-        return f"list of {count}{self.type_of(value.get('items', {}))}"
+        count = f"{value['minItems']} ×" if value.get("minItems", 0) == value.get("maxItems") else "list of"
+        return f"{count} {self.type_of(value.get('items', {}))}"
 
     def needs_unit(self, value):
-        """Numbers, and lists of them; counts need none."""
+        """Returns true for numbers and lists of numbers; counts need no unit."""
         kinds = value.get("type", [])
         if "array" in kinds:
             return self.needs_unit(self.resolved(value.get("items", {})))
@@ -130,12 +141,12 @@ class Page:
 
     @staticmethod
     def table_text(name, meaning, rows):
-        columns = [("Key", lambda row: f"`{row['key']}`"), ("Type", lambda row: row["type"]), ("Unit", lambda row: row["unit"]),
-                   ("Meaning", lambda row: row["meaning"]), ("Required", lambda row: row["required"]),
-                   ("Allowed", lambda row: row["allowed"]),
-                   ("Default", lambda row: row["default"] and f"`{row['default']}`")]
+        columns = [("Key", lambda row: f"`{row['key']}`"), ("Type", lambda row: row["type"]),
+                   ("Meaning [unit]" if any(row["meaning"].endswith("]") for row in rows) else "Meaning", lambda row: row["meaning"]),
+                   ("Values", lambda row: row["values"])]
         columns = [column for column in columns if any(column[1](row) for row in rows)]
-        lines = [f"\n### {heading_of(name)}", "", sentence(meaning)] if name else []
+        lines = [f"\n### {heading_of(name)}"] if name else []
+        lines += ["", sentence(meaning)] if name and sentence(meaning) != heading_of(name) + "." else []
         lines += ["", "| " + " | ".join(name for name, _ in columns) + " |", "|" + "---|" * len(columns)]
         for row in rows:
             lines.append("| " + " | ".join(cell(row).replace("|", "\\|") for _, cell in columns) + " |")
@@ -155,7 +166,7 @@ def sentence(text):
 
 
 def split_unit(schema):
-    """Meaning and unit of a description "meaning [unit]"."""
+    """Returns meaning and unit of a description "meaning [unit]"."""
     text = schema.get("description", "")
     if text.endswith("]"):
         meaning, unit = text[:-1].rsplit("[", 1)
@@ -187,7 +198,7 @@ def allowed(schema):
 
 
 def page_with(text, source, reference):
-    """The page with what stands between its markers replaced."""
+    """Returns the page with the text between its markers replaced."""
     first, last = begin.format(source), end.format(source)
     if text.count(first) != 1 or text.count(last) != 1 or text.index(first) > text.index(last):
         raise Fault(f"needs one line {first!r}, and {last!r} after it")
@@ -197,16 +208,19 @@ def page_with(text, source, reference):
 def main(arguments):
     if arguments not in ([], ["--check"]):
         sys.exit(__doc__)
-    wrong = 0
-    for path in sorted(schemas.glob("*.schema.json")):
-        name = path.name.removesuffix(".schema.json")
+    wrong, homes = 0, {}
+    names = sorted(path.name.removesuffix(".schema.json") for path in schemas.glob("*.schema.json"))
+    for name in sorted(names, key=lambda name: (first_schemas + names).index(name)):
+        path = schemas / f"{name}.schema.json"
         page = here / f"{pages.get(name, name)}.md"
         source = f"schemas/{path.name}"
         try:
             if not page.exists():
                 raise Fault(f"has no page {page.name}")
             now = page.read_text(encoding="utf-8")
-            wanted = page_with(now, source, Page(json.loads(path.read_text(encoding="utf-8"))).text())
+            reference = Page(json.loads(path.read_text(encoding="utf-8")), homes)
+            wanted = page_with(now, source, reference.text())
+            homes |= {reference.key_of(name): page.name for name in reference.named}
         except Fault as fault:
             wrong += 1
             for line in str(fault).splitlines():
@@ -216,7 +230,7 @@ def main(arguments):
             continue
         if arguments:
             wrong += 1
-            print(f"docs/formats/{page.name}: is not what {source} gives; run docs/formats/generate.py", file=sys.stderr)
+            print(f"docs/formats/{page.name}: differs from {source}; run docs/formats/generate.py", file=sys.stderr)
         else:
             page.write_text(wanted, encoding="utf-8")
             print(f"docs/formats/{page.name}")

@@ -1,10 +1,11 @@
 # The tables of docs/choosing-a-model.md from plan-check.jsonl:  jq -rs -f plan-check.jq plan-check.jsonl
-# Ratios are of expected to measured numbers, geometric means and ranges; errors measured below 0.3 %, which is what the
-# references are worth, count as that.
+# Ratios of expected to measured numbers, as geometric means, below the table with ranges. Measured errors below 0.3 %, the
+# uncertainty of the references, count as 0.3 %.
 def least: 0.003;
 def two: if . >= 9.95 then round | tostring elif . >= 0.995 then . * 10 | round / 10 | tostring else . * 100 | round / 100 | tostring end;
-def percent: if . == null then "" else . * 1000 | round / 10 | tostring + " %" end;
+def percent: if . == null then "" else . * 1000 | round / 10 | tostring end;
 def ratio($expected; $measured): ([$expected, least] | max) / ([$measured, least] | max);
+def mean_ratio: if length == 0 then "" else map(log) | add / length | exp | two end;
 def of_ratios: if length == 0 then "" else
   "\(map(log) | add / length | exp | two) (\(min | two) to \(max | two))" end;
 def largest: [.velocity] + .arm_amplitudes | max;
@@ -14,7 +15,7 @@ def made: .runs[] | select(.measured);
 def velocity: ratio(.expected.error.velocity; .measured.error.velocity);
 def arms: ratio(.expected.error.arm_amplitudes | max; .measured.error.arm_amplitudes | max);
 def cost: .expected.core_seconds / .measured.core_seconds;
-# What became of the choice for one tolerance: its measured error, and the cheapest measured run within the tolerance.
+# Judges the choice for one tolerance by its measured error and by the cheapest measured run within the tolerance.
 def judged($scene): . as {$tolerance, $choice}
   | [$scene | made | select(.measured.error | largest <= $tolerance)] | min_by(.measured.core_seconds) as $cheapest
   | if $choice == null then {kind: (if $cheapest then "cautious" else "right" end)}
@@ -22,15 +23,13 @@ def judged($scene): . as {$tolerance, $choice}
       | if $run == null then {kind: "not measured"}
         else {error: ($run.measured.error | largest), excess: ($run.measured.core_seconds / ($cheapest.measured.core_seconds // infinite))}
           | .kind = (if .error > 1.1 * $tolerance then "wrong" elif .excess > 3 then "dear" else "right" end) end end;
-def words: if .kind == "right" and .error == null then "none, rightly" elif .kind == "cautious" then "none, cautiously"
-  elif .kind == "not measured" then .kind else "\(.error | percent)\(if .kind == "dear" then ", \(.excess | two) times as dear" else "" end)" end;
-def number: if . == null then "" else . * 100 | round / 100 | tostring end;
+def words: if .kind == "right" and .error == null then "none (right)" elif .kind == "cautious" then "none (cautious)"
+  elif .kind == "not measured" then .kind else "\(.error | percent)\(if .kind == "dear" then " (\(.excess | two))" else "" end)" end;
 map(. as $scene | . + {judged: [.choices[] | judged($scene)]}) as $scenes | $scenes |
-"| scene | l/λ | δ/λ | Re | gap | box/length | cycles | lattices: v | strokes | mobility: v | strokes | cost | for 10 % | 3 % | 1 % |",
-"|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|",
-(.[] | "| \(.scene) | \(.arm_over_radius | min | number) | \(.depth_over_radius | number) | \(.reynolds | number) | \(.gap | number) | "
-  + "\(.box_over_length // [] | map(number) | join(", ")) | \(.cycles) | \([made | lattices | velocity] | of_ratios) | \([made | lattices | arms] | of_ratios) | "
-  + "\([made | mobilities | velocity] | of_ratios) | \([made | mobilities | arms] | of_ratios) | \([made | cost] | of_ratios) | "
+"| scene | lattices: v | mobility: v | cost | for 10 % | 3 % | 1 % |",
+"|---|---|---|---|---|---|---|",
+(.[] | "| \(.scene) | \([made | lattices | velocity] | mean_ratio) | "
+  + "\([made | mobilities | velocity] | mean_ratio) | \([made | cost] | mean_ratio) | "
   + "\(.judged | map(words) | join(" | ")) |"),
 "",
 ([$scenes[].judged[].kind] | group_by(.) | map("\(.[0]): \(length)") | join(", ") | "Choices: \(.)."),

@@ -11,14 +11,14 @@ jq -rs '
   map(select(.group == "weak" or .group == "strong")) | medians as $all
   | (["weak", "strong"][] as $group
      | ($all | map(select(.group == $group))) as $rows
-     | "### \(if $group == "weak" then "Weak: nine swimmers a rank" else "Strong: 72 swimmers" end)\n\n"
-       + "| ranks | swimmers | cells a rank | ms a step | 10^6 cells/s | neighbours | messages a step | kB a step | cells/s over one rank'"'"'s |\n|---|---|---|---|---|---|---|---|---|\n"
-       + ($rows | map("| \(.ranks) | \(.swimmers) | \(.cells / .ranks | round) | \(.time * 1e3 | short) | \(.cells / .time / 1e6 | short) | \(.neighbours) | \(.messages_per_step | round) | \(.bytes_per_step / 1e3 | round) | \((.cells / .time) / ($rows[0].cells / $rows[0].time) | short) |") | join("\n")) + "\n")' "$records"
+     | "### \(if $group == "weak" then "Weak: nine swimmers and 48³ cells per rank" else "Strong: 72 swimmers and 96³ cells" end)\n\n"
+       + "| ranks | ms per step | speedup | neighbours | messages, kB per step |\n|---|---|---|---|---|\n"
+       + ($rows | map("| \(.ranks) | \(.time * 1e3 | short) | \((.cells / .time) / ($rows[0].cells / $rows[0].time) | short) | \(.neighbours) | \(.messages_per_step | round), \(.bytes_per_step / 1e3 | round) |") | join("\n")) + "\n")' "$records"
 
 jq -rs '
   map(select(.group != "weak" and .group != "strong"))
-  | "### Largest\n\n| scene | swimmers | cells | precision | steps | GiB | bytes a cell | s a step |\n|---|---|---|---|---|---|---|---|\n"
-    + (map("| \(.group) | \(.swimmers) | \(.cells) | \(.precision) | \(.steps | round) | \(.memory / 1073741824 * 10 | round / 10) | \(.memory / .cells * 10 | round / 10) | \(.seconds / .steps * 100 | round / 100) |") | join("\n"))' "$records"
+  | "### Largest, on two ranks in single precision\n\n| scene | swimmers | cells | GiB | bytes per cell | s per step |\n|---|---|---|---|---|---|\n"
+    + (map("| \(.group) | \(.swimmers) | \(.cells) | \(.memory / 1073741824 * 10 | round / 10) | \(.memory / .cells * 10 | round / 10) | \(.seconds / .steps * 100 | round / 100) |") | join("\n"))' "$records"
 
 # Time of a step with the paper's block of nine swimmers in 96^3 cells on each rank, as the page says.
 jq -rs '
@@ -26,11 +26,11 @@ jq -rs '
   (map(select(.group == "weak" and .ranks == 2)) | map(.cells / (.seconds / .steps) / 2) | median) as $speed
   | {cells: 884736, swimmers: 9, halo: (3 * 2 * 98 * 98 * 15 * 8), messages: 64, latency: 2e-6, bandwidth: 1e9, frames: 40,
      steps: 2000, state: 844, root: 1e9} as $m
-  | "\n### Model\n\n| ranks | swimmers | sweep and beads, ms | messages, ms | frames, ms a step | all, ms | cycle of 2000 steps | efficiency |\n|---|---|---|---|---|---|---|---|\n"
+  | "\n### Model\n\n| ranks | ms per step: sweep and beads, messages, frames | all | efficiency [%] |\n|---|---|---|---|\n"
     + ([1, 1280, 10000, 100000] | map(
         . as $ranks
         | ($m.cells / $speed) as $work
         | (if $ranks == 1 then 0 else $m.halo / $m.bandwidth + $m.messages * $m.latency end) as $send
         | ($m.swimmers * $ranks * $m.state * $m.frames / $m.steps / $m.root) as $frames
         | ($work + $send + $frames) as $all
-        | "| \($ranks) | \($ranks * $m.swimmers) | \($work * 1e4 | round / 10) | \($send * 1e4 | round / 10) | \($frames * 1e4 | round / 10) | \($all * 1e4 | round / 10) | \($all * $m.steps | round) s | \($work / $all * 100 | round) % |") | join("\n"))' "$records"
+        | "| \($ranks) | \($work * 1e4 | round / 10), \($send * 1e4 | round / 10), \($frames * 1e4 | round / 10) | \($all * 1e4 | round / 10) | \($work / $all * 100 | round) |") | join("\n"))' "$records"

@@ -1,15 +1,16 @@
-# A table of docs/speed-against-error.md, from the records of speed-against-error.sh and an extrapolated reference:
-# errors from it, mean ± scatter over places within a cell, and core-seconds a cycle.
+# The tables of docs/speed-against-error.md, from the records of speed-against-error.sh and an extrapolated reference:
+# deviations from it, v as mean ± scatter over positions within a cell, and core-seconds per cycle. Double precision only.
 include "percentages";
 $reference[0].predictions[0] as $r
-| def v: .v / $r.velocity - 1; def d1: .d1 / $r.arm_amplitudes[0] - 1; def d2: .d2 / $r.arm_amplitudes[1] - 1;
-"| model | τ | precision | cells a radius | v [%] | d1 [%] | d2 [%] | core s a cycle |",
-"|---|---|---|---|---|---|---|---|",
-(group_by([(.resolution.bead_boundary // "" | {"": 0, "staircase": 1, "cli": 2, "psm": 3, "mr": 4}[.]), .model,
-           .resolution.precision, -(.resolution.relaxation_time // 0 | . * 10 | round), .resolution.cells_per_radius])[]
-  | .[0] as $first | map(seen)
-  | (if $first.resolution then
-       $first.resolution | "| \(.bead_boundary) | \(.relaxation_time * 10 | round / 10) | \(.precision) | \(.cells_per_radius)"
-     else "| `\($first.model)` | | |" end)
-    + " | \(map(v) | percent_and_spread) | \(map(d1) | percent_and_spread) | \(map(d2) | percent_and_spread)"
-    + " | \(map(.cost) | median | two_digits) |")
+| def v: .v / $r.velocity - 1; def d2: .d2 / $r.arm_amplitudes[1] - 1;
+def numbers: map(seen) | "\(map(v) | percent_and_spread), \(map(d2) | mean | percent), \(map(.cost) | median | two_digits)";
+def row: "| " + join(" | ") + " |";
+map(select(.resolution == null)) as $models
+| map(select(.resolution.precision == "double" and .resolution.cells_per_radius <= 6)) as $lattices
+| ($lattices | map(.resolution.cells_per_radius) | unique) as $cells
+| "| model | v, d2 [%], core-seconds per cycle |", "|---|---|",
+($models | group_by(.model)[] | ["`\(.[0].model)`", numbers] | row),
+(["beads, τ"] + ($cells | map("\(.) cells per radius")) | row, (map("---") | "|" + join("|") + "|")),
+($lattices | group_by([(.resolution.bead_boundary | {"staircase": 1, "cli": 2, "psm": 3, "mr": 4}[.]), -(.resolution.relaxation_time * 10 | round)])[]
+  | . as $runs | ["\(.[0].resolution | "\(.bead_boundary), \(.relaxation_time * 10 | round / 10)")"]
+    + ($cells | map(. as $n | $runs | map(select(.resolution.cells_per_radius == $n)) | if . == [] then "" else numbers end)) | row)

@@ -11,7 +11,7 @@ trap 'rm -rf "$new"' EXIT
 
 measure() { beadswim-verification --scheme "$schemes" --case "$1" >"$new/$2"; }
 measure array-drag,hydrodynamic-radius 1 &
-measure torque,collinear-spheres,sedimentation,oscillation,galilean-invariance,conservation 2
+measure torque,collinear-spheres,sedimentation,oscillation,galilean-invariance,conservation,near-contact 2
 wait $!
 
 touch verification.jsonl

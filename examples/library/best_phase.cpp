@@ -1,7 +1,7 @@
-// With which phase of its driving does the paper's swimmer swim fastest? In exact Stokes flow, second order in amplitude;
-// then its velocity there at finite amplitude.
+// Finds the driving phase with the largest velocity of the paper's swimmer, in exact Stokes flow to second order in
+// amplitude. Then evaluates the velocity at this phase and at finite amplitude.
 //
-//   best-phase [AMPLITUDE]     of the driving forces; the paper's unless given
+//   best-phase [AMPLITUDE]     amplitude of the driving forces; default: the paper's value
 
 #include <cstdio>
 #include <cstdlib>

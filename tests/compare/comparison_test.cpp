@@ -13,13 +13,13 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 const std::vector<ComparedQuantity> every(all_values<ComparedQuantity>.begin(),
                                           all_values<ComparedQuantity>.end());
 
-Swimming swimming(double velocity, double d1, double d2, double sine) {
+ComparedValues swimming(double velocity, double d1, double d2, double sine) {
   return {{ComparedQuantity::velocity, {velocity}},
           {ComparedQuantity::arm_amplitudes, {d1, d2}},
           {ComparedQuantity::sin_phase_shift, {sine}}};
 }
 
-Reference reference(const std::string& method, const Swimming& values, bool usable = true) {
+Reference reference(const std::string& method, const ComparedValues& values, bool usable = true) {
   return {"p.json", method, usable, values};
 }
 
@@ -103,7 +103,7 @@ TEST(Comparison, LeavesOutWhatAReferenceDoesNotKnow) {
 }
 
 TEST(BestReference, FollowsTheOrderOfTrustAndNotOfTheFile) {
-  const Swimming known = swimming(1, 2, 3, 0.9);
+  const ComparedValues known = swimming(1, 2, 3, 0.9);
   const std::vector references{reference("oseen-force-closed", known), reference("rpy-perturbation", known),
                                reference("multipole-ode", known),
                                reference("inertia-corrected", known, false), reference("rpy-ode", known)};

@@ -20,7 +20,7 @@ std::vector<CycleStatistics> cycles_numbered(std::initializer_list<int> indices)
 
 std::vector<int> indices_chosen(const std::vector<CycleStatistics>& cycles, const std::string& choice) {
   std::vector<int> indices;
-  for (const CycleStatistics& cycle : chosen_cycles(cycles, parse_cycle_choice(choice), "r.json")) {
+  for (const CycleStatistics& cycle : select_cycles(cycles, parse_cycle_choice(choice), "r.json")) {
     indices.push_back(cycle.index);
   }
   return indices;

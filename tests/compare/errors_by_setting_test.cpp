@@ -7,7 +7,7 @@
 namespace beadswim {
 namespace {
 
-Swimming velocity_of(double value) {
+ComparedValues velocity_of(double value) {
   return {{ComparedQuantity::velocity, {value}}, {ComparedQuantity::sin_phase_shift, {0}}};
 }
 
@@ -18,7 +18,7 @@ CostedRun run_of(const std::string& setting, double resolution, double cost, dou
 TEST(ErrorsBySetting, AreOfAllRunsOfOneResolution) {
   const std::vector runs{run_of("mr", 4, 100, 1.01), run_of("cli", 3, 7, 1.5), run_of("mr", 2, 10, 1.03),
                          run_of("mr", 2, 30, 0.96), run_of("mr", 2, 20, 1)};
-  const std::vector<Swimming> reference{{{ComparedQuantity::velocity, {1}}}};
+  const std::vector<ComparedValues> reference{{{ComparedQuantity::velocity, {1}}}};
   const auto all = errors_by_setting(runs, reference);
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].setting, "mr");
@@ -33,8 +33,8 @@ TEST(ErrorsBySetting, AreOfAllRunsOfOneResolution) {
 TEST(ErrorsBySetting, EachSwimmerHasItsOwnReference) {
   CostedRun run = run_of("mr", 4, 1, 2);
   run.swimmers.push_back(velocity_of(6));
-  const std::vector<Swimming> one{velocity_of(2)}, each{velocity_of(2), velocity_of(6)};
-  const auto error = [&](const std::vector<Swimming>& reference) {
+  const std::vector<ComparedValues> one{velocity_of(2)}, each{velocity_of(2), velocity_of(6)};
+  const auto error = [&](const std::vector<ComparedValues>& reference) {
     return errors_by_setting(std::span(&run, 1), reference)[0].resolutions[0].errors.at(
         ComparedQuantity::velocity);
   };

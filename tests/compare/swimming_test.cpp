@@ -24,33 +24,33 @@ CycleStatistics some_cycle() {
 // A swimmer carried by a uniform flow swims no faster.
 TEST(VelocityAgainstFluid, IsGalileiInvariantAlongPeriodicAxes) {
   CycleStatistics cycle = some_cycle();
-  const double before = velocity_against_fluid(cycle, all_periodic);
+  const double before = velocity_relative_to_fluid(cycle, all_periodic);
   const Vec3 wind(0.3, -7, 2);
   cycle.velocity += wind;
   cycle.mean_flow += wind;
-  EXPECT_NEAR(velocity_against_fluid(cycle, all_periodic), before, roundoff(20) * wind.norm());
+  EXPECT_NEAR(velocity_relative_to_fluid(cycle, all_periodic), before, roundoff(20) * wind.norm());
 }
 
 TEST(VelocityAgainstFluid, SubtractsTheFlowAlongPeriodicAxesAlone) {
-  EXPECT_DOUBLE_EQ(velocity_against_fluid(some_cycle(), all_periodic), 0.6 * 4 + 0.8 * 1);
-  EXPECT_DOUBLE_EQ(velocity_against_fluid(some_cycle(), open_space), 0.6 * 5 + 0.8 * 2);
-  EXPECT_DOUBLE_EQ(
-      velocity_against_fluid(some_cycle(), Box{all_periodic.lengths,
-                                               {Boundary::periodic, Boundary::no_slip, Boundary::periodic}}),
-      0.6 * 4 + 0.8 * 2);
+  EXPECT_DOUBLE_EQ(velocity_relative_to_fluid(some_cycle(), all_periodic), 0.6 * 4 + 0.8 * 1);
+  EXPECT_DOUBLE_EQ(velocity_relative_to_fluid(some_cycle(), open_space), 0.6 * 5 + 0.8 * 2);
+  EXPECT_DOUBLE_EQ(velocity_relative_to_fluid(
+                       some_cycle(), Box{all_periodic.lengths,
+                                         {Boundary::periodic, Boundary::no_slip, Boundary::periodic}}),
+                   0.6 * 4 + 0.8 * 2);
 }
 
 TEST(SwimmingIn, PhaseShiftIsThatOfArm1AgainstArm2) {
-  const Swimming swimming = swimming_in(some_cycle(), all_periodic);
+  const ComparedValues swimming = evaluate_compared_values(some_cycle(), all_periodic);
   EXPECT_DOUBLE_EQ(swimming.at(ComparedQuantity::sin_phase_shift)[0], std::sin(1.5));
   EXPECT_EQ(swimming.at(ComparedQuantity::arm_amplitudes), (std::vector{2.5, 3.5}));
 }
 
 TEST(MeanSwimming, AveragesEachNumber) {
-  const std::vector<Swimming> cycles{
+  const std::vector<ComparedValues> cycles{
       {{ComparedQuantity::velocity, {1}}, {ComparedQuantity::arm_amplitudes, {2, 10}}},
       {{ComparedQuantity::velocity, {2}}, {ComparedQuantity::arm_amplitudes, {4, 30}}}};
-  const Swimming mean = mean_swimming(cycles);
+  const ComparedValues mean = average_compared_values(cycles);
   EXPECT_DOUBLE_EQ(mean.at(ComparedQuantity::velocity)[0], 1.5);
   EXPECT_EQ(mean.at(ComparedQuantity::arm_amplitudes), (std::vector{3.0, 20.0}));
 }

@@ -13,11 +13,11 @@ std::string message() {
 // A library that named flags would send its other users looking for flags that they do not have.
 TEST(Setting, MessagesNameItInWordsAndInAProgramByItsFlag) {
   EXPECT_EQ(message(), "relaxation time: 0.5; take more cells per radius");
-  name_settings_by([](Setting setting) {
+  set_setting_names([](Setting setting) {
     return std::string(setting == Setting::relaxation_time ? "--relaxation-time" : "--other");
   });
   EXPECT_EQ(message(), "--relaxation-time: 0.5; take more --other");
-  name_settings_by(to_text<Setting>);
+  set_setting_names(to_text<Setting>);
 }
 
 }  // namespace

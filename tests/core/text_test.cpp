@@ -25,8 +25,8 @@ TEST(NearestName, IsEmptyWhereNoneIsNear) {
   EXPECT_EQ(nearest_name("", {"radius"}), "");
   EXPECT_EQ(nearest_name(std::string(101, 'r'), {std::string(100, 'r')}),
             "");  // no name has a hundred letters
-  EXPECT_EQ(guess_at("foo", {"radius"}), ".");
-  EXPECT_EQ(guess_at("raduis", {"radius"}), "; did you mean \"radius\"?");
+  EXPECT_EQ(format_suggestion("foo", {"radius"}), ".");
+  EXPECT_EQ(format_suggestion("raduis", {"radius"}), "; did you mean \"radius\"?");
 }
 
 // NIST's examples, FIPS 180-2, appendix B.

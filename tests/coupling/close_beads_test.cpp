@@ -90,7 +90,7 @@ TEST(CloseBeads, FindEachPairOnce) {
     beads[1].predicted.linear = Vec3(-0.1, 0.1, -0.1);
     Coverage coverage(block.at(), block.populations);
     coverage.update(beads);
-    const CloseBeads found = push_close_beads(law, coverage, beads);
+    const CloseBeads found = add_contact_impulses(law, coverage, beads);
     EXPECT_NEAR(found.smallest_gap, 0.1, 1e-12);
     EXPECT_FALSE(found.overlap);
     const CloseBead one{
@@ -111,7 +111,7 @@ TEST(CloseBeads, IncludeABeadsOwnImages) {
   beads[0].predicted.angular = Vec3(0, 0, 0.01);
   Coverage coverage(block.at(), block.populations);
   coverage.update(beads);
-  EXPECT_NEAR(push_close_beads(law, coverage, beads).smallest_gap, 0.1, 1e-12);
+  EXPECT_NEAR(add_contact_impulses(law, coverage, beads).smallest_gap, 0.1, 1e-12);
   EXPECT_EQ(beads[0].impulse.close_value().force, Vec3::Zero());
   EXPECT_LT(beads[0].impulse.close_value().torque[2], -1e-4);
   EXPECT_LT(beads[0].impulse.close_value().torque.head<2>().norm(), 1e-15);
@@ -122,7 +122,7 @@ TEST(CloseBeads, ReportADeepOverlap) {
   std::vector<BeadOnLattice> beads{bead_at(3, Vec3(4, 5, 5), 2.5), bead_at(8, Vec3(8.4, 5, 5), 2.5)};
   Coverage coverage(block.at(), block.populations);
   coverage.update(beads);
-  const CloseBeads found = push_close_beads(law, coverage, beads);
+  const CloseBeads found = add_contact_impulses(law, coverage, beads);
   ASSERT_TRUE(found.overlap);
   EXPECT_EQ(found.overlap->bead.swimmer, 3);
   EXPECT_EQ(found.overlap->other.swimmer, 8);

@@ -48,13 +48,13 @@ class FixedSphere {
         if (has_links(links.scheme())) {
           boundary.bounce_back_before_row(fluid.populations, y, z);
         } else {
-          saturated.push_before_row(fluid.populations, y, z);
+          saturated.apply_forces_before_row(fluid.populations, y, z);
         }
       }
     }
     stream_and_collide(fluid.populations, fluid.rates, fluid.halo.row_ends());
-    hand_over_impulses(sums, beads);
-    hand_over_impulses(saturated_sums, beads);
+    transfer_impulses(sums, beads);
+    transfer_impulses(saturated_sums, beads);
     fluid.add_body_force();
     return beads[0].impulse.value();
   }

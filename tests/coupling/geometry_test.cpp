@@ -108,9 +108,9 @@ TEST(ForceDelay, IsMadeUpForByMass) {
   constexpr double tau = 1.7, radius = 2.6;
   const Bead bead{.radius = radius, .density = 1.3};
   const double friction = 6 * std::numbers::pi * lattice_viscosity(tau) * radius;
-  const double more = mass(made_up_for_delay(bead, tau)) - mass(bead);
+  const double more = mass(with_delay_correction(bead, tau)) - mass(bead);
   EXPECT_NEAR(more / (friction * force_delay(tau)), 1, 1e-12);
-  EXPECT_EQ(made_up_for_delay(bead, tau).radius, radius);
+  EXPECT_EQ(with_delay_correction(bead, tau).radius, radius);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ LinkBatch random_batch(int links, unsigned seed) {
   std::uniform_int_distribution<int> direction(-1, 1);
   LinkBatch batch{};
   batch.links = links;
-  std::fill_n(batch.cx, LinkBatch::most, 1.0);
+  std::fill_n(batch.cx, LinkBatch::max_links, 1.0);
   for (int k = 0; k < links; ++k) {
     batch.x[k] = place(random), batch.y[k] = place(random), batch.z[k] = place(random);
     batch.cx[k] = k % 2 == 0 ? 1 : -1, batch.cy[k] = direction(random), batch.cz[k] = direction(random);
@@ -64,7 +64,7 @@ TYPED_TEST_SUITE(LinkKernelsOf, AllKernels);
 // Catches a lane that is left out or counted twice, a fused multiply-add, and sums that depend on the lanes:
 // the sums are those of the terms one by one.
 TYPED_TEST(LinkKernelsOf, GiveTheSameBitsOnEveryInstructionSetAndLinkByLink) {
-  for (const int links : {1, 7, 8, 9, 30, LinkBatch::most}) {
+  for (const int links : {1, 7, 8, 9, 30, LinkBatch::max_links}) {
     LinkBatch expected = random_batch(links, links);
     LinkSums expected_sums;
     ASSERT_TRUE(TypeParam::reflect(kernels().front(), expected, bead, expected_sums));
@@ -75,7 +75,7 @@ TYPED_TEST(LinkKernelsOf, GiveTheSameBitsOnEveryInstructionSetAndLinkByLink) {
     for (const LinkKernels& each : kernels()) {
       LinkBatch batch = random_batch(links, links);
       LinkSums sums;
-      sums.make_room(LinkBatch::most / LinkSums::lanes);
+      sums.reserve_terms(LinkBatch::max_links / LinkSums::lanes);
       ASSERT_TRUE(TypeParam::reflect(each, batch, bead, sums));
       const std::array<OrderFreeSum, link_terms> total = sums.take();
       for (int t = 0; t < link_terms; ++t) {

@@ -25,8 +25,8 @@ struct Scene {
 
   void push() {
     SaturatedBoundary boundary{saturated, beads, sums, viscosity};
-    for_each_row([&](int y, int z) { boundary.push_before_row(populations, y, z); });
-    hand_over_impulses(sums, beads);
+    for_each_row([&](int y, int z) { boundary.apply_forces_before_row(populations, y, z); });
+    transfer_impulses(sums, beads);
   }
 
   /// Momentum of all that streams into the cells.

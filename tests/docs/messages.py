@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""The messages in the sources, and whether docs/errors.md has each of them and no other.
+"""The messages in the sources: whether tests/docs/messages.txt lists all of them, and docs/errors.md quotes no other.
 
     messages.py SOURCE-FOLDER            compares; exit status 1 if they differ
-    messages.py SOURCE-FOLDER --list     prints place and message
+    messages.py SOURCE-FOLDER --list     writes tests/docs/messages.txt
 
-A message is what string literals say in a statement that throws, refuses, warns or tells, and in the functions of SPEAKING that
-return reasons; "…" stands for what is put in, but settings have their flag there, as in the programs. On the page it is what stands in backticks in the first column of a table.
+A message is the text of the string literals in a statement that throws or prints an error, a warning or a notice, and in the functions
+of the files in SPEAKING, which return reasons. "…" stands for an inserted value; a setting is replaced by its flag, as in the programs.
+docs/errors.md quotes messages, or parts of them, in backticks in the first column of its tables.
 """
 
 import pathlib
@@ -17,14 +18,14 @@ TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|" + LITERAL + r"|'(?:[^'\\\n]|\\.)+'", r
 RUN = re.compile(r"(?:" + LITERAL + r"\s*)+")
 LOUD = re.compile(r"\bthrow\b|\bInputError\(|\brefuse\w*\(|\bfail\w*\(|\btell\(|\bfaults?\b|\blines\.push_back|\bmessages\.push_back|stderr|refused =")
 QUIET = re.compile(r"add_option|add_flag|->check|assert|validity|verdict|settings|notes")
-# Files whose functions return what others throw, warn of or plan by.
+# Files whose functions return texts that other files throw or print.
 SPEAKING = {
     "box_methods.cpp", "box_mobility.cpp", "closed_form_methods.cpp", "fault_message.cpp", "h5md.cpp", "inertia_methods.cpp",
     "json_parse.cpp", "flag_values.cpp", "nearest_name.cpp", "overdamped_model.cpp", "plan_flags.cpp", "periodic_motion.cpp", "perturbation_methods.cpp", "planned_lattices.cpp",
     "planned_scene.cpp", "program.cpp", "question.cpp", "run_loop.cpp", "run_plan.cpp", "schema_name.cpp", "surroundings.cpp",
     "trajectory_reader.cpp", "value_fault.cpp", "warnings.cpp", "options.cpp", "flags.cpp",
 }
-# Parts of other messages, places that begin one, and what other libraries say.
+# Parts of other messages, places at the beginning of a message, and messages of other libraries.
 SILENT = re.compile(
     r"^(/|\{|--|beadswim-layout (reduce|swimmer)|beadswim-run: …$|Object |Failed to|Array should|Missing|Value type|Expected|[^ ]*$"
     r"|of swimmer|bead … of|… at \(|predicted|\(4\.|exact |the layout's box|greater than$|at least$|less than$|at most$|must be$"
@@ -39,7 +40,7 @@ def without_comments(text):
 
 
 def arguments(code):
-    """Of a call, from the comma after its first argument, or what else stands there, to its end."""
+    """Returns the arguments of a call after its first one; `code` begins at the end of the first argument."""
     found, depth = [""], 0
     for part in re.findall(LITERAL + r"|.", code, re.S):
         depth += (part in "([{") - (part in ")]}")
@@ -53,7 +54,7 @@ def arguments(code):
 
 
 def plain(literals, values, flags):
-    """As the user reads it, with … for what is put in, and the flag for a setting."""
+    """Returns the message as the user reads it, with … for an inserted value and the flag for a setting."""
     text = "".join(re.findall(r'"((?:[^"\\\n]|\\.)*)"', literals))
     text = text.replace("{{", "\0").replace("}}", "\1")
     values = iter(values)
@@ -62,7 +63,7 @@ def plain(literals, values, flags):
 
 
 def joined(runs, text, flags):
-    """Runs of literals of one statement; those with only "+ value +" between them are one message."""
+    """Returns the messages of one statement: runs of literals, joined where only "+ value +" stands between them."""
     messages = []
     for run in runs:
         words = plain(run.group(), arguments(text[run.end() :]), flags)
@@ -101,16 +102,27 @@ def messages(root):
     return found
 
 
+def quotes(page):
+    """Returns the texts in backticks in the first columns of the tables of a page."""
+    first_columns = re.findall(r"(?m)^\| (.*?) (?<!\\)\|", page)
+    found = [single or double for cell in first_columns for double, single in re.findall(r"`` ?(.+?) ?``|`([^`]+)`", cell)]
+    return [quote.replace("\\|", "|") for quote in found]
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
-    found = messages(root)
+    list_file, found = root / "tests/docs/messages.txt", messages(root)
     if "--list" in sys.argv:
-        print("\n".join(f"{place}: {words}" for words, place in found.items()))
+        list_file.write_text("".join(f"{words}\n" for words in sorted(found)))
         return 0
-    page = (root / "docs/errors.md").read_text()
-    told = {row.replace("\\|", "|") for row in re.findall(r"(?m)^\| `` ?(.*?) ?`` \|", page)}
-    faults = [f"docs/errors.md lacks: {w} ({place})" for w, place in found.items() if w not in told]
-    faults += [f"docs/errors.md has, and no source says: {w}" for w in sorted(told - set(found))]
+    listed = set(list_file.read_text().splitlines())
+    faults = [f"new: {words} ({place})" for words, place in found.items() if words not in listed]
+    faults += [f"gone: {words}" for words in sorted(listed - set(found))]
+    if faults:
+        faults.append("tests/docs/messages.txt is stale; write it again: python3 -B tests/docs/messages.py . --list")
+    for quote in quotes((root / "docs/errors.md").read_text()):
+        if not any(quote in words for words in found):
+            faults.append(f"docs/errors.md quotes what no source says: {quote}")
     print("\n".join(faults + [f"{len(found)} messages, {len(faults)} faults"]))
     return 1 if faults else 0
 

@@ -15,16 +15,16 @@ std::vector<std::string> labels(const AxisScale& scale) {
 }
 
 TEST(AxisScale, TicksAreRoundNumbersWithinTheAxis) {
-  EXPECT_EQ(labels(nice_scale(0, 1, TickKind::any)),
+  EXPECT_EQ(labels(linear_scale(0, 1, TickKind::any)),
             (std::vector<std::string>{"0.0", "0.2", "0.4", "0.6", "0.8", "1.0"}));
-  EXPECT_EQ(labels(nice_scale(3.4, 5.6, TickKind::any)),
+  EXPECT_EQ(labels(linear_scale(3.4, 5.6, TickKind::any)),
             (std::vector<std::string>{"3.5", "4.0", "4.5", "5.0", "5.5"}));
-  EXPECT_EQ(labels(nice_scale(-0.02, 0.02, TickKind::any)),
+  EXPECT_EQ(labels(linear_scale(-0.02, 0.02, TickKind::any)),
             (std::vector<std::string>{"-0.02", "-0.01", "0.00", "0.01", "0.02"}));
 }
 
 TEST(AxisScale, DataLieInsideTheAxis) {
-  const AxisScale scale = nice_scale(1000, 10000, TickKind::any);
+  const AxisScale scale = linear_scale(1000, 10000, TickKind::any);
   EXPECT_GT(scale.fraction(1000), 0);
   EXPECT_LT(scale.fraction(10000), 1);
   EXPECT_NEAR(scale.fraction(5500), 0.5, roundoff(10));
@@ -32,14 +32,14 @@ TEST(AxisScale, DataLieInsideTheAxis) {
 
 // Velocities are of order 1e-5: their power of ten goes to the axis label.
 TEST(AxisScale, SmallNumbersShareAPowerOfTen) {
-  const AxisScale scale = nice_scale(6.1e-5, 7.4e-5, TickKind::any);
+  const AxisScale scale = linear_scale(6.1e-5, 7.4e-5, TickKind::any);
   EXPECT_EQ(scale.exponent, -5);
   EXPECT_EQ(labels(scale), (std::vector<std::string>{"6.2", "6.4", "6.6", "6.8", "7.0", "7.2", "7.4"}));
 }
 
 TEST(AxisScale, OneValueAloneGetsRoom) {
   for (const double value : {-3e-5, 0.0, 4800.0}) {
-    const AxisScale scale = nice_scale(value, value, TickKind::any);
+    const AxisScale scale = linear_scale(value, value, TickKind::any);
     EXPECT_LT(scale.low, value);
     EXPECT_GT(scale.high, value);
     EXPECT_GE(scale.ticks.size(), 2U) << value;
@@ -47,10 +47,10 @@ TEST(AxisScale, OneValueAloneGetsRoom) {
 }
 
 TEST(AxisScale, CyclesAreWhole) {
-  EXPECT_EQ(labels(nice_scale(0.5, 2.5, TickKind::integers)), (std::vector<std::string>{"1", "2"}));
-  EXPECT_EQ(labels(nice_scale(0.5, 40.5, TickKind::integers)),
+  EXPECT_EQ(labels(linear_scale(0.5, 2.5, TickKind::integers)), (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(labels(linear_scale(0.5, 40.5, TickKind::integers)),
             (std::vector<std::string>{"0", "5", "10", "15", "20", "25", "30", "35", "40"}));
-  EXPECT_EQ(labels(nice_scale(0.5, 6.5, TickKind::integers)),
+  EXPECT_EQ(labels(linear_scale(0.5, 6.5, TickKind::integers)),
             (std::vector<std::string>{"1", "2", "3", "4", "5", "6"}));
 }
 

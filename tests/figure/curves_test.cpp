@@ -72,10 +72,10 @@ TEST(Axes, AreLogarithmicOverTwoDecadesOfPlainPositiveValues) {
 
 TEST(Axes, SayWhetherValuesAreLeftOut) {
   Panel panel{.x_label = {"x"}, .y_label = {"y"}, .series = {{.label = "s", .y = {-1, 1}}}};
-  EXPECT_FALSE(leaves_out_values(panel));
+  EXPECT_FALSE(has_omitted_values(panel));
   set_axes(Axes::log_log, Axes::log_y, panel);
   EXPECT_EQ(panel.x_scale, ScaleKind::logarithmic);
-  EXPECT_TRUE(leaves_out_values(panel));
+  EXPECT_TRUE(has_omitted_values(panel));
 }
 
 // A dozen curves fit into a figure. The palette has 7 colours, and there are 6 dashes.

@@ -117,8 +117,9 @@ void go_on_from(const std::string& checkpoint) {
   TrajectoryWriter trajectory(request.options.output, header_of(document, *plan), one_rank(),
                               request.checkpoint.get());
   Recorder recorder(*plan, document.layout, trajectory, one_rank());
-  const RunPast past = restore(*model, recorder, *request.checkpoint, one_rank());
-  require(past.steps_done == model->steps_done() && past.steps_done >= 0, "the run goes on at its step");
+  const RunHistory history = restore(*model, recorder, *request.checkpoint, one_rank());
+  require(history.steps_done == model->steps_done() && history.steps_done >= 0,
+          "the run goes on at its step");
   const std::vector<char> record = request.checkpoint->bytes("record", 0, request.checkpoint->size("record"));
   require(recorder.state() == record, "the record is as it was");
   for (int n = 0; n < 2 && !model->fault(); ++n) {

@@ -123,7 +123,7 @@ TYPED_TEST(RowKernelsOf, TotalsAreThoseOfTheTermsOneByOne) {
       ASSERT_TRUE(totals.fits);
       for (int m = 0; m < 4; ++m) {
         OrderFreeSum sum;
-        sum.add_cut(totals.coarse[m], totals.fine[m]);
+        sum.add_split(totals.coarse[m], totals.fine[m]);
         EXPECT_EQ(sum.coarse, expected[m].coarse) << each.instruction_set;
         EXPECT_EQ(sum.fine, expected[m].fine) << each.instruction_set;
       }

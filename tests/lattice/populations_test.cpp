@@ -79,7 +79,7 @@ TEST_P(PopulationsOf, SettersReturnWhatIsStored) {
 // The bulk's share of the memory: the halo of this box is 7 %.
 TEST_P(PopulationsOf, TakeLittleMoreThanTheirNumbers) {
   const Index3 box(120, 80, 80);
-  const double own = 19.0 * static_cast<double>(bytes_of_number(GetParam())) * box.prod();
+  const double own = 19.0 * static_cast<double>(bytes_per_population(GetParam())) * box.prod();
   EXPECT_LT(static_cast<double>(Populations(box, GetParam()).bytes()), 1.075 * own);
 }
 

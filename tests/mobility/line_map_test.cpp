@@ -69,7 +69,7 @@ TEST(LineMapTable, OfPairsIsTheMapToItsTruncation) {
   constexpr double truncation = 5e-8;
   for (const std::array<double, 2> radii : {std::array{4.0, 4.0}, {1.0, 2.0}, {6.0, 1.0}}) {
     const PairMapTable table(radii);
-    for (const double gap : gaps_from(thinnest_film(radii[0], radii[1], 0.01))) {
+    for (const double gap : gaps_from(min_tabulated_gap(radii[0], radii[1], 0.01))) {
       const Numbers places{0, radii[0] + radii[1] + gap};
       const Eigen::Matrix2d log = log_of_pair_map(line_map(
           multipole_mobility(radii, places, eta, 1e-10).value, rotne_prager_line(radii, places, eta)));
@@ -87,8 +87,8 @@ TEST(LineMapTable, OfTripletsIsTheMapToItsTruncation) {
       for (const double second : {0.21, 2.9, 30.0}) {
         const std::array<double, 2> gaps{first * (radii[0] + radii[1]) / 2,
                                          second * (radii[1] + radii[2]) / 2};
-        if (gaps[0] < thinnest_film(radii[0], radii[1], 0.02)) continue;
-        if (gaps[1] < thinnest_film(radii[1], radii[2], 0.02)) continue;
+        if (gaps[0] < min_tabulated_gap(radii[0], radii[1], 0.02)) continue;
+        if (gaps[1] < min_tabulated_gap(radii[1], radii[2], 0.02)) continue;
         const double middle = radii[0] + radii[1] + gaps[0];
         const Numbers places{0, middle, middle + radii[1] + radii[2] + gaps[1]};
         const Eigen::Matrix3d change = line_map(multipole_mobility(radii, places, eta, 1e-10).value,
@@ -113,8 +113,8 @@ TEST(LineMapTable, HoldsGapsAtItsEnds) {
 }
 
 TEST(LineMapTable, HasFilmsOfOneBisphericalCoordinate) {
-  EXPECT_NEAR(thinnest_film(1, 1, 0.01), 0.02, 1e-15);
-  const double gap = thinnest_film(1, 10, 0.01), distance = 11 + gap;  // R^2 + a^2 - b^2 = 2 R a cosh xi
+  EXPECT_NEAR(min_tabulated_gap(1, 1, 0.01), 0.02, 1e-15);
+  const double gap = min_tabulated_gap(1, 10, 0.01), distance = 11 + gap;  // R^2 + a^2 - b^2 = 2 R a cosh xi
   EXPECT_NEAR((distance * distance + 100 - 1) / (2 * distance * 10), 1.01, 1e-12);
 }
 

@@ -21,8 +21,8 @@ TEST(NearField, MovesALoneStraightSwimmerExactly) {
   std::normal_distribution<double> normal;
   constexpr double truncation = 1e-7;
   for (const Numbers& radii : {Numbers{4, 4, 4}, Numbers{3, 4, 5}, Numbers{6, 2, 3}}) {
-    const double film = thinnest_film(radii[0], radii[1], 0.02),
-                 next = thinnest_film(radii[1], radii[2], 0.02);
+    const double film = min_tabulated_gap(radii[0], radii[1], 0.02),
+                 next = min_tabulated_gap(radii[1], radii[2], 0.02);
     for (const auto& [first, second] :
          {std::pair{1.01, 3.0}, {2.0, 20.0}, {20.0, 25.0}, {40.0, 60.0}, {90.0, 900.0}}) {
       const double one = radii[0] + radii[1] + first * film, two = one + radii[1] + radii[2] + second * next;
@@ -111,11 +111,11 @@ TEST(NearField, IsRotneAndPragersFarApart) {
 }
 
 TEST(NearField, FadesOutWithoutAStep) {
-  EXPECT_EQ(pair_weight(full_pair_reach), 1);
-  EXPECT_EQ(pair_weight(pair_reach), 0);
+  EXPECT_EQ(pair_weight(full_weight_distance), 1);
+  EXPECT_EQ(pair_weight(pair_cutoff), 0);
   EXPECT_NEAR(pair_weight(5), 0.5, 1e-15);
-  EXPECT_NEAR(pair_weight(full_pair_reach + 1e-4), 1, 1e-11);  // third power
-  EXPECT_NEAR(pair_weight(pair_reach - 1e-4), 0, 1e-11);
+  EXPECT_NEAR(pair_weight(full_weight_distance + 1e-4), 1, 1e-11);  // third power
+  EXPECT_NEAR(pair_weight(pair_cutoff - 1e-4), 0, 1e-11);
 }
 
 /// All columns.

@@ -21,9 +21,9 @@ void expect_near(const LineValue<Complex>& a, const LineValue<Complex>& b, doubl
   EXPECT_NEAR(std::abs(a.slope - b.slope), 0, tolerance);
 }
 
-/// Roundoff of the whole, and of its parts, that may be far larger and cancel.
+/// Roundoff of the total, and of its parts, that may be far larger and cancel.
 void expect_near(const UnsteadyLine& a, const UnsteadyLine& b, double of_whole, double of_parts) {
-  expect_near(a.whole, b.whole, of_whole);
+  expect_near(a.total, b.total, of_whole);
   expect_near(a.helmholtz, b.helmholtz, of_parts);
   expect_near(a.harmonic, b.harmonic, of_parts);
 }
@@ -39,7 +39,7 @@ TEST(PeriodicUnsteadyStokes, DoesNotDependOnSplitting) {
     const Complex alpha = alpha_of_modulus(modulus);
     const PeriodicUnsteadyStokes reference(steady, alpha);
     const UnsteadyLine largest = reference.at(9);
-    const double of_whole = 1e-14 * std::abs(largest.whole.value);
+    const double of_whole = 1e-14 * std::abs(largest.total.value);
     const double of_parts = 1e-13 * std::abs(largest.harmonic.value);
     for (const double ratio : {0.5, 1.5, 2.5}) {
       line.splitting = ratio * balanced;
@@ -51,7 +51,7 @@ TEST(PeriodicUnsteadyStokes, DoesNotDependOnSplitting) {
   }
 }
 
-// Three sums of different origin: the whole, and its parts, of which the harmonic is of the steady lattice.
+// Three sums of different origin: the total, and its parts, of which the harmonic is of the steady lattice.
 TEST(PeriodicUnsteadyStokes, WholeIsSumOfParts) {
   const PeriodicStokes steady(
       eta, periodic_line({.lengths = {128, 80, 96},
@@ -60,9 +60,9 @@ TEST(PeriodicUnsteadyStokes, WholeIsSumOfParts) {
   for (const double modulus : {1e-3, 1e-2, 0.1, 0.2}) {
     const PeriodicUnsteadyStokes flow(steady, alpha_of_modulus(modulus));
     const double roundoff = 1e-13 * std::abs(flow.at(9).harmonic.value);  // the largest part
-    for (const auto& [helmholtz, harmonic, whole] : {flow.at(9), flow.at(50), flow.images()}) {
-      EXPECT_NEAR(std::abs(helmholtz.value + harmonic.value - whole.value), 0, roundoff);
-      EXPECT_NEAR(std::abs(helmholtz.slope + harmonic.slope - whole.slope), 0, roundoff);
+    for (const auto& [helmholtz, harmonic, total] : {flow.at(9), flow.at(50), flow.images()}) {
+      EXPECT_NEAR(std::abs(helmholtz.value + harmonic.value - total.value), 0, roundoff);
+      EXPECT_NEAR(std::abs(helmholtz.slope + harmonic.slope - total.slope), 0, roundoff);
     }
   }
 }
@@ -99,7 +99,7 @@ TEST(PeriodicUnsteadyStokes, AgreesWithSumOverWavesOfTwoSpheres) {
     const LineFlow flow(eta, {.lengths = box, .boundary = {}}, 1, 2);
     const SizeFactor spread{std::exp(alpha2 * smear) - 1.0};
     const auto pair =
-        combined(flow.unsteady(alpha, d, 0), sphere_factor(alpha * a) * sphere_factor(alpha * b) * spread);
+        total_flow(flow.unsteady(alpha, d, 0), sphere_factor(alpha * a) * sphere_factor(alpha * b) * spread);
     constexpr double truncation = 1e-9;  // tails of the Gaussian over the gap
     EXPECT_NEAR(std::abs(pair.value / sum - 1.0), 0, truncation) << "alpha = " << modulus;
   }
@@ -113,8 +113,8 @@ TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowOfForcesThatSumToZero) {
   const LineFlow flow(eta, box, 31, 40);
   const auto difference = [&](double modulus) {
     const Complex alpha = alpha_of_modulus(modulus);
-    const Complex own = flow.unsteady_images(alpha, 60).whole.value - alpha / (6 * pi * eta);
-    return flow.unsteady(alpha, 60, 40).whole.value - own -
+    const Complex own = flow.unsteady_images(alpha, 60).total.value - alpha / (6 * pi * eta);
+    return flow.unsteady(alpha, 60, 40).total.value - own -
            (flow.steady(60, 40).oseen.value - flow.steady_images(60).oseen.value);
   };
   EXPECT_NEAR(std::log2(std::abs(difference(1e-3) / difference(5e-4))), 2, 1e-3);
@@ -129,7 +129,7 @@ TEST(PeriodicUnsteadyStokes, TendsToSteadyFlowBetweenEndWalls) {
       31, 40);
   const auto difference = [&](double modulus) {
     const Complex alpha = alpha_of_modulus(modulus);
-    const auto unsteady = flow.unsteady(alpha, 60, 40).whole;
+    const auto unsteady = flow.unsteady(alpha, 60, 40).total;
     const auto steady = flow.steady(60, 40).oseen;
     return std::abs(unsteady.value - steady.value) + std::abs(unsteady.by_source - steady.by_source);
   };
@@ -147,11 +147,11 @@ TEST(PeriodicUnsteadyStokes, IsUnchangedByDoublingTheBoxWithItsForces) {
   constexpr double roundoff = 1e-13;
   for (const double modulus : {0.01, 0.1, 1.0}) {
     const Complex alpha = alpha_of_modulus(modulus);
-    const Complex pair = single.unsteady(alpha, 17, 0).whole.value;
+    const Complex pair = single.unsteady(alpha, 17, 0).total.value;
     const Complex two_pairs =
-        doubled.unsteady(alpha, 17, 0).whole.value + doubled.unsteady(alpha, 17, 60).whole.value;
+        doubled.unsteady(alpha, 17, 0).total.value + doubled.unsteady(alpha, 17, 60).total.value;
     EXPECT_NEAR(std::abs(two_pairs / pair - 1.0), 0, roundoff) << "alpha = " << modulus;
-    EXPECT_NEAR(std::abs(walls.unsteady(alpha, 17, 0).whole.value / pair - 1.0), 0, roundoff);
+    EXPECT_NEAR(std::abs(walls.unsteady(alpha, 17, 0).total.value / pair - 1.0), 0, roundoff);
   }
 }
 
@@ -163,7 +163,7 @@ TEST(PeriodicUnsteadyStokes, DoesNotCrossAFreeSlipWall) {
   constexpr double near = 1e-9, slope_over_near_wall = 1e-9;
   for (const double modulus : {1e-3, 0.1, 1.0}) {
     const auto by_wall = flow.unsteady(alpha_of_modulus(modulus), near, 30);
-    EXPECT_NEAR(std::abs(by_wall.whole.value), 0, slope_over_near_wall);
+    EXPECT_NEAR(std::abs(by_wall.total.value), 0, slope_over_near_wall);
     EXPECT_NEAR(std::abs(by_wall.helmholtz.value) * modulus * modulus, 0, slope_over_near_wall);
   }
 }
@@ -177,12 +177,12 @@ TEST(PeriodicUnsteadyStokes, DerivativesByPlacesAreDerivatives) {
   constexpr double truncation = 1e-6;  // of order (h/distance)^2 and (alpha h)^2, relative
   for (const double modulus : {1e-3, 0.1, 1.0}) {
     const Complex alpha = alpha_of_modulus(modulus);
-    const auto here = flow.unsteady(alpha, receiver, source).whole;
-    const Complex by_receiver = (flow.unsteady(alpha, receiver + h, source).whole.value -
-                                 flow.unsteady(alpha, receiver - h, source).whole.value) /
+    const auto here = flow.unsteady(alpha, receiver, source).total;
+    const Complex by_receiver = (flow.unsteady(alpha, receiver + h, source).total.value -
+                                 flow.unsteady(alpha, receiver - h, source).total.value) /
                                 (2 * h);
-    const Complex by_source = (flow.unsteady(alpha, receiver, source + h).whole.value -
-                               flow.unsteady(alpha, receiver, source - h).whole.value) /
+    const Complex by_source = (flow.unsteady(alpha, receiver, source + h).total.value -
+                               flow.unsteady(alpha, receiver, source - h).total.value) /
                               (2 * h);
     EXPECT_NEAR(std::abs(by_receiver / here.by_receiver - 1.0), 0, truncation);
     EXPECT_NEAR(std::abs(by_source / here.by_source - 1.0), 0, truncation);
@@ -200,7 +200,7 @@ TEST(PeriodicUnsteadyStokes, FeelsImagesAsPotentialFlowAtHighFrequency) {
     EXPECT_NEAR(std::abs(flow.at(6).helmholtz.value - free), 0, roundoff * std::abs(free));
     // Lorentz: images of a cubic lattice of dipoles and its neutral background give 1/(3 V) at a dipole.
     const Complex lorentz = 1.0 / (3 * eta * alpha * alpha * std::pow(60.0, 3));
-    EXPECT_NEAR(std::abs(flow.images().whole.value / lorentz - 1.0), 0, roundoff);
+    EXPECT_NEAR(std::abs(flow.images().total.value / lorentz - 1.0), 0, roundoff);
   }
 }
 

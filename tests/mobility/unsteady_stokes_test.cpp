@@ -20,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 /// force.
 Complex flow_of_sphere(Complex alpha, double radius, double x, double rho) {
   const UnsteadyLine point = unsteady_stokeslet(eta, alpha, x, rho * rho);
-  return point.whole.value + sphere_factor(alpha * radius).excess * point.helmholtz.value;
+  return point.total.value + sphere_factor(alpha * radius).excess * point.helmholtz.value;
 }
 
 /// The closed form of G_xx in 64-bit mantissas, on the line: loses z^2 of 5e-20.
@@ -42,9 +42,9 @@ TEST(UnsteadyStokes, KeepsItsDigitsAtLowFrequency) {
     const Complex alpha = alpha_of_modulus(z / r);
     const Complex reference = closed_form_on_line(alpha, r);
     const UnsteadyLine flow = unsteady_stokeslet(eta, alpha, r, 0);
-    EXPECT_NEAR(std::abs(flow.whole.value / reference - 1.0), 0, roundoff) << "alpha r = " << z;
-    const double parts_cancel = 2e-15 / (z * z);  // they are 2/z^2 of the whole, with some roundoffs each
-    EXPECT_NEAR(std::abs(flow.helmholtz.value + flow.harmonic.value - flow.whole.value), 0,
+    EXPECT_NEAR(std::abs(flow.total.value / reference - 1.0), 0, roundoff) << "alpha r = " << z;
+    const double parts_cancel = 2e-15 / (z * z);  // they are 2/z^2 of the total, with some roundoffs each
+    EXPECT_NEAR(std::abs(flow.helmholtz.value + flow.harmonic.value - flow.total.value), 0,
                 (parts_cancel + 1e-15) * std::abs(reference))
         << "alpha r = " << z;
   }
@@ -58,7 +58,7 @@ TEST(UnsteadyStokes, SlopesAreDerivatives) {
     const auto here = unsteady_stokeslet(eta, alpha, x, rho2);
     const auto after = unsteady_stokeslet(eta, alpha, x + h, rho2);
     const auto before = unsteady_stokeslet(eta, alpha, x - h, rho2);
-    for (const auto part : {&UnsteadyLine::helmholtz, &UnsteadyLine::harmonic, &UnsteadyLine::whole}) {
+    for (const auto part : {&UnsteadyLine::helmholtz, &UnsteadyLine::harmonic, &UnsteadyLine::total}) {
       const Complex slope = ((after.*part).value - (before.*part).value) / (2 * h);
       EXPECT_NEAR(std::abs((here.*part).slope / slope - 1.0), 0, truncation);
     }
@@ -71,7 +71,7 @@ TEST(UnsteadyStokes, TendsToRotnePragerAsRootOfFrequency) {
   const auto difference = [&](double modulus) {
     const Complex alpha = alpha_of_modulus(modulus);
     const auto factor = sphere_factor(alpha * a) * sphere_factor(alpha * b);
-    return combined(LineFlow(eta).unsteady(alpha, r, 0), factor).value - rotne_prager(a, b, r, eta).value;
+    return total_flow(LineFlow(eta).unsteady(alpha, r, 0), factor).value - rotne_prager(a, b, r, eta).value;
   };
   constexpr double truncation = 0.01;  // next order in alpha r
   EXPECT_NEAR(std::log2(std::abs(difference(1e-4) / difference(0.5e-4))), 1, truncation);

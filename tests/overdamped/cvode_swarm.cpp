@@ -33,8 +33,9 @@ Matrix9 stiffness_of(const SwimmerType& type, const Vector9& x) {
   const double step = 1e-5 * type.springs[0].rest_length;
   Matrix9 stiffness;
   for (int c = 0; c < 9; ++c) {
-    const Vector9 aside = step * Vector9::Unit(c);
-    stiffness.col(c) = (spring_forces_of(type, x - aside) - spring_forces_of(type, x + aside)) / (2 * step);
+    const Vector9 displacement = step * Vector9::Unit(c);
+    stiffness.col(c) =
+        (spring_forces_of(type, x - displacement) - spring_forces_of(type, x + displacement)) / (2 * step);
   }
   return stiffness;
 }

@@ -52,7 +52,7 @@ inline PeriodicMotion theory_of(const OverdampedScene& scene) {
   LinePositions rest = rest_positions(swimmer);
   for (double& x : rest) x += scene.swimmers[0].position[0];
   return periodic_motion(swimmer, rest,
-                         [&](const LinePositions& x) { return rotne_prager_in(flow, swimmer, x); });
+                         [&](const LinePositions& x) { return rotne_prager_mobility(flow, swimmer, x); });
 }
 
 inline void expect_theory(const OverdampedScene& scene, int steps_per_cycle, int cycles, double truncation) {

@@ -104,7 +104,7 @@ TEST(Representatives, TakeSlantedSwimmersAlongTheirOwnLine) {
 // With little inertia in a large box: rpy's distance from exact Stokes flow, and no more.
 TEST(MobilityError, IsWhatTheModelMisses) {
   const Question question = only_question(single(Vec3(4000, 4000, 4000), 1e6));
-  const BestKnown best = best_known(question);
+  const BestPrediction best = best_prediction(question);
   const double exact = predict(find_method("multipole-ode"), question).velocity;
   const double pairs = predict(find_method("rpy-ode"), question).velocity;
   EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy, 100).velocity, pairs / exact - 1, 0.01);
@@ -116,7 +116,7 @@ TEST(MobilityError, IsWhatTheModelMisses) {
 // and 5 % (rpy+near); theory is uncertain by 0.5 and 2 %.
 TEST(MobilityError, IsThatOfRunsOnRecord) {
   Question question = only_question(single(Vec3(60, 40, 40)));
-  const BestKnown best = best_known(question);
+  const BestPrediction best = best_prediction(question);
   const ErrorEstimate pairs = mobility_error(question, best, MobilityModel::rpy, 100);
   const ErrorEstimate near = mobility_error(question, best, MobilityModel::rpy_near, 100);
   EXPECT_NEAR(pairs.arm_amplitudes[0], 0.029 + 0.005, 0.003);
@@ -130,7 +130,7 @@ TEST(MobilityError, GrowsWithInertia) {
   for (const double period : {20000.0, 5000.0, 1500.0}) {
     const Question question = only_question(single(Vec3(60, 40, 40), period));
     const double error =
-        mobility_error(question, best_known(question), MobilityModel::rpy_near, 100).arm_amplitudes[1];
+        mobility_error(question, best_prediction(question), MobilityModel::rpy_near, 100).arm_amplitudes[1];
     EXPECT_GT(error, 1.5 * before);
     before = error;
   }
@@ -153,7 +153,7 @@ TEST(LatticeError, IsThatOfRunsOnRecord) {
   const Question question = only_question(single(Vec3(60, 40, 40)));
   Question driven = question;
   driven.swimmer.amplitude = {0.2, 0.2};
-  const BestKnown best = best_known(driven);
+  const BestPrediction best = best_prediction(driven);
   struct Measured {
     double cells, relaxation_time, velocity, d2;
   };
@@ -170,7 +170,7 @@ TEST(LatticeError, IsThatOfRunsOnRecord) {
 
 TEST(LatticeError, KnowsGapsThatCellsDoNotResolve) {
   const Question question = only_question(single(Vec3(60, 40, 40)));
-  const BestKnown best = best_known(question);
+  const BestPrediction best = best_prediction(question);
   ResolvedRun run = resolved(4, 1);
   const double wide = lattice_error(LatticeLag(question), best, run).velocity;
   run.smallest_gap = 0.5;
@@ -181,14 +181,14 @@ TEST(LatticeError, HasNoneAtRest) {
   Question question = only_question(single(Vec3(60, 40, 40)));
   question.swimmer.amplitude = {0, 0};
   question = with_exact_reference(question);
-  const BestKnown best = best_known(question);
-  EXPECT_FALSE(best.swims);
+  const BestPrediction best = best_prediction(question);
+  EXPECT_FALSE(best.is_swimming);
   EXPECT_EQ(lattice_error(LatticeLag(question), best, resolved(2, 1)).largest(), 0);
 }
 
 TEST(LatticeError, IsLargeWhereTheVelocityIsASmallDifference) {
-  const BestKnown wide = best_known(only_question(single(Vec3(60, 40, 40))));
-  const BestKnown narrow = best_known(only_question(single(Vec3(60, 12, 12))));
+  const BestPrediction wide = best_prediction(only_question(single(Vec3(60, 40, 40))));
+  const BestPrediction narrow = best_prediction(only_question(single(Vec3(60, 12, 12))));
   EXPECT_LT(wide.cancellation, 1.5);
   EXPECT_GT(narrow.cancellation, 20);
 }
@@ -206,7 +206,7 @@ TEST(SufficientBox, IsTheSmallestThatChangesLittle) {
   const Vec3& lengths = tight->lengths;
   boxed.box = BoxPlace{.box = {.lengths = lengths, .boundary = {}},
                        .middle_bead = {lengths[0] / 2, lengths[1] / 2, lengths[2] / 2}};
-  EXPECT_NEAR(best_known(boxed).velocity / best_known(question).velocity, 1, 0.005);
+  EXPECT_NEAR(best_prediction(boxed).velocity / best_prediction(question).velocity, 1, 0.005);
   for (int a = 0; a < 3; ++a) EXPECT_NEAR(std::fmod(lengths[a], 4), 0, 1e-9);
 }
 

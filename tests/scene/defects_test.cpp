@@ -112,7 +112,7 @@ TEST(Interstitials, GoWhereThereIsRoom) {
 TEST(Jitter, MovesByNormalDeviates) {
   const Layout swarm = large_swarm();
   Layout moved = swarm;
-  jitter(moved, drawn_swimmers(moved, 1.0, 2), 0.3, 2);
+  jitter(moved, draw_swimmer_indices(moved, 1.0, 2), 0.3, 2);
   for (int a = 0; a < 3; ++a) {
     std::vector<double> shifts;
     for (std::size_t s = 0; s < swarm.swimmers.size(); ++s)
@@ -122,14 +122,14 @@ TEST(Jitter, MovesByNormalDeviates) {
   // Into the box through its periodic faces.
   Layout at_face = swarm;
   for (Swimmer& swimmer : at_face.swimmers) swimmer.position[1] = 1e-3;
-  jitter(at_face, drawn_swimmers(at_face, 1.0, 2), 0.3, 2);
+  jitter(at_face, draw_swimmer_indices(at_face, 1.0, 2), 0.3, 2);
   for (const Swimmer& swimmer : at_face.swimmers) {
     EXPECT_GE(swimmer.position[1], 0);
     EXPECT_LE(swimmer.position[1], at_face.domain->lengths[1]);
   }
   // Half of them, and those as if all had been moved.
   Layout half = swarm;
-  jitter(half, drawn_swimmers(half, 0.5, 2), 0.3, 2);
+  jitter(half, draw_swimmer_indices(half, 0.5, 2), 0.3, 2);
   int still = 0;
   for (std::size_t s = 0; s < swarm.swimmers.size(); ++s) {
     const bool stays = half.swimmers[s].position == swarm.swimmers[s].position;
@@ -143,7 +143,7 @@ TEST(Jitter, MovesByNormalDeviates) {
 
 TEST(Rotation, TurnsByNormalAnglesOrToAllDirections) {
   Layout layout = large_swarm();
-  rotate(layout, drawn_swimmers(layout, 1.0, 4), 0.05, 4);
+  rotate(layout, draw_swimmer_indices(layout, 1.0, 4), 0.05, 4);
   std::vector<double> across_y, across_z;
   for (const Swimmer& swimmer : layout.swimmers) {
     EXPECT_NEAR(swimmer.axis.norm(), 1, 1e-14);
@@ -153,11 +153,11 @@ TEST(Rotation, TurnsByNormalAnglesOrToAllDirections) {
   expect_normal(across_y, 0.05 / std::numbers::sqrt2);  // the angle's line is random: half in each
   expect_normal(across_z, 0.05 / std::numbers::sqrt2);
   Layout far = large_swarm();
-  rotate(far, drawn_swimmers(far, 1.0, 4), 0.5, 4);
+  rotate(far, draw_swimmer_indices(far, 1.0, 4), 0.5, 4);
   double squares = 0;
   for (const Swimmer& swimmer : far.swimmers) squares += std::pow(std::acos(swimmer.axis[0]), 2) / 2250;
   EXPECT_NEAR(std::sqrt(squares), 0.5, 5 * 0.5 / std::sqrt(2 * 2250.0));
-  rotate(layout, drawn_swimmers(layout, 1.0, 4), std::nullopt, 4);
+  rotate(layout, draw_swimmer_indices(layout, 1.0, 4), std::nullopt, 4);
   Vec3 mean = Vec3::Zero();
   for (const Swimmer& swimmer : layout.swimmers) mean += swimmer.axis / 2250;
   EXPECT_LT(mean.norm(), 5 / std::sqrt(2250.0));
@@ -190,7 +190,7 @@ TEST(Domains, AreRegionsOfOneDirection) {
 
 TEST(Driving, IsDisorderedSwimmerBySwimmer) {
   Layout layout = large_swarm();
-  const auto all = drawn_swimmers(layout, 1.0, 1);
+  const auto all = draw_swimmer_indices(layout, 1.0, 1);
   disorder_phases(layout, all, 0.2, 1);
   disorder_amplitudes(layout, all, 0.1, 2);
   disorder_frequencies(layout, all, 0.05, 3);
@@ -269,7 +269,7 @@ TEST(Spacing, KeepsALayerAtTheFaceTogether) {
 
 TEST(Repair, PartsWhatOverlaps) {
   Layout layout = large_swarm();
-  jitter(layout, drawn_swimmers(layout, 1.0, 3), 8, 3);
+  jitter(layout, draw_swimmer_indices(layout, 1.0, 3), 8, 3);
   ASSERT_FALSE(check_layout(layout).empty());
   const Layout before = layout;
   repair_overlaps(layout);
@@ -300,7 +300,8 @@ TEST(Repair, PartsWhatOverlaps) {
 // The numbers themselves, which layouts that were made from a seed rely on.
 TEST(Seeds, MeanWhatTheyMeant) {
   EXPECT_EQ(KeyedRandom(1, 2, 3).bits(), 15925659190040627001u);
-  EXPECT_EQ(drawn_swimmers(large_swarm(), std::int64_t{3}, 1), (std::vector<std::size_t>{101, 736, 1693}));
+  EXPECT_EQ(draw_swimmer_indices(large_swarm(), std::int64_t{3}, 1),
+            (std::vector<std::size_t>{101, 736, 1693}));
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(StiffSprings, GetADashpotWhereStepsAreTooLong) {
   const auto damping = [&](double omega_step, double own) {
     type.springs.fill(
         {.stiffness = reduced_mass * omega_step * omega_step, .rest_length = 5, .damping = own});
-    return with_steady_vibrations(type, 1).springs[1].damping;
+    return with_resolved_vibrations(type, 1).springs[1].damping;
   };
   EXPECT_EQ(damping(0.4, 0), 0);
   EXPECT_NEAR(damping(1, 0), 0.5 * reduced_mass, 1e-12);
@@ -122,10 +122,10 @@ TEST(StiffAngularSpring, IsSoftenedToWhatStepsFollow) {
   const double per_stiffness = 6 / (mass(type.beads[0]) * l * l);  // omega^2 = K (1 + 4 + 1)/(m l^2)
   const double step = 0.02;
   type.angular_stiffness = std::pow(0.7 / step, 2) / per_stiffness;
-  EXPECT_EQ(with_steady_vibrations(type, step).angular_stiffness, type.angular_stiffness);
+  EXPECT_EQ(with_resolved_vibrations(type, step).angular_stiffness, type.angular_stiffness);
 
   type.angular_stiffness *= 1e4;
-  const SwimmerType softened = with_steady_vibrations(type, step);
+  const SwimmerType softened = with_resolved_vibrations(type, step);
   constexpr double bend = 1e-6;
   SwimmerMotion motion;
   motion[0].position = Vec3(-l, bend, 0);

@@ -98,8 +98,8 @@ TEST_P(BoxMethod, MidwayBetweenSideWallsIsPeriodic) {
 TEST_P(BoxMethod, ElsewhereBetweenSideWallsIsNot) {
   const Box walls{.lengths = {120, 70, 50},
                   .boundary = {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}};
-  const double midway = in_box(walls, {10, 35, 25}).velocity, aside = in_box(walls, {10, 7, 25}).velocity;
-  EXPECT_GT(std::abs(aside / midway - 1), 1e-3);
+  const double midway = in_box(walls, {10, 35, 25}).velocity, near_wall = in_box(walls, {10, 7, 25}).velocity;
+  EXPECT_GT(std::abs(near_wall / midway - 1), 1e-3);
 }
 
 // Which side wall is which, and which of the two widths comes first, is nothing to a swimmer.
@@ -160,7 +160,7 @@ TEST(RpyBox, WallsAcrossTheAxisAreAMirroredSwimmer) {
       {.lengths = {110, 90, 80}, .boundary = {Boundary::free_slip, Boundary::periodic, Boundary::periodic}},
       {45, 0, 0}};
   const CollinearMobility walls =
-      rotne_prager_in(flow_in(place, swimmer.viscosity), swimmer, rest_positions(swimmer, place));
+      rotne_prager_mobility(box_line_flow(place, swimmer.viscosity), swimmer, rest_positions(swimmer, place));
   std::vector<double> radii(swimmer.radius.begin(), swimmer.radius.end());
   const LinePositions rest = rest_positions(swimmer, place);
   std::vector<double> x(rest.begin(), rest.end());
@@ -179,17 +179,17 @@ TEST(RpyBox, WallsAcrossTheAxisAreAMirroredSwimmer) {
 TEST(RpyBox, SlopesAreDerivatives) {
   const CollinearSwimmer swimmer = unequal_swimmer();
   const BoxPlace place{walled_box(110, 90, 80), {45, 20, 33}};
-  const LineFlow flow = flow_in(place, swimmer.viscosity);
+  const LineFlow flow = box_line_flow(place, swimmer.viscosity);
   const LinePositions rest = rest_positions(swimmer, place);
-  const CollinearMobility here = rotne_prager_in(flow, swimmer, rest);
+  const CollinearMobility here = rotne_prager_mobility(flow, swimmer, rest);
   constexpr double h = 1e-3, truncation = 1e-7;
   for (int k = 0; k < 3; ++k) {
     LinePositions before = rest, after = rest;
     before[k] -= h;
     after[k] += h;
-    const Eigen::Matrix3d slope =
-        (rotne_prager_in(flow, swimmer, after).value - rotne_prager_in(flow, swimmer, before).value) /
-        (2 * h);
+    const Eigen::Matrix3d slope = (rotne_prager_mobility(flow, swimmer, after).value -
+                                   rotne_prager_mobility(flow, swimmer, before).value) /
+                                  (2 * h);
     EXPECT_LT((here.slope[k] - slope).norm() / here.slope[k].norm(), truncation) << "bead " << k + 1;
   }
 }
@@ -198,7 +198,7 @@ TEST(RpyBox, UnboundedFlowGivesRotnePrager) {
   constexpr double roundoff = 1e-15;
   const CollinearSwimmer swimmer = unequal_swimmer();
   const CollinearMobility open =
-      rotne_prager_in(LineFlow(swimmer.viscosity), swimmer, rest_positions(swimmer));
+      rotne_prager_mobility(LineFlow(swimmer.viscosity), swimmer, rest_positions(swimmer));
   const CollinearMobility pairs = rest_mobility(swimmer, rotne_prager);
   EXPECT_LT((open.value - pairs.value).norm(), roundoff);
   for (int k = 0; k < 3; ++k) EXPECT_LT((open.slope[k] - pairs.slope[k]).norm(), roundoff);

@@ -18,7 +18,7 @@ CollinearSwimmer swimmer_at(double separation) {
   return s;
 }
 
-double exact_velocity_of(const CollinearSwimmer& s) {
+double exact_velocity_for_stroke(const CollinearSwimmer& s) {
   return ask(s).exact->motion.velocity;
 }
 
@@ -41,7 +41,7 @@ TEST(PairLawLimits, RotnePragerIsOffExactVelocitiesByTheThirdOrder) {
   expect_order(
       [](double separation) {
         const CollinearSwimmer s = asymmetrically_driven(separation);
-        return perturbation_velocity(s, rotne_prager) / exact_velocity_of(s) - 1;
+        return perturbation_velocity(s, rotne_prager) / exact_velocity_for_stroke(s) - 1;
       },
       3, 5e-5);
 }
@@ -75,7 +75,7 @@ TEST(PairLawLimits, RatiosToExactFlowAreTheReferenceOnes) {
               {20, 1.007, 1.002, 0.994}};
   for (const auto& row : rows) {
     const CollinearSwimmer s = swimmer_at(row.separation);
-    const double exact = exact_velocity_of(s);
+    const double exact = exact_velocity_for_stroke(s);
     EXPECT_NEAR(perturbation_velocity(s, oseen) / exact, row.oseen, printed_digits) << row.separation;
     EXPECT_NEAR(perturbation_velocity(s, rotne_prager) / exact, row.rotne_prager, printed_digits)
         << row.separation;

@@ -15,7 +15,7 @@ namespace {
 
 using Real = timestepping::Real;
 
-MobilityAt pairs(const CollinearSwimmer& s, PairLaw law) {
+MobilityFunction pairs(const CollinearSwimmer& s, PairLaw law) {
   return [s, law](const LinePositions& x) { return pairwise_mobility(law, s.radius, x, s.viscosity); };
 }
 
@@ -138,7 +138,7 @@ class ChebyshevMobility {
 TEST(HarmonicBalance, OfExactMobilitiesIsTheMotionIntegratedInTime) {
   for (CollinearSwimmer s : {paper_swimmer(4800), unequal_swimmer()}) {
     s = driven_to(s, 0.4);
-    const MobilityAt mobility = [&](const LinePositions& x) { return exact_mobility(s, x); };
+    const MobilityFunction mobility = [&](const LinePositions& x) { return exact_mobility(s, x); };
     const PeriodicMotion motion = periodic_motion(s, rest_positions(s), mobility);
     const double swing = std::max(motion.stroke.amplitude[0], motion.stroke.amplitude[1]);
     expect_the_integrated_motion(s, motion, ChebyshevMobility(s, motion.arm_means, 1.2 * swing));

@@ -60,7 +60,7 @@ TEST(ReynoldsStress, IsTheSumOverRings) {
       sum += 2 * std::numbers::pi * s * h * h * integrand(swimmer, 1, towing, x, s);
     }
   }
-  EXPECT_LT(relative_difference(reynolds_stress_form(swimmer, 1, towing).whole, sum), truncation);
+  EXPECT_LT(relative_difference(reynolds_stress_form(swimmer, 1, towing).total, sum), truncation);
 }
 
 class ReynoldsStressAccuracy : public testing::TestWithParam<double> {};
@@ -74,7 +74,7 @@ TEST_P(ReynoldsStressAccuracy, IsAsStated) {
     const Eigen::Matrix3cd fine =
         integral_over_space(swimmer, 1e5 * (GetParam() + 20), 24,
                             [&](double x, double s) { return integrand(swimmer, 1, towing, x, s); });
-    EXPECT_LT(relative_difference(reynolds_stress_form(swimmer, 1, towing).whole, fine), stated)
+    EXPECT_LT(relative_difference(reynolds_stress_form(swimmer, 1, towing).total, fine), stated)
         << "arms " << swimmer.arm[0] << " and " << swimmer.arm[1];
   }
 }
@@ -85,7 +85,7 @@ INSTANTIATE_TEST_SUITE_P(Depths, ReynoldsStressAccuracy,
 TEST(ReynoldsStress, FormIsHermitian) {
   constexpr double roundoff = 1e-14;
   const CollinearSwimmer swimmer = unequal_swimmer();
-  const Eigen::Matrix3cd form = reynolds_stress_form(swimmer, 1, towing_of(swimmer)).whole;
+  const Eigen::Matrix3cd form = reynolds_stress_form(swimmer, 1, towing_of(swimmer)).total;
   EXPECT_LT(relative_difference(form.adjoint(), form), roundoff);
 }
 
@@ -93,7 +93,7 @@ TEST(ReynoldsStress, FormIsHermitian) {
 TEST(ReynoldsStress, ChangesSignInTheMirror) {
   constexpr double stated = 1e-5;
   const CollinearSwimmer swimmer = paper_swimmer(2000);
-  const Eigen::Matrix3cd form = reynolds_stress_form(swimmer, 1, towing_of(swimmer)).whole;
+  const Eigen::Matrix3cd form = reynolds_stress_form(swimmer, 1, towing_of(swimmer)).total;
   EXPECT_LT(relative_difference(-form.reverse(), form), stated);
 }
 

@@ -8,23 +8,23 @@
 namespace beadswim {
 namespace {
 
-MobilityAt pairs(const CollinearSwimmer& s, PairLaw law) {
+MobilityFunction pairs(const CollinearSwimmer& s, PairLaw law) {
   return [s, law](const LinePositions& x) { return pairwise_mobility(law, s.radius, x, s.viscosity); };
 }
 
-MobilityAt exact(const CollinearSwimmer& s) {
+MobilityFunction exact(const CollinearSwimmer& s) {
   return [s](const LinePositions& x) { return exact_mobility(s, x); };
 }
 
 /// V/V_2 - 1 of the swimmer driven to this part of its gap.
-double change_at(const CollinearSwimmer& swimmer, const MobilityAt& mobility, double part) {
+double change_at(const CollinearSwimmer& swimmer, const MobilityFunction& mobility, double part) {
   const CollinearSwimmer s = driven_to(swimmer, part);
   const LinePositions rest = rest_positions(s);
   return periodic_motion(s, rest, mobility).velocity / second_order_motion(s, mobility(rest)).velocity - 1;
 }
 
 /// Three amplitudes: the excess over second order falls as amplitude^2, and is `finest` at the last.
-void expect_second_order_limit(const CollinearSwimmer& swimmer, const MobilityAt& mobility) {
+void expect_second_order_limit(const CollinearSwimmer& swimmer, const MobilityFunction& mobility) {
   const double coarse = change_at(swimmer, mobility, 0.04), middle = change_at(swimmer, mobility, 0.02),
                fine = change_at(swimmer, mobility, 0.01);
   constexpr double truncation = 0.01;  // of the slope: amplitude^2 beside 1

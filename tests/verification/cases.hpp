@@ -6,6 +6,7 @@
 
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/io/json.hpp"
+#include "records.hpp"
 
 namespace beadswim::verification {
 
@@ -18,43 +19,69 @@ enum class Extent {
 /// Takes one record: "case", "scheme", "tau", parameters, "measured", "reference", "error" and more.
 using Emit = std::function<void(const Json&)>;
 
-/// One phenomenon: measured for one scheme, and what the records of all schemes say, in Markdown.
+/// Prints one record in a cell of a table.
+using Print = std::string (*)(const Json& record);
+
+/// A row of a table. `values` selects one record per scheme.
+struct Row {
+  std::string conditions;
+  Json values;
+  Print print = error_and_spread;
+};
+
+/// A law that beads in the fluid obey: the two tables of its section in docs/verification.md.
+struct Law {
+  std::string title;
+  std::string claim;      ///< defines the quantity
+  std::string reference;  ///< exact value, with its source
+  std::string test;       ///< conditions that the brief extent measures
+  std::string quantity = "Error ± standard deviation [%]";
+  std::vector<Row> rows{};
+};
+
+/// Upper bounds of "error" and "spread" in the brief extent, for all schemes. Zero: no spread is measured.
+struct Limits {
+  double error = 0, spread = 0;
+};
+
+/// A measurement for one scheme, the law that it verifies, and its limits.
 struct Case {
   std::string name;
   void (*measure)(BeadScheme, Extent, const Emit&);
-  std::string (*report)(const std::vector<Json>& records);
+  Law (*law)();
+  Limits limits;
 };
 
 const std::vector<Case>& all_cases();
 
-/// docs/verification.md from records in any order.
+/// Returns docs/verification.md, made of records in any order.
 std::string verification_page(const std::vector<Json>& records);
 
 void measure_array_drag(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_array_drag(const std::vector<Json>& records);
+Law array_drag_law();
 
 void measure_hydrodynamic_radius(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_hydrodynamic_radius(const std::vector<Json>& records);
+Law hydrodynamic_radius_law();
 
 void measure_torque(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_torque(const std::vector<Json>& records);
+Law torque_law();
 
 void measure_collinear_spheres(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_collinear_spheres(const std::vector<Json>& records);
+Law collinear_spheres_law();
 
 void measure_sedimentation(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_sedimentation(const std::vector<Json>& records);
+Law sedimentation_law();
 
 void measure_oscillation(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_oscillation(const std::vector<Json>& records);
+Law oscillation_law();
 
 void measure_galilean_invariance(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_galilean_invariance(const std::vector<Json>& records);
+Law galilean_invariance_law();
 
 void measure_conservation(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_conservation(const std::vector<Json>& records);
+Law conservation_law();
 
 void measure_near_contact(BeadScheme scheme, Extent extent, const Emit& emit);
-std::string report_near_contact(const std::vector<Json>& records);
+Law near_contact_law();
 
 }  // namespace beadswim::verification

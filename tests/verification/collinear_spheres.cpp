@@ -167,61 +167,8 @@ void measure(const Line& line, int places, double tau, BeadScheme scheme, const 
   }
 }
 
-/// Rows: distances; columns: patterns of each scheme.
-std::string distance_table(const std::vector<Json>& records, int spheres) {
-  std::vector<std::string> columns;
-  for (const std::string& scheme : schemes_in(records)) {
-    for (const Pattern& pattern : patterns_of(spheres)) columns.push_back(scheme + ", " + pattern.name);
-  }
-  std::string text =
-      table_head("distance, gap, box's effect (" + patterns_of(spheres)[0].name + " .. together)", columns);
-  for (const double distance : values_of<double>(records, "distance")) {
-    const auto row = where(records, {{"distance", distance}});
-    const auto box = [&](const std::string& pattern) {
-      return percent(where(row, {{"pattern", pattern}})[0]["box_effect"]);
-    };
-    text += fmt::format("| {:g} R, {:g} cells, {} .. {} |", distance, row[0]["gap_cells"].get<double>(),
-                        box(patterns_of(spheres)[0].name), box("together"));
-    for (const std::string& scheme : schemes_in(records)) {
-      for (const Pattern& pattern : patterns_of(spheres)) {
-        const auto found = where(row, {{"scheme", scheme}, {"pattern", pattern.name}});
-        text += found.empty() ? " |" : " " + error_and_spread(found[0]) + " |";
-      }
-    }
-    text += "\n";
-  }
-  return text;
-}
-
-std::string resolution_tables(const std::vector<Json>& records) {
-  std::string text;
-  for (const Pattern& pattern : patterns_of(2)) {
-    text += fmt::format("\nForces {}:\n\n", pattern.name) +
-            resolution_table(where(records, {{"pattern", pattern.name}}));
-  }
-  return text;
-}
-
 constexpr double usual_margin = 5, wide_margin = 7.5;  // [radius]
 constexpr double checked_radius = 3;                   // in the wide box [cell]
-
-std::string box_check(const std::vector<Json>& records) {
-  const auto errors = [&](double margin) {
-    return where(
-        records,
-        {{"spheres", 2}, {"distance", 3}, {"cells_per_diameter", 2 * checked_radius}, {"margin", margin}});
-  };
-  std::string text;
-  for (const Json& wide : errors(wide_margin)) {
-    const auto usual =
-        where(errors(usual_margin), {{"scheme", wide["scheme"]}, {"pattern", wide["pattern"]}});
-    if (usual.empty()) continue;
-    text +=
-        fmt::format("| {}, {} | {} | {} |\n", wide["scheme"].get<std::string>(),
-                    wide["pattern"].get<std::string>(), percent(usual[0]["error"]), percent(wide["error"]));
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -236,39 +183,30 @@ void measure_collinear_spheres(BeadScheme scheme, Extent extent, const Emit& emi
     measure({.spheres = 3, .distance = distance}, 2, 1.5, scheme, emit);
 }
 
-std::string report_collinear_spheres(const std::vector<Json>& all) {
-  std::string text =
-      "## Two and three spheres on a line\n\n"
-      "Spheres held on a line along x, each in turn given a velocity; forces on all, quasi-steady, make the "
-      "resistance matrix, and its inverse the mobility M. Given is the error of F.M F for patterns F of "
-      "forces; "
-      "those of zero sum are what a swimmer uses. Mean over random places (2; 4 at 4 and 6 cells a diameter, "
-      "1 at 12) ± standard deviation, 8 cells a "
-      "diameter unless said otherwise, τ = 1.5, the box reaching 5 R beyond the outer spheres' centres.\n\n"
-      "Reference: exact mobility in unbounded fluid by multipoles (good to 1e-12), and what the periodic box "
-      "adds by Ewald sums of the Rotne-Prager tensor, times the square of the spheres' exact far flow over "
-      "that by the "
-      "tensor: two spheres driven apart at 3 R make 0.81 of its far flow, at 2.25 R 0.47, and without this "
-      "factor "
-      "the reference is wrong by 2 to 6 %. The box's effect on F.M F is printed beside the gap. What is left "
-      "out "
-      "makes the reference uncertain by about 1 %, as the wider box below shows.\n\n";
-  const std::vector<Json> records = where(all, {{"margin", usual_margin}});
-  const std::vector<Json> of_8 = where(records, {{"cells_per_diameter", 8}});
-  text += "Two spheres:\n\n" + distance_table(where(of_8, {{"spheres", 2}}), 2);
-  if (!where(of_8, {{"spheres", 3}}).empty())
-    text += "\nThree spheres:\n\n" + distance_table(where(of_8, {{"spheres", 3}}), 3);
-  text += "\nTwo spheres 3 R apart at several resolutions:\n" +
-          resolution_tables(where(records, {{"spheres", 2}, {"distance", 3}}));
-  const std::string boxes = box_check(all);
-  if (boxes.empty()) return text;
-  return text +
-         "\nTwo spheres 3 R apart, 6 cells a diameter, in a box that reaches 5 R beyond them, as above, and "
-         "in "
-         "one of 7.5 R, whose middle lies half a cell off across the line, which matters to the staircase "
-         "more than "
-         "the box does:\n\n" +
-         table_head("scheme, forces", {"5 R", "7.5 R"}) + boxes;
+Law collinear_spheres_law() {
+  Law law{
+      .title = "Two and three spheres on a line",
+      .claim =
+          "F·MF; M: mobility matrix along the line; F: forces on the spheres, whose sum is zero for a "
+          "swimmer (apart, against)",
+      .reference = "multipole mobility and Ewald sums of the images; uncertain by about 1 %",
+      .test = "two spheres, distance 3 R, 6 cells per diameter",
+  };
+  const auto add_rows = [&](int spheres, double distance, int cells) {
+    for (const Pattern& pattern : patterns_of(spheres)) {
+      law.rows.push_back(
+          {fmt::format("{} spheres at {:g} R, {} cells: {}", spheres, distance, cells, pattern.name),
+           {{"spheres", spheres},
+            {"distance", distance},
+            {"cells_per_diameter", cells},
+            {"pattern", pattern.name},
+            {"margin", usual_margin}}});
+    }
+  };
+  for (const int cells : {4, 8}) add_rows(2, 3, cells);
+  add_rows(2, 2.25, 8);
+  add_rows(3, 2.5, 8);
+  return law;
 }
 
 }  // namespace beadswim::verification

@@ -47,6 +47,11 @@ void measure(double radius, int places, BeadScheme scheme, const Emit& emit) {
         {"spread", deviation / radius}});
 }
 
+std::string excess_in_cells(const Json& record) {
+  return fmt::format("{:+.3f} ± {:.3f}", record["excess"].get<double>(),
+                     record["spread"].get<double>() * record["radius"].get<double>());
+}
+
 }  // namespace
 
 void measure_hydrodynamic_radius(BeadScheme scheme, Extent extent, const Emit& emit) {
@@ -60,29 +65,19 @@ void measure_hydrodynamic_radius(BeadScheme scheme, Extent extent, const Emit& e
   for (const double radius : {10.0, 12.0}) measure(radius, 4, scheme, emit);
 }
 
-std::string report_hydrodynamic_radius(const std::vector<Json>& records) {
-  const std::vector<std::string> schemes = schemes_in(records);
-  std::string text =
-      "## Hydrodynamic radius\n\n"
-      "The radius that spheres of a cubic array, spacing four radii, have by their drag, less the radius "
-      "that "
-      "they were given, in cells: mean over random places within a cell (16; 12 from 4 cells a radius, 8 "
-      "from 7, "
-      "4 from 10) ± standard deviation over them. `--radius-correction on` gives beads the radius for which "
-      "this "
-      "mean comes out as the layout's.\n\n" +
-      table_head("cells a radius", schemes);
-  for (const double radius : values_of<double>(records, "radius")) {
-    text += fmt::format("| {:g} |", radius);
-    for (const std::string& scheme : schemes) {
-      const std::vector<Json> found = where(records, {{"scheme", scheme}, {"radius", radius}});
-      text += found.empty() ? " |"
-                            : fmt::format(" {:+.4f} ± {:.4f} |", found[0]["excess"].get<double>(),
-                                          found[0]["spread"].get<double>() * radius);
-    }
-    text += "\n";
-  }
-  return text;
+Law hydrodynamic_radius_law() {
+  Law law{
+      .title = "Hydrodynamic radius",
+      .claim =
+          "Radius that has the measured drag in an array of spacing 4 R, minus R; "
+          "`--radius-correction on` removes its mean",
+      .reference = "drag of the array, as above",
+      .test = "R = 2, 3.5 cells; error relative to R",
+      .quantity = "Excess radius [cell]",
+  };
+  for (const double radius : {1.5, 2.0, 3.0, 4.0, 6.0, 12.0})
+    law.rows.push_back({fmt::format("R = {:g} cells", radius), {{"radius", radius}}, excess_in_cells});
+  return law;
 }
 
 }  // namespace beadswim::verification

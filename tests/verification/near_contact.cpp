@@ -106,24 +106,8 @@ void measure(const Pair& pair, int places, double tau, BeadScheme scheme, const 
   }
 }
 
-/// Rows: gaps; columns: schemes, without and with the correction.
-std::string gap_table(const std::vector<Json>& records) {
-  const std::vector<std::string> schemes = schemes_in(records);
-  std::vector<std::string> columns{"exact"};
-  for (const std::string& scheme : schemes) columns.push_back(scheme + ": lattice, corrected");
-  std::string text = table_head("gap (cells)", columns);
-  for (const double gap : values_of<double>(records, "gap_cells")) {
-    const auto row = where(records, {{"gap_cells", gap}});
-    text += fmt::format("| {:g} | {:.3f} |", gap, row[0]["reference"].get<double>());
-    for (const std::string& scheme : schemes) {
-      const auto found = where(row, {{"scheme", scheme}});
-      text += found.empty() ? " |"
-                            : fmt::format(" {:.3f}, {} |", found[0]["on_lattice"].get<double>(),
-                                          error_and_spread(found[0]));
-    }
-    text += "\n";
-  }
-  return text;
+std::string error_without_correction(const Json& record) {
+  return percent(record["on_lattice"].get<double>() / record["reference"].get<double>() - 1);
 }
 
 }  // namespace
@@ -139,32 +123,28 @@ void measure_near_contact(BeadScheme scheme, Extent extent, const Emit& emit) {
   }
 }
 
-std::string report_near_contact(const std::vector<Json>& records) {
-  std::string text =
-      "## Near contact\n\n"
-      "Two spheres held in place, random places within a cell and random directions of their line, in a "
-      "periodic cube that reaches 4 R beyond them. They approach each other, or turn alike so that their "
-      "surfaces "
-      "slide. Exact: Brenner (1961); Lamb's solution about both spheres (tests/mobility/two_spheres.py). "
-      "Below "
-      "some gap the lattice's resistance grows no more; "
-      "the "
-      "cut-offs are where the exact resistance equals what it stays at, and the correction of "
-      "[near contact](method/near-contact.md) adds what is missing below. \"Lattice\": mean resistance "
-      "without "
-      "it; \"corrected\": error of the mean with it ± standard deviation over places. The box is left out of "
-      "the reference.\n\n";
-  for (const double tau : {1.5, 0.8, 3.0}) {
-    for (const double cells : values_of<double>(where(records, {{"tau", tau}}), "cells_per_diameter")) {
-      for (const Mode& mode : {approach, slide}) {
-        text += fmt::format(
-            "{} at {:g} cells a diameter, τ = {:g}:\n\n{}\n",
-            mode.turn ? "Sliding, torque over 8πηR³Ω," : "Approach, force over 6πηRU,", cells, tau,
-            gap_table(where(records, {{"tau", tau}, {"cells_per_diameter", cells}, {"mode", mode.name}})));
-      }
-    }
-  }
-  return text;
+Law near_contact_law() {
+  Law law{
+      .title = "Near contact",
+      .claim =
+          "Resistance of two close spheres with the [correction](method/near-contact.md): approach "
+          "(force/6πηRU), slide (torque/8πηR³Ω); 8 cells per diameter unless stated",
+      .reference = "Brenner (1961); Lamb's solution about both spheres (`tests/mobility/two_spheres.py`)",
+      .test = "gap 0.1 cells, 6 cells per diameter",
+  };
+  const auto add_row = [&](const Mode& mode, int cells, double gap, Print print) {
+    const std::string label = print == error_without_correction ? ", not corrected" : "";
+    const std::string resolution = cells == 8 ? "" : fmt::format(", {} cells per diameter", cells);
+    law.rows.push_back(
+        {fmt::format("{}, gap {:g} cells{}{}", mode.name, gap, label, resolution),
+         {{"mode", mode.name}, {"cells_per_diameter", cells}, {"gap_cells", gap}, {"tau", 1.5}},
+         print});
+  };
+  add_row(approach, 8, 0.1, error_without_correction);
+  for (const double gap : {0.02, 0.1, 0.5, 1.0, 2.0}) add_row(approach, 8, gap, error_and_spread);
+  for (const int cells : {4, 12}) add_row(approach, cells, 0.5, error_and_spread);
+  for (const double gap : {0.1, 0.5}) add_row(slide, 8, gap, error_and_spread);
+  return law;
 }
 
 }  // namespace beadswim::verification

@@ -45,7 +45,7 @@ Complex friction_in_box(const Oscillation& of) {
   const Complex alpha = std::sqrt(Complex(0, of.omega() / of.viscosity())), kappa = alpha * double(of.radius);
   const SizeFactor size = sphere_factor(kappa);
   const LineFlow flow(eta, {.lengths = {edge, edge, edge}}, 0, 0);
-  const Complex images = combined(flow.unsteady_images(alpha, 0), size * size).value;
+  const Complex images = total_flow(flow.unsteady_images(alpha, 0), size * size).value;
   const Complex uniform = 1.0 / (eta * alpha * alpha * std::pow(edge, 3));
   return 1.0 / (1.0 / (6 * pi * eta * of.radius * induced_force_factor(kappa)) + images - uniform);
 }
@@ -123,24 +123,10 @@ void measure(const Oscillation& of, int places, BeadScheme scheme, const Emit& e
         {"phase_spread", phase_deviation}});
 }
 
-double degrees(const Json& radians) {
-  return radians.get<double>() * 180 / pi;
-}
-
-std::string table(const std::vector<Json>& records) {
-  std::string text = table_head(
-      "R√(ω/2ν), period, cells a diameter, τ",
-      {"\\|Z\\|/6πηR, phase", "scheme", "amplitude", "phase", "as a delay [step]", "1.5 (τ - 1/2)"});
-  for (const Json& r : records) {
-    text += fmt::format(
-        "| {:.3f}, {}, {}, {:g} | {:.3f}, {:.2f}° | {} | {} | {:+.3f} ± {:.3f}° | {:.2f} | {:.2f} |\n",
-        r["layers"].get<double>(), r["period"].get<int>(), r["cells_per_diameter"].get<int>(),
-        r["tau"].get<double>(), r["reference"].get<double>(), degrees(r["reference_phase"]),
-        r["scheme"].get<std::string>(), error_and_spread(r), degrees(r["phase_error"]),
-        degrees(r["phase_spread"]), -r["phase_error"].get<double>() * r["period"].get<double>() / (2 * pi),
-        1.5 * (r["tau"].get<double>() - 0.5));
-  }
-  return text;
+/// Lag of the force [step].
+std::string delay(const Json& record) {
+  const double steps_per_radian = record["period"].get<double>() / (2 * pi);
+  return fmt::format("{:.2f}", -record["phase_error"].get<double>() * steps_per_radian);
 }
 
 }  // namespace
@@ -154,40 +140,31 @@ void measure_oscillation(BeadScheme scheme, Extent extent, const Emit& emit) {
   for (const double tau : {1.5, 3.0, 6.0}) measure(oscillation(3, 0.2, tau), 2, scheme, emit);
 }
 
-std::string report_oscillation(const std::vector<Json>& records) {
-  return "## An oscillating sphere\n\n"
-         "A sphere oscillates along x in a periodic cube of 8 R, to first order: it is held in place and its "
-         "surface given the velocity U cos ωt. From the force at its links, f = iωm_f U - F_links - g m_f is "
-         "what "
-         "it induces in a fluid thought to fill it as well (m_f the mass of that, g the body force that "
-         "keeps the box "
-         "from drifting), and Z = f/(U - U_mean) its friction at no mean flow, complex. Given are the errors "
-         "of "
-         "amplitude and phase of Z.\n\n"
-         "Reference: Basset's friction of a lone sphere, 6πηR(1 + κ + κ²/3), κ = (1 + i) R√(ω/2ν), and the "
-         "flow of its "
-         "periodic images with the sphere's finite size (docs/method/unsteady-stokes.md), incompressible. "
-         "Reflections "
-         "of higher order, in the steady limit 27 (R/L)⁶ = 1e-4, are left out. Velocity and force are both "
-         "taken at "
-         "the middle of the step, where links reflect.\n\n"
-         "The force lags behind that of an incompressible Newtonian fluid, by a time that tends to 1.5 (τ - "
-         "1/2) steps "
-         "at low frequency. This is the fluid's doing, not the beads': ν/c_s² = τ - 1/2 "
-         "steps is the time in which the stress of a lattice-Boltzmann fluid follows the rate of strain, "
-         "η(ω) = η (1 - "
-         "iων/c_s²), and the finite speed of sound adds half as much, as a sphere's friction in a "
-         "compressible fluid is "
-         "6πηR/(1 + iων/(2c_s²)) at low frequency. What differs from it, with links up to 0.8 steps earlier "
-         "and with "
-         "psm up to 0.5 later, is of the order of 1/(4 (τ - 1/2)), in which schemes differ. The phase "
-         "error falls with the square of the resolution at given τ and "
-         "R√(ω/2ν), as "
-         "the period grows; at a period of 2000 steps and τ = 1.5 it is 0.27°.\n\n"
-         "In a coupled run a bead's velocity at the step's start is used at the links, and the mean of two "
-         "steps' "
-         "forces moves it: together a delay of one more step, which this case does not contain.\n\n" +
-         table(records);
+Law oscillation_law() {
+  Law law{
+      .title = "Oscillating sphere",
+      .claim =
+          "Amplitude and lag of the friction Z = f/(U - U_mean) of a sphere with velocity U cos ωt in a "
+          "periodic cube of edge 8 R; R√(ω/2ν) = 0.5 unless stated",
+      .reference =
+          "Basset's friction with [images](method/unsteady-stokes.md); "
+          "[lag](method/force-delay.md) of 1.5 (τ - 1/2) steps",
+      .test = "6 cells per diameter",
+  };
+  const auto add_row = [&](const std::string& conditions, const Oscillation& of, Print print) {
+    law.rows.push_back(
+        {conditions, {{"cells_per_diameter", 2 * of.radius}, {"period", of.period}, {"tau", of.tau}}, print});
+  };
+  for (const int radius : {2, 3, 4, 6, 8}) {
+    add_row(fmt::format("{} cells per diameter", 2 * radius), oscillation(radius, 0.5, 1.5),
+            error_and_spread);
+  }
+  add_row("R√(ω/2ν) = 1, 8 cells", oscillation(4, 1, 1.5), error_and_spread);
+  for (const double tau : {1.5, 3.0, 6.0}) {
+    add_row(fmt::format("lag [step], τ = {:g}; expected {:g}", tau, 1.5 * (tau - 0.5)),
+            oscillation(3, 0.2, tau), delay);
+  }
+  return law;
 }
 
 }  // namespace beadswim::verification

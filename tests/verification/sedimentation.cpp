@@ -143,17 +143,8 @@ void measure(const Fall& of, double tau, BeadScheme scheme, const Emit& emit) {
         {"momentum_defect", m.momentum_defect}});
 }
 
-std::string table(const std::vector<Json>& records) {
-  std::string text = table_head("scheme, cells a diameter, along, speed",
-                                {"velocity", "its rms", "its peak", "sideways", "rms of force"});
-  for (const Json& r : records) {
-    text +=
-        fmt::format("| {}, {}, {}, {:g} | {} | {} | {} | {} | {} |\n", r["scheme"].get<std::string>(),
-                    r["cells_per_diameter"].get<int>(), r["along"].get<std::string>(),
-                    r["speed"].get<double>(), percent(r["error"]), plain_percent(r["spread"]),
-                    plain_percent(r["peak"]), plain_percent(r["sideways"]), plain_percent(r["force_rms"]));
-  }
-  return text;
+std::string sideways(const Json& record) {
+  return fmt::format("{:.2f}", 100 * record["sideways"].get<double>());
 }
 
 }  // namespace
@@ -168,29 +159,24 @@ void measure_sedimentation(BeadScheme scheme, Extent extent, const Emit& emit) {
     measure({.along = "oblique", .speed = speed}, 1.5, scheme, emit);
 }
 
-std::string report_sedimentation(const std::vector<Json>& records) {
-  double defect = 0, reynolds = 0;
-  for (const Json& r : records) {
-    defect = std::max(defect, r["momentum_defect"].get<double>());
-    reynolds = std::max(reynolds, r["reynolds"].get<double>());
-  }
-  return "## A sphere falling through the lattice\n\n"
-         "A sphere of the fluid's density in a periodic cube, φ = 0.027, pulled by a constant force that a "
-         "uniform "
-         "body force on the fluid balances; it crosses 6 cells along x, or along (1, 0.618, 0.382), after 10 "
-         "times the longer of the relaxation times of its velocity and of the flow in the box. Velocity "
-         "relative to "
-         "the mean flow: error of the mean, rms and greatest deviation from the mean on the way, mean "
-         "velocity "
-         "across the force; rms of the fluid's force on it (mean of two steps). τ = 1.5.\n\n"
-         "Reference: the drag of the cubic array (above; Hasimoto 1959), pull/(1 - φ) = 6πηRKU. No inertia "
-         "in "
-         "it: the Reynolds number 2RU/ν is " +
-         fmt::format(
-             "at most {:.2g}. Total momentum, counted over all cells, is that of the start to {:.0e} of the "
-             "sphere's.\n\n",
-             reynolds, defect) +
-         table(records);
+Law sedimentation_law() {
+  Law law{
+      .title = "Sphere moving through the lattice",
+      .claim =
+          "Velocity relative to the mean flow under a constant force along (1, 0.618, 0.382), mean ± "
+          "rms over time; φ = 0.027",
+      .reference = "drag of the array: 6πηRKU = force/(1 - φ)",
+      .test = "along x, 6 cells per diameter",
+  };
+  const auto add_row = [&](const std::string& conditions, int cells, double speed, Print print) {
+    law.rows.push_back(
+        {conditions, {{"along", "oblique"}, {"cells_per_diameter", cells}, {"speed", speed}}, print});
+  };
+  for (const int cells : {6, 8, 12, 16})
+    add_row(fmt::format("{} cells per diameter", cells), cells, 1e-3, error_and_spread);
+  add_row("8 cells, 0.016 cells per step", 8, 1.6e-2, error_and_spread);
+  add_row("8 cells, velocity across the force", 8, 1e-3, sideways);
+  return law;
 }
 
 }  // namespace beadswim::verification

@@ -108,7 +108,7 @@ void SpheresInFluid::push_row(int y, int z) {
   for (BeadOnLattice& bead : at_mid_step) bead.motion.velocity -= 0.5 * body_force;
   SaturatedBoundary boundary{saturated_cells_, at_mid_step, saturated_sums_,
                              lattice_viscosity(1 / rates_.symmetric)};
-  boundary.push_before_row(populations_, y, z);
+  boundary.apply_forces_before_row(populations_, y, z);
   force_on_fluid_part_ += incoming_momentum();
 }
 
@@ -149,8 +149,8 @@ std::vector<Load> SpheresInFluid::step() {
     }
   }
   sweep.finish();
-  hand_over_impulses(sums_, beads_);
-  hand_over_impulses(saturated_sums_, beads_);
+  transfer_impulses(sums_, beads_);
+  transfer_impulses(saturated_sums_, beads_);
 
   fluid_momentum_ += fluid_cells_ * body_force;
   taken_before_ = std::exchange(taken_, Vec3::Zero());
@@ -168,7 +168,7 @@ void SpheresInFluid::move() {
   for (BeadOnLattice& bead : beads_) bead.motion.position += bead.motion.velocity;
   coverage_.update(beads_);
   if (has_links(links_.scheme()))
-    hand_over_changed_cells(populations_, coverage_, links_, before, beads_, rates_);
+    transfer_changed_cells(populations_, coverage_, links_, before, beads_, rates_);
   place_spheres();
 }
 

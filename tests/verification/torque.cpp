@@ -48,16 +48,18 @@ void measure_torque(BeadScheme scheme, Extent extent, const Emit& emit) {
   for (const double tau : {0.8, 3.0}) measure(0.027, 8, 8, tau, scheme, emit);
 }
 
-std::string report_torque(const std::vector<Json>& records) {
-  std::string text =
-      "## Torque on a turning sphere\n\n"
-      "A sphere held in place turns slowly about z in a periodic cube, φ = 0.027; torque over 8πηR³Ω. "
-      "Reference: 1/(1 - φ), as each sphere of the array turns in the vorticity -T/(3ηV) of all others; what "
-      "is left out is O(φ^{10/3}) = 6e-6. Error of the mean over the same places as above ± standard "
-      "deviation. Settled to 1e-5.\n\n";
-  return text + resolution_table(where(records, {{"tau", 1.5}})) + "\n" +
-         "At 8 cells a diameter and other relaxation times:\n\n" +
-         relaxation_table(where(records, {{"cells_per_diameter", 8}}));
+Law torque_law() {
+  Law law{
+      .title = "Torque on a rotating sphere",
+      .claim = "Torque/(8πηR³Ω) on one sphere of a cubic array, φ = 0.027",
+      .reference = "1/(1 - φ), exact to 6e-6",
+      .test = "6, 8, 12 cells per diameter",
+  };
+  for (const int cells : {4, 6, 8, 12, 24}) {
+    law.rows.push_back(
+        {fmt::format("{} cells per diameter", cells), {{"tau", 1.5}, {"cells_per_diameter", cells}}});
+  }
+  return law;
 }
 
 }  // namespace beadswim::verification

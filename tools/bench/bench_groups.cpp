@@ -37,7 +37,7 @@ double available_bytes() {
 /// The part of it that each rank may take, the same number on all ranks.
 double bytes_for_a_rank(const Communicator& world) {
   constexpr double share = 0.85;
-  double bytes = share * available_bytes() / ranks_on_this_node(world);
+  double bytes = share * available_bytes() / count_ranks_on_node(world);
   MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_MIN, world.get());
   return bytes;
 }
@@ -135,9 +135,9 @@ BenchReport measure_all(const BenchRequest& request, const Communicator& world) 
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group& group = groups[g];
     if (world.is_root()) {
-      tell(fmt::format("beadswim-bench: {} of {}: edge {}, {} rank{}; {:.0f} s so far\n", g + 1,
-                       groups.size(), group.edge, group.ranks, group.ranks == 1 ? "" : "s",
-                       MPI_Wtime() - start));
+      print_to_stderr(fmt::format("beadswim-bench: {} of {}: edge {}, {} rank{}; {:.0f} s so far\n", g + 1,
+                                  groups.size(), group.edge, group.ranks, group.ranks == 1 ? "" : "s",
+                                  MPI_Wtime() - start));
     }
     on_first_ranks(group.ranks, world,
                    [&](const Communicator& communicator) { measure(group, communicator, report); });

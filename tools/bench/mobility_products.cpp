@@ -108,7 +108,8 @@ std::vector<ProductRow> measure_products(const ProductRequest& request, const Co
   for (const int count : request.beads) {
     for (const Surroundings surroundings : all_values<Surroundings>) {
       for (int ranks = 1; ranks <= world.size(); ranks += std::max(1, world.size() - 1)) {
-        if (world.is_root()) tell(fmt::format("beadswim-bench: {} beads, {} ranks\n", count, ranks));
+        if (world.is_root())
+          print_to_stderr(fmt::format("beadswim-bench: {} beads, {} ranks\n", count, ranks));
         on_first_ranks(ranks, world, [&](const Communicator& communicator) {
           rows.push_back(measure(request, count, surroundings, communicator));
         });

@@ -37,7 +37,7 @@ void set_uniform_flow(Populations& populations) {
 }  // namespace
 
 double bytes_per_update(Precision precision) {
-  return 2.0 * d3q19::directions * static_cast<double>(bytes_of_number(precision));
+  return 2.0 * d3q19::directions * static_cast<double>(bytes_per_population(precision));
 }
 
 /// One precision.
@@ -92,15 +92,15 @@ double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
   constexpr double copies = 3, streams = 2;  // yardstick, fluid, swarm; arrays for bandwidth
   double bytes = streams * sizeof(double) * Bandwidth::numbers;
   for (const Precision precision : precisions) {
-    const double number = static_cast<double>(bytes_of_number(precision));
+    const double number = static_cast<double>(bytes_per_population(precision));
     bytes += (copies * d3q19::directions * number + 1) * std::pow(edge + 2, 3);
   }
   return bytes;
 }
 
 Bandwidth::Bandwidth()
-    : from_(static_cast<double*>(zeros_on_huge_pages(numbers * sizeof(double)))),
-      to_(static_cast<double*>(zeros_on_huge_pages(numbers * sizeof(double)))) {}
+    : from_(static_cast<double*>(allocate_zeros_on_huge_pages(numbers * sizeof(double)))),
+      to_(static_cast<double*>(allocate_zeros_on_huge_pages(numbers * sizeof(double)))) {}
 
 void Bandwidth::copy() {
   stream_kernels().copy(from_.get(), to_.get(), numbers);

@@ -20,7 +20,7 @@ std::ptrdiff_t StreamLayout::numbers(int edge) const {
 }
 
 std::vector<StreamLayout> stream_layouts(int edge, Precision precision) {
-  const auto line = static_cast<std::ptrdiff_t>(64 / bytes_of_number(precision)), page = 64 * line;
+  const auto line = static_cast<std::ptrdiff_t>(64 / bytes_per_population(precision)), page = 64 * line;
   const std::ptrdiff_t with_halo = edge + 2, tight = whole_multiple(edge, line);
   const std::ptrdiff_t cube = tight * edge * edge, cube_with_halo = with_halo * with_halo * with_halo;
   return {{"solver", whole_multiple(cube_with_halo, page) + 5 * line, with_halo, with_halo * with_halo},
@@ -34,7 +34,7 @@ StreamYardstick::StreamYardstick(int edge, Precision precision)
   std::ptrdiff_t most = 0;
   for (const StreamLayout& layout : stream_layouts(edge, precision))
     most = std::max(most, layout.numbers(edge));
-  memory_.reset(zeros_on_huge_pages(most * bytes_of_number(precision)));
+  memory_.reset(allocate_zeros_on_huge_pages(most * bytes_per_population(precision)));
 }
 
 void StreamYardstick::choose_layout(int rounds, const Communicator& communicator) {

@@ -157,7 +157,7 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
     std::vector<std::string> names;
     for (const Reference& reference : references) names.push_back(reference.method);
     throw InputError("--method", fmt::format("no reference has \"{}\"{} They have {}", method,
-                                             guess_at(method, names), fmt::join(names, ", ")));
+                                             format_suggestion(method, names), fmt::join(names, ", ")));
   }
   if (!found->usable) {
     throw InputError("--method", fmt::format("\"{}\" is marked unusable for this layout in {} and cannot "

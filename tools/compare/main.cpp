@@ -67,7 +67,7 @@ int run(int argc, const char* const* argv) {
   apply(flags, request);
   const VerdictDocument result = compare_files(request);
   write_text("-", dump_json(verdict_to_json(result)));
-  tell(verdict_table(result));
+  print_to_stderr(verdict_table(result));
   return static_cast<int>(verdict(result.rows) ? ExitStatus::fine : ExitStatus::negative_verdict);
 }
 

@@ -75,12 +75,13 @@ DefectCommand::DefectCommand(CLI::App& program)
 void DefectCommand::add_numbers() {
   auto& vacancy = add_kind("vacancy", {"--fraction 0.25", "--count 1 --seed 3"},
                            "Removes swimmers; the others keep their ids.",
-                           [this](Layout& layout) { add_vacancies(layout, how_many(), seed_); });
+                           [this](Layout& layout) { add_vacancies(layout, share_or_count(), seed_); });
   add_how_many(vacancy, "swimmers to remove", needed);
 
-  auto& interstitial = add_kind("interstitial", {"--count 2", "--fraction 0.25 --seed 3"},
-                                "Adds copies of the first swimmer at random free places, with new ids.",
-                                [this](Layout& layout) { add_interstitials(layout, how_many(), seed_); });
+  auto& interstitial =
+      add_kind("interstitial", {"--count 2", "--fraction 0.25 --seed 3"},
+               "Adds copies of the first swimmer at random free places, with new ids.",
+               [this](Layout& layout) { add_interstitials(layout, share_or_count(), seed_); });
   add_how_many(interstitial, "swimmers to add", needed);
 }
 
@@ -196,26 +197,27 @@ void DefectCommand::add_spacing() {
 void DefectCommand::add_mixture() {
   auto& mixture =
       add_kind("mixture", {"--with layout.json --count 2", "--with layout.json --fraction 0.5 --seed 3"},
-               "Gives swimmers another type; they keep their place and axis.",
-               [this](Layout& layout) { mix_in(layout, drawn_swimmers(layout, how_many(), seed_), other_); });
+               "Gives swimmers another type; they keep their place and axis.", [this](Layout& layout) {
+                 mix_in(layout, draw_swimmer_indices(layout, share_or_count(), seed_), other_);
+               });
   mixture.add_option("--with", other_, "Layout whose first swimmer has that type")
       ->required()
       ->type_name("FILE");
   add_how_many(mixture, "swimmers to change", needed);
 }
 
-HowMany DefectCommand::how_many() const {
+ShareOrCount DefectCommand::share_or_count() const {
   if (count_) return *count_;
   if (!fraction_) throw InputError("command line", "needs --fraction or --count");
   return *fraction_;
 }
 
-HowMany DefectCommand::how_many_or_all() const {
-  return fraction_ || count_ ? how_many() : HowMany{1.0};
+ShareOrCount DefectCommand::how_many_or_all() const {
+  return fraction_ || count_ ? share_or_count() : ShareOrCount{1.0};
 }
 
 std::vector<std::size_t> DefectCommand::chosen(const Layout& layout) const {
-  return drawn_swimmers(layout, how_many_or_all(), seed_);
+  return draw_swimmer_indices(layout, how_many_or_all(), seed_);
 }
 
 void DefectCommand::run(const CLI::App& program) const {

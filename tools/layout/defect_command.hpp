@@ -34,8 +34,8 @@ class DefectCommand {
   void add_drivings();
   void add_spacing();
 
-  HowMany how_many() const;  ///< throws InputError if that is not said
-  HowMany how_many_or_all() const;
+  ShareOrCount share_or_count() const;  ///< throws InputError if that is not said
+  ShareOrCount how_many_or_all() const;
   std::vector<std::size_t> chosen(const Layout& layout) const;
 
   CLI::App* command_;

@@ -32,7 +32,7 @@ void ReduceCommand::run(const CLI::App& program) const {
   ReducedCell reduced = reduce(document.layout, tolerance_ * smallest_radius(document.layout));
   const std::size_t before = document.layout.swimmers.size(), after = reduced.layout.swimmers.size();
   const Vec3& box = reduced.layout.domain->lengths;
-  tell(
+  print_to_stderr(
       fmt::format("beadswim-layout: {} x {} x {} cells, swimmers: {} -> {}, in a box of {:g} x {:g} x {:g}; "
                   "largest shift {:.2g}\n",
                   reduced.cells[0], reduced.cells[1], reduced.cells[2], before, after, box[0], box[1], box[2],

@@ -25,7 +25,7 @@ Units::Unit unit_named(Quantity quantity, const std::string& name) {
   if (const Units::Unit* unit = find_known_unit(quantity, name)) return *unit;
   std::vector<std::string> names;
   for (const Units::Unit& unit : known_units(quantity)) names.push_back(unit.name);
-  throw InputError("--units", unknown_name(name, names));
+  throw InputError("--units", format_unknown_name(name, names));
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ Layout SwimmerFlags::preset_layout() const {
     names.push_back(preset.name);
   }
   throw InputError("--preset",
-                   unknown_name(preset_, names) + "; swimmers and swarms have presets of their own");
+                   format_unknown_name(preset_, names) + "; swimmers and swarms have presets of their own");
 }
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {

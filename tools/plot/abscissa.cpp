@@ -17,7 +17,7 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
     throw InputError(run.source,
                      "does not say the beads' radius, which the separation l/λ needs; leave it out");
   }
-  const auto cycles = chosen_cycles(swimmer.cycles, choice, run.source);
+  const auto cycles = select_cycles(swimmer.cycles, choice, run.source);
   std::array<double, 2> arms{};
   for (const CycleStatistics& cycle : cycles) {
     for (std::size_t arm = 0; arm < 2; ++arm) arms[arm] += cycle.arm_means[arm];

@@ -88,7 +88,7 @@ void require_known(const std::string& method, const std::string& flag, const Nam
     throw InputError(flag, fmt::format("\"{}\" is wanted, but no prediction is given; add one", method));
   }
   throw InputError(flag, fmt::format("no prediction has \"{}\"{} They have {}", method,
-                                     guess_at(method, known), fmt::join(known, ", ")));
+                                     format_suggestion(method, known), fmt::join(known, ", ")));
 }
 
 /// The choice with "all" replaced by the methods that there are.

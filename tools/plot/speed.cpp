@@ -33,7 +33,7 @@ struct SpeedFlags {
 /// From which errors are measured: a swimmer by a prediction, or each swimmer by a run.
 struct ErrorReference {
   std::string name;
-  std::vector<Swimming> swimmers;                  ///< one for all, or one for each of a run's
+  std::vector<ComparedValues> swimmers;            ///< one for all, or one for each of a run's
   std::map<ComparedQuantity, double> uncertainty;  ///< relative, where it is known
 };
 

@@ -23,7 +23,7 @@ struct StrokeNumber {
   std::string symbol;
   int colour;
 
-  double in(const Swimming& swimming) const { return swimming.at(quantity)[position]; }
+  double in(const ComparedValues& swimming) const { return swimming.at(quantity)[position]; }
   std::string label(const std::string& source) const { return fmt::format("{}, {}", symbol, source); }
 };
 
@@ -68,7 +68,7 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
   for (const SwimmerRecord& swimmer : run.record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
       points.x.push_back(cycle.index);
-      points.y.push_back(number.in(swimming_in(cycle, run.record.domain)));
+      points.y.push_back(number.in(evaluate_compared_values(cycle, run.record.domain)));
     }
   }
   return points;

@@ -125,7 +125,7 @@ std::vector<PictureMark> marks(const Cell& cell, const std::vector<SwimmerMark>&
   std::vector<PictureMark> marks;
   for (const SwimmerMark& mark : wanted) {
     const auto found = std::ranges::find(ids, mark.id);
-    if (found == ids.end()) refuse_swimmer("--mark", mark.id, ids, cell.scene.source);
+    if (found == ids.end()) throw_unknown_swimmer("--mark", mark.id, ids, cell.scene.source);
     const PicturedSwimmer& swimmer = cell.scene.swimmers[static_cast<std::size_t>(found - ids.begin())];
     marks.push_back({mark.name, swimmer.beads[1], swimmer.radii[1]});
   }

@@ -24,7 +24,7 @@ const Swimmer& chosen(const Layout& layout, std::optional<int> id, const std::st
   if (found != layout.swimmers.end()) return *found;
   std::vector<int> ids;
   for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
-  refuse_swimmer("--swimmers", *id, ids, source);
+  throw_unknown_swimmer("--swimmers", *id, ids, source);
 }
 
 /// "λ = 4" for each, or "λ₁ = 4" if they differ; units but in lattice units.

@@ -45,7 +45,7 @@ std::vector<int> wanted_swimmers(const TrajectoryFile& file, const TrajectoryFla
 std::size_t first_bead(const TrajectoryFile& file, int swimmer) {
   const std::vector<int>& of_bead = file.reader.header().swimmer;
   const auto found = std::ranges::find(of_bead, swimmer);
-  if (found == of_bead.end()) refuse_swimmer("--swimmers", swimmer, file.swimmers(), file.source);
+  if (found == of_bead.end()) throw_unknown_swimmer("--swimmers", swimmer, file.swimmers(), file.source);
   return static_cast<std::size_t>(found - of_bead.begin());
 }
 

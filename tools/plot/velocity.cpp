@@ -116,7 +116,7 @@ Figure velocity_figure(const PlotInputs& inputs, Abscissa abscissa, const Veloci
                            prediction_curves(inputs, abscissa), std::nullopt, panel);
   set_axes(flags.axes, abscissa == Abscissa::separation_ratio ? Axes::log_log : Axes::log_y, panel);
   std::vector<std::string> notes = prediction_notes(inputs, abscissa);
-  if (leaves_out_values(panel))
+  if (has_omitted_values(panel))
     notes.push_back("Lines break where the velocity is not positive: the axis is logarithmic");
   std::ranges::move(group_notes(groups), std::back_inserter(notes));
   return {.title = title_of(inputs, abscissa), .panels = {std::move(panel)}, .notes = notes};

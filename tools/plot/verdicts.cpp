@@ -34,7 +34,7 @@ std::string method_of(const VerdictDocument& verdict, const std::vector<std::str
   if (known.contains(named.front())) return named.front();
   const std::vector<std::string> names(known.begin(), known.end());
   throw InputError("--method", fmt::format("{} has no \"{}\"{} It has {}", source, named.front(),
-                                           guess_at(named.front(), names), fmt::join(names, ", ")));
+                                           format_suggestion(named.front(), names), fmt::join(names, ", ")));
 }
 
 PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::string>& methods) {

@@ -26,8 +26,8 @@ std::string this_program() {
   return version() + " (" + revision() + ")";
 }
 
-/// An older run's checkpoint, which a restart must not take for this run's.
-void put_aside(const std::string& path) {
+/// Renames the checkpoint of an older run, so that a restart does not take it for a checkpoint of this run.
+void rename_old_checkpoint(const std::string& path) {
   std::error_code failure;
   if (!std::filesystem::exists(path, failure)) return;
   std::filesystem::rename(path, path + ".old", failure);
@@ -35,7 +35,7 @@ void put_aside(const std::string& path) {
     throw SolverError(fmt::format("{}, of an older run, cannot be renamed: {}", path, failure.message()));
 }
 
-/// Rank 0's look at the disk.
+/// Returns on all ranks whether the file exists for rank 0. Collective.
 bool exists(const std::string& path, const Communicator& communicator) {
   std::error_code ignored;
   int there = communicator.is_root() && std::filesystem::exists(path, ignored) ? 1 : 0;
@@ -47,8 +47,8 @@ IncomingMessage moment_of(const CheckpointReader& checkpoint) {
   return IncomingMessage(checkpoint.bytes(moment_section, 0, checkpoint.size(moment_section)));
 }
 
-std::unique_ptr<CheckpointReader> last_whole(const std::string& trajectory,
-                                             const Communicator& communicator) {
+std::unique_ptr<CheckpointReader> latest_complete_checkpoint(const std::string& trajectory,
+                                                             const Communicator& communicator) {
   std::unique_ptr<CheckpointReader> last;
   std::string faults;
   for (const int slot : {0, 1}) {
@@ -56,7 +56,7 @@ std::unique_ptr<CheckpointReader> last_whole(const std::string& trajectory,
     if (!exists(path, communicator)) continue;
     try {
       auto checkpoint = std::make_unique<CheckpointReader>(path, communicator);
-      if (!last || steps_in(*checkpoint) > steps_in(*last)) last = std::move(checkpoint);
+      if (!last || steps_done_in(*checkpoint) > steps_done_in(*last)) last = std::move(checkpoint);
     } catch (const InputError& damaged) {
       faults += std::string(damaged.what()) + "; ";
     }
@@ -69,7 +69,7 @@ std::unique_ptr<CheckpointReader> last_whole(const std::string& trajectory,
                     faults, trajectory));
   }
   if (!faults.empty() && communicator.is_root())
-    tell(fmt::format("beadswim-run: {}going on from {}\n", faults, last->path()));
+    print_to_stderr(fmt::format("beadswim-run: {}going on from {}\n", faults, last->path()));
   return last;
 }
 
@@ -85,7 +85,7 @@ std::string trajectory_of(const std::string& restart) {
 
 std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
                                                   const Communicator& communicator) {
-  if (trajectory_of(restart) == restart) return last_whole(restart, communicator);
+  if (trajectory_of(restart) == restart) return latest_complete_checkpoint(restart, communicator);
   if (!exists(restart, communicator)) throw InputError("--restart", restart + " does not exist");
   return std::make_unique<CheckpointReader>(restart, communicator);
 }
@@ -113,28 +113,28 @@ std::string layout_of(const CheckpointReader& checkpoint) {
   return checkpoint.text(layout_section);
 }
 
-long steps_in(const CheckpointReader& checkpoint) {
+long steps_done_in(const CheckpointReader& checkpoint) {
   long steps_done = 0;
   moment_of(checkpoint)(steps_done);
   return steps_done;
 }
 
-RunPast restore(Model& model, Recorder& recorder, const CheckpointReader& checkpoint,
-                const Communicator& communicator) {
+RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& checkpoint,
+                   const Communicator& communicator) {
   const std::string writer = checkpoint.text(program_section);
   if (writer != this_program() && communicator.is_root()) {
-    tell(
+    print_to_stderr(
         fmt::format("beadswim-run: warning: {} was written by {}, and this is {}; the last bits may differ\n",
                     checkpoint.path(), writer, this_program()));
   }
-  RunPast past;
+  RunHistory history;
   IncomingMessage moment = moment_of(checkpoint);
-  moment(past.steps_done);
-  if (past.steps_done < 0)
+  moment(history.steps_done);
+  if (history.steps_done < 0)
     throw SolverError(checkpoint.path() +
                       ": its run has not begun; take the other checkpoint, or begin without --restart");
-  model.restore(past.steps_done, moment, checkpoint);
-  moment(past.wall_seconds, past.core_seconds);
+  model.restore(history.steps_done, moment, checkpoint);
+  moment(history.wall_seconds, history.core_seconds);
   if (!moment.is_at_end())
     throw SolverError(
         checkpoint.path() +
@@ -142,8 +142,8 @@ RunPast restore(Model& model, Recorder& recorder, const CheckpointReader& checkp
   recorder.restore(communicator.is_root()
                        ? checkpoint.bytes(record_section, 0, checkpoint.size(record_section))
                        : std::vector<char>{},
-                   past.steps_done);
-  return past;
+                   history.steps_done);
+  return history;
 }
 
 Checkpoints::Checkpoints(const RunOptions& options, std::string layout, const std::string& restarted,
@@ -156,9 +156,9 @@ Checkpoints::Checkpoints(const RunOptions& options, std::string layout, const st
   int slot = communicator_.is_root() ? slot_of(restarted) : -1;
   MPI_Bcast(&slot, 1, MPI_INT, 0, communicator_.get());
   if (slot >= 0) {
-    slot_ = 1 - slot;  // that one stays until the next is whole
+    slot_ = 1 - slot;  // keeps the restarted checkpoint until the next is complete
   } else if (communicator_.is_root()) {
-    for (const int other : {0, 1}) put_aside(slot_path(output_, other));
+    for (const int other : {0, 1}) rename_old_checkpoint(slot_path(output_, other));
   }
 }
 
@@ -171,12 +171,12 @@ int Checkpoints::slot_of(const std::string& checkpoint) const {
   return -1;
 }
 
-void Checkpoints::write(const RunParts& parts, const RunPast& past) {
+void Checkpoints::write(const RunParts& parts, const RunHistory& history) {
   const std::vector<char> record = parts.recorder.state();
   OutgoingMessage moment;
-  moment(past.steps_done);
-  parts.model.write_past(moment);
-  moment(past.wall_seconds, past.core_seconds);
+  moment(history.steps_done);
+  parts.model.write_history(moment);
+  moment(history.wall_seconds, history.core_seconds);
 
   const std::string path = slot_path(output_, slot_);
   CheckpointWriter file(path, communicator_);

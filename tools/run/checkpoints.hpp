@@ -8,56 +8,59 @@
 #include "command_line/options.hpp"
 #include "run_loop.hpp"
 
-// Checkpoints of a run: FILE.h5md.ckpt.0 and .1 in turn, so that one whole checkpoint is there while the
-// other is written. docs/formats/checkpoint.md.
+// Checkpoints of a run. The files FILE.h5md.ckpt.0 and .1 are written alternately, so that one complete
+// checkpoint exists while the other is written. Page: docs/formats/checkpoint.md.
 
 namespace beadswim {
 
-/// Finds and checks the file of --restart: one checkpoint, or a trajectory, of whose two checkpoints it takes
-/// the last that is whole. Throws InputError alike on all ranks. Collective.
+/// Opens and checks the checkpoint that --restart names. For a trajectory, opens the latest complete one of
+/// its two checkpoints. Throws InputError on all ranks if there is none. Collective.
 std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
                                                   const Communicator& communicator);
 
-/// The trajectory that a checkpoint, or what --restart names, belongs to.
+/// Returns the trajectory of the run that the argument of --restart names: a trajectory or a checkpoint.
 std::string trajectory_of(const std::string& restart);
 
-/// The flags of the checkpoint's run.
+/// Returns the flags of the checkpoint's run. Throws InputError if they cannot be read.
 FlagValues flags_of(const CheckpointReader& checkpoint);
 
-/// Throws InputError if the command line gives another value of what sets the course of the run than the
-/// checkpoint's `flags`.
+/// Throws InputError if a flag that determines the physics of the run differs between the command line and
+/// `flags`, the flags of the checkpoint.
 void require_same_course(const RunOptions& options, const FlagValues& flags);
 
-/// The layout of the checkpoint's run, as text.
+/// Returns the layout of the checkpoint's run as JSON text.
 std::string layout_of(const CheckpointReader& checkpoint);
 
-/// Steps done when it was taken.
-long steps_in(const CheckpointReader& checkpoint);
+/// Returns the number of steps that the run had completed when the checkpoint was written.
+long steps_done_in(const CheckpointReader& checkpoint);
 
-/// Sets model and recorder to where the checkpoint's were. Collective.
-RunPast restore(Model& model, Recorder& recorder, const CheckpointReader& checkpoint,
-                const Communicator& communicator);
+/// Restores model and recorder from a checkpoint and returns the history of its run. Throws SolverError if
+/// the checkpoint does not belong to this run or version. Collective.
+RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& checkpoint,
+                   const Communicator& communicator);
 
+/// Writes the checkpoints of a run.
 class Checkpoints {
  public:
-  /// `layout`: text of the layout. `restarted`: the file that the run goes on from; empty if it began anew.
-  /// Renames checkpoints of another run under this one's name, to ...old.
+  /// `layout`: JSON text of the layout. `restarted`: the checkpoint that the run continues; empty for a new
+  /// run. Checkpoints of another run with the same file names are renamed: `.old` is appended. Throws
+  /// SolverError if this fails. Collective.
   Checkpoints(const RunOptions& options, std::string layout, const std::string& restarted,
               const Communicator& communicator);
 
-  /// Keeps a sound run as it is now. Throws SolverError, maybe on one rank alone, which must then stop the
-  /// others. Collective.
-  void write(const RunParts& parts, const RunPast& past);
+  /// Writes a checkpoint of the present state, which must be free of faults. Throws SolverError, possibly on
+  /// a single rank only, which must then stop the others. Collective.
+  void write(const RunParts& parts, const RunHistory& history);
 
-  /// The last one; empty before it.
+  /// Returns the path of the latest checkpoint; empty if there is none.
   const std::string& last() const { return last_; }
 
  private:
-  int slot_of(const std::string& checkpoint) const;  ///< -1: none of this run's
+  int slot_of(const std::string& checkpoint) const;  ///< 0 or 1; -1 if it is no checkpoint of this run
 
   std::string output_, flags_, layout_;
   const Communicator& communicator_;
-  int slot_ = 0;  ///< of the next
+  int slot_ = 0;  ///< slot of the next checkpoint
   std::string last_;
 };
 

@@ -24,7 +24,7 @@ using namespace beadswim;
 
 constexpr const char* program_name = "beadswim-run";
 
-/// The solver failed, results intact: known to every rank.
+/// The run ended with a fault that all ranks know. The results up to the fault are complete.
 class RunFailed : public SolverError {
  public:
   using SolverError::SolverError;
@@ -39,24 +39,25 @@ void require_steps_left(const ModelPlan& plan, long done) {
 }
 
 void warn(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) tell(fmt::format("{}: warning: {}\n", program_name, warning));
+  for (const std::string& warning : warnings)
+    print_to_stderr(fmt::format("{}: warning: {}\n", program_name, warning));
 }
 
-/// What the run is, before it begins.
+/// Prints the description of the run and its warnings.
 void announce(const ModelPlan& plan, const Request& request) {
   if (plan.options.progress != ProgressStyle::none) {
-    tell(fmt::format("{}: {}\n", program_name, plan.announcement));
+    print_to_stderr(fmt::format("{}: {}\n", program_name, plan.announcement));
     if (request.checkpoint) {
-      tell(fmt::format("{}: going on from {}, step {}\n", program_name, request.checkpoint->path(),
-                       request.steps_done));
+      print_to_stderr(fmt::format("{}: going on from {}, step {}\n", program_name, request.checkpoint->path(),
+                                  request.steps_done));
     }
   }
   warn(plan.warnings);
 }
 
-void tell_how_to_go_on(const Checkpoints& checkpoints) {
+void print_restart_flag(const Checkpoints& checkpoints) {
   if (checkpoints.last().empty()) return;
-  tell(fmt::format("{}: the state is kept: --restart {}\n", program_name, checkpoints.last()));
+  print_to_stderr(fmt::format("{}: the state is kept: --restart {}\n", program_name, checkpoints.last()));
 }
 
 void print_record(const RunRecord& record, const RunOptions& options) {
@@ -64,64 +65,64 @@ void print_record(const RunRecord& record, const RunOptions& options) {
   write_text("-", dump_json(run_record_to_json(record, provenance)));
 }
 
-/// The index for ParaView: without it the run's results are whole.
-void index_trajectory(const std::string& path) {
+/// Writes the XDMF index for ParaView. The results are complete without it, so a failure is not fatal.
+void write_paraview_index(const std::string& path) {
   try {
     write_xdmf(path);
   } catch (const std::exception& error) {
-    tell(fmt::format("{}: warning: no index for ParaView: {}\n", program_name, error.what()));
+    print_to_stderr(fmt::format("{}: warning: no index for ParaView: {}\n", program_name, error.what()));
   }
 }
 
-/// Runs to the end, and prints the record.
+/// Runs the time loop and prints the run record. Aborts all ranks if an exception is thrown.
 RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document,
                           const Communicator& failures) {
   try {
-    std::optional<RunPast> past;
+    std::optional<RunHistory> history;
     if (request.checkpoint)
-      past = restore(parts.model, parts.recorder, *request.checkpoint, parts.communicator);
-    request.checkpoint.reset();  // its room on the disk is free when another takes its place
-    const RunOutcome outcome = run_to_end(parts, past);
+      history = restore(parts.model, parts.recorder, *request.checkpoint, parts.communicator);
+    request.checkpoint.reset();  // closes the file, so that its disk space is free once it is replaced
+    const RunOutcome outcome = run_to_end(parts, history);
     const RunRecord record = make_record(parts, document, outcome);
     parts.trajectory.finish();
     if (parts.communicator.is_root()) {
       print_record(record, parts.plan.options);
-      index_trajectory(parts.plan.options.output);
+      write_paraview_index(parts.plan.options.output);
     }
     return outcome;
-  } catch (...) {  // before the trajectory is closed, which all ranks would have to do together
-    tell_how_to_go_on(parts.checkpoints);
+  } catch (...) {  // aborts here, because closing the trajectory is collective
+    print_restart_flag(parts.checkpoints);
     abort_after_failure(program_name, failures);
   }
 }
 
-/// --plan: prints it, and throws InputError if no run is within the tolerance.
+/// Implements --plan: prints the plan. Throws InputError if no run is within the tolerance. Collective.
 int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
   const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
   if (communicator.is_root()) {
-    tell(plan_table(plan, request.options, communicator));
+    print_to_stderr(plan_table(plan, request.options, communicator));
     write_text("-", dump_json(plan_to_json(plan, request.options, communicator)));
   }
   chosen(plan, request.options);
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// --model auto --tolerance E: the options of the cheapest run within the tolerance. Throws InputError if
-/// there is none.
-void take_planned(const LayoutDocument& document, Request& request, const Communicator& communicator) {
+/// Implements --model auto --tolerance E: takes the settings of the cheapest run within the tolerance. Throws
+/// InputError if there is none. Collective.
+void apply_plan(const LayoutDocument& document, Request& request, const Communicator& communicator) {
   const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
   const PlannedRun& planned = chosen(plan, request.options);
   request.options.settings = planned.settings;
-  request.options.given.erase("--tolerance");  // it was of the plan
+  request.options.given.erase("--tolerance");  // the flag applied to the plan only
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
-  tell(fmt::format("{}: planned: {}, with errors of {:.2g} % expected, at {:.3g} core-seconds\n",
-                   program_name, flags_of(planned, request.options), 100 * planned.error.largest(),
-                   planned.core_seconds));
+  print_to_stderr(fmt::format("{}: planned: {}, with errors of {:.2g} % expected, at {:.3g} core-seconds\n",
+                              program_name, flags_of(planned, request.options), 100 * planned.error.largest(),
+                              planned.core_seconds));
 }
 
-/// Throws InputError alike on all ranks while nothing has begun.
+/// Runs the program and returns its exit status. Throws InputError on all ranks before the run begins.
 int run(int argc, char** argv, const Communicator& communicator, const Communicator& failures) {
   const double start = MPI_Wtime();
   auto read = read_request(argc, argv, communicator);
@@ -129,7 +130,7 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   Request& request = std::get<Request>(read);
   const LayoutDocument document = read_layout(request, communicator);
   if (request.options.plan) return report_plan(document, request, communicator);
-  if (request.options.settings.model == RunModel::automatic) take_planned(document, request, communicator);
+  if (request.options.settings.model == RunModel::automatic) apply_plan(document, request, communicator);
   const std::unique_ptr<ModelPlan> planned = plan_for(document, request, communicator);
   const ModelPlan& plan = *planned;
   const RunOptions& options = plan.options;
@@ -145,21 +146,29 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   Recorder recorder(plan, document.layout, trajectory, communicator);
   Checkpoints checkpoints(options, dump_json(layout_to_json(document)),
                           request.checkpoint ? request.checkpoint->path() : "", communicator);
-  const RunParts parts{start, communicator, plan, *model, trajectory, recorder, checkpoints, progress};
+  const RunParts parts{.start = start,
+                       .communicator = communicator,
+                       .plan = plan,
+                       .model = *model,
+                       .trajectory = trajectory,
+                       .recorder = recorder,
+                       .checkpoints = checkpoints,
+                       .progress = progress};
   catch_stop_signals();
   const RunOutcome outcome = run_and_record(parts, request, document, failures);
   const std::vector<std::string> warnings = model->warnings();
   if (communicator.is_root()) {
     warn(warnings);
     if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)
-      tell_how_to_go_on(checkpoints);
+      print_restart_flag(checkpoints);
   }
   if (outcome.status == RunStatus::failed) throw RunFailed(outcome.reason);
   if (outcome.status != RunStatus::finished) throw StoppedEarly(outcome.reason);
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// Wrong input, faults of a run and early stops are known to every rank: rank 0 speaks, all leave.
+/// Returns the exit status for the current exception. Invalid input, faults and early stops are known to all
+/// ranks, so only rank 0 reports them. Other exceptions end all ranks.
 int report_failure(const Communicator& communicator, const Communicator& failures) {
   try {
     throw;

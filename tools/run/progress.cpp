@@ -11,7 +11,7 @@
 namespace beadswim {
 namespace {
 
-ProgressStyle resolved(ProgressStyle style) {
+ProgressStyle resolve_style(ProgressStyle style) {
   if (style != ProgressStyle::automatic) return style;
   return isatty(STDERR_FILENO) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
 }
@@ -20,7 +20,7 @@ double seconds(std::chrono::steady_clock::duration interval) {
   return std::chrono::duration<double>(interval).count();
 }
 
-std::string readable(double seconds) {
+std::string duration_text(double seconds) {
   const long s = std::lround(seconds);
   if (s < 60) return fmt::format("{} s", s);
   if (s < 3600) return fmt::format("{} min {:02} s", s / 60, s % 60);
@@ -31,7 +31,7 @@ std::string readable(double seconds) {
 
 Progress::Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
                    std::optional<double> cells)
-    : style_(resolved(style)),
+    : style_(resolve_style(style)),
       first_(static_cast<double>(first)),
       steps_(static_cast<double>(steps)),
       steps_per_cycle_(steps_per_cycle),
@@ -49,7 +49,7 @@ void Progress::update(long steps_done) {
 void Progress::finish(long steps_done) {
   if (style_ == ProgressStyle::none) return;
   print(steps_done);
-  if (style_ == ProgressStyle::bar) tell("\n");
+  if (style_ == ProgressStyle::bar) print_to_stderr("\n");
 }
 
 void Progress::print(long steps_done) {
@@ -59,21 +59,21 @@ void Progress::print(long steps_done) {
   const double left = now_done > 0 ? elapsed * (steps_ - done) / now_done : 0;
   const double mlups = elapsed > 0 ? 1e-6 * cells_.value_or(0) * now_done / elapsed : 0;
   if (style_ == ProgressStyle::json) {
-    tell(fmt::format("{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},{}\"seconds_left\":{:.1f}}}\n", steps_done,
-                     steps_, done / steps_per_cycle_, cells_ ? fmt::format("\"mlups\":{:.3f},", mlups) : "",
-                     left));
+    print_to_stderr(fmt::format("{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},{}\"seconds_left\":{:.1f}}}\n",
+                                steps_done, steps_, done / steps_per_cycle_,
+                                cells_ ? fmt::format("\"mlups\":{:.3f},", mlups) : "", left));
     return;
   }
   const std::string line = fmt::format(
       "cycle {:.2f} of {:.2f}, {:3.0f} %,{} {} left", done / steps_per_cycle_, steps_ / steps_per_cycle_,
-      100 * done / steps_, cells_ ? fmt::format(" {:.1f} MLUPS,", mlups) : "", readable(left));
+      100 * done / steps_, cells_ ? fmt::format(" {:.1f} MLUPS,", mlups) : "", duration_text(left));
   if (style_ == ProgressStyle::lines) {
-    tell(fmt::format("beadswim-run: {}\n", line));
+    print_to_stderr(fmt::format("beadswim-run: {}\n", line));
     return;
   }
   constexpr int width = 30;
   const std::string filled(static_cast<std::size_t>(width * done / steps_), '#');
-  tell(fmt::format("\r[{:<{}}] {}\x1b[K", filled, width, line));
+  print_to_stderr(fmt::format("\r[{:<{}}] {}\x1b[K", filled, width, line));
 }
 
 }  // namespace beadswim

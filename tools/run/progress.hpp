@@ -7,14 +7,15 @@
 
 namespace beadswim {
 
-/// Tells on stderr how far a run is and how long it will take.
+/// Prints on stderr how much of a run is done and how long the rest will take.
 class Progress {
  public:
-  /// Of `steps` in all, `first` have been done by an earlier run. Without cells it tells no updates of them.
+  /// `steps`: total number of time steps. `first`: number of steps that an earlier run has completed.
+  /// `cells`: number of lattice cells; nullopt for models without a lattice, for which no MLUPS are printed.
   Progress(ProgressStyle style, long first, long steps, double steps_per_cycle, std::optional<double> cells);
 
-  void update(long steps_done);
-  void finish(long steps_done);  ///< the last word, and the end of the bar's line
+  void update(long steps_done);  ///< prints a line if the interval since the last one is over
+  void finish(long steps_done);  ///< prints the last line
 
  private:
   using Clock = std::chrono::steady_clock;

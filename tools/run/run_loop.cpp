@@ -13,34 +13,38 @@
 namespace beadswim {
 namespace {
 
-/// Steps between looks at what may stop the run: ranks agree there, and only there.
+/// Number of steps between checks for faults, signals and the time limit, which need communication.
 constexpr long steps_between_guards = 20;
 
-/// Steps after which the model's totals are looked at even if no frame is due.
+/// Number of steps after which the totals of the model are checked even if no frame is due.
 constexpr long steps_between_totals = 500;
 
-struct Stop {
+/// Status and reason of a run that stops early without a fault.
+struct StopRequest {
   RunStatus status;
   std::string reason;
 };
 
-/// Why the run should stop here although nothing is wrong: a signal to any rank, or the time limit by rank
-/// 0's clock. The same answer on all ranks.
-std::optional<Stop> asked_to_stop(double start, const RunOptions& options, const Communicator& communicator) {
+/// Returns a stop request if any rank has received a signal or if the clock of rank 0 has passed the time
+/// limit; nullopt otherwise. Returns the same on all ranks. `start`: MPI_Wtime at the start of the program
+/// [s]. Collective.
+std::optional<StopRequest> stop_request(double start, const RunOptions& options,
+                                        const Communicator& communicator) {
   const double seconds = MPI_Wtime() - start;
-  std::array<int, 2> asked{stop_signal(),
-                           communicator.is_root() && seconds > options.time_limit.value_or(seconds)};
-  MPI_Allreduce(MPI_IN_PLACE, asked.data(), asked.size(), MPI_INT, MPI_MAX, communicator.get());
-  if (asked[0] != 0) return Stop{RunStatus::stopped_signal, fmt::format("stopped by signal {}", asked[0])};
-  if (asked[1] == 0) return std::nullopt;
-  return Stop{
+  std::array<int, 2> requests{stop_signal(),
+                              communicator.is_root() && seconds > options.time_limit.value_or(seconds)};
+  MPI_Allreduce(MPI_IN_PLACE, requests.data(), requests.size(), MPI_INT, MPI_MAX, communicator.get());
+  if (requests[0] != 0)
+    return StopRequest{RunStatus::stopped_signal, fmt::format("stopped by signal {}", requests[0])};
+  if (requests[1] == 0) return std::nullopt;
+  return StopRequest{
       RunStatus::stopped_time,
       fmt::format("the time limit of {} s is over; a longer --time-limit, or more ranks, take the run "
                   "to its end",
                   *options.time_limit)};
 }
 
-/// At which steps what is due. Interval 0: never.
+/// Steps at which outputs and checks are due. An interval of 0 means never.
 struct Timetable {
   long steps = 0, flow_interval = 0, checkpoint_interval = 0;
 
@@ -66,15 +70,16 @@ struct Timetable {
 
 class TimeLoop {
  public:
-  TimeLoop(const RunParts& parts, const RunPast& past) : parts_(parts), past_(past), due_(parts.plan) {}
+  TimeLoop(const RunParts& parts, const RunHistory& history)
+      : parts_(parts), history_(history), due_(parts.plan) {}
 
-  /// The state at the run's start.
+  /// Records the first frame of a new run.
   void record_start() {
     outcome_.last_totals = parts_.model.first_totals();
     parts_.recorder.sample(parts_.model);
     parts_.recorder.record(parts_.model, outcome_.last_totals);
   }
-  void go_on() { outcome_.last_totals = parts_.model.totals(); }
+  void resume() { outcome_.last_totals = parts_.model.totals(); }
 
   RunOutcome run() {
     while (step() < due_.steps && outcome_.status == RunStatus::finished) {
@@ -87,7 +92,7 @@ class TimeLoop {
       if (due_.is_flow(step())) parts_.model.write_flow();
       if (is_guard) guard();
     }
-    const RunPast now = as_past();
+    const RunHistory now = current_history();
     outcome_.wall_seconds = now.wall_seconds;
     outcome_.core_seconds = now.core_seconds;
     if (parts_.communicator.is_root()) parts_.progress.finish(step());
@@ -97,7 +102,8 @@ class TimeLoop {
  private:
   long step() const { return parts_.model.steps_done(); }
 
-  /// Whether nothing has gone wrong. Frames, checkpoints and the record need the totals, which it takes then.
+  /// Returns whether there is no fault; otherwise stores it in the outcome. Evaluates the totals if a frame,
+  /// a checkpoint or the record needs them.
   bool is_sound(bool is_frame) {
     ModelTotals totals = outcome_.last_totals;
     if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % steps_between_totals == 0)
@@ -111,32 +117,32 @@ class TimeLoop {
     return true;
   }
 
-  /// Stops the run if it is asked to; keeps it if that is due, or if it stops.
+  /// Stops the run if a stop is requested. Writes a checkpoint if one is due or if the run stops.
   void guard() {
     if (parts_.communicator.is_root()) parts_.progress.update(step());
     bool is_checkpoint = due_.is_checkpoint(step());
-    const std::optional<Stop> stop =
+    const std::optional<StopRequest> stop =
         due_.is_last(step()) ? std::nullopt
-                             : asked_to_stop(parts_.start, parts_.plan.options, parts_.communicator);
+                             : stop_request(parts_.start, parts_.plan.options, parts_.communicator);
     if (stop) {
       outcome_.status = stop->status;
       outcome_.reason = fmt::format("step {} of {}: {}", step(), due_.steps, stop->reason);
       outcome_.last_totals = parts_.model.totals();
       is_checkpoint = true;
     }
-    if (is_checkpoint) parts_.checkpoints.write(parts_, as_past());
+    if (is_checkpoint) parts_.checkpoints.write(parts_, current_history());
   }
 
-  /// What a run that goes on from here would have behind it.
-  RunPast as_past() const {
+  /// Returns the history of a run that would continue from the present state.
+  RunHistory current_history() const {
     const double seconds = MPI_Wtime() - start_;
     return {.steps_done = step(),
-            .wall_seconds = past_.wall_seconds + seconds,
-            .core_seconds = past_.core_seconds + seconds * parts_.communicator.size()};
+            .wall_seconds = history_.wall_seconds + seconds,
+            .core_seconds = history_.core_seconds + seconds * parts_.communicator.size()};
   }
 
   const RunParts& parts_;
-  RunPast past_;
+  RunHistory history_;
   Timetable due_;
   double start_ = MPI_Wtime();
   RunOutcome outcome_;
@@ -144,10 +150,10 @@ class TimeLoop {
 
 }  // namespace
 
-RunOutcome run_to_end(const RunParts& parts, const std::optional<RunPast>& past) {
-  TimeLoop loop(parts, past.value_or(RunPast{}));
-  if (past) {
-    loop.go_on();
+RunOutcome run_to_end(const RunParts& parts, const std::optional<RunHistory>& history) {
+  TimeLoop loop(parts, history.value_or(RunHistory{}));
+  if (history) {
+    loop.resume();
   } else {
     loop.record_start();
   }

@@ -10,22 +10,23 @@ namespace beadswim {
 
 class Checkpoints;
 
-/// What a run has behind it when its loop begins: at its start nothing.
-struct RunPast {
+/// Steps and cost of a run before the loop of this program begins; zero for a new run.
+struct RunHistory {
   long steps_done = 0;
   double wall_seconds = 0, core_seconds = 0;
 };
 
+/// Result of the time loop.
 struct RunOutcome {
   RunStatus status = RunStatus::finished;
-  std::string reason;  ///< why it stopped before its end; empty if it did not
+  std::string reason;  ///< why the run stopped early; empty if it finished
   double wall_seconds = 0, core_seconds = 0;
-  ModelTotals last_totals;  ///< when all was well the last time
+  ModelTotals last_totals;  ///< at the last check without a fault
 };
 
-/// What a run's time loop drives.
+/// Objects that the time loop of a run uses.
 struct RunParts {
-  double start;  ///< of the program, by MPI_Wtime: what --time-limit counts from
+  double start;  ///< MPI_Wtime at the start of the program, from which --time-limit counts [s]
   const Communicator& communicator;
   const ModelPlan& plan;
   Model& model;
@@ -35,8 +36,8 @@ struct RunParts {
   Progress& progress;
 };
 
-/// Advances until the last step, a fault, the time limit or a signal; from the start, or from where `past`
-/// ends. Takes no frame and no checkpoint once a fault is there. Collective.
-RunOutcome run_to_end(const RunParts& parts, const std::optional<RunPast>& past);
+/// Advances the model until the last step, a fault, the time limit or a signal. The run starts from the
+/// beginning, or continues after `history`. After a fault, no frame and no checkpoint is written. Collective.
+RunOutcome run_to_end(const RunParts& parts, const std::optional<RunHistory>& history);
 
 }  // namespace beadswim

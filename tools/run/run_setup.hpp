@@ -9,11 +9,11 @@
 
 namespace beadswim {
 
-/// How the layout is run. Throws InputError alike on all ranks. Collective.
+/// Returns the plan of the run with the requested model. Throws InputError on all ranks. Collective.
 std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
                                     const Communicator& communicator);
 
-/// What does not change in the run's trajectory.
+/// Returns the constant data of the trajectory: box, beads, layout and version.
 TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan);
 
 }  // namespace beadswim

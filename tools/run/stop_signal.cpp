@@ -8,15 +8,15 @@ namespace {
 
 volatile std::sig_atomic_t received = 0;
 
-void note(int signal) {
+void store_signal(int signal) {
   received = signal;
 }
 
 }  // namespace
 
 void catch_stop_signals() {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that goes away is an error of writing, and no sudden death
-  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, note);
+  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe then causes a write error
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, store_signal);
 }
 
 int stop_signal() {

@@ -2,11 +2,11 @@
 
 namespace beadswim {
 
-/// From now on SIGINT, SIGTERM and SIGUSR1 ask the run to stop instead of killing it, and a
-/// closed pipe does neither.
+/// Installs handlers by which SIGINT, SIGTERM and SIGUSR1 request a stop instead of killing the program.
+/// Ignores SIGPIPE.
 void catch_stop_signals();
 
-/// The signal that has asked this rank to stop, or 0.
+/// Returns the signal that requested this rank to stop, or 0.
 int stop_signal();
 
 }  // namespace beadswim

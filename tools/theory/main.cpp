@@ -88,12 +88,13 @@ void tell_left_out(const std::vector<LeftOutMethod>& left_out) {
   std::map<std::string, std::vector<std::string>> methods_by_reason;
   for (const auto& [method, reason] : left_out) methods_by_reason[reason].push_back(method);
   for (const auto& [reason, names] : methods_by_reason) {
-    tell(fmt::format("beadswim-theory: left out {}: {}\n", fmt::join(names, ", "), reason));
+    print_to_stderr(fmt::format("beadswim-theory: left out {}: {}\n", fmt::join(names, ", "), reason));
   }
 }
 
 void tell_of(const PredictionDocument& predicted) {
-  for (const std::string& warning : predicted.warnings) tell("beadswim-theory: warning: " + warning + "\n");
+  for (const std::string& warning : predicted.warnings)
+    print_to_stderr("beadswim-theory: warning: " + warning + "\n");
   tell_left_out(predicted.left_out);
 }
 
@@ -109,11 +110,12 @@ struct Tally {
 
   void report() const {
     if (warned > 0)
-      tell(fmt::format("beadswim-theory: {} of {} layouts have warnings: see \"warnings\" of each\n", warned,
-                       layouts));
+      print_to_stderr(fmt::format(
+          "beadswim-theory: {} of {} layouts have warnings: see \"warnings\" of each\n", warned, layouts));
     if (incomplete > 0) {
-      tell(fmt::format("beadswim-theory: {} of {} layouts left methods out: see \"left_out\" of each\n",
-                       incomplete, layouts));
+      print_to_stderr(
+          fmt::format("beadswim-theory: {} of {} layouts left methods out: see \"left_out\" of each\n",
+                      incomplete, layouts));
     }
   }
 };

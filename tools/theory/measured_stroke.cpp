@@ -18,7 +18,7 @@ const SwimmerRecord& swimmer_of(const RunRecord& run, std::optional<int> id, con
         "--stroke-from " + path,
         fmt::format("holds statistics of the swarm alone, as records of over {} swimmers do; run "
                     "a smaller cell of the scene (beadswim-layout reduce)",
-                    most_swimmers_listed));
+                    max_swimmers_listed));
   }
   const std::string which = id ? fmt::format("swimmer {}", *id) : "swimmers one by one";
   throw InputError(

@@ -115,7 +115,7 @@ std::string all_cycle_blocks(const std::vector<TrajectoryCycle>& rows, const Lay
   for (const TrajectoryCycle& row : rows)
     std::ranges::copy(records_of<CycleStatistics>(row.columns, swimmers), std::back_inserter(cycles));
   std::string text = cycle_blocks("velocity", cycles, swimmers, [&](const CycleStatistics& cycle) {
-    return velocity_against_fluid(cycle, layout.domain);
+    return velocity_relative_to_fluid(cycle, layout.domain);
   });
   for (const std::size_t arm : {0, 1}) {
     const std::string n = std::to_string(arm + 1);

@@ -8,10 +8,11 @@
 namespace beadswim {
 namespace {
 
-/// Nearest to a resolved run first.
+/// Methods in order of preference: those closest to a resolved run come first.
 constexpr std::array preferred_methods{"inertia-corrected", "multipole-ode", "rpy-ode", "rpy-perturbation"};
 
-/// 0 for the most preferred method; all that the list leaves out rank alike.
+/// Returns 0 for the most preferred method. All methods that are not in the list have the same, largest
+/// value.
 std::ptrdiff_t preference(const std::string& method) {
   return std::find(preferred_methods.begin(), preferred_methods.end(), method) - preferred_methods.begin();
 }
@@ -22,7 +23,7 @@ bool can_decide(const Reference& reference, std::span<const ComparedQuantity> qu
                      [&](ComparedQuantity quantity) { return reference.swimming.contains(quantity); });
 }
 
-/// All of a row but its numbers.
+/// Returns a row without its numbers.
 ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity) {
   ComparisonRow row;
   row.quantity = quantity;
@@ -34,7 +35,8 @@ ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, Co
   return row;
 }
 
-/// The row of the quantity's number i: of its only one, or of arm i + 1.
+/// Returns the row of number i of a quantity. For arm amplitudes, i + 1 is the arm; other quantities have one
+/// number.
 ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity,
                              std::size_t i, double tolerance) {
   ComparisonRow row = labelled_row(run, reference, quantity);

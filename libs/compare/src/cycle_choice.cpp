@@ -27,7 +27,7 @@ CycleChoice parse_cycle_choice(const std::string& text) {
   return {mean ? CycleChoice::Kind::last : CycleChoice::Kind::index, number};
 }
 
-std::span<const CycleStatistics> chosen_cycles(std::span<const CycleStatistics> cycles,
+std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> cycles,
                                                const CycleChoice& choice, const std::string& source) {
   if (cycles.empty()) {
     throw InputError(source, "holds no whole cycle; run for one cycle or more");

@@ -16,7 +16,8 @@ namespace {
 
 using Samples = std::span<const SwimmerSample>;
 
-/// Sample times are sums of time steps: how far, in periods, they may miss one period.
+/// Largest relative deviation of the sampled time span from one period. Sample times are sums of time steps
+/// and therefore contain roundoff.
 constexpr double period_tolerance = 1e-9;
 
 void require_one_cycle(int index, Samples samples, double period) {
@@ -40,7 +41,7 @@ void require_one_cycle(int index, Samples samples, double period) {
   }
 }
 
-/// (1/T) int_0^T value(sample) dt by the trapezoidal rule.
+/// Returns (1/T) int_0^T value(sample) dt by the trapezoidal rule.
 template <typename Value>
 Vec3 time_average(Samples samples, double period, Value value) {
   Vec3 integral = Vec3::Zero();
@@ -60,8 +61,9 @@ Vec3 direction(const SwimmerSample& sample) {
   return (sample.bead_positions[2] - sample.bead_positions[0]).normalized();
 }
 
-/// Stroke of one arm (0 joins beads 1 and 2, 1 beads 2 and 3) on the clock of the driving. The last sample
-/// is one period after the first and would count it twice.
+/// Fits the stroke of one arm: arm 0 joins beads 1 and 2, arm 1 joins beads 2 and 3. Phases refer to the time
+/// of the samples, which is that of the driving. Omits the last sample, because it has the same phase as the
+/// first.
 StrokeFit fit_arm(Samples samples, std::size_t arm, double period) {
   std::vector<double> times, lengths;
   for (const SwimmerSample& sample : samples.first(samples.size() - 1)) {

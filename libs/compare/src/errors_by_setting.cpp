@@ -8,8 +8,9 @@
 namespace beadswim {
 namespace {
 
-/// Errors of runs of one setting and resolution.
-ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs, std::span<const Swimming> reference) {
+/// Evaluates the errors of all runs that share a setting and a resolution.
+ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs,
+                             std::span<const ComparedValues> reference) {
   std::vector<double> costs;
   std::map<ComparedQuantity, std::vector<double>> errors;
   for (const CostedRun* run : runs) {
@@ -21,7 +22,10 @@ ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs, std::spa
       }
     }
   }
-  ErrorsAtResolution result{runs.front()->resolution, runs.front()->source, median(costs), {}};
+  ErrorsAtResolution result{.resolution = runs.front()->resolution,
+                            .source = runs.front()->source,
+                            .cost = median(costs),
+                            .errors = {}};
   for (const auto& [quantity, values] : errors) result.errors[quantity] = root_mean_square(values);
   return result;
 }
@@ -29,7 +33,7 @@ ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs, std::spa
 }  // namespace
 
 std::vector<ErrorsOfSetting> errors_by_setting(std::span<const CostedRun> runs,
-                                               std::span<const Swimming> reference) {
+                                               std::span<const ComparedValues> reference) {
   std::vector<std::pair<std::string, std::map<double, std::vector<const CostedRun*>>>> groups;
   for (const CostedRun& run : runs) {
     auto group = std::ranges::find(groups, run.setting, [](const auto& each) { return each.first; });

@@ -5,8 +5,8 @@
 #include <limits>
 #include <nanoflann.hpp>
 
-// The neighbours are found in a k-d tree, which costs N log N whether points crowd or straggle (Friedman,
-// Bentley and Finkel 1977); cells would need a width.
+// A k-d tree finds the neighbours (Friedman, Bentley and Finkel 1977). Its cost is O(N log N) for any
+// distribution of the points. A cell list would need a cell size that suits the distribution.
 
 namespace beadswim {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 using Tree = nanoflann::KDTreeEigenMatrixAdaptor<Points, 3, nanoflann::metric_L2_Simple>;
 
-/// A result set of nanoflann: the least squared distance to a point other than `self`.
+/// Result set for nanoflann that finds the smallest squared distance to a point other than `self`.
 struct NearestOther {
   using DistanceType = double;
   using IndexType = Tree::IndexType;
@@ -22,23 +22,23 @@ struct NearestOther {
   double squared_distance;
 
   bool full() const { return true; }
-  double worstDist() const { return squared_distance * (1 + 1e-12); }  // bounds of branches are rounded
+  double worstDist() const { return squared_distance * (1 + 1e-12); }  // bounds of branches have roundoff
   bool addPoint(double squared, IndexType point) {
     if (point != self) squared_distance = std::min(squared_distance, squared);
-    return squared_distance > 0;  // whether to go on: among points at one place, all are as near
+    return squared_distance > 0;  // false ends the search: no point can be closer than distance 0
   }
 };
 
-/// Moves a place into the box around the origin, along periodic axes. A remainder is exact: no bit is lost.
-Vec3 folded(Vec3 place, const std::optional<Box>& box) {
+/// Wraps the periodic coordinates of a point into the box centred at the origin. std::remainder is exact.
+Vec3 wrap_point(Vec3 place, const std::optional<Box>& box) {
   for (int axis = 0; axis < 3 && box; ++axis) {
     if (box->is_periodic(axis)) place[axis] = std::remainder(place[axis], box->lengths[axis]);
   }
   return place;
 }
 
-/// Shifts of a box to itself and to those around it, at most 27. Folded points are at most one period apart
-/// along an axis, so that images further away are not the nearest.
+/// Returns the displacements from a box to itself and to its adjacent periodic images, at most 27. Wrapped
+/// points are at most one period apart along each axis, so that images further away cannot be the nearest.
 std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
   std::vector<Vec3> shifts{Vec3::Zero()};
   for (int axis = 0; axis < 3 && box; ++axis) {
@@ -53,7 +53,7 @@ std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
   return shifts;
 }
 
-/// Distance from a point to its own nearest image.
+/// Returns the distance from a point to its own nearest periodic image.
 double shortest_period(const std::optional<Box>& box) {
   double shortest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3 && box; ++axis) {
@@ -70,7 +70,7 @@ std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, co
     return distances;
 
   Points places(points.size(), 3);
-  for (std::size_t i = 0; i < points.size(); ++i) places.row(i) = folded(points[i], box);
+  for (std::size_t i = 0; i < points.size(); ++i) places.row(i) = wrap_point(points[i], box);
   const Tree tree(3, places);
   const Eigen::AlignedBox3d extent(places.colwise().minCoeff(), places.colwise().maxCoeff());
   const std::vector<Vec3> shifts = shifts_to_images(box);

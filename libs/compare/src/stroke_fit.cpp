@@ -11,10 +11,12 @@
 namespace beadswim {
 namespace {
 
-/// Sine and cosine columns closer to dependent than this leave amplitude or phase undetermined.
+/// Relative threshold for the rank of the design matrix. Below it, sine and cosine columns are nearly
+/// linearly dependent, and amplitude or phase is undetermined.
 constexpr double rank_threshold = 1e-10;
 
-/// Columns 1, cos(w t), sin(w t): the model in its linear form mean + a cos(w t) + b sin(w t).
+/// Returns the design matrix with columns 1, cos(w t), sin(w t) of the linear model mean + a cos(w t) + b
+/// sin(w t).
 Eigen::MatrixX3d harmonic_design(std::span<const double> times, double angular_frequency) {
   const auto n = static_cast<Eigen::Index>(times.size());
   const auto angle = angular_frequency * Eigen::Map<const Eigen::ArrayXd>(times.data(), n);
@@ -25,12 +27,13 @@ Eigen::MatrixX3d harmonic_design(std::span<const double> times, double angular_f
   return design;
 }
 
-/// a cos x + b sin x = d cos(x + delta), so a = d cos(delta) and b = -d sin(delta).
+/// Converts a cos x + b sin x to d cos(x + delta): a = d cos(delta) and b = -d sin(delta).
 StrokeFit from_linear_form(double mean, double a, double b) {
   const double amplitude = std::hypot(a, b);
-  if (amplitude == 0) return {mean, 0, 0};
+  if (amplitude == 0) return {.mean = mean, .amplitude = 0, .phase = 0};
   const double phase = std::atan2(-b, a);
-  return {mean, amplitude, phase > -std::numbers::pi ? phase : std::numbers::pi};
+  return {
+      .mean = mean, .amplitude = amplitude, .phase = phase > -std::numbers::pi ? phase : std::numbers::pi};
 }
 
 }  // namespace

@@ -14,24 +14,28 @@ namespace {
 using Members = std::span<const SwarmMember>;
 using Cycles = std::vector<const CycleStatistics*>;
 
-/// <x> as x_1 + <x - x_1>: exact where all are equal, and close where they nearly are. Of at least one value.
+/// Returns the mean of at least one value as x_1 + <x - x_1>. This form is exact if all values are equal, and
+/// accurate if they are nearly equal.
 double mean_of(std::span<const double> values) {
   double sum = 0;
   for (const double x : values) sum += x - values.front();
   return values.front() + sum / static_cast<double>(values.size());
 }
 
-/// Of at least one value. The deviation takes a second pass: <x^2> - <x>^2 would lose the digits of small
-/// deviations.
+/// Returns the spread of at least one value. The deviation is evaluated in a second pass, because <x^2> -
+/// <x>^2 would lose significance for small deviations.
 Spread spread_of(std::span<const double> values) {
   const double mean = mean_of(values);
   double squares = 0;
   for (const double x : values) squares += (x - mean) * (x - mean);
   const auto [smallest, largest] = std::minmax_element(values.begin(), values.end());
-  return {mean, std::sqrt(squares / static_cast<double>(values.size())), *smallest, *largest};
+  return {.mean = mean,
+          .deviation = std::sqrt(squares / static_cast<double>(values.size())),
+          .smallest = *smallest,
+          .largest = *largest};
 }
 
-/// Spread of value(member) over a range.
+/// Returns the spread of value(member) over a range.
 template <typename Range, typename Value>
 Spread spread_over(const Range& range, Value value) {
   std::vector<double> values;
@@ -40,7 +44,7 @@ Spread spread_over(const Range& range, Value value) {
   return spread_of(values);
 }
 
-/// Spreads of the three components of value(member).
+/// Returns the spreads of the three components of value(member).
 template <typename Range, typename Value>
 std::array<Spread, 3> spreads_over(const Range& range, Value value) {
   std::array<Spread, 3> components;
@@ -58,7 +62,7 @@ Vec3 deviations(const std::array<Spread, 3>& components) {
   return Vec3(components[0].deviation, components[1].deviation, components[2].deviation);
 }
 
-/// Order parameter of Kuramoto (1984), |<exp(i delta)>|.
+/// Returns the order parameter of Kuramoto (1984), |<exp(i delta)>|.
 double phase_order(const Cycles& cycles, std::size_t arm) {
   std::complex<double> sum = 0;
   for (const CycleStatistics* cycle : cycles) sum += std::polar(1.0, cycle->arm_phases[arm]);
@@ -89,7 +93,7 @@ Cycles last_cycles(Members members) {
   return cycles;
 }
 
-/// Q = <(3 a a - 1)/2> of the members' axes a.
+/// Returns Q = <(3 a a - 1)/2>, the mean over the axes a of the swimmers.
 Eigen::Matrix3d nematic_tensor(Members members) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const SwarmMember& member : members) sum += member.axis * member.axis.transpose();
@@ -102,7 +106,8 @@ Vec3 with_largest_component_positive(const Vec3& v) {
   return v[axis] < 0 ? Vec3(-v) : v;
 }
 
-/// In [0, pi]. The arc cosine of the scalar product would lose angles below 1e-8.
+/// Returns the angle between two vectors, in [0, pi] [rad]. The arc cosine of the scalar product would not
+/// resolve angles below 1e-8.
 double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -127,8 +132,8 @@ SwarmStatistics swarm_statistics(int index, Members members, const std::optional
 
   swarm.mean_axis = means(spreads_over(members, [](const SwarmMember& m) { return m.axis; }));
   swarm.polar_order = swarm.mean_axis.norm();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> nematic(nematic_tensor(members));  // ascending
-  swarm.nematic_order = nematic.eigenvalues()[2];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> nematic(nematic_tensor(members));
+  swarm.nematic_order = nematic.eigenvalues()[2];  // the largest: eigenvalues are in increasing order
   swarm.director = with_largest_component_positive(nematic.eigenvectors().col(2));
 
   swarm.rotation =

@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-double velocity_against_fluid(const CycleStatistics& cycle, const std::optional<Box>& box) {
+double velocity_relative_to_fluid(const CycleStatistics& cycle, const std::optional<Box>& box) {
   Vec3 relative = cycle.velocity;
   for (int axis = 0; axis < 3 && box; ++axis) {
     if (box->is_periodic(axis)) relative[axis] -= cycle.mean_flow[axis];
@@ -12,20 +12,20 @@ double velocity_against_fluid(const CycleStatistics& cycle, const std::optional<
   return relative.dot(cycle.axis);
 }
 
-Swimming swimming_in(const CycleStatistics& cycle, const std::optional<Box>& box) {
+ComparedValues evaluate_compared_values(const CycleStatistics& cycle, const std::optional<Box>& box) {
   const auto& [d1, d2] = cycle.arm_amplitudes;
   const auto& [delta1, delta2] = cycle.arm_phases;
-  return {{ComparedQuantity::velocity, {velocity_against_fluid(cycle, box)}},
+  return {{ComparedQuantity::velocity, {velocity_relative_to_fluid(cycle, box)}},
           {ComparedQuantity::arm_amplitudes, {d1, d2}},
           {ComparedQuantity::sin_phase_shift, {std::sin(delta1 - delta2)}}};
 }
 
-Swimming mean_swimming(std::span<const Swimming> cycles) {
-  Swimming mean = cycles.front();
+ComparedValues average_compared_values(std::span<const ComparedValues> cycles) {
+  ComparedValues mean = cycles.front();
   for (auto& [quantity, values] : mean) {
     for (std::size_t i = 0; i < values.size(); ++i) {
       double sum = 0;
-      for (const Swimming& cycle : cycles) sum += cycle.at(quantity)[i];
+      for (const ComparedValues& cycle : cycles) sum += cycle.at(quantity)[i];
       values[i] = sum / static_cast<double>(cycles.size());
     }
   }

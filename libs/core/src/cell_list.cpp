@@ -9,12 +9,13 @@ namespace beadswim {
 CellList::CellList(std::span<const Vec3> positions, double cutoff, const Vec3& lengths) : lengths_(lengths) {
   const Bounds bounds(positions);
   if (!is_periodic()) low_ = bounds.low;
-  // No more cells along an axis than a row of all points would need: memory stays linear in their number.
+  // The product of these upper bounds is about eight times the number of points: memory stays linear in it.
   const double max_count = std::cbrt(8.0 * static_cast<double>(positions.size())) + 1;
   for (int a = 0; a < 3; ++a) {
     const double extent = is_periodic() ? lengths_[a] : bounds.high[a] - bounds.low[a];
-    const bool is_finite = std::isfinite(extent);  // one cell holds all points otherwise
-    counts_[a] = is_finite ? static_cast<int>(std::clamp(std::floor(2 * extent / cutoff), 1.0, max_count)) : 1;
+    const bool is_finite = std::isfinite(extent);  // otherwise one cell along this axis contains all points
+    counts_[a] =
+        is_finite ? static_cast<int>(std::clamp(std::floor(2 * extent / cutoff), 1.0, max_count)) : 1;
     inverse_edge_[a] = is_finite && extent > 0 ? counts_[a] / extent : 0;
   }
 

@@ -40,7 +40,7 @@ std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator&
   return all;
 }
 
-int ranks_on_this_node(const Communicator& communicator) {
+int count_ranks_on_node(const Communicator& communicator) {
   MPI_Comm node = MPI_COMM_NULL;
   int ranks = 1;
   MPI_Comm_split_type(communicator.get(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);

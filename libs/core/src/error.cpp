@@ -12,14 +12,14 @@ namespace beadswim {
 InputError::InputError(Setting setting, const std::string& what_and_remedy)
     : InputError(name_of(setting), what_and_remedy) {}
 
-void tell(const std::string& text) {
+void print_to_stderr(const std::string& text) {
   std::fputs(text.c_str(), stderr);
   std::fflush(stderr);
 }
 
 int report_current_exception(const std::string& program) {
   const auto say = [&program](const std::exception& error, ExitStatus status) {
-    tell(fmt::format("{}: {}\n", program, error.what()));
+    print_to_stderr(fmt::format("{}: {}\n", program, error.what()));
     return static_cast<int>(status);
   };
   try {
@@ -29,7 +29,7 @@ int report_current_exception(const std::string& program) {
   } catch (const StoppedEarly& error) {
     return say(error, ExitStatus::stopped_early);
   } catch (const std::bad_alloc&) {
-    tell(
+    print_to_stderr(
         fmt::format("{}: out of memory; take fewer swimmers or cells, or a machine, or a limit (ulimit -v), "
                     "with more memory\n",
                     program));

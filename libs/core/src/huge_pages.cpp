@@ -8,13 +8,13 @@
 
 namespace beadswim {
 
-void* zeros_on_huge_pages(std::size_t bytes) {
+void* allocate_zeros_on_huge_pages(std::size_t bytes) {
   constexpr std::size_t huge_page = std::size_t{1} << 21;
-  const std::size_t whole = (bytes + huge_page - 1) / huge_page * huge_page;
-  void* memory = std::aligned_alloc(huge_page, whole);
+  const std::size_t rounded_bytes = (bytes + huge_page - 1) / huge_page * huge_page;
+  void* memory = std::aligned_alloc(huge_page, rounded_bytes);
   if (memory == nullptr) throw std::bad_alloc();
-  madvise(memory, whole, MADV_HUGEPAGE);  // a hint
-  std::memset(memory, 0, whole);
+  madvise(memory, rounded_bytes, MADV_HUGEPAGE);  // a hint, which the system may ignore
+  std::memset(memory, 0, rounded_bytes);
   return memory;
 }
 

@@ -15,8 +15,8 @@ bool is_same(unsigned char a, unsigned char b) {
   return std::tolower(a) == std::tolower(b);
 }
 
-/// Optimal string alignment distance (restricted Damerau-Levenshtein) of `a` and the whole of `b`, or that
-/// part of `b` that is nearest.
+/// Returns the optimal string alignment distance (restricted Damerau-Levenshtein) between `a` and the
+/// complete `b` (Part::whole), or the smallest distance between `a` and any part of `b` (Part::any).
 std::size_t edit_distance(const std::string& a, const std::string& b, Part part) {
   std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
   for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
@@ -33,13 +33,16 @@ std::size_t edit_distance(const std::string& a, const std::string& b, Part part)
   return part == Part::whole ? last.back() : *std::min_element(last.begin(), last.end());
 }
 
-/// A third of the letters may be wrong, or two of few, or one of three; of a part a quarter.
+/// Returns true if the distance of `name` and `candidate` is small enough, with n the length of `name`:
+/// less than n, and not larger than max(2, n/3), or than 1 for n < 4. For n >= 3, a distance to a part of the
+/// candidate that is not larger than n/4 also suffices.
 bool is_near(const std::string& name, const std::string& candidate) {
-  constexpr std::size_t longest = 100;  // beyond it no name but a damaged document, whose distance takes long
-  if (name.size() > longest) return false;
-  const std::size_t wrong = edit_distance(name, candidate, Part::whole);
-  const std::size_t most = name.size() < 4 ? 1 : std::max<std::size_t>(2, name.size() / 3);
-  if (wrong < name.size() && wrong <= most) return true;
+  constexpr std::size_t max_length =
+      100;  // a longer text is a damaged document, and its distance is expensive
+  if (name.size() > max_length) return false;
+  const std::size_t distance = edit_distance(name, candidate, Part::whole);
+  const std::size_t max_distance = name.size() < 4 ? 1 : std::max<std::size_t>(2, name.size() / 3);
+  if (distance < name.size() && distance <= max_distance) return true;
   return name.size() >= 3 && edit_distance(name, candidate, Part::any) <= name.size() / 4;
 }
 
@@ -47,24 +50,24 @@ bool is_near(const std::string& name, const std::string& candidate) {
 
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
   std::string nearest;
-  std::size_t fewest = 0;
+  std::size_t min_distance = 0;
   for (const std::string& candidate : candidates) {
     if (!is_near(name, candidate)) continue;
-    const std::size_t wrong = edit_distance(name, candidate, Part::whole);
-    if (!nearest.empty() && wrong >= fewest) continue;
+    const std::size_t distance = edit_distance(name, candidate, Part::whole);
+    if (!nearest.empty() && distance >= min_distance) continue;
     nearest = candidate;
-    fewest = wrong;
+    min_distance = distance;
   }
   return nearest;
 }
 
-std::string guess_at(const std::string& name, const std::vector<std::string>& candidates) {
+std::string format_suggestion(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string nearest = nearest_name(name, candidates);
   return nearest.empty() ? std::string(".") : fmt::format("; did you mean \"{}\"?", nearest);
 }
 
-std::string unknown_name(const std::string& name, const std::vector<std::string>& allowed) {
-  return fmt::format("unknown \"{}\"{} There are {}", name, guess_at(name, allowed),
+std::string format_unknown_name(const std::string& name, const std::vector<std::string>& allowed) {
+  return fmt::format("unknown \"{}\"{} There are {}", name, format_suggestion(name, allowed),
                      fmt::join(allowed, ", "));
 }
 

@@ -7,14 +7,14 @@
 
 namespace beadswim {
 
-void OrderFreeSum::refuse(double x) {
+void OrderFreeSum::throw_out_of_range(double x) {
   throw NotFiniteError(
       fmt::format("a term of {} in a sum of terms below {}: the run has become unstable; drive beads "
                   "less, or take more {}",
                   x, largest_term, Setting::cells_per_radius));
 }
 
-void OrderFreeSum::overflow() {
+void OrderFreeSum::throw_overflow() {
   throw SolverError(
       fmt::format("a sum over cells or links has grown too large to be held: the run has become unstable; "
                   "drive beads less, or take more {}",

@@ -11,7 +11,7 @@ std::string name_of(Setting setting) {
   return name_in_messages(setting);
 }
 
-void name_settings_by(std::string (*name)(Setting)) {
+void set_setting_names(std::string (*name)(Setting)) {
   name_in_messages = name;
 }
 

@@ -15,7 +15,7 @@ EVP_MD_CTX* context_of(void* context) {
 
 }  // namespace
 
-void Sha256::Free::operator()(void* context) const {
+void Sha256::FreeContext::operator()(void* context) const {
   EVP_MD_CTX_free(context_of(context));
 }
 

@@ -9,12 +9,12 @@
 namespace beadswim {
 namespace {
 
-constexpr double wanted_intervals = 5;
-constexpr double wanted_integer_intervals = 7;  // so that each of up to six cycles has its tick
-constexpr double margin = 0.06;                 // of the data's range, on each side
-constexpr double lone_value_margin = 0.1;       // of the value
+constexpr double target_intervals = 5;
+constexpr double target_integer_intervals = 7;  // up to six cycles have one tick per cycle
+constexpr double margin = 0.06;                 // on each side, in ranges of the data
+constexpr double single_value_margin = 0.1;     // relative to the value, on each side
 
-/// 1, 2 or 5 times a power of ten, near `step`.
+/// Returns 1, 2, 5 or 10 times a power of ten, close to `step`.
 double round_step(double step) {
   const double decade = std::pow(10.0, std::floor(std::log10(step)));
   const double leading = step / decade;  // in [1, 10)
@@ -22,7 +22,7 @@ double round_step(double step) {
   return multiple * decade;
 }
 
-/// Multiples of step in [low, high], by integer count so that rounding does not pile up.
+/// Returns the multiples of `step` in [low, high]. An integer counter prevents the accumulation of roundoff.
 std::vector<double> multiples_within(double low, double high, double step) {
   std::vector<double> ticks;
   const auto last = static_cast<long long>(std::floor(high / step + 1e-9));
@@ -36,11 +36,11 @@ int decimal_exponent(double value) {
   return static_cast<int>(std::floor(std::log10(value) + 1e-9));
 }
 
-/// Puts ticks a round step apart on an axis whose ends are known.
+/// Adds equidistant ticks to an axis whose ends are set. Their distance is 1, 2 or 5 times a power of ten.
 void add_round_ticks(AxisScale& scale, TickKind kind) {
   const double length = scale.high - scale.low;
-  const double step = kind == TickKind::any ? round_step(length / wanted_intervals)
-                                            : std::max(1.0, round_step(length / wanted_integer_intervals));
+  const double step = kind == TickKind::any ? round_step(length / target_intervals)
+                                            : std::max(1.0, round_step(length / target_integer_intervals));
   scale.ticks = multiples_within(scale.low, scale.high, step);
   const double largest = std::max(std::abs(scale.low), std::abs(scale.high));
   const bool plain = largest >= 0.01 && largest < 1e5;
@@ -48,7 +48,7 @@ void add_round_ticks(AxisScale& scale, TickKind kind) {
   scale.decimals = std::max(0, scale.exponent - decimal_exponent(step));
 }
 
-/// `multiples` of all powers of ten, within the axis.
+/// Returns the given multiples of all powers of ten that are within the range of the axis.
 template <std::size_t Count>
 std::vector<double> decade_ticks(const AxisScale& scale, const std::array<int, Count>& multiples) {
   std::vector<double> ticks;
@@ -72,13 +72,13 @@ std::string AxisScale::tick_label(double tick) const {
   if (labels == TickLabels::powers) return power_of_ten(static_cast<int>(std::lround(std::log10(tick))));
   const double shown = tick / std::pow(10.0, exponent);
   if (labels == TickLabels::digits) return fmt::format("{:g}", shown);
-  return fmt::format("{:.{}f}", shown == 0 ? 0.0 : shown, decimals);  // no "-0"
+  return fmt::format("{:.{}f}", shown == 0 ? 0.0 : shown, decimals);  // avoids "-0"
 }
 
-AxisScale nice_scale(double low, double high, TickKind kind) {
+AxisScale linear_scale(double low, double high, TickKind kind) {
   AxisScale scale;
   const double spread = high > low ? margin * (high - low)
-                        : low != 0 ? lone_value_margin * std::abs(low)
+                        : low != 0 ? single_value_margin * std::abs(low)
                                    : 1.0;
   scale.low = low - spread;
   scale.high = high + spread;
@@ -87,7 +87,7 @@ AxisScale nice_scale(double low, double high, TickKind kind) {
 }
 
 AxisScale logarithmic_scale(double low, double high) {
-  const double spread = high > low ? std::pow(high / low, margin) : 1 + lone_value_margin;
+  const double spread = high > low ? std::pow(high / low, margin) : 1 + single_value_margin;
   AxisScale scale;
   scale.low = low / spread;
   scale.high = high * spread;

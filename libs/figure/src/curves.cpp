@@ -7,22 +7,22 @@
 namespace beadswim {
 namespace {
 
-constexpr std::size_t most_marked_points = 12;
+constexpr std::size_t max_marked_points = 12;
 
 enum class Part { usable, not_usable, not_usable_with_neighbours };
 
-bool belongs(const std::vector<CurvePoint>& points, std::size_t i, Part part) {
+bool belongs_to(const std::vector<CurvePoint>& points, std::size_t i, Part part) {
   if (part == Part::usable) return points[i].usable;
   const bool beside_unusable =
       (i > 0 && !points[i - 1].usable) || (i + 1 < points.size() && !points[i + 1].usable);
   return !points[i].usable || (part == Part::not_usable_with_neighbours && beside_unusable);
 }
 
-/// The points of one part of the curve; others are gaps.
+/// Returns the points of one part of a curve. Points outside this part are NaN, so that they leave gaps.
 Series part_of(const std::vector<CurvePoint>& points, Part part, Series style) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     style.x.push_back(points[i].x);
-    style.y.push_back(belongs(points, i, part) ? points[i].y : std::numeric_limits<double>::quiet_NaN());
+    style.y.push_back(belongs_to(points, i, part) ? points[i].y : std::numeric_limits<double>::quiet_NaN());
   }
   return style;
 }
@@ -34,10 +34,10 @@ Series faint(Series style, Mark mark) {
   return style;
 }
 
-/// The curve through the points, styled as `style`: usable stretches plain, the others faint. Few points are
-/// marked one by one.
+/// Returns the series that draw a curve: usable parts with Emphasis::plain, other parts with Emphasis::faint.
+/// A curve with few points also has a marker at each point.
 std::vector<Series> curve_series(const std::vector<CurvePoint>& points, Series style) {
-  const bool marked = points.size() <= most_marked_points;
+  const bool marked = points.size() <= max_marked_points;
   style.mark = marked ? Mark::line_and_points : Mark::line;
   const auto is_usable = [](const CurvePoint& point) { return point.usable; };
   const auto usable = std::count_if(points.begin(), points.end(), is_usable);
@@ -52,7 +52,7 @@ std::vector<Series> curve_series(const std::vector<CurvePoint>& points, Series s
   return series;
 }
 
-/// Whether the plain values are positive and span over two decades.
+/// Returns true if the y values of all plain series are positive and span more than two decades.
 bool spans_decades(const std::vector<Series>& all) {
   constexpr double two_decades = 100;
   double low = std::numeric_limits<double>::infinity(), high = 0;
@@ -77,7 +77,7 @@ void append_points_and_curves(const std::vector<PointGroup>& groups, const std::
     panel.series.push_back(
         {.label = group.label, .x = group.x, .y = group.y, .colour = colour.value_or(g), .shape = g});
   }
-  constexpr int first_open_shape = 4;  // so that points of runs, filled, stand out
+  constexpr int first_open_shape = 4;  // the filled markers of runs are more prominent
   for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
     const Curve& curve = curves[static_cast<std::size_t>(c)];
     std::ranges::move(curve_series(curve.points, {.label = curve.label,
@@ -100,13 +100,13 @@ void append_levels(const std::vector<Level>& levels, double from, double to, int
   }
 }
 
-void set_axes(Axes axes, Axes over_decades, Panel& panel) {
-  if (axes == Axes::automatic) axes = spans_decades(panel.series) ? over_decades : Axes::linear;
+void set_axes(Axes axes, Axes logarithmic_axes, Panel& panel) {
+  if (axes == Axes::automatic) axes = spans_decades(panel.series) ? logarithmic_axes : Axes::linear;
   panel.x_scale = axes == Axes::log_log ? ScaleKind::logarithmic : ScaleKind::linear;
   panel.y_scale = axes == Axes::linear ? ScaleKind::linear : ScaleKind::logarithmic;
 }
 
-bool leaves_out_values(const Panel& panel) {
+bool has_omitted_values(const Panel& panel) {
   const auto lacks_some = [](const Series& series) {
     return std::ranges::any_of(series.y, [](double value) { return value <= 0; });
   };

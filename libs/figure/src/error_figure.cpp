@@ -10,17 +10,18 @@
 namespace beadswim {
 namespace {
 
-constexpr int black = 6;  // in the palette
+constexpr int black = 6;  // index in the palette
 
-void require_place(const ErrorPoint& point, const std::string& quantity, const std::string& cost) {
+void require_plottable(const ErrorPoint& point, const std::string& quantity, const std::string& cost) {
   if (point.error > 0 && std::isfinite(point.error) && point.cost > 0 && std::isfinite(point.cost)) return;
   throw InputError(point.source, fmt::format("has an error of {:g} in its {} and takes {:g} {}, which "
                                              "no logarithmic axis holds; is it the reference itself?",
                                              point.error, quantity, point.cost, cost));
 }
 
-/// Pareto's front: points than which none that costs less errs less, in order of their costs.
-std::vector<ErrorPoint> front_of(std::vector<ErrorPoint> points) {
+/// Returns the Pareto front in order of increasing cost: each of its points has a smaller error than all
+/// cheaper points.
+std::vector<ErrorPoint> pareto_front(std::vector<ErrorPoint> points) {
   std::ranges::sort(points, {}, [](const ErrorPoint& p) { return std::pair(p.cost, p.error); });
   std::vector<ErrorPoint> front;
   for (const ErrorPoint& point : points)
@@ -28,10 +29,10 @@ std::vector<ErrorPoint> front_of(std::vector<ErrorPoint> points) {
   return front;
 }
 
-Series level(const std::vector<ErrorPoint>& points, double error) {
-  const auto [least, most] = std::ranges::minmax(points, {}, &ErrorPoint::cost);
+Series uncertainty_line(const std::vector<ErrorPoint>& points, double error) {
+  const auto [cheapest, costliest] = std::ranges::minmax(points, {}, &ErrorPoint::cost);
   return {.label = "uncertainty of the reference",
-          .x = {least.cost, most.cost},
+          .x = {cheapest.cost, costliest.cost},
           .y = {100 * error, 100 * error},
           .mark = Mark::line,
           .colour = black,
@@ -39,8 +40,8 @@ Series level(const std::vector<ErrorPoint>& points, double error) {
           .emphasis = Emphasis::faint};
 }
 
-/// In lines of the figure's width.
-std::vector<std::string> lines_of(const std::string& beginning, const std::vector<ErrorPoint>& points) {
+/// Breaks a list of names into lines that fit into the width of the figure.
+std::vector<std::string> wrap_names(const std::string& beginning, const std::vector<ErrorPoint>& points) {
   constexpr std::size_t width = 110;
   std::vector<std::string> lines{beginning};
   for (const ErrorPoint& point : points) {
@@ -58,7 +59,7 @@ void append(const std::vector<ErrorPoint>& points, Series& series) {
   }
 }
 
-/// Adds a panel, and the notes on its front.
+/// Adds a panel, and a note that names the points on its front.
 void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& figure) {
   Panel panel{.x_label = {cost, "s"},
               .y_label = {"error of the " + errors.quantity, "%"},
@@ -66,7 +67,7 @@ void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& fi
               .y_scale = ScaleKind::logarithmic};
   std::vector<ErrorPoint> points;
   for (const ErrorSeries& one : errors.series) {
-    for (const ErrorPoint& point : one.points) require_place(point, errors.quantity, cost);
+    for (const ErrorPoint& point : one.points) require_plottable(point, errors.quantity, cost);
     const int position = static_cast<int>(panel.series.size());
     Series series{.label = one.label,
                   .mark = Mark::line_and_points,
@@ -77,13 +78,13 @@ void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& fi
     points.insert(points.end(), one.points.begin(), one.points.end());
     panel.series.push_back(std::move(series));
   }
-  const std::vector<ErrorPoint> front = front_of(points);
+  const std::vector<ErrorPoint> front = pareto_front(points);
   Series line{.label = "front", .mark = Mark::line, .colour = black, .emphasis = Emphasis::faint};
   append(front, line);
   panel.series.push_back(std::move(line));
-  if (errors.uncertainty) panel.series.push_back(level(points, *errors.uncertainty));
+  if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, *errors.uncertainty));
   figure.panels.push_back(std::move(panel));
-  std::ranges::move(lines_of(fmt::format("Front of the {}:", errors.quantity), front),
+  std::ranges::move(wrap_names(fmt::format("Front of the {}:", errors.quantity), front),
                     std::back_inserter(figure.notes));
 }
 

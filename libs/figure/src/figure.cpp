@@ -19,23 +19,23 @@ constexpr std::array dashes{"", "6 4", "1.5 3", "8 3 2 3", "13 4", "8 3 2 3 2 3"
 constexpr double line_width = 1.8, faint_line_width = 1.1;
 constexpr double faint_opacity = 0.65;
 
-// The page, in px.
+// Dimensions of the page [px].
 constexpr double margin = 16;
 constexpr double plot_left = 84;
 constexpr double plot_width = 440;
 constexpr double plot_height = 220;
 constexpr double first_plot_top = 52;
-constexpr double panel_pitch = plot_height + 66;  // leaves room for tick labels and the x label
+constexpr double panel_pitch = plot_height + 66;  // includes space for tick labels and the x label
 constexpr double legend_left = plot_left + plot_width + 18;
 constexpr double legend_key_width = 30;
 constexpr double line_pitch = 18;
 constexpr double tick_length = 5, minor_tick_length = 3;
 constexpr double title_size = 14, label_size = 12.5, tick_size = 11, note_size = 10;
 
-const svg::Stroke frame_stroke{"#000000", 1, ""};
-const svg::Stroke grid_stroke{"#e4e4e4", 0.8, ""};
+const svg::Stroke frame_stroke{.colour = "#000000", .width = 1, .dashes = ""};
+const svg::Stroke grid_stroke{.colour = "#e4e4e4", .width = 0.8, .dashes = ""};
 
-/// Where a panel is on the page and how data map to it.
+/// Position of a panel on the page, and its mapping of data to points on the page.
 struct PlotArea {
   double top = 0;
   AxisScale x, y;
@@ -44,8 +44,8 @@ struct PlotArea {
     return {plot_left + plot_width * x.fraction(data_x), top + plot_height * (1 - y.fraction(data_y))};
   }
   double bottom() const { return top + plot_height; }
-  /// False also for a point that is not finite.
-  bool holds(const svg::Point& point) const {
+  /// Returns true if the point is in the plot between top and bottom; false for a non-finite point.
+  bool contains(const svg::Point& point) const {
     return std::isfinite(point.x) && point.y >= top && point.y <= bottom();
   }
 };
@@ -60,8 +60,8 @@ struct Range {
   }
 };
 
-/// Whether an axis of that scale has a place for the value.
-bool has_place(double value, ScaleKind scale) {
+/// Returns true if an axis with this scale can show the value.
+bool can_show(double value, ScaleKind scale) {
   return std::isfinite(value) && (scale == ScaleKind::linear || value > 0);
 }
 
@@ -70,7 +70,7 @@ struct PanelRange {
 
   void include(const Series& series, const Panel& panel) {
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-      if (!has_place(series.x[i], panel.x_scale) || !has_place(series.y[i], panel.y_scale)) continue;
+      if (!can_show(series.x[i], panel.x_scale) || !can_show(series.y[i], panel.y_scale)) continue;
       x.include(series.x[i]);
       y.include(series.y[i]);
     }
@@ -78,7 +78,8 @@ struct PanelRange {
   bool is_empty() const { return x.high < x.low; }
 };
 
-/// Of the plain series, or of all if they have nothing to draw; along x always of all.
+/// Returns the range of the data of a panel: x of all series, and y of the plain series. If the plain series
+/// have no points, y is also that of all series. Throws InputError if there is no point at all.
 PanelRange panel_range(const Panel& panel) {
   PanelRange plain, all;
   for (const Series& series : panel.series) {
@@ -94,17 +95,19 @@ PanelRange panel_range(const Panel& panel) {
 }
 
 AxisScale axis_scale(const Range& range, ScaleKind scale, TickKind ticks) {
-  return scale == ScaleKind::linear ? nice_scale(range.low, range.high, ticks)
+  return scale == ScaleKind::linear ? linear_scale(range.low, range.high, ticks)
                                     : logarithmic_scale(range.low, range.high);
 }
 
 PlotArea plot_area(const Panel& panel, double top) {
   const PanelRange range = panel_range(panel);
-  return {top, axis_scale(range.x, panel.x_scale, panel.x_ticks),
-          axis_scale(range.y, panel.y_scale, TickKind::any)};
+  return {.top = top,
+          .x = axis_scale(range.x, panel.x_scale, panel.x_ticks),
+          .y = axis_scale(range.y, panel.y_scale, TickKind::any)};
 }
 
-/// "velocity (10⁻⁵ um/s)": the unit with the power of ten that the tick labels leave out.
+/// Returns the text of an axis label, for example "velocity (10⁻⁵ um/s)". The power of ten is the one that
+/// the tick labels omit.
 std::string label_text(const AxisLabel& label, int exponent) {
   const std::string power = exponent == 0 ? "" : power_of_ten(exponent);
   const std::string gap = power.empty() || label.unit.empty() ? "" : " ";
@@ -142,13 +145,15 @@ std::string draw_y_axis(const PlotArea& area, const AxisLabel& label) {
     elements += svg::line({plot_left - minor_tick_length, y}, {plot_left, y}, frame_stroke);
   }
   return elements + svg::text({margin + 8, area.top + plot_height / 2}, label_text(label, area.y.exponent),
-                              {label_size, svg::Anchor::middle, -90});
+                              {.size = label_size, .anchor = svg::Anchor::middle, .rotation = -90});
 }
 
 svg::Stroke line_stroke(const Series& series) {
   const bool plain = series.emphasis == Emphasis::plain;
-  return {palette[palette_place(series.colour)], plain ? line_width : faint_line_width,
-          dashes[static_cast<std::size_t>(series.dash) % dashes.size()], plain ? 1.0 : faint_opacity};
+  return {.colour = palette[palette_place(series.colour)],
+          .width = plain ? line_width : faint_line_width,
+          .dashes = dashes[static_cast<std::size_t>(series.dash) % dashes.size()],
+          .opacity = plain ? 1.0 : faint_opacity};
 }
 
 std::string draw_line(const Series& series, const Stretch& stretch) {
@@ -170,7 +175,7 @@ std::string draw_series(const PlotArea& area, const Series& series) {
   Stretch inside;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     points.push_back(area.at(series.x[i], series.y[i]));
-    if (area.holds(points.back())) inside.push_back(points.back());
+    if (area.contains(points.back())) inside.push_back(points.back());
   }
   std::string elements;
   for (const Stretch& stretch : visible_stretches(points, area.top, area.bottom())) {
@@ -179,8 +184,9 @@ std::string draw_series(const PlotArea& area, const Series& series) {
   return elements + draw_points(series, inside);
 }
 
-/// From a panel's top to the next one's: its plot with labels, or its legend if that is longer.
-double pitch(const Panel& panel) {
+/// Returns the distance from the top of a panel to the top of the next [px]: the height of the plot with its
+/// labels, or the height of the legend if it is larger.
+double panel_distance(const Panel& panel) {
   const auto entries = std::ranges::count_if(panel.series, [](const Series& s) { return !s.label.empty(); });
   return std::max(panel_pitch, line_pitch * static_cast<double>(entries + 1));
 }
@@ -203,7 +209,7 @@ std::string draw_panel(const Panel& panel, double top) {
   const PlotArea area = plot_area(panel, top);
   std::string elements = draw_x_axis(area, panel.x_label) + draw_y_axis(area, panel.y_label);
   elements += svg::rectangle({plot_left, top}, plot_width, plot_height, frame_stroke);
-  // Lines first, so that no point hides behind one.
+  // Lines are drawn first, so that they do not hide points.
   for (const Series& series : panel.series) {
     if (series.mark != Mark::points) elements += draw_series(area, series);
   }
@@ -228,12 +234,12 @@ double page_width(const Figure& figure) {
 }  // namespace
 
 std::string figure_to_svg(const Figure& figure) {
-  std::string elements =
-      svg::text({plot_left, 30}, figure.title, {title_size, svg::Anchor::start, 0, "bold"});
+  std::string elements = svg::text({plot_left, 30}, figure.title,
+                                   {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
   double top = first_plot_top;
   for (const Panel& panel : figure.panels) {
     elements += draw_panel(panel, top);
-    top += pitch(panel);
+    top += panel_distance(panel);
   }
   for (const std::string& note : figure.notes) {
     elements += svg::text({plot_left, top}, note, {note_size});

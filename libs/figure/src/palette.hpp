@@ -5,11 +5,11 @@
 
 namespace beadswim {
 
-/// Okabe and Ito's palette for all kinds of colour vision, without yellow, which is faint on white.
+/// Palette of Okabe and Ito for all kinds of colour vision. Yellow is omitted because it is faint on white.
 inline constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                     "#E69F00", "#56B4E9", "#000000"};
 
-/// Position in the palette; wraps round.
+/// Returns the index of a colour in the palette, modulo the size of the palette.
 inline constexpr std::size_t palette_place(int colour) {
   return static_cast<std::size_t>(colour) % palette.size();
 }

@@ -5,8 +5,8 @@
 namespace beadswim {
 namespace {
 
-const Vec3 to_the_eye = Vec3(0.42, -0.84, 0.34).normalized();  // from the block's middle
-constexpr double eye_distance = 3.2;                           // of the block's diagonals
+const Vec3 to_the_eye = Vec3(0.42, -0.84, 0.34).normalized();  // direction from the centre of the block
+constexpr double eye_distance = 3.2;                           // from the centre, in diagonals of the block
 
 }  // namespace
 
@@ -24,9 +24,9 @@ Perspective::Perspective(const Vec3& low, const Vec3& high, svg::Point top_left,
       right_(Vec3::UnitZ().cross(to_the_eye).normalized()),
       up_(to_the_eye.cross(right_)),
       forward_(-to_the_eye) {
-  svg::Point first = at((low + high) / 2), last = first;
+  svg::Point first = project((low + high) / 2), last = first;
   for (const Vec3& corner : box_corners(low, high)) {
-    const svg::Point point = at(corner);
+    const svg::Point point = project(corner);
     first = {std::min(first.x, point.x), std::min(first.y, point.y)};
     last = {std::max(last.x, point.x), std::max(last.y, point.y)};
   }
@@ -36,7 +36,7 @@ Perspective::Perspective(const Vec3& low, const Vec3& high, svg::Point top_left,
   height_ = scale_ * (last.y - first.y);
 }
 
-svg::Point Perspective::at(const Vec3& point) const {
+svg::Point Perspective::project(const Vec3& point) const {
   const Vec3 d = point - eye_;
   const double shrink = scale_ / d.dot(forward_);
   return {shift_.x + shrink * d.dot(right_), shift_.y - shrink * d.dot(up_)};

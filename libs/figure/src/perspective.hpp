@@ -7,21 +7,22 @@
 
 namespace beadswim {
 
-/// Central projection of a block, seen from its front, a little from the right and from above, such that it
-/// fits into a part of the page.
+/// Central projection of a rectangular block onto a part of the page. The eye is in front of the block, a
+/// little to the right and above.
 ///   page point = (d.right, -d.up) / (d.forward) scale + shift, d = point - eye
 class Perspective {
  public:
-  /// Of the block from `low` to `high` [length] into `width` x `height` px below and right of `top_left`, of
-  /// which it takes what its shape allows.
+  /// Projects the block from `low` to `high` [length] into a rectangle of `width` x `height` px whose top
+  /// left corner is `top_left`. The projection keeps its proportions and may not fill the rectangle.
   Perspective(const Vec3& low, const Vec3& high, svg::Point top_left, double width, double height);
 
-  svg::Point at(const Vec3& point) const;
+  /// Returns the projection of a point onto the page.
+  svg::Point project(const Vec3& point) const;
   double depth(const Vec3& point) const { return (point - eye_).dot(forward_); }  ///< [length]
-  /// px of a length at the point's depth.
-  double size_at(const Vec3& point, double length) const { return scale_ * length / depth(point); }
-  double width() const { return width_; }    ///< that the block takes [px]
-  double height() const { return height_; }  ///< [px]
+  /// Returns the projected size [px] of a length that has the depth of the point.
+  double projected_size(const Vec3& point, double length) const { return scale_ * length / depth(point); }
+  double width() const { return width_; }    ///< width of the projected block [px]
+  double height() const { return height_; }  ///< height of the projected block [px]
 
  private:
   Vec3 eye_, right_, up_, forward_;
@@ -30,7 +31,8 @@ class Perspective {
   double width_ = 0, height_ = 0;
 };
 
-/// The box's corners: bit a of the index says whether it lies at the far end of axis a.
+/// Returns the 8 corners of a box. Bit a of the index is 1 if coordinate a of the corner is that of `high`,
+/// else 0.
 std::vector<Vec3> box_corners(const Vec3& low, const Vec3& high);
 
 }  // namespace beadswim

@@ -18,7 +18,7 @@ extern char** environ;
 namespace beadswim {
 namespace {
 
-/// Closes, and so removes, a file of std::tmpfile.
+/// Closes a file of std::tmpfile, which also removes it.
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -45,7 +45,8 @@ std::string content_of(std::FILE* file) {
   return content;
 }
 
-/// Runs the command with these files as stdin and stdout. Returns its exit status.
+/// Runs a command with `input` as its stdin and `output` as its stdout. Returns its exit status, or -1 if a
+/// signal ended it. `what_for` is the place that an error message names.
 int run_filter(const std::string& what_for, char* const* command, std::FILE* input, std::FILE* output) {
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

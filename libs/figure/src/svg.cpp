@@ -10,8 +10,8 @@ namespace beadswim::svg {
 namespace {
 
 constexpr double marker_radius = 3.6;
-constexpr double head_length = 7, head_half_width = 2.6;  // of arrows
-constexpr double mean_glyph_width = 0.57;                 // of the size; DejaVu Sans, lower case and digits
+constexpr double head_length = 7, head_half_width = 2.6;  // of arrow heads [px]
+constexpr double mean_glyph_width = 0.57;  // in font sizes; lower case and digits of DejaVu Sans
 
 std::string escaped(const std::string& content) {
   std::string result;
@@ -36,7 +36,7 @@ std::string escaped(const std::string& content) {
   return result;
 }
 
-/// Two decimals, and never "-0.00".
+/// Formats a number with two decimals. Writes "0.00" instead of "-0.00".
 std::string number(double value) {
   const double rounded = std::round(value * 100) / 100;
   return fmt::format("{:.2f}", rounded == 0 ? 0.0 : rounded);
@@ -52,7 +52,7 @@ std::string attributes(const Stroke& stroke) {
   return result + opacity_attribute(stroke.opacity);
 }
 
-/// Content that is markup already.
+/// Returns a text element. `content` is markup, in which special characters are already escaped.
 std::string text_element(Point at, const std::string& content, const TextStyle& style) {
   constexpr std::array anchors{"start", "middle", "end"};
   std::string extra;
@@ -70,7 +70,7 @@ std::string text_element(Point at, const std::string& content, const TextStyle& 
       anchors[static_cast<std::size_t>(style.anchor)], extra, content);
 }
 
-/// A tip at `to`, as of an arrow from there.
+/// Returns the head, with its tip at `to`, of an arrow that starts at `from`.
 std::string arrow_head(Point from, Point to, const std::string& colour) {
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
@@ -81,7 +81,7 @@ std::string arrow_head(Point from, Point to, const std::string& colour) {
                      number(foot.y - across.y), colour);
 }
 
-/// Closed outline through points on the unit disc, scaled and moved.
+/// Returns the path of a closed polygon. `corners` are relative to the centre, in units of `radius`.
 std::string outline(Point centre, double radius, const std::vector<Point>& corners) {
   std::string path;
   for (const Point& corner : corners) {
@@ -133,7 +133,7 @@ std::string formula(Point at, const std::string& content, const TextStyle& style
   while (mark < content.size()) {
     const std::size_t next = content.find('_', mark + 1);
     const std::string rest = content.substr(mark + 1, next - mark - 1);
-    // A space at the start of a tspan is left out, by some programs: a shift stands for it.
+    // Some programs omit a space at the start of a tspan. A horizontal shift replaces it.
     const bool apart = rest.substr(1, 1) == " ";
     markup += fmt::format(
         "<tspan dy=\"{}\" font-size=\"{}\" stroke=\"none\">{}</tspan><tspan dx=\"{}\" dy=\"{}\">{}</tspan>",

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-// Elements of an SVG document, as text. Lengths in px, numbers with two decimals: bytes depend on the
-// arguments alone.
+// Elements of an SVG document as text. Lengths are in px. Numbers have two decimals, so that the bytes depend
+// only on the arguments.
 
 namespace beadswim::svg {
 
@@ -15,7 +15,7 @@ struct Point {
 struct Stroke {
   std::string colour;
   double width = 1;
-  std::string dashes;  ///< as in stroke-dasharray; empty: solid
+  std::string dashes;  ///< value of stroke-dasharray; empty: solid line
   double opacity = 1;
 };
 
@@ -24,9 +24,9 @@ enum class Anchor { start, middle, end };
 struct TextStyle {
   double size = 12;
   Anchor anchor = Anchor::start;
-  double rotation = 0;  ///< degrees, about the text's own point
+  double rotation = 0;  ///< about the anchor point [degree]
   std::string weight = "normal";
-  double halo = 0;  ///< width of the white around the letters, where other things lie behind them
+  double halo = 0;  ///< width of a white outline of the letters, for text over other elements [px]
 };
 
 inline constexpr int marker_shapes = 8;
@@ -37,20 +37,23 @@ std::string disc(Point centre, double radius, const std::string& fill, const Str
 std::string rectangle(Point top_left, double width, double height, const Stroke& stroke);
 std::string text(Point at, const std::string& content, const TextStyle& style);
 
-/// Text in which "_" puts the next character, an ASCII one, below the line: "D_x = 56".
+/// Returns text in which "_" makes the next character a subscript: "D_x = 56". The subscript is an ASCII
+/// character.
 std::string formula(Point at, const std::string& content, const TextStyle& style);
 
-/// A line with a head at its end; with one at either end, as of a distance.
+/// Returns a line with an arrow head at its end.
 std::string arrow(Point from, Point to, const Stroke& stroke);
+/// Returns a line with arrow heads at both ends.
 std::string double_arrow(Point from, Point to, const Stroke& stroke);
 
-/// Shape 0 to 3: filled circle, square, triangle, diamond; 4 to 7: the same, open.
+/// Returns a marker. Shapes 0 to 3 are a filled circle, square, triangle and diamond; shapes 4 to 7 are open.
 std::string marker(Point centre, int shape, const std::string& colour, double opacity);
 
-/// An estimate, on the safe side, of the width of a line of DejaVu Sans; counts code points.
+/// Returns an upper estimate of the width of a line of text in DejaVu Sans [px], from the number of code
+/// points.
 double text_width(const std::string& content, double size);
 
-/// The document around its elements, on white.
+/// Returns a document that contains the elements on a white background.
 std::string document(double width, double height, const std::string& title, const std::string& elements);
 
 }  // namespace beadswim::svg

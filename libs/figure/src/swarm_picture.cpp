@@ -12,43 +12,46 @@
 namespace beadswim {
 namespace {
 
-// The page, in px.
+// Dimensions of the page [px], unless stated otherwise.
 constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
 constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
-constexpr double arm_width = 0.26;  // of the mean radius
+constexpr double arm_width = 0.26;  // in radii of the first bead
 constexpr double mark_size = 17, halo = 3.5;
-const svg::Stroke edge_stroke{"#8a8a8a", 0.8, ""};
-const svg::Stroke hidden_edge_stroke{"#bdbdbd", 0.8, "3 3"};
-const svg::Stroke distance_stroke{"#000000", 1.1, ""}, witness_stroke{"#000000", 0.6, ""};
+const svg::Stroke edge_stroke{.colour = "#8a8a8a", .width = 0.8, .dashes = ""};
+const svg::Stroke hidden_edge_stroke{.colour = "#bdbdbd", .width = 0.8, .dashes = "3 3"};
+const svg::Stroke distance_stroke{.colour = "#000000", .width = 1.1, .dashes = ""},
+    witness_stroke{.colour = "#000000", .width = 0.6, .dashes = ""};
 
-/// A bead or an arm on the page.
+/// SVG element of a bead or an arm, with the depth at which it is drawn.
 struct Piece {
-  double depth = 0;
+  double depth = 0;  ///< [length]
   std::string element;
 };
 
-/// Few digits: a swarm has many pieces.
+/// Returns the element of a bead. Numbers have one decimal only, because a swarm has many beads.
 std::string bead_element(svg::Point centre, double radius, int colour) {
   return fmt::format("<circle class=\"b{}\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.1f}\"/>\n",
                      palette_place(colour), centre.x, centre.y, radius);
 }
 
 Piece bead_piece(const Perspective& view, const Vec3& centre, double radius, int colour) {
-  return {view.depth(centre), bead_element(view.at(centre), view.size_at(centre, radius), colour)};
+  return {view.depth(centre),
+          bead_element(view.project(centre), view.projected_size(centre, radius), colour)};
 }
 
-/// From surface to surface, so that it ends on the side of a bead that it comes from.
+/// Returns the element of an arm. The arm ends at the surfaces of its beads, on the sides that face each
+/// other.
 Piece arm_piece(const Perspective& view, const PicturedSwimmer& swimmer, int arm) {
   const Vec3 along = (swimmer.beads[arm + 1] - swimmer.beads[arm]).normalized();
   const Vec3 from = swimmer.beads[arm] + swimmer.radii[arm] * along;
   const Vec3 to = swimmer.beads[arm + 1] - swimmer.radii[arm + 1] * along;
-  const svg::Point a = view.at(from), b = view.at(to);
+  const svg::Point a = view.project(from), b = view.project(to);
   return {view.depth((from + to) / 2),
           fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", a.x, a.y, b.x, b.y)};
 }
 
-/// The far ones first, so that the near hide them.
+/// Draws all beads and arms in order of decreasing depth, so that near ones hide far ones.
 std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) {
   std::vector<Piece> pieces;
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
@@ -63,7 +66,7 @@ std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) 
   return elements + "</g>\n";
 }
 
-/// "#rrggbb" mixed with white or black, level 255 or 0, by that share.
+/// Mixes a colour "#rrggbb" with white (level 255) or black (level 0), which has the weight `share`.
 std::string mixed(const std::string& colour, int level, double share) {
   std::string result = "#";
   for (int channel = 0; channel < 3; ++channel) {
@@ -73,7 +76,8 @@ std::string mixed(const std::string& colour, int level, double share) {
   return result;
 }
 
-/// Shading for each colour of the palette, lit from above left, and the style of beads and arms.
+/// Returns the gradients that shade each colour of the palette, with light from the upper left, and the
+/// styles of beads and arms.
 std::string definitions(double arm_stroke, double outline) {
   std::string gradients, fills;
   for (std::size_t i = 0; i < palette.size(); ++i) {
@@ -90,7 +94,7 @@ std::string definitions(double arm_stroke, double outline) {
 }
 
 struct Edge {
-  int from = 0, to = 0;  ///< of box_corners
+  int from = 0, to = 0;  ///< indices in box_corners
 };
 
 std::vector<Edge> box_edges() {
@@ -103,7 +107,8 @@ std::vector<Edge> box_edges() {
   return edges;
 }
 
-/// The edges that meet at the farthest corner, behind everything, or the others.
+/// Draws the three edges at the corner farthest from the eye, which are behind the swarm (`hidden`), or the
+/// others.
 std::string draw_edges(const SwarmPicture& picture, const Perspective& view, bool hidden) {
   const std::vector<Vec3> corners = box_corners(Vec3::Zero(), picture.box);
   const auto farther = [&](const Vec3& a, const Vec3& b) { return view.depth(a) < view.depth(b); };
@@ -112,39 +117,41 @@ std::string draw_edges(const SwarmPicture& picture, const Perspective& view, boo
   std::string elements;
   for (const Edge& edge : box_edges()) {
     if ((edge.from == far || edge.to == far) != hidden) continue;
-    elements += svg::line(view.at(corners[edge.from]), view.at(corners[edge.to]),
+    elements += svg::line(view.project(corners[edge.from]), view.project(corners[edge.to]),
                           hidden ? hidden_edge_stroke : edge_stroke);
   }
   return elements;
 }
 
-/// At the middles of three edges of the outline, where few beads are.
+/// Draws the names of the axes at the midpoints of three edges of the outline, where there are few beads.
 std::string draw_axis_names(const SwarmPicture& picture, const Perspective& view) {
   const Vec3& box = picture.box;
-  const svg::Point x = view.at({box.x() / 2, box.y(), box.z()}), y = view.at({0, box.y() / 2, box.z()}),
-                   z = view.at({0, 0, box.z() / 2});
+  const svg::Point x = view.project({box.x() / 2, box.y(), box.z()}),
+                   y = view.project({0, box.y() / 2, box.z()}), z = view.project({0, 0, box.z() / 2});
   const svg::TextStyle style{label_size, svg::Anchor::middle};
   return svg::text({x.x, x.y - 8}, "x", style) + svg::text({y.x - 8, y.y - 8}, "y", style) +
          svg::text({z.x - 10, z.y + 4}, "z", style);
 }
 
-/// Above the beads.
+/// Draws the marks above their beads.
 std::string draw_marks(const SwarmPicture& picture, const Perspective& view) {
   std::string elements;
   for (const PictureMark& mark : picture.marks) {
-    const svg::Point at = view.at(mark.bead);
-    const double above = view.size_at(mark.bead, mark.radius) + 4;
-    elements += svg::text({at.x, at.y - above}, mark.name, {mark_size, svg::Anchor::middle, 0, "bold", halo});
+    const svg::Point at = view.project(mark.bead);
+    const double above = view.projected_size(mark.bead, mark.radius) + 4;
+    elements += svg::text({at.x, at.y - above}, mark.name,
+                          {.size = mark_size, .anchor = svg::Anchor::middle, .weight = "bold", .halo = halo});
   }
   return elements;
 }
 
-/// The label stands beside an upright arrow, and above or below a level one, away from the beads.
+/// Draws a distance with its label. The label is to the right of a steep arrow. It is above or below an
+/// approximately horizontal arrow, on the side away from the beads.
 std::string draw_distance(const PictureDistance& distance, const Perspective& view) {
-  const Vec3 from = distance.from + distance.aside, to = distance.to + distance.aside;
-  const svg::Point a = view.at(from), b = view.at(to), bead = view.at(distance.from);
+  const Vec3 from = distance.from + distance.arrow_offset, to = distance.to + distance.arrow_offset;
+  const svg::Point a = view.project(from), b = view.project(to), bead = view.project(distance.from);
   std::string elements = svg::line(bead, a, witness_stroke) +
-                         svg::line(view.at(distance.to), b, witness_stroke) +
+                         svg::line(view.project(distance.to), b, witness_stroke) +
                          svg::double_arrow(a, b, distance_stroke);
   svg::Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   const bool level = std::abs(b.x - a.x) > 3 * std::abs(b.y - a.y);
@@ -155,8 +162,9 @@ std::string draw_distance(const PictureDistance& distance, const Perspective& vi
     middle.y += 0.6 * label_size;
   }
   return elements +
-         svg::formula(middle, distance.label,
-                      {label_size, level ? svg::Anchor::middle : svg::Anchor::start, 0, "normal", halo});
+         svg::formula(
+             middle, distance.label,
+             {.size = label_size, .anchor = level ? svg::Anchor::middle : svg::Anchor::start, .halo = halo});
 }
 
 std::string draw_distances(const SwarmPicture& picture, const Perspective& view) {
@@ -184,7 +192,7 @@ struct Block {
   Vec3 low, high;
 };
 
-/// The box, all beads, and place for distances and their labels.
+/// Returns the block that contains the box, all beads, and space for the distances with their labels.
 Block extent_of(const SwarmPicture& picture) {
   Block block{Vec3::Zero(), picture.box};
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
@@ -196,14 +204,14 @@ Block extent_of(const SwarmPicture& picture) {
   }
   for (const PictureDistance& distance : picture.distances) {
     for (const Vec3& bead : {distance.from, distance.to}) {
-      block.low = block.low.cwiseMin(bead + 2 * distance.aside);
-      block.high = block.high.cwiseMax(bead + 2 * distance.aside);
+      block.low = block.low.cwiseMin(bead + 2 * distance.arrow_offset);
+      block.high = block.high.cwiseMax(bead + 2 * distance.arrow_offset);
     }
   }
   return block;
 }
 
-/// Of labels beside the swarm [px].
+/// Returns the width of the widest distance label [px], for which there must be space beside the swarm.
 double label_room(const SwarmPicture& picture) {
   double room = 0;
   for (const PictureDistance& distance : picture.distances)
@@ -217,12 +225,13 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   require_swimmers(picture);
   const Block extent = extent_of(picture);
   const Perspective view(extent.low, extent.high, {margin, picture_top}, picture_width, picture_height);
-  const double radius = view.size_at(picture.box / 2, picture.swimmers.front().radii[0]);
+  const double radius = view.projected_size(picture.box / 2, picture.swimmers.front().radii[0]);
   const double width = std::max(view.width() + label_room(picture) + 2 * margin, 420.0);
   double top = picture_top + view.height() + 12;
 
   std::string elements = definitions(std::max(0.3, arm_width * radius), std::clamp(radius / 15, 0.1, 0.6));
-  elements += svg::text({margin, 28}, picture.title, {title_size, svg::Anchor::start, 0, "bold"});
+  elements += svg::text({margin, 28}, picture.title,
+                        {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
   elements += draw_edges(picture, view, true);
   elements += draw_swimmers(picture, view);
   elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);

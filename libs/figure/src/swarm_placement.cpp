@@ -10,23 +10,24 @@
 namespace beadswim {
 namespace {
 
-/// Where the distances along an axis are drawn: at the swimmers furthest in this direction, which is the
-/// outline of the picture, and moved aside from there.
+/// Determines the positions of the distances along one axis. Distances are drawn at the swimmers that are
+/// furthest in the direction `direction`, which are at the outline of the picture. Their arrows are displaced
+/// in the direction `arrow_offset`.
 struct Outline {
-  Vec3 towards, aside;
+  Vec3 direction, arrow_offset;
 };
 
 const std::array<Outline, 3> outlines{Outline{{0, -1, -1}, {0, 0, -1}}, Outline{{1, 0, -1}, {0, 0, -1}},
                                       Outline{{1, 1, 0}, {1, 0, 0}}};
 
-constexpr double aside_radii = 3;
+constexpr double offset_radii = 3;  // distance of the arrows from the bead centres, in radii
 
 std::size_t furthest_along_x(const PicturedSwimmer& swimmer, double sign) {
   const auto along = [sign](const Vec3& bead) { return sign * bead.x(); };
   return static_cast<std::size_t>(std::ranges::max_element(swimmer.beads, {}, along) - swimmer.beads.begin());
 }
 
-/// From one swimmer to the next along an axis.
+/// Returns the distance from one swimmer to the next along an axis.
 PictureDistance distance_between(const PicturedSwimmer& one, const PicturedSwimmer& next, int axis,
                                  char kind) {
   const std::size_t from = furthest_along_x(one, 1), to = furthest_along_x(next, axis == 0 ? -1 : 1);
@@ -34,7 +35,7 @@ PictureDistance distance_between(const PicturedSwimmer& one, const PicturedSwimm
   return {.label = fmt::format("{}_{} = {:.4g}", kind, "xyz"[axis], length),
           .from = one.beads[from],
           .to = one.beads[from] + length * Vec3::Unit(axis),
-          .aside = aside_radii * one.radii[from] * outlines[axis].aside};
+          .arrow_offset = offset_radii * one.radii[from] * outlines[axis].arrow_offset};
 }
 
 }  // namespace
@@ -67,14 +68,14 @@ std::vector<PictureDistance> swarm_distances(const std::vector<PicturedSwimmer>&
   std::vector<PictureDistance> distances;
   for (int axis = 0; axis < 3; ++axis) {
     const int in_block = block_swimmers[static_cast<std::size_t>(axis)];
-    std::map<char, std::pair<double, PictureDistance>> furthest;  // by C and D
+    std::map<char, std::pair<double, PictureDistance>> furthest;  // keys: 'C' and 'D'
     for (const auto& [layer, swimmer] : at) {
       std::array<int, 3> next = layer;
       ++next[axis];
       const auto neighbour = at.find(next);
       if (neighbour == at.end()) continue;
       const char kind = layer[axis] / in_block == next[axis] / in_block ? 'C' : 'D';
-      const double far = outlines[axis].towards.dot(swimmer->beads[1]);
+      const double far = outlines[axis].direction.dot(swimmer->beads[1]);
       const auto best = furthest.find(kind);
       if (best != furthest.end() && best->second.first >= far) continue;
       furthest[kind] = {far, distance_between(*swimmer, *neighbour->second, axis, kind)};

@@ -11,24 +11,29 @@
 namespace beadswim {
 namespace {
 
-// The page, in px.
+// Dimensions of the page [px].
 constexpr double margin = 24;
-constexpr double widest = 620, largest_radius = 58;  // of the swimmer
-constexpr double forces_height = 44;                 // from the title to the largest bead, if level
-constexpr double lengths_height = 66;                // from there to the notes
+constexpr double max_width = 620,
+                 largest_radius = 58;  // maximum width and maximum bead radius of the swimmer
+constexpr double forces_height = 44;   // space above the largest bead for horizontal forces
+constexpr double lengths_height = 66;  // from the largest bead to the notes
 constexpr double force_length = 64, force_gap = 14;
 constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
-constexpr double spring_height = 8, dashpot_height = 7, apart = 13;  // apart: a spring and its dashpot
+// `arm_offset` is the distance of a spring, and of its dashpot, from the axis of the swimmer.
+constexpr double spring_height = 8, dashpot_height = 7, arm_offset = 13;
 constexpr int spring_turns = 7;
 
 const std::string bead_fill = "#cfe3f1";
-const svg::Stroke bead_stroke{palette[0], 1.4, ""}, spring_stroke{"#333333", 1.4, ""};
-const svg::Stroke force_stroke{palette[1], 2, ""}, length_stroke{"#000000", 0.9, ""};
-const svg::Stroke witness_stroke{"#8a8a8a", 0.7, ""}, axis_stroke{"#8a8a8a", 0.9, "8 3 2 3"};
+const svg::Stroke bead_stroke{.colour = palette[0], .width = 1.4, .dashes = ""},
+    spring_stroke{.colour = "#333333", .width = 1.4, .dashes = ""};
+const svg::Stroke force_stroke{.colour = palette[1], .width = 2, .dashes = ""},
+    length_stroke{.colour = "#000000", .width = 0.9, .dashes = ""};
+const svg::Stroke witness_stroke{.colour = "#8a8a8a", .width = 0.7, .dashes = ""},
+    axis_stroke{.colour = "#8a8a8a", .width = 0.9, .dashes = "8 3 2 3"};
 
-/// Where things are on the page.
-struct Placed {
-  double scale = 1;  ///< px a length
+/// Positions and sizes of the beads on the page [px].
+struct PageLayout {
+  double scale = 1;  ///< [px/length]
   std::array<svg::Point, 3> centres;
   std::array<double, 3> radii{};
   double top = 0, bottom = 0;  ///< of the largest bead
@@ -36,21 +41,22 @@ struct Placed {
   double end() const { return centres[2].x + radii[2]; }
 };
 
-Placed placed(const SwimmerSketch& sketch) {
+PageLayout lay_out_page(const SwimmerSketch& sketch) {
   const auto& [first, second] = sketch.rest_lengths;
-  const double most = *std::ranges::max_element(sketch.radii);
-  Placed page;
-  page.scale = std::min(widest / (sketch.radii[0] + first + second + sketch.radii[2]), largest_radius / most);
+  const double max_radius = *std::ranges::max_element(sketch.radii);
+  PageLayout page;
+  page.scale =
+      std::min(max_width / (sketch.radii[0] + first + second + sketch.radii[2]), largest_radius / max_radius);
   for (std::size_t b = 0; b < 3; ++b) page.radii[b] = page.scale * sketch.radii[b];
   page.top = 2 * margin + forces_height + force_length * std::abs(std::sin(sketch.force_angle));
-  page.bottom = page.top + 2 * page.scale * most;
+  page.bottom = page.top + 2 * page.scale * max_radius;
   const double y = (page.top + page.bottom) / 2, start = margin + std::max(page.radii[0], 60.0);
   page.centres = {svg::Point{start, y}, svg::Point{start + page.scale * first, y},
                   svg::Point{start + page.scale * (first + second), y}};
   return page;
 }
 
-/// From surface to surface; its straight ends are an eighth of it each.
+/// Draws a spring between the surfaces of two beads. Its two straight ends have an eighth of its length each.
 std::string draw_spring(svg::Point from, double length) {
   std::vector<svg::Point> points{from, {from.x + length / 8, from.y}};
   const double turn = 0.75 * length / spring_turns;
@@ -64,7 +70,7 @@ std::string draw_spring(svg::Point from, double length) {
   return svg::polyline(points, spring_stroke);
 }
 
-/// A piston in a cylinder that is open at its right.
+/// Draws a dashpot: a piston in a cylinder that is open at the right.
 std::string draw_dashpot(svg::Point from, double length) {
   const double left = from.x + 0.36 * length, piston = from.x + 0.52 * length, right = from.x + 0.64 * length;
   const double up = from.y - dashpot_height, down = from.y + dashpot_height;
@@ -74,13 +80,14 @@ std::string draw_dashpot(svg::Point from, double length) {
          svg::line({piston, from.y}, {from.x + length, from.y}, spring_stroke);
 }
 
-/// Between the surfaces of two beads [px].
-double gap(const Placed& page, std::size_t arm) {
+/// Returns the distance between the surfaces of the two beads of an arm [px].
+double gap(const PageLayout& page, std::size_t arm) {
   return page.centres[arm + 1].x - page.radii[arm + 1] - page.centres[arm].x - page.radii[arm];
 }
 
-/// Whether springs' and dashpots' labels have room between the beads; else they stand below the lengths.
-bool labels_fit(const SwimmerSketch& sketch, const Placed& page) {
+/// Returns true if the labels of springs and dashpots fit between the beads. Otherwise they are drawn below
+/// the lengths.
+bool labels_fit(const SwimmerSketch& sketch, const PageLayout& page) {
   for (std::size_t arm = 0; arm < 2; ++arm) {
     for (const std::string& label : {sketch.spring_labels[arm], sketch.dashpot_labels[arm]})
       if (svg::text_width(label, label_size) > gap(page, arm)) return false;
@@ -88,11 +95,11 @@ bool labels_fit(const SwimmerSketch& sketch, const Placed& page) {
   return true;
 }
 
-std::string draw_arm(const SwimmerSketch& sketch, const Placed& page, std::size_t arm) {
+std::string draw_arm(const SwimmerSketch& sketch, const PageLayout& page, std::size_t arm) {
   const svg::Point from{page.centres[arm].x + page.radii[arm], page.centres[arm].y};
   const double length = gap(page, arm), middle = from.x + length / 2;
   const bool damped = !sketch.dashpot_labels[arm].empty();
-  const double up = damped ? from.y - apart : from.y, down = from.y + apart;
+  const double up = damped ? from.y - arm_offset : from.y, down = from.y + arm_offset;
   const bool inside = labels_fit(sketch, page);
   const double below = page.bottom + lengths_height;
   std::string elements = draw_spring({from.x, up}, length);
@@ -106,19 +113,21 @@ std::string draw_arm(const SwimmerSketch& sketch, const Placed& page, std::size_
                               {label_size, svg::Anchor::middle});
 }
 
-/// The radius as a line to the surface, its label below the bead.
-std::string draw_bead(const SwimmerSketch& sketch, const Placed& page, std::size_t bead) {
+/// Draws a bead with its number, a line from its centre to its surface, and the label of its radius below it.
+std::string draw_bead(const SwimmerSketch& sketch, const PageLayout& page, std::size_t bead) {
   const svg::Point centre = page.centres[bead];
   const double radius = page.radii[bead], slant = radius * std::sqrt(0.5);
   return svg::disc(centre, radius, bead_fill, bead_stroke) +
          svg::line(centre, {centre.x + slant, centre.y + slant}, length_stroke) +
          svg::text({centre.x, centre.y - 4}, fmt::format("{}", bead + 1),
-                   {std::clamp(radius / 2, 7.0, label_size), svg::Anchor::middle, 0, "bold"}) +
+                   {.size = std::clamp(radius / 2, 7.0, label_size),
+                    .anchor = svg::Anchor::middle,
+                    .weight = "bold"}) +
          svg::text({centre.x + 5, page.bottom + 15}, sketch.radius_labels[bead], {label_size});
 }
 
-/// Above its bead; that on the middle one points the other way.
-std::string draw_force(const SwimmerSketch& sketch, const Placed& page, std::size_t bead) {
+/// Draws the force above a bead. The force on the middle bead has the opposite direction.
+std::string draw_force(const SwimmerSketch& sketch, const PageLayout& page, std::size_t bead) {
   const double sign = bead == 1 ? -1 : 1;
   const svg::Point half{sign * force_length / 2 * std::cos(sketch.force_angle),
                         -sign * force_length / 2 * std::sin(sketch.force_angle)};
@@ -129,7 +138,7 @@ std::string draw_force(const SwimmerSketch& sketch, const Placed& page, std::siz
                    {label_size, svg::Anchor::middle});
 }
 
-std::string draw_length(const SwimmerSketch& sketch, const Placed& page, std::size_t arm) {
+std::string draw_length(const SwimmerSketch& sketch, const PageLayout& page, std::size_t arm) {
   const double y = page.bottom + 34;
   const svg::Point from{page.centres[arm].x, y}, to{page.centres[arm + 1].x, y};
   return svg::double_arrow(from, to, length_stroke) + svg::text({(from.x + to.x) / 2, y + 16},
@@ -137,7 +146,7 @@ std::string draw_length(const SwimmerSketch& sketch, const Placed& page, std::si
                                                                 {label_size, svg::Anchor::middle});
 }
 
-std::string draw_axis(const Placed& page) {
+std::string draw_axis(const PageLayout& page) {
   const double y = page.centres[0].y;
   std::string elements = svg::arrow({page.end(), y}, {page.end() + 46, y}, axis_stroke) +
                          svg::text({page.end() + 52, y + 4}, "axis", {label_size});
@@ -146,7 +155,7 @@ std::string draw_axis(const Placed& page) {
   return elements;
 }
 
-double page_width(const SwimmerSketch& sketch, const Placed& page) {
+double page_width(const SwimmerSketch& sketch, const PageLayout& page) {
   double right = page.end() + 90;
   for (const std::string& note : sketch.notes)
     right = std::max(right, margin + svg::text_width(note, note_size));
@@ -157,8 +166,9 @@ double page_width(const SwimmerSketch& sketch, const Placed& page) {
 }  // namespace
 
 std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch) {
-  const Placed page = placed(sketch);
-  std::string elements = svg::text({margin, 28}, sketch.title, {title_size, svg::Anchor::start, 0, "bold"});
+  const PageLayout page = lay_out_page(sketch);
+  std::string elements = svg::text({margin, 28}, sketch.title,
+                                   {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
   elements += draw_axis(page);
   for (std::size_t bead = 0; bead < 3; ++bead)
     elements += draw_bead(sketch, page, bead) + draw_force(sketch, page, bead);

@@ -8,14 +8,14 @@ namespace {
 struct Band {
   double top = 0, bottom = 0;
 
-  bool holds(const svg::Point& point) const { return point.y >= top && point.y <= bottom; }
+  bool contains(const svg::Point& point) const { return point.y >= top && point.y <= bottom; }
 };
 
 bool is_finite(const svg::Point& point) {
   return std::isfinite(point.x) && std::isfinite(point.y);
 }
 
-/// Where the line from `inside` the band to `outside` leaves it.
+/// Returns the point at which the line from `inside` to `outside` leaves the band.
 svg::Point exit_point(const svg::Point& inside, const svg::Point& outside, const Band& band) {
   const double y = outside.y < band.top ? band.top : band.bottom;
   const double part = (y - inside.y) / (outside.y - inside.y);
@@ -27,10 +27,10 @@ svg::Point exit_point(const svg::Point& inside, const svg::Point& outside, const
 std::vector<Stretch> visible_stretches(const std::vector<svg::Point>& points, double top, double bottom) {
   const Band band{top, bottom};
   std::vector<Stretch> stretches;
-  const svg::Point* last = nullptr;  // none after a break
+  const svg::Point* last = nullptr;  // nullptr after an interruption
   for (const svg::Point& point : points) {
-    const bool inside = is_finite(point) && band.holds(point);
-    const bool was_inside = last != nullptr && band.holds(*last);
+    const bool inside = is_finite(point) && band.contains(point);
+    const bool was_inside = last != nullptr && band.contains(*last);
     if (inside && !was_inside) stretches.emplace_back();
     if (inside && last != nullptr && !was_inside) stretches.back().push_back(exit_point(point, *last, band));
     if (inside) stretches.back().push_back(point);

@@ -6,12 +6,13 @@
 
 namespace beadswim {
 
-/// Points joined by a line without a break.
+/// Points connected by an uninterrupted line.
 using Stretch = std::vector<svg::Point>;
 
-/// The parts between heights `top` and `bottom` of the line through `points`, in px, y downwards. The line
-/// breaks at points that are not finite, and between two points beyond the ends: on opposite sides they mark
-/// a pole, which no line should cross.
+/// Clips the line through `points` to the range between `top` and `bottom` [px], with y downwards. Returns
+/// the visible parts. The line is interrupted at non-finite points. It is also interrupted between two
+/// consecutive points outside the range: if they are on opposite sides, they indicate a pole, which the line
+/// must not cross.
 std::vector<Stretch> visible_stretches(const std::vector<svg::Point>& points, double top, double bottom);
 
 }  // namespace beadswim

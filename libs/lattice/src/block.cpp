@@ -10,15 +10,16 @@
 namespace beadswim {
 namespace {
 
-/// First cell of part p when n cells are cut into `parts`.
+/// Returns the first cell of part p if n cells are divided into `parts` parts.
 int cut(int n, int parts, int p) {
   return static_cast<int>(static_cast<long>(n) * p / parts);
 }
 
-/// The grid of `ranks` blocks whose cuts cost least to exchange; grid[a] <= cells[a].
+/// Returns the grid of `ranks` blocks with the cheapest halo exchange, subject to grid[a] <= cells[a].
+/// Returns 0 in all components if there is no such grid.
 Index3 cheapest_grid(const Index3& cells, int ranks) {
   Index3 best = Index3::Zero();
-  double least = std::numeric_limits<double>::infinity();
+  double min_cost = std::numeric_limits<double>::infinity();
   const Eigen::Array3d n = cells.cast<double>();
   for (int gx = 1; gx <= ranks; ++gx) {
     if (ranks % gx != 0) continue;
@@ -26,11 +27,11 @@ Index3 cheapest_grid(const Index3& cells, int ranks) {
       if ((ranks / gx) % gy != 0) continue;
       const Index3 grid(gx, gy, ranks / gx / gy);
       if ((grid > cells).any()) continue;
-      // Across x every number that is exchanged lies in a cache line of its own, and rows become shorter.
+      // Across x each exchanged population lies in a separate cache line, and the rows become shorter.
       constexpr double strided = 4;
       const double cost = strided * gx * n[1] * n[2] + grid[1] * n[0] * n[2] + grid[2] * n[0] * n[1];
-      if (cost < least) {
-        least = cost;
+      if (cost < min_cost) {
+        min_cost = cost;
         best = grid;
       }
     }
@@ -69,7 +70,7 @@ Block Decomposition::block(int rank) const {
 int Decomposition::rank_of_cell(const Index3& cell) const {
   Index3 p;
   for (int a = 0; a < 3; ++a) {
-    // The inverse of cut(): the last part that starts at or before the cell.
+    // Inverse of cut(): the last part whose first cell is not beyond `cell`.
     p[a] = static_cast<int>((static_cast<long>(cell[a] + 1) * grid_[a] - 1) / cells_[a]);
   }
   return rank_at(p);

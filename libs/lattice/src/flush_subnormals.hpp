@@ -6,9 +6,9 @@
 
 namespace beadswim {
 
-/// While it lives, numbers too small for the format's full digits become zero. Ahead of the first waves in a
-/// fluid at rest populations fall by an order of magnitude a cell, below what single precision can hold, and
-/// processors handle such numbers much more slowly.
+/// Rounds subnormal numbers to zero during the lifetime of the object. Ahead of the first waves in a fluid at
+/// rest, populations decrease by an order of magnitude per cell and become subnormal in single precision.
+/// Processors evaluate subnormal numbers much more slowly.
 class FlushSubnormals {
  public:
 #if defined(__SSE2__)

@@ -13,7 +13,7 @@ namespace {
 constexpr int entering_directions = 5;
 using FaceDirections = std::array<int, entering_directions>;
 
-/// Directions with c_axis = sign.
+/// Returns the directions whose velocity component `axis` equals `sign`.
 constexpr FaceDirections directions_along(int axis, int sign) {
   FaceDirections found{};
   int count = 0;
@@ -23,7 +23,7 @@ constexpr FaceDirections directions_along(int axis, int sign) {
   return found;
 }
 
-/// Velocity component with which populations enter through a face.
+/// Returns the sign of the velocity component of populations that enter through the face on `side`.
 constexpr int entering_sign(int side) {
   return side == 0 ? 1 : -1;
 }
@@ -35,32 +35,33 @@ int edge_plane(const Populations& p, int axis, int side) {
   return side == 0 ? 0 : p.size()[axis] - 1;
 }
 
-/// A run of cells along x, one after the other in memory.
-struct Run {
+/// Consecutive cells along x, which are contiguous in memory.
+struct CellRun {
   std::ptrdiff_t first;
   int cells;
-  std::ptrdiff_t next;  ///< from here to the run after it, as far as there is one
+  std::ptrdiff_t next;  ///< index of the next run minus index of this run
 };
 
-/// Asks for the memory of as many numbers: runs are too short for the processor to see them coming.
+/// Prefetches the populations of a run. Runs are too short for the hardware prefetcher.
 template <class Real>
-void prefetch_run(const Real* first, const Run& run) {
+void prefetch_run(const Real* first, const CellRun& run) {
   constexpr int line = 64 / sizeof(Real);
   for (int x = 0; x < run.cells; x += line) __builtin_prefetch(first + x, 1);
 }
 
-/// Copies a run's numbers; returns where the target ends.
+/// Copies the populations of a run. Returns the end of the target.
 template <class Real>
-Real* copy_run(const Real* from, const Run& run, Real* to) {
-  if (run.cells == 1) {  // most of all runs, those across x: not worth a call
+Real* copy_run(const Real* from, const CellRun& run, Real* to) {
+  if (run.cells == 1) {  // all runs of planes across x: avoids a function call
     *to = *from;
     return to + 1;
   }
   return std::copy_n(from, run.cells, to);
 }
 
-/// The plane of cells across `axis` at local coordinate `at` as runs: own cells along later axes, halo
-/// included along axes already filled. Across x a run is a single cell.
+/// Calls visit(run) for all runs of the plane across `axis` at the local coordinate `at`. The plane includes
+/// the halo along the axes before `axis`, which are already filled, but not along the axes after it. Across x
+/// a run is a single cell.
 template <class Visit>
 void for_each_run_of_plane(const Populations& populations, int axis, int at, Visit&& visit) {
   Index3 low, high;
@@ -71,35 +72,38 @@ void for_each_run_of_plane(const Populations& populations, int axis, int at, Vis
   }
   for (int z = low[2]; z < high[2]; ++z) {
     for (int y = low[1]; y < high[1]; ++y) {
-      visit(Run{populations.cell(low[0], y, z), high[0] - low[0], populations.pitch(axis == 1 ? 2 : 1)});
+      visit(CellRun{.first = populations.cell(low[0], y, z),
+                    .cells = high[0] - low[0],
+                    .next = populations.pitch(axis == 1 ? 2 : 1)});
     }
   }
 }
 
-/// Numbers of a cell, for a direction i that enters the block.
-enum class Numbers {
+/// Population of a cell, for a direction i that enters the block.
+enum class PopulationKind {
   entering,  ///< outgoing i
   leaving,   ///< outgoing ibar
   behind,    ///< incoming i
 };
 
-/// Those of cells along a row.
+/// Returns the address of population `kind` of the cells of a row that begins at cell `first`.
 template <class Real, class SomePopulations>
-auto* row_of(SomePopulations& populations, Numbers numbers, int i, std::ptrdiff_t first) {
-  if (numbers == Numbers::behind)
+auto* row_of(SomePopulations& populations, PopulationKind kind, int i, std::ptrdiff_t first) {
+  if (kind == PopulationKind::behind)
     return populations.template outgoing_row<Real>(i, first - populations.shift(i));
-  return populations.template outgoing_row<Real>(numbers == Numbers::leaving ? d3q19::opposite(i) : i, first);
+  return populations.template outgoing_row<Real>(kind == PopulationKind::leaving ? d3q19::opposite(i) : i,
+                                                 first);
 }
 
-/// What is sent through the halo plane on `side` of `axis`, for every cell of the plane: numbers `to` of the
-/// halo cell become numbers `from` of the cell that is `distance` on in memory.
+/// Fills the halo plane on `side` of `axis`: population to[k] of each halo cell becomes population from[k] of
+/// the cell whose index is larger by `distance`.
 template <class Real>
-void copy_into_halo(Populations& populations, Numbers numbers, int axis, int side, const FaceDirections& to,
-                    const FaceDirections& from, std::ptrdiff_t distance) {
-  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
+void copy_into_halo(Populations& populations, PopulationKind kind, int axis, int side,
+                    const FaceDirections& to, const FaceDirections& from, std::ptrdiff_t distance) {
+  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const CellRun& run) {
     for (int k = 0; k < entering_directions; ++k) {
-      const Real* source = row_of<Real>(populations, numbers, from[k], run.first + distance);
-      Real* target = row_of<Real>(populations, numbers, to[k], run.first);
+      const Real* source = row_of<Real>(populations, kind, from[k], run.first + distance);
+      Real* target = row_of<Real>(populations, kind, to[k], run.first);
       prefetch_run(source + run.next, run);
       prefetch_run(target + run.next, run);
       copy_run(source, run, target);
@@ -107,29 +111,31 @@ void copy_into_halo(Populations& populations, Numbers numbers, int axis, int sid
   });
 }
 
-/// A periodic axis that is not cut: what enters on one side leaves on the other.
+/// Fills the halo along a periodic axis that is not divided among ranks: populations that leave on one side
+/// enter on the other side.
 template <class Real>
-void wrap_around(Populations& populations, Numbers numbers, int axis) {
+void wrap_around(Populations& populations, PopulationKind kind, int axis) {
   const std::ptrdiff_t period = populations.size()[axis] * populations.pitch(axis);
   for (int side = 0; side < 2; ++side) {
     const FaceDirections entering = directions_along(axis, entering_sign(side));
-    copy_into_halo<Real>(populations, numbers, axis, side, entering, entering, entering_sign(side) * period);
+    copy_into_halo<Real>(populations, kind, axis, side, entering, entering, entering_sign(side) * period);
   }
 }
 
-/// Mirror: what enters along i left along its mirror image, from the cell in front of the wall.
+/// Mirrors populations at a free-slip wall: the population that enters along i left the cell in front of the
+/// wall along the mirror image of i.
 template <class Real>
-void fill_free_slip(Populations& populations, Numbers numbers, int axis, int side) {
+void fill_free_slip(Populations& populations, PopulationKind kind, int axis, int side) {
   const FaceDirections entering = directions_along(axis, entering_sign(side));
   FaceDirections images;
   for (int k = 0; k < entering_directions; ++k) images[k] = d3q19::mirrored(entering[k], axis);
-  copy_into_halo<Real>(populations, numbers, axis, side, entering, images,
+  copy_into_halo<Real>(populations, kind, axis, side, entering, images,
                        entering_sign(side) * populations.pitch(axis));
 }
 
-/// Bounce-back: what enters an own cell along i left the same cell along the opposite direction. Local, and
-/// so needs no halo; it overrules what other axes put where two walls meet. In planes [low_z,
-/// high_z).
+/// Bounces populations back at a no-slip wall, in the planes [low_z, high_z): the population that enters a
+/// cell along i left the same cell along the opposite direction. This needs no halo. At the edge of two walls
+/// it overwrites the values from other axes.
 template <class Real>
 void bounce_back_at_face(Populations& populations, int axis, int side, int low_z, int high_z) {
   Index3 low(0, 0, low_z), high(populations.size()[0], populations.size()[1], high_z);
@@ -138,7 +144,7 @@ void bounce_back_at_face(Populations& populations, int axis, int side, int low_z
   for (int z = low[2]; z < high[2]; ++z) {
     for (int y = low[1]; y < high[1]; ++y) {
       for (const int i : directions_along(axis, entering_sign(side))) {
-        const Run run{populations.cell(low[0], y, z), high[0] - low[0], 0};
+        const CellRun run{.first = populations.cell(low[0], y, z), .cells = high[0] - low[0], .next = 0};
         copy_run(populations.outgoing_row<Real>(d3q19::opposite(i), run.first), run,
                  populations.incoming_row<Real>(i, run.first));
       }
@@ -146,51 +152,51 @@ void bounce_back_at_face(Populations& populations, int axis, int side, int low_z
   }
 }
 
-/// Numbers of one kind that leave through a face.
-std::size_t face_numbers(const Populations& populations, int axis) {
-  std::size_t numbers = entering_directions;
+/// Returns the number of populations of one kind that leave through a face.
+std::size_t num_face_populations(const Populations& populations, int axis) {
+  std::size_t count = entering_directions;
   for (int a = 0; a < 3; ++a) {
-    if (a != axis) numbers *= populations.size()[a] + (a < axis ? 2 : 0);
+    if (a != axis) count *= populations.size()[a] + (a < axis ? 2 : 0);
   }
-  return numbers;
+  return count;
 }
 
-/// What the halo on the other side of the face on `side` needs, appended to `buffer` in the order in which
-/// unpack() reads it there.
+/// Appends to `buffer` the populations that the halo on the other side of the face needs, in the order in
+/// which unpack() reads them.
 template <class Real>
-void pack(const Populations& populations, Numbers numbers, int axis, int side,
+void pack(const Populations& populations, PopulationKind kind, int axis, int side,
           std::vector<std::byte>& buffer) {
   const std::size_t first = buffer.size();
-  buffer.resize(first + face_numbers(populations, axis) * sizeof(Real));
+  buffer.resize(first + num_face_populations(populations, axis) * sizeof(Real));
   auto* to = reinterpret_cast<Real*>(buffer.data() + first);
-  for_each_run_of_plane(populations, axis, edge_plane(populations, axis, side), [&](const Run& run) {
+  for_each_run_of_plane(populations, axis, edge_plane(populations, axis, side), [&](const CellRun& run) {
     for (const int i : directions_along(axis, -entering_sign(side))) {
-      to = copy_run(row_of<Real>(populations, numbers, i, run.first), run, to);
+      to = copy_run(row_of<Real>(populations, kind, i, run.first), run, to);
     }
   });
 }
 
-/// Returns where the numbers after those of this kind begin.
+/// Fills the halo at a face from `buffer`. Returns the start of the populations of the next kind.
 template <class Real>
-const std::byte* unpack(Populations& populations, Numbers numbers, int axis, int side,
+const std::byte* unpack(Populations& populations, PopulationKind kind, int axis, int side,
                         const std::byte* buffer) {
   const auto* from = reinterpret_cast<const Real*>(buffer);
-  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const Run& run) {
+  for_each_run_of_plane(populations, axis, halo_plane(populations, axis, side), [&](const CellRun& run) {
     for (const int i : directions_along(axis, entering_sign(side))) {
-      copy_run(from, run, row_of<Real>(populations, numbers, i, run.first));
+      copy_run(from, run, row_of<Real>(populations, kind, i, run.first));
       from += run.cells;
     }
   });
   return reinterpret_cast<const std::byte*>(from);
 }
 
-/// Calls visit(numbers) for each kind that is filled together. What is behind a halo cell may itself have
-/// come through another face, and so is filled after all that enters.
+/// Calls visit(kind) for each kind of population that is exchanged in one message. Populations behind a halo
+/// cell may have come through another face. They are therefore filled after all entering populations.
 template <class Visit>
-void for_each_kind(HaloContent together, Visit&& visit) {
-  if (together == HaloContent::entering) return visit(Numbers::entering);
-  visit(Numbers::leaving);
-  visit(Numbers::behind);
+void for_each_kind(HaloContent content, Visit&& visit) {
+  if (content == HaloContent::entering) return visit(PopulationKind::entering);
+  visit(PopulationKind::leaving);
+  visit(PopulationKind::behind);
 }
 
 }  // namespace
@@ -219,10 +225,10 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
   }
 }
 
-/// Messages still under way: an error broke a step off, and the program is about to stop all ranks. MPI may
-/// write into their buffers until then.
+/// If messages are pending, an error has interrupted a step and the program is about to stop all ranks. Until
+/// then MPI may write into the buffers, which are therefore not freed.
 Halo::~Halo() {
-  if (!is_under_way_) return;
+  if (!has_pending_messages_) return;
   for (Face& face : faces_[2]) {
     static_cast<void>(new std::vector<std::byte>(std::move(face.send)));
     static_cast<void>(new std::vector<std::byte>(std::move(face.receive)));
@@ -245,17 +251,17 @@ std::set<int> Halo::neighbours() const {
 
 void Halo::progress() {
   int done = 0;
-  if (is_under_way_) MPI_Testall(messages_.size(), messages_.data(), &done, MPI_STATUSES_IGNORE);
+  if (has_pending_messages_) MPI_Testall(messages_.size(), messages_.data(), &done, MPI_STATUSES_IGNORE);
 }
 
 void Halo::finish(Populations& populations) {
-  if (!is_under_way_) return;
+  if (!has_pending_messages_) return;
   in_precision(populations.precision(), [&]<class Real>() {
     receive<Real>(populations, HaloContent::entering, 2);
     const int planes = populations.size()[2];
     for (const int z : {0, planes - 1}) bounce_back_at_walls<Real>(populations, z, z + 1);
   });
-  is_under_way_ = false;
+  has_pending_messages_ = false;
 }
 
 RowEnds Halo::row_ends() const {
@@ -268,10 +274,10 @@ void Halo::start_as(Populations& populations) {
   const bool x_is_filled = row_ends() != RowEnds::left_to_halo && populations.row_ends_filled() == row_ends();
   for (int axis = x_is_filled ? 1 : 0; axis < 3; ++axis) {
     start_across<Real>(populations, HaloContent::entering, axis);
-    is_under_way_ = axis == 2 && is_cut(2);
+    has_pending_messages_ = axis == 2 && is_cut(2);
     if (is_cut(axis) && (axis < 2 || content_ == HaloContent::behind)) {
       receive<Real>(populations, HaloContent::entering, axis);
-      is_under_way_ = false;
+      has_pending_messages_ = false;
     }
   }
   const int first_axis = row_ends() == RowEnds::wrapped ? 1 : 0;
@@ -282,14 +288,14 @@ void Halo::start_as(Populations& populations) {
   bounce_back_at_walls<Real>(populations, 0, populations.size()[2]);
 }
 
-/// Fills, across one axis, all of a kind that needs no message, and sends the messages.
+/// Fills the halo across one axis as far as it needs no message, and sends the messages.
 template <class Real>
-void Halo::start_across(Populations& populations, HaloContent together, int axis) {
-  if (is_cut(axis)) send<Real>(populations, together, axis);
-  for_each_kind(together, [&](Numbers numbers) {
-    if (faces_[axis][0].neighbour == rank_) wrap_around<Real>(populations, numbers, axis);
+void Halo::start_across(Populations& populations, HaloContent content, int axis) {
+  if (is_cut(axis)) send<Real>(populations, content, axis);
+  for_each_kind(content, [&](PopulationKind kind) {
+    if (faces_[axis][0].neighbour == rank_) wrap_around<Real>(populations, kind, axis);
     for (int side = 0; side < 2; ++side) {
-      if (at_wall(axis, side, Boundary::free_slip)) fill_free_slip<Real>(populations, numbers, axis, side);
+      if (at_wall(axis, side, Boundary::free_slip)) fill_free_slip<Real>(populations, kind, axis, side);
     }
   });
 }
@@ -305,19 +311,19 @@ void Halo::bounce_back_at_walls(Populations& populations, int low_z, int high_z)
 }
 
 template <class Real>
-void Halo::send(const Populations& populations, HaloContent together, int axis) {
+void Halo::send(const Populations& populations, HaloContent content, int axis) {
   for (int side = 0; side < 2; ++side) {
     Face& face = faces_[axis][side];
     if (!face.is_open()) continue;
     face.send.clear();
-    for_each_kind(together,
-                  [&](Numbers numbers) { pack<Real>(populations, numbers, axis, side, face.send); });
+    for_each_kind(content,
+                  [&](PopulationKind kind) { pack<Real>(populations, kind, axis, side, face.send); });
   }
   for (int side = 0; side < 2; ++side) {
     Face& face = faces_[axis][side];
     face.receive.resize(face.send.size());
     const int size = static_cast<int>(face.send.size());
-    // A message is tagged by the side through which it leaves; two blocks may meet at both their faces.
+    // The tag is the side through which a message leaves, because two blocks may share both faces.
     MPI_Irecv(face.receive.data(), size, MPI_BYTE, face.neighbour, 1 - side, comm_, &messages_[2 * side]);
     MPI_Isend(face.send.data(), size, MPI_BYTE, face.neighbour, side, comm_, &messages_[2 * side + 1]);
     if (face.is_open()) traffic_.add_message(size);
@@ -325,13 +331,13 @@ void Halo::send(const Populations& populations, HaloContent together, int axis) 
 }
 
 template <class Real>
-void Halo::receive(Populations& populations, HaloContent together, int axis) {
+void Halo::receive(Populations& populations, HaloContent content, int axis) {
   MPI_Waitall(messages_.size(), messages_.data(), MPI_STATUSES_IGNORE);
   for (int side = 0; side < 2; ++side) {
     if (!faces_[axis][side].is_open()) continue;
     const std::byte* from = faces_[axis][side].receive.data();
-    for_each_kind(together,
-                  [&](Numbers numbers) { from = unpack<Real>(populations, numbers, axis, side, from); });
+    for_each_kind(content,
+                  [&](PopulationKind kind) { from = unpack<Real>(populations, kind, axis, side, from); });
   }
 }
 

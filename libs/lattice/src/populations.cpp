@@ -7,9 +7,9 @@
 namespace beadswim {
 namespace {
 
-constexpr std::size_t line = 64;  ///< of the cache [byte]
+constexpr std::size_t line = 64;  ///< cache line [byte]
 
-std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
+std::ptrdiff_t round_up_to_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
   return (count + unit - 1) / unit * unit;
 }
 
@@ -17,26 +17,27 @@ std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
 
 Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
     : precision_(precision), size_(size) {
-  const auto per_line = static_cast<std::ptrdiff_t>(line / bytes_of_number(precision));
-  // What is behind lies up to a cell outside the halo, and may not meet what lies there on the other side.
+  const auto per_line = static_cast<std::ptrdiff_t>(line / bytes_per_population(precision));
+  // Populations behind halo cells lie up to one cell outside the halo. Extra cells keep those of opposite
+  // sides apart.
   const int behind = halo == HaloContent::behind ? 1 : 0;
   pitch_y_ =
-      size[0] + 2 + behind;  // rows that begin at cache lines would cost more in padding than they gain
+      size[0] + 2 + behind;  // alignment of rows with cache lines would cost more by padding than it gains
   pitch_z_ = pitch_y_ * (size[1] + 2 + behind);
-  first_ = behind * pitch_z_ + pitch_y_ + 2;  // also what enters may lie a cell and a row outside
-  const std::ptrdiff_t cells = pitch_z_ * (size[2] + 2) + 2 * first_;  // those outside the halo too
-  // The 19 streams of a sweep advance together; arrays a multiple of a page (4 KiB) apart would compete for
-  // the same cache sets, so that each is placed some lines further on within a page.
+  first_ = behind * pitch_z_ + pitch_y_ + 2;  // entering populations may lie one cell and one row outside
+  const std::ptrdiff_t cells = pitch_z_ * (size[2] + 2) + 2 * first_;  // including cells outside the halo
+  // A sweep advances through the 19 arrays in parallel. Arrays whose distance is a multiple of a page (4 KiB)
+  // would compete for the same cache sets, so each array is shifted by some cache lines.
   constexpr std::ptrdiff_t lines_a_page = 4096 / line, stagger = 5;
-  const std::ptrdiff_t pitch_i = whole_multiple(cells, lines_a_page * per_line) + stagger * per_line;
+  const std::ptrdiff_t pitch_i = round_up_to_multiple(cells, lines_a_page * per_line) + stagger * per_line;
   for (int i = 0; i < d3q19::directions; ++i) {
     const auto& c = d3q19::velocity[i];
     shift_[i] = c[0] + pitch_y_ * c[1] + pitch_z_ * c[2];
     place_[0][i] = d3q19::opposite(i) * pitch_i;
     place_[1][i] = i * pitch_i + shift_[i];
   }
-  bytes_ = d3q19::directions * pitch_i * bytes_of_number(precision);
-  data_.reset(zeros_on_huge_pages(bytes_));
+  bytes_ = d3q19::directions * pitch_i * bytes_per_population(precision);
+  data_.reset(allocate_zeros_on_huge_pages(bytes_));
 }
 
 CellMoments cell_moments(const Populations& populations, std::ptrdiff_t cell) {

@@ -3,30 +3,33 @@
 #include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/trt.hpp"
 
-// What is done to all cells, one row of them at a time. row_kernels.cpp is compiled once for each instruction
-// set; row_kernels() chooses at run time.
+// Loops over the cells of one row. row_kernels.cpp is compiled once per instruction set; row_kernels()
+// selects the instruction set at run time.
 
 namespace beadswim {
 
-/// A step of the fluid in a row of cells.
+/// Arguments of one step of the fluid in a row of cells.
 template <class Real>
 struct SweepRow {
-  const Real* from[d3q19::directions];  ///< cell 0's incoming population of each direction
-  Real* to[d3q19::directions];  ///< where cell 0's population goes after collision; the 19 places that a cell
-                                ///< reads are those that it writes, and no other cell's
-  long first, cells;            ///< the row
+  /// Address of the incoming population of cell 0, for each direction.
+  const Real* from[d3q19::directions];
+  /// Address of the population of cell 0 after collision, for each direction. A cell writes the 19 addresses
+  /// that it reads, and no others.
+  Real* to[d3q19::directions];
+  long first, cells;  ///< first cell of the row, and number of cells
   CollisionRates<Real> rates;
 };
 
-/// The sums of density deviation and momentum over a row of cells, cut as OrderFreeSum cuts them.
+/// Arguments of the sums of density deviation and momentum over a row of cells.
 template <class Real>
 struct TotalsRow {
-  const Real* outgoing[d3q19::directions];  ///< of the first cell
-  long cells;                               ///< at most order_free::most_terms
+  const Real* outgoing[d3q19::directions];  ///< populations of the first cell
+  long cells;                               ///< at most order_free::max_terms
 };
+/// Sums over a row. Each term is split into a coarse and a fine part as in OrderFreeSum.
 struct RowTotals {
-  double coarse[4], fine[4];  ///< of density deviation and the three momenta
-  bool fits;                  ///< every term was small enough; if not, the sums mean nothing
+  double coarse[4], fine[4];  ///< sums of density deviation and of the three momentum components
+  bool fits;                  ///< false if a term was too large or NaN; the sums are then invalid
 };
 
 #define BEADSWIM_DECLARE_ROW_KERNELS(instruction_set) \
@@ -43,7 +46,7 @@ BEADSWIM_DECLARE_ROW_KERNELS(x86_64_v3)
 BEADSWIM_DECLARE_ROW_KERNELS(x86_64_v4)
 #endif
 
-/// The kernels for one instruction set.
+/// Kernels compiled for one instruction set.
 struct RowKernels {
   void (*sweep_fp64)(const SweepRow<double>&);
   void (*sweep_fp32)(const SweepRow<float>&);
@@ -57,7 +60,7 @@ struct RowKernels {
   RowTotals totals(const TotalsRow<float>& row) const { return totals_fp32(row); }
 };
 
-/// The best that this processor can run.
+/// Returns the kernels of the best instruction set that this processor supports.
 const RowKernels& row_kernels();
 
 }  // namespace beadswim

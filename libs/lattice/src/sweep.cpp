@@ -26,7 +26,7 @@ void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
 
 }  // namespace
 
-/// What all rows share, in the precision of the populations.
+/// Kernel arguments that all rows share, in the precision of the populations.
 struct BlockSweep::Rows {
   std::variant<SweepRow<double>, SweepRow<float>> row;
 };

@@ -25,24 +25,24 @@ void FluidTotals::subtract(const FluidTotals& other) {
 
 namespace {
 
-/// Adds a run of own cells along x.
+/// Adds `cells` consecutive cells of a row, beginning with cell `first`.
 template <class Real>
 void add_run(FluidTotals& totals, const Populations& populations, std::ptrdiff_t first, long cells) {
   TotalsRow<Real> row{.outgoing = {}, .cells = cells};
   for (int i = 0; i < d3q19::directions; ++i) row.outgoing[i] = populations.outgoing_row<Real>(i, first);
   const RowTotals sums = row_kernels().totals(row);
-  if (!sums.fits) {  // one by one: there is more room there, and a message if it does not suffice
+  if (!sums.fits) {  // OrderFreeSum has a larger range, and throws if a term exceeds it
     for (long x = 0; x < cells; ++x) totals.add(cell_moments(populations, first + x));
     return;
   }
-  totals.density_deviation.add_cut(sums.coarse[0], sums.fine[0]);
-  for (int a = 0; a < 3; ++a) totals.momentum[a].add_cut(sums.coarse[a + 1], sums.fine[a + 1]);
+  totals.density_deviation.add_split(sums.coarse[0], sums.fine[0]);
+  for (int a = 0; a < 3; ++a) totals.momentum[a].add_split(sums.coarse[a + 1], sums.fine[a + 1]);
 }
 
 }  // namespace
 
 FluidTotals block_totals(const Populations& populations) {
-  constexpr int longest_run = order_free::most_terms;
+  constexpr int longest_run = order_free::max_terms;
   FluidTotals totals;
   const Index3& n = populations.size();
   in_precision(populations.precision(), [&]<class Real>() {

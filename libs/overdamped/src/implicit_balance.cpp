@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-Beads none(std::size_t count) {
+Beads zero_vectors(std::size_t count) {
   return Beads(count, Vec3::Zero());
 }
 
@@ -17,34 +17,36 @@ bool is_within_swimmer(const Contact& c) {
   return c.first / 3 == c.second / 3 && !c.is_image;
 }
 
-/// How much displacements widen the gap. A bead's own image behind a wall moves as much the other way.
-double widening(const Contact& c, const Beads& displacements) {
+/// Returns the change of the gap by displacements. A bead's own image behind a wall moves in the opposite
+/// direction.
+double gap_change(const Contact& c, const Beads& displacements) {
   if (c.first == c.second) return 2 * c.normal.dot(displacements[c.first]);
   return c.normal.dot(displacements[c.first] - displacements[c.second]);
 }
 
-void push(const Contact& c, double force, Beads& forces) {
+void add_contact_force(const Contact& c, double force, Beads& forces) {
   forces[c.first] += force * c.normal;
   if (c.second != c.first) forces[c.second] -= force * c.normal;
 }
 
 }  // namespace
 
-ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& now,
-                                 const Beads& from, const Beads& about, const Beads& distant)
-    : communicator_(step.communicator), rule_(rule), from_(from), about_(about) {
+ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start,
+                                 const Beads& history, const Beads& expansion_point, const Beads& distant)
+    : communicator_(step.communicator), rule_(rule), history_(history), expansion_point_(expansion_point) {
   const auto& scene = step.scene;
   std::tie(first_, last_) =
       rank_share(std::ssize(scene.swimmers), communicator_.rank(), communicator_.size());
-  Beads places = now;
-  flat(places) += flat(about);
+  Beads places = start;
+  flat(places) += flat(expansion_point);
   for (const Contact& contact : find_contacts(step.contact_scale, scene.box, step.radii, places))
-    (is_within_swimmer(contact) ? within_ : between_).push_back(contact);
-  Beads others = none(now.size());
+    (is_within_swimmer(contact) ? internal_contacts_ : external_contacts_).push_back(contact);
+  Beads external_forces = zero_vectors(start.size());
   std::vector<Matrix9> stiffness(last_ - first_, Matrix9::Zero());
-  for (const Contact& c : between_) {
-    push(c, c.law.force, others);
-    // Twice that of the contact, as if the other bead, or its own image, moved as much the other way.
+  for (const Contact& c : external_contacts_) {
+    add_contact_force(c, c.law.force, external_forces);
+    // Twice the stiffness of the contact, as if the other bead, or the bead's own image, moved in the
+    // opposite direction.
     const double share = c.first == c.second ? 1 : 2;
     for (const int bead : {c.first, c.second})
       if (const std::size_t s = bead / 3; s >= first_ && s < last_)
@@ -55,21 +57,21 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
   for (std::size_t s = first_; s < last_; ++s)
     parts_.push_back(implicit_swimmer(rule, {.type = scene.type_of(scene.swimmers[s]),
                                              .initial_axis = scene.swimmers[s].axis,
-                                             .now = nine(now, s),
-                                             .from = nine(from, s),
-                                             .about = nine(about, s),
-                                             .distant = nine(distant, s),
-                                             .others = nine(others, s),
-                                             .others_stiffness = stiffness[s - first_],
+                                             .start = swimmer_vector(start, s),
+                                             .history = swimmer_vector(history, s),
+                                             .expansion_point = swimmer_vector(expansion_point, s),
+                                             .distant = swimmer_vector(distant, s),
+                                             .external_forces = swimmer_vector(external_forces, s),
+                                             .external_stiffness = stiffness[s - first_],
                                              .viscosity = scene.viscosity,
                                              .scale = step.contact_scale}));
 }
 
-/// What value(swimmer, part) says of each, from all ranks.
+/// Evaluates value(swimmer, part) for each swimmer on its rank and returns the results of all ranks.
 template <class Value>
-Beads ImplicitBalance::of_each(const Value& value) const {
-  Beads beads(from_.size());
-  for (std::size_t s = first_; s < last_; ++s) nine(beads, s) = value(s, parts_[s - first_]);
+Beads ImplicitBalance::gather(const Value& value) const {
+  Beads beads(history_.size());
+  for (std::size_t s = first_; s < last_; ++s) swimmer_vector(beads, s) = value(s, parts_[s - first_]);
   share(beads);
   return beads;
 }
@@ -87,63 +89,68 @@ void ImplicitBalance::share(Beads& beads) const {
                  MPI_DOUBLE, communicator_.get());
 }
 
-Beads ImplicitBalance::first_ends() const {
-  return of_each([&](std::size_t, const ImplicitSwimmer& part) { return part.end; });
+Beads ImplicitBalance::initial_displacements() const {
+  return gather([&](std::size_t, const ImplicitSwimmer& part) { return part.end; });
 }
 
-Beads ImplicitBalance::first_forces() const {
-  return of_each([&](std::size_t, const ImplicitSwimmer& part) { return part.forces; });
+Beads ImplicitBalance::initial_forces() const {
+  return gather([&](std::size_t, const ImplicitSwimmer& part) { return part.forces; });
 }
 
 Beads ImplicitBalance::displacements(const Beads& velocities) const {
-  Beads u = from_;
-  flat(u) = (flat(from_) + rule_.span * flat(velocities)) / rule_.weight;
+  Beads u = history_;
+  flat(u) = (flat(history_) + rule_.span * flat(velocities)) / rule_.weight;
   return u;
 }
 
-/// u - u*.
-Beads ImplicitBalance::beyond_about(const Beads& velocities) const {
+/// Returns u - u*.
+Beads ImplicitBalance::displacements_from_expansion(const Beads& velocities) const {
   Beads beyond = displacements(velocities);
-  flat(beyond) -= flat(about_);
+  flat(beyond) -= flat(expansion_point_);
   return beyond;
 }
 
 Beads ImplicitBalance::residual(const Beads& forces, const Beads& velocities) const {
-  const Beads beyond = beyond_about(velocities);
-  Beads contacts = none(forces.size());
-  for (const Contact& c : between_) push(c, c.law.force - c.law.stiffness * widening(c, beyond), contacts);
-  return of_each([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
-    return part.drive + nine(contacts, s) - part.resistance * nine(velocities, s) - nine(forces, s);
+  const Beads beyond = displacements_from_expansion(velocities);
+  Beads contacts = zero_vectors(forces.size());
+  for (const Contact& c : external_contacts_)
+    add_contact_force(c, c.law.force - c.law.stiffness * gap_change(c, beyond), contacts);
+  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
+    return part.drive + swimmer_vector(contacts, s) - part.resistance * swimmer_vector(velocities, s) -
+           swimmer_vector(forces, s);
   });
 }
 
-Beads ImplicitBalance::left_side(const Beads& forces, const Beads& velocities) const {
-  Beads contacts = none(forces.size());
+Beads ImplicitBalance::left_hand_side(const Beads& forces, const Beads& velocities) const {
+  Beads contacts = zero_vectors(forces.size());
   const double compliance = rule_.span / rule_.weight;
-  for (const Contact& c : between_) push(c, compliance * c.law.stiffness * widening(c, velocities), contacts);
-  return of_each([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
-    return nine(forces, s) + part.resistance * nine(velocities, s) + nine(contacts, s);
+  for (const Contact& c : external_contacts_)
+    add_contact_force(c, compliance * c.law.stiffness * gap_change(c, velocities), contacts);
+  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
+    return swimmer_vector(forces, s) + part.resistance * swimmer_vector(velocities, s) +
+           swimmer_vector(contacts, s);
   });
 }
 
 Beads ImplicitBalance::own_forces(const Beads& residual) const {
-  return of_each([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
-    return part.balance.solve(nine(residual, s));
+  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
+    return part.balance.solve(swimmer_vector(residual, s));
   });
 }
 
 Beads ImplicitBalance::own_velocities(const Beads& forces) const {
-  return of_each(
-      [&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 { return part.mobility * nine(forces, s); });
+  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
+    return part.mobility * swimmer_vector(forces, s);
+  });
 }
 
 double ImplicitBalance::smallest_gap(const Beads& velocities) const {
-  const Beads beyond = beyond_about(velocities);
+  const Beads beyond = displacements_from_expansion(velocities);
   double smallest = std::numeric_limits<double>::infinity();
-  for (const auto* contacts : {&within_, &between_})
+  for (const auto* contacts : {&internal_contacts_, &external_contacts_})
     for (const Contact& c : *contacts) {
-      const double gap = c.gap + widening(c, beyond);
-      if (gap < c.reach)  // to the wall, not to the image behind it
+      const double gap = c.gap + gap_change(c, beyond);
+      if (gap < c.cutoff)  // reported gap: to the wall, not to the image
         smallest = std::min(smallest, c.first == c.second ? gap / 2 : gap);
     }
   return smallest;

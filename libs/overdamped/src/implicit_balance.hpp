@@ -11,43 +11,46 @@
 
 namespace beadswim {
 
-/// The scene as a step sees it. All must outlive it.
+/// References to the scene, which must outlive it.
 struct StepScene {
   const OverdampedScene& scene;
-  std::span<const double> radii;  ///< of all beads
+  std::span<const double> radii;  ///< one per bead [length]
   const ContactScale& contact_scale;
   const Communicator& communicator;
 };
 
-/// The linear system of a step about u* (implicit_step.hpp), each swimmer's part kept by the rank that it is
-/// of. Numbers of all beads go in and come out, the same on all ranks; what returns any is collective.
+/// Linear system of a time step at the expansion point u* (implicit_step.hpp). Each rank stores the parts of
+/// its own swimmers. Arguments and results hold all beads and are equal on all ranks. Functions that return
+/// Beads are collective.
 class ImplicitBalance {
  public:
-  /// Contacts and forces about `about`, u*. Places `now`, `from` and `about` must outlive it.
-  ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& now, const Beads& from,
-                  const Beads& about, const Beads& distant);
+  /// Evaluates forces and contacts at `expansion_point`, u*. `history` and `expansion_point` must outlive
+  /// this object.
+  ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start, const Beads& history,
+                  const Beads& expansion_point, const Beads& distant);
 
-  Beads first_ends() const;                                             ///< u if d does not change
-  Beads first_forces() const;                                           ///< F if d does not change
-  Beads displacements(const Beads& velocities) const;                   ///< u = (r + h v)/w
-  Beads residual(const Beads& forces, const Beads& velocities) const;   ///< drive - D v - F
-  Beads left_side(const Beads& forces, const Beads& velocities) const;  ///< F + D v
-  Beads own_forces(const Beads& residual) const;                        ///< p of (1 + D mu_own) p = residual
-  Beads own_velocities(const Beads& forces) const;                      ///< mu_own F
-  double smallest_gap(const Beads& velocities) const;                   ///< [length] of contacts at the end
+  Beads initial_displacements() const;                                       ///< u for unchanged d
+  Beads initial_forces() const;                                              ///< F for unchanged d
+  Beads displacements(const Beads& velocities) const;                        ///< u = (r + h v)/w
+  Beads residual(const Beads& forces, const Beads& velocities) const;        ///< drive - D v - F
+  Beads left_hand_side(const Beads& forces, const Beads& velocities) const;  ///< F + D v
+  Beads own_forces(const Beads& residual) const;    ///< solves (1 + D mu_own) p = residual for p
+  Beads own_velocities(const Beads& forces) const;  ///< mu_own F
+  double smallest_gap(
+      const Beads& velocities) const;  ///< smallest gap of a contact at the end of the step [length]
 
  private:
   template <class Value>
-  Beads of_each(const Value& value) const;
+  Beads gather(const Value& value) const;
   void share(Beads& beads) const;
-  Beads beyond_about(const Beads& velocities) const;
+  Beads displacements_from_expansion(const Beads& velocities) const;
 
   const Communicator& communicator_;
   StepRule rule_;
-  const Beads &from_, &about_;
+  const Beads &history_, &expansion_point_;
   std::size_t first_ = 0, last_ = 0;  ///< swimmers of this rank
   std::vector<ImplicitSwimmer> parts_;
-  std::vector<Contact> within_, between_;  ///< swimmers
+  std::vector<Contact> internal_contacts_, external_contacts_;  ///< within one swimmer; all others
 };
 
 }  // namespace beadswim

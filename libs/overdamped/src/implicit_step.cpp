@@ -9,18 +9,21 @@
 namespace beadswim {
 namespace {
 
-/// Of the product's tolerance: up to which swimmers alone answer to what is left.
-constexpr double solver_share = 0.3;
+/// Accepted norm of the last correction, relative to the tolerance of the mobility product.
+constexpr double residual_share = 0.3;
 
-constexpr int most_products = 100;  ///< about one u*
+constexpr int max_products = 100;  ///< per expansion point
 
-/// Directions that are kept: memory of three vectors each.
-constexpr std::size_t most_directions = 20;
+/// Number of search directions stored by GCR, each with three vectors per bead.
+constexpr std::size_t max_directions = 20;
 
-/// Of the smallest radius: how far from u* swimmers alone may end, and how well u* is found where they do
-/// not; how far all together may, and where not even that is come by.
-constexpr double near_alone = 1e-3, found_alone = 1e-6, near_together = 1e-2, lost_together = 0.1;
-constexpr int most_rounds_alone = 20, most_rounds = 10;
+/// Limits of the distance between u* and the solution [smallest radius]. own_move_limit: swimmers solved
+/// alone may end this far from the initial guess. own_move_tolerance: otherwise u* is iterated until it
+/// changes by less. joint_move_tolerance: all swimmers together may end this far from u*. joint_move_limit:
+/// bound for convergence when the iterations are exhausted.
+constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_tolerance = 1e-2,
+                 joint_move_limit = 0.1;
+constexpr int max_own_iterations = 20, max_iterations = 10;
 
 }  // namespace
 
@@ -36,56 +39,61 @@ ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double>
     for (const Spring& spring : type.springs) shortest_arm_ = std::min(shortest_arm_, spring.rest_length);
 }
 
-/// Over the smallest radius. As rank 0 has it, whatever ranks' processors: ranks decide alike.
-double ImplicitStep::farthest_move(const Beads& from, const Beads& to) const {
+/// Returns the largest displacement of a bead [smallest radius]. The value of rank 0 is used on all ranks,
+/// because roundoff may differ between processors and all ranks must take the same decision.
+double ImplicitStep::largest_move(const Beads& from, const Beads& to) const {
   double farthest = 0;
   for (std::size_t b = 0; b < from.size(); ++b) {
     const double move = (to[b] - from[b]).norm() / smallest_radius_;
-    if (!(move <= farthest)) farthest = move;  // NaN too
+    if (!(move <= farthest)) farthest = move;  // also if move is NaN
   }
   MPI_Bcast(&farthest, 1, MPI_DOUBLE, 0, communicator_.get());
   return farthest;
 }
 
-ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& now, const Beads& from,
+ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start, const Beads& from,
                                        const Beads& guess, const Beads& distant) const {
-  const StepScene scene{scene_, radii_, contact_scale_, communicator_};
-  Beads about = guess;
+  const StepScene scene{
+      .scene = scene_, .radii = radii_, .contact_scale = contact_scale_, .communicator = communicator_};
+  Beads expansion_point = guess;
   ImplicitStepResult result;
   result.distant = distant;
   long products = 0;
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;
     for (int alone = 1;; ++alone) {
-      balance.emplace(scene, rule, now, from, about, result.distant);
-      Beads ends = balance->first_ends();
-      const double move = farthest_move(about, ends);
-      const bool is_near = !(move > (alone == 1 ? near_alone : found_alone));  // NaN is a fault, found later
-      if (is_near || alone == most_rounds_alone) break;
-      about = std::move(ends);
+      balance.emplace(scene, rule, start, from, expansion_point, result.distant);
+      Beads ends = balance->initial_displacements();
+      const double move = largest_move(expansion_point, ends);
+      const bool is_near =
+          !(move > (alone == 1 ? own_move_limit : own_move_tolerance));  // NaN: becomes a fault later
+      if (is_near || alone == max_own_iterations) break;
+      expansion_point = std::move(ends);
     }
-    result = solve_about(*balance, about, now);
+    result = solve_linearised(*balance, expansion_point, start);
     products += result.products;
-    const double move = farthest_move(about, result.displacements);
-    // Arms that turn by `move` would stretch by move^2/l: under the tolerance of how far beads go.
-    const double way = rule.span / rule.weight * flat(result.velocities).norm() / std::sqrt(3.0 * now.size());
+    const double move = largest_move(expansion_point, result.displacements);
+    // An arm that rotates by a displacement `move` is stretched by move^2/l by the linearisation. This must
+    // be below the tolerance relative to the displacement of the beads.
+    const double way =
+        rule.span / rule.weight * flat(result.velocities).norm() / std::sqrt(3.0 * start.size());
     const double turn = std::sqrt(scene_.tolerance * shortest_arm_ * way) / smallest_radius_;
-    if (!(move > std::min(near_together, turn)) || !result.is_solved) break;
-    if (round == most_rounds) {
-      result.is_solved = move < lost_together;
+    if (!(move > std::min(joint_move_tolerance, turn)) || !result.is_converged) break;
+    if (round == max_iterations) {
+      result.is_converged = move < joint_move_limit;
       break;
     }
-    about = result.displacements;
+    expansion_point = result.displacements;
   }
   result.products = products;
   return result;
 }
 
-ImplicitStepResult ImplicitStep::solve_about(const ImplicitBalance& balance, const Beads& about,
-                                             const Beads& now) const {
+ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance,
+                                                  const Beads& expansion_point, const Beads& start) const {
   ImplicitStepResult result;
-  Beads places = now;
-  flat(places) += flat(about);
+  Beads places = start;
+  flat(places) += flat(expansion_point);
   const auto product = [&](const Beads& forces) {
     Beads velocities(forces.size());
     mobility_.apply(places, forces, velocities);
@@ -93,43 +101,44 @@ ImplicitStepResult ImplicitStep::solve_about(const ImplicitBalance& balance, con
     return velocities;
   };
   struct Direction {
-    Beads forces, velocities, left_side;  ///< p, mu p, p + D mu p; left sides orthonormal
+    Beads forces, velocities, left_hand_side;  ///< p, mu p, p + D mu p; left-hand sides are orthonormal
   };
   std::deque<Direction> directions;
-  Beads forces = balance.first_forces();
+  Beads forces = balance.initial_forces();
   Beads velocities = product(forces);
   Beads residual = balance.residual(forces, velocities);
   for (;;) {
     Beads own = balance.own_forces(residual);
     const Beads answer = balance.own_velocities(own);
     std::array<double, 2> norms{flat(answer).norm(), flat(velocities).norm()};
-    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0, communicator_.get());  // whatever ranks' processors
+    MPI_Bcast(norms.data(), 2, MPI_DOUBLE, 0, communicator_.get());  // all ranks must decide alike
     const auto [missing, speed] = norms;
-    const bool is_missing = missing > solver_share * scene_.tolerance * speed;  // NaN is a fault, found later
-    if (!is_missing || result.products >= most_products) {
-      result.is_solved = !is_missing;
+    const bool is_missing =
+        missing > residual_share * scene_.tolerance * speed;  // NaN: becomes a fault later
+    if (!is_missing || result.products >= max_products) {
+      result.is_converged = !is_missing;
       result.distant = velocities;
       flat(result.distant) -= flat(balance.own_velocities(forces));
       flat(velocities) += flat(answer);
       break;
     }
-    Direction next{std::move(own), {}, {}};
+    Direction next{.forces = std::move(own), .velocities = {}, .left_hand_side = {}};
     next.velocities = product(next.forces);
-    next.left_side = balance.left_side(next.forces, next.velocities);
+    next.left_hand_side = balance.left_hand_side(next.forces, next.velocities);
     for (const Direction& old : directions) {
-      const double along = flat(old.left_side).dot(flat(next.left_side));
+      const double along = flat(old.left_hand_side).dot(flat(next.left_hand_side));
       flat(next.forces) -= along * flat(old.forces);
       flat(next.velocities) -= along * flat(old.velocities);
-      flat(next.left_side) -= along * flat(old.left_side);
+      flat(next.left_hand_side) -= along * flat(old.left_hand_side);
     }
-    const double norm = flat(next.left_side).norm();
-    for (Beads* part : {&next.forces, &next.velocities, &next.left_side}) flat(*part) /= norm;
-    const double step = flat(next.left_side).dot(flat(residual));
+    const double norm = flat(next.left_hand_side).norm();
+    for (Beads* part : {&next.forces, &next.velocities, &next.left_hand_side}) flat(*part) /= norm;
+    const double step = flat(next.left_hand_side).dot(flat(residual));
     flat(forces) += step * flat(next.forces);
     flat(velocities) += step * flat(next.velocities);
-    flat(residual) -= step * flat(next.left_side);
+    flat(residual) -= step * flat(next.left_hand_side);
     directions.push_back(std::move(next));
-    if (directions.size() > most_directions) directions.pop_front();
+    if (directions.size() > max_directions) directions.pop_front();
   }
   result.displacements = balance.displacements(velocities);
   result.smallest_gap = balance.smallest_gap(velocities);

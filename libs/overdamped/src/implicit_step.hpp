@@ -9,21 +9,27 @@
 #include "beadswim/overdamped/overdamped_scene.hpp"
 #include "implicit_balance.hpp"
 
-// An implicit step of all swimmers: displacements u with w u - r = h v, velocities v and forces F of
+// An implicit time step of all swimmers. Displacements u with w u - r = h v, velocities v and forces F solve
 //
-//   v = mu F,   F + D v = drive,   mu, D and drive about u*
+//   v = mu F,   F + D v = drive
 //
-// D has a block for each swimmer (implicit_swimmer.hpp), and contacts between swimmers. Were the flow known
-// that carries a swimmer, d = v - mu_own F, each could be solved alone. So they are, by d carried forward
-// from steps before: u* is the guess, or, where swimmers alone would end farther from it, where they end
-// (Newton's method, contacts sought again each time). One product then tells the residual
+// where mu, D and drive are evaluated at the expansion point u*. D has one dense block per swimmer
+// (implicit_swimmer.hpp) and sparse entries for contacts between swimmers.
+//
+// If the flow d = v - mu_own F caused by all other swimmers were known, each swimmer could be solved alone.
+// This gives the first approximation, with d extrapolated from earlier steps. u* is the initial guess. If
+// swimmers solved alone end too far from it, u* is moved to their end and the contacts are found again
+// (Newton's method).
+//
+// One mobility product then gives the residual
 //
 //   rho = drive - D v - F
 //
-// which is small where d is smooth. It is answered by each swimmer alone, F += p and v += mu_own p of
-// (1 + D mu_own) p = rho, where that is under 0.3 of the product's tolerance, and otherwise reduced by
-// generalised conjugate residuals, preconditioned by the same, a product each. Where the step then ends far
-// from u*, as beads that meet do, all is done again about that end.
+// which is small where d varies smoothly. The correction of each swimmer alone is F += p and v += mu_own p
+// with (1 + D mu_own) p = rho. If it is below 0.3 of the tolerance of the product, it is applied and the step
+// ends. Otherwise the residual is reduced by the generalised conjugate residual method (GCR), with this
+// correction as preconditioner and one product per iteration. If the step then ends far from u*, for example
+// where beads come into contact, the solution is repeated with u* at that end.
 //
 // Reference: Eisenstat, Elman and Schultz, SIAM J. Numer. Anal. 20, 345 (1983).
 
@@ -33,34 +39,35 @@ struct ImplicitStepResult {
   Beads displacements;  ///< u
   Beads velocities;     ///< v
   Beads distant;        ///< d
-  long products = 0;
+  long products = 0;    ///< mobility products evaluated
   double smallest_gap =
-      std::numeric_limits<double>::infinity();  ///< [length] of beads that repel each other at the end
-  bool is_solved = true;
+      std::numeric_limits<double>::infinity();  ///< between beads that repel each other at the end [length]
+  bool is_converged = true;
 };
 
 class ImplicitStep {
  public:
-  /// All must outlive it.
+  /// Keeps references to all arguments.
   ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, const MobilityProduct& mobility,
                const Communicator& communicator);
 
-  /// `now`: places; `from`: r; `guess`: of u; `distant`: of d. Of all beads, the same on all ranks.
-  /// Collective.
-  ImplicitStepResult solve(const StepRule& rule, const Beads& now, const Beads& from, const Beads& guess,
+  /// Solves one step. `start`: positions now; `from`: r; `guess`: of u; `distant`: extrapolated d. Arrays
+  /// hold all beads and are equal on all ranks. Collective.
+  ImplicitStepResult solve(const StepRule& rule, const Beads& start, const Beads& from, const Beads& guess,
                            const Beads& distant) const;
 
  private:
-  ImplicitStepResult solve_about(const ImplicitBalance& balance, const Beads& about, const Beads& now) const;
-  double farthest_move(const Beads& from, const Beads& to) const;
+  ImplicitStepResult solve_linearised(const ImplicitBalance& balance, const Beads& expansion_point,
+                                      const Beads& start) const;
+  double largest_move(const Beads& from, const Beads& to) const;
 
   const OverdampedScene& scene_;
   std::span<const double> radii_;
   const MobilityProduct& mobility_;
   const Communicator& communicator_;
   ContactScale contact_scale_;
-  double smallest_radius_;
-  double shortest_arm_ = std::numeric_limits<double>::infinity();
+  double smallest_radius_;                                         ///< [length]
+  double shortest_arm_ = std::numeric_limits<double>::infinity();  ///< smallest rest length [length]
 };
 
 }  // namespace beadswim

@@ -7,13 +7,14 @@ BeadVectors beads_of(const Vector9& x) {
   return {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6)};
 }
 
-/// Adds what beads of one swimmer that almost touch do to each other.
+/// Adds forces and stiffness of the contacts between the beads of one swimmer.
 void add_own_contacts(const SwimmerType& type, const ContactScale& scale, const BeadVectors& beads,
                       Vector9& forces, Matrix9& stiffness) {
   for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
     const Vec3 d = beads[i] - beads[j];
     const double distance = d.norm(), radii = type.beads[i].radius + type.beads[j].radius;
-    const ContactForce law = contact_force(distance - radii, scale.share * radii / 2, scale.strength);
+    const ContactForce law =
+        contact_force(distance - radii, scale.cutoff_per_radius * radii / 2, scale.strength);
     if (!(law.stiffness > 0 && distance > 0)) continue;
     const Vec3 normal = d / distance;
     forces.segment<3>(3 * i) += law.force * normal;
@@ -29,7 +30,7 @@ void add_own_contacts(const SwimmerType& type, const ContactScale& scale, const 
 }  // namespace
 
 ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings& s) {
-  const BeadVectors beads = beads_of(s.now + s.about);
+  const BeadVectors beads = beads_of(s.start + s.expansion_point);
   const double compliance = rule.span / rule.weight;  // du/dv
   ImplicitSwimmer result;
   result.mobility = own_mobility(s.type, beads, s.viscosity);
@@ -37,16 +38,16 @@ ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings
       own_forces(s.type, beads) + as_vector(driving_forces(s.type.driving, rule.time, beads, s.initial_axis));
   Matrix9 stiffness = own_stiffness(s.type, beads);
   add_own_contacts(s.type, s.scale, beads, forces, stiffness);
-  const Vector9 still = s.from / rule.weight - s.about;  // u - u* at v = 0
+  const Vector9 still = s.history / rule.weight - s.expansion_point;  // u - u* at v = 0
   result.drive = forces - stiffness * still;
   result.resistance = compliance * stiffness;
   if (s.type.springs[0].damping > 0 || s.type.springs[1].damping > 0)
     result.resistance += own_damping(s.type, beads);
-  const Matrix9 resistance = result.resistance + compliance * s.others_stiffness;
-  const Vector9 drive = result.drive + s.others - s.others_stiffness * still;
+  const Matrix9 resistance = result.resistance + compliance * s.external_stiffness;
+  const Vector9 drive = result.drive + s.external_forces - s.external_stiffness * still;
   result.balance.compute(Matrix9::Identity() + resistance * result.mobility);
   result.forces = result.balance.solve(drive - resistance * s.distant);
-  result.end = (s.from + rule.span * (result.mobility * result.forces + s.distant)) / rule.weight;
+  result.end = (s.history + rule.span * (result.mobility * result.forces + s.distant)) / rule.weight;
   return result;
 }
 

@@ -11,7 +11,7 @@
 namespace beadswim {
 namespace {
 
-void refuse_no_slip(const Layout& layout, const std::string& source) {
+void check_no_slip_walls(const Layout& layout, const std::string& source) {
   for (int a = 0; a < 3 && layout.domain; ++a) {
     if (layout.domain->boundary[a] != Boundary::no_slip) continue;
     throw InputError(
@@ -22,10 +22,10 @@ void refuse_no_slip(const Layout& layout, const std::string& source) {
   }
 }
 
-/// Ewald's sum meets each pair once, and beads' contacts have room.
+/// Throws InputError if the box is too narrow for the Ewald sum or for the contacts between beads and images.
 void require_room(const OverdampedScene& scene, const std::string& source) {
   const double largest = largest_radius(scene.types);
-  constexpr double radii = 4.4;  // two images of a bead must not touch a third
+  constexpr double radii = 4.4;  // a bead must not be in contact with two images of another one
   for (int a = 0; a < 3 && scene.box; ++a) {
     if (scene.box->lengths[a] >= radii * largest) continue;
     throw InputError(fmt::format("{}:/domain/lengths/{}", source, a),
@@ -43,7 +43,7 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   OverdampedScene& scene = setup.scene;
   scene.model = model;
   scene.viscosity = layout.fluid.dynamic_viscosity();
-  refuse_no_slip(layout, source);
+  check_no_slip_walls(layout, source);
   scene.box = layout.domain;
   scene.tolerance = settings.tolerance;
   static_cast<Swarm&>(scene) = placed_swimmers(layout);

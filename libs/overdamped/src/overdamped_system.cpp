@@ -11,8 +11,8 @@
 namespace beadswim {
 namespace {
 
-/// sum_i factor_i beads_i.
-Beads combined(std::initializer_list<std::pair<double, const Beads*>> terms) {
+/// Returns sum_i factor_i beads_i.
+Beads weighted_sum(std::initializer_list<std::pair<double, const Beads*>> terms) {
   Beads sum(terms.begin()->second->size(), Vec3::Zero());
   for (const auto& [factor, beads] : terms)
     for (std::size_t b = 0; b < sum.size(); ++b) sum[b] += factor * (*beads)[b];
@@ -25,14 +25,18 @@ OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& co
     : scene_(std::move(scene)),
       communicator_(communicator),
       radii_(bead_radii(scene_)),
-      mobility_({scene_.model, scene_.viscosity, scene_.box, radii_, scene_.tolerance},
+      mobility_({.model = scene_.model,
+                 .viscosity = scene_.viscosity,
+                 .box = scene_.box,
+                 .radii = radii_,
+                 .tolerance = scene_.tolerance},
                 rest_positions(scene_), communicator),
       implicit_step_(std::make_unique<ImplicitStep>(scene_, radii_, mobility_, communicator_)) {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   state_.positions.fill(rest_positions(scene_));
   state_.velocities.fill(nowhere);
   state_.distant.fill(nowhere);
-  find_velocities();
+  solve_initial_velocities();
 }
 
 OverdampedSystem::~OverdampedSystem() = default;
@@ -41,61 +45,71 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
   return rank_share(std::ssize(scene_.swimmers), communicator_.rank(), communicator_.size());
 }
 
-/// From the positions now; counts what it took.
-ImplicitStepResult OverdampedSystem::solved(const StepRule& rule, const Beads& from, const Beads& guess,
-                                            const Beads& distant) {
+/// Solves a step from the present positions and counts its mobility products.
+ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
+                                                const Beads& distant) {
   ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
   state_.products += result.products;
-  is_solved_ = is_solved_ && result.is_solved;
+  is_converged_ = is_converged_ && result.is_converged;
   return result;
 }
 
-/// Of the positions at the start, by a step of no time.
-void OverdampedSystem::find_velocities() {
+/// Sets the velocities at the initial positions, by a step of zero length.
+void OverdampedSystem::solve_initial_velocities() {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
-  ImplicitStepResult result = solved(rule, nowhere, nowhere, state_.distant[0]);
+  ImplicitStepResult result = solve_step(rule, nowhere, nowhere, state_.distant[0]);
   state_.smallest_gap = result.smallest_gap;
   state_.velocities[0] = std::move(result.velocities);
   state_.distant[0] = std::move(result.distant);
 }
 
-/// A step by n of Euler's implicit ones: u_k = u_k-1 + h/n v_k.
-OverdampedSystem::Step OverdampedSystem::euler(int parts) {
+/// Takes one step of length h as n implicit Euler substeps: u_k = u_{k-1} + (h/n) v_k.
+OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
   const double span = scene_.step / parts;
-  Step step{Beads(radii_.size(), Vec3::Zero()), state_.velocities[0], state_.distant[0]};
+  Step step{.displacements = Beads(radii_.size(), Vec3::Zero()),
+            .velocities = state_.velocities[0],
+            .distant = state_.distant[0]};
   for (int k = 1; k <= parts; ++k) {
     const StepRule rule{.weight = 1, .span = span, .time = time() + k * span};
-    const Beads guess = combined({{1, &step.displacements}, {span, &step.velocities}});
-    ImplicitStepResult result = solved(rule, step.displacements, guess, step.distant);
-    step = {std::move(result.displacements), std::move(result.velocities), std::move(result.distant)};
+    const Beads guess = weighted_sum({{1, &step.displacements}, {span, &step.velocities}});
+    ImplicitStepResult result = solve_step(rule, step.displacements, guess, step.distant);
+    step = {.displacements = std::move(result.displacements),
+            .velocities = std::move(result.velocities),
+            .distant = std::move(result.distant)};
   }
   return step;
 }
 
-/// Third order by 1, 2 and 3 Euler steps: what is of h and h^2 in their errors cancels.
-void OverdampedSystem::first_step() {
-  const Step one = euler(1), two = euler(2), three = euler(3);
+/// Takes one step of third order by extrapolation of 1, 2 and 3 Euler substeps. The errors of order h and h^2
+/// cancel.
+void OverdampedSystem::take_first_step() {
+  const Step one = take_euler_steps(1), two = take_euler_steps(2), three = take_euler_steps(3);
   const auto extrapolated = [&](Beads Step::*part) {
-    return combined({{0.5, &(one.*part)}, {-4, &(two.*part)}, {4.5, &(three.*part)}});
+    return weighted_sum({{0.5, &(one.*part)}, {-4, &(two.*part)}, {4.5, &(three.*part)}});
   };
-  accept({extrapolated(&Step::displacements), extrapolated(&Step::velocities), extrapolated(&Step::distant)});
+  accept({.displacements = extrapolated(&Step::displacements),
+          .velocities = extrapolated(&Step::velocities),
+          .distant = extrapolated(&Step::distant)});
 }
 
-/// In displacements from the positions now: coordinates may be large.
-void OverdampedSystem::multistep() {
+/// Takes one BDF3 step. It is formulated in displacements from the present positions, since coordinates may
+/// be large.
+void OverdampedSystem::take_bdf_step() {
   const auto& [x, x1, x2] = state_.positions;
   const auto& [v, v1] = state_.velocities;
   const auto& [d, d1, d2] = state_.distant;
   const double h = scene_.step;
-  const Beads u1 = combined({{1, &x1}, {-1, &x}}), u2 = combined({{1, &x2}, {-1, &x}});
+  const Beads u1 = weighted_sum({{1, &x1}, {-1, &x}}), u2 = weighted_sum({{1, &x2}, {-1, &x}});
   const StepRule rule{.weight = 11.0 / 6, .span = h, .time = time() + h};
   ImplicitStepResult result =
-      solved(rule, combined({{-1.5, &u1}, {1.0 / 3, &u2}}),
-             combined({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),  // cubic through x, x_1, v and v_1
-             combined({{3, &d}, {-3, &d1}, {1, &d2}}));
+      solve_step(rule, weighted_sum({{-1.5, &u1}, {1.0 / 3, &u2}}),
+                 weighted_sum({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),  // cubic through x, x_1, v and v_1
+                 weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
-  accept({std::move(result.displacements), std::move(result.velocities), std::move(result.distant)});
+  accept({.displacements = std::move(result.displacements),
+          .velocities = std::move(result.velocities),
+          .distant = std::move(result.distant)});
 }
 
 void OverdampedSystem::accept(Step step) {
@@ -103,12 +117,13 @@ void OverdampedSystem::accept(Step step) {
     std::rotate(past.begin(), past.end() - 1, past.end());
     past[0] = std::move(now);
   };
-  keep(state_.positions, combined({{1, &state_.positions[0]}, {1, &step.displacements}}));
+  keep(state_.positions, weighted_sum({{1, &state_.positions[0]}, {1, &step.displacements}}));
   keep(state_.velocities, std::move(step.velocities));
   keep(state_.distant, std::move(step.distant));
   ++state_.steps_done;
-  look_for_faults();
-  if (!is_solved_ && !fault_) fault_ = {.kind = OverdampedFaultKind::unsolved, .step = state_.steps_done};
+  check_faults();
+  if (!is_converged_ && !fault_)
+    fault_ = {.kind = OverdampedFaultKind::not_converged, .step = state_.steps_done};
 }
 
 void OverdampedSystem::step() {
@@ -116,38 +131,45 @@ void OverdampedSystem::step() {
     ++state_.steps_done;
     return;
   }
-  state_.steps_done < 2 ? first_step() : multistep();
+  state_.steps_done < 2 ? take_first_step() : take_bdf_step();
   for (const Vec3& v : state_.velocities[0]) state_.largest_speed = std::max(state_.largest_speed, v.norm());
 }
 
-/// All ranks have all beads and see the same.
-void OverdampedSystem::look_for_faults() {
+/// Records the first fault. All ranks hold all beads, so all ranks find the same fault.
+void OverdampedSystem::check_faults() {
   const auto& [now, before, earlier] = state_.positions;
-  const auto note = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number,
-                                          double value) {
+  const auto record_fault = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number,
+                                                  double value) {
     if (!fault_)
-      fault_ = {kind, state_.steps_done, scene_.swimmers[bead / 3].id, number, before[bead], value};
+      fault_ = {.kind = kind,
+                .step = state_.steps_done,
+                .swimmer = scene_.swimmers[bead / 3].id,
+                .bead = number,
+                .position = before[bead],
+                .value = value};
   };
   for (std::size_t b = 0; b < now.size(); ++b) {
     const double moved = (now[b] - before[b]).norm() / radii_[b];
     const int number = static_cast<int>(b % 3) + 1;
-    if (!std::isfinite(moved)) note(OverdampedFaultKind::not_finite, b, number, moved);
-    if (moved > 1) note(OverdampedFaultKind::speed, b, number, moved);
+    if (!std::isfinite(moved)) record_fault(OverdampedFaultKind::not_finite, b, number, moved);
+    if (moved > 1) record_fault(OverdampedFaultKind::speed, b, number, moved);
     for (int a = 0; a < 3 && scene_.box; ++a) {
       const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
-      if (scene_.box->has_mirrors(a) && beyond > 0) note(OverdampedFaultKind::wall, b, number, beyond);
+      if (scene_.box->has_mirrors(a) && beyond > 0)
+        record_fault(OverdampedFaultKind::wall, b, number, beyond);
     }
     if (number == 3) continue;
     const double length =
         (now[b + 1] - now[b]).norm() / scene_.type_of(scene_.swimmers[b / 3]).springs[number - 1].rest_length;
-    if (length > 2) note(OverdampedFaultKind::torn_arm, b, number, length);
+    if (length > 2) record_fault(OverdampedFaultKind::torn_arm, b, number, length);
   }
 }
 
 void OverdampedSystem::restore(OverdampedState state) {
-  const auto is_whole = [&](const Beads& list) { return list.size() == radii_.size(); };
-  if (!std::ranges::all_of(state.positions, is_whole) || !std::ranges::all_of(state.velocities, is_whole) ||
-      !std::ranges::all_of(state.distant, is_whole))
+  const auto has_all_beads = [&](const Beads& list) { return list.size() == radii_.size(); };
+  if (!std::ranges::all_of(state.positions, has_all_beads) ||
+      !std::ranges::all_of(state.velocities, has_all_beads) ||
+      !std::ranges::all_of(state.distant, has_all_beads))
     throw SolverError(
         fmt::format("the checkpoint is of another scene; take the other checkpoint, or begin without {}",
                     Setting::restart));

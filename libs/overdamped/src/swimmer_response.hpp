@@ -5,8 +5,8 @@
 
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
-// How the three beads of one swimmer answer to each other, nine by nine: rows and columns are x, y, z of
-// beads 1, 2, 3.
+// Mobility, stiffness and damping of the three beads of one swimmer, as 9 x 9 matrices. Rows and columns are
+// x, y, z of beads 1, 2, 3.
 
 namespace beadswim {
 
@@ -17,17 +17,18 @@ inline Vector9 as_vector(std::span<const Vec3> beads) {
   return Eigen::Map<const Vector9>(beads[0].data());
 }
 
-/// Rotne-Prager mobility of the swimmer alone in open space.
+/// Returns the Rotne-Prager mobility of a lone swimmer in open space [time/mass].
 Matrix9 own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity);
 
-/// Springs' and the angular spring's forces: what is stiff.
+/// Returns the forces of the springs and of the angular spring, without dashpots.
 Vector9 own_forces(const SwimmerType& type, const BeadVectors& positions);
 
-/// -dF/dx of these: of springs as it is; of the angular spring that of K_A |u_2 - u_1|^2/2 without curvature,
-/// u_1 and u_2 the arms' directions, alike in all but strong bending.
+/// Returns -dF/dx of own_forces. The springs' part is exact. The angular spring is replaced by
+/// U = K_A |u_2 - u_1|^2/2, where u_1 and u_2 are the directions of the arms, and second derivatives of u_1
+/// and u_2 are neglected. The difference matters only for strong bending.
 Matrix9 own_stiffness(const SwimmerType& type, const BeadVectors& positions);
 
-/// -dF/dv of the dashpots.
+/// Returns -dF/dv of the dashpots.
 Matrix9 own_damping(const SwimmerType& type, const BeadVectors& positions);
 
 }  // namespace beadswim

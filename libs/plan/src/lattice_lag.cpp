@@ -12,40 +12,40 @@ namespace {
 
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
-constexpr double apart = 0.02;  // of neighbouring frequencies, relative
+constexpr double frequency_step = 0.02;  // relative step of the difference quotient
 
-/// Of a sphere [mass].
+/// Returns the mass of a sphere [mass].
 double mass(double radius, double density) {
   return 4 * std::numbers::pi / 3 * std::pow(radius, 3) * density;
 }
 
 }  // namespace
 
-// d/d ln omega by the difference of the two: M(omega rho/(eta (1 - eps)))/(1 - eps) to first order in eps.
-Eigen::Matrix3cd LatticeLag::Neighbours::with_late_stress(Complex eps) const {
-  return (at + eps * (above - below) / (2 * apart)) / (1.0 - eps);
+// M(omega rho/(eta (1 - eps)))/(1 - eps) to first order in eps, with dM/d(ln omega) by a central difference.
+Eigen::Matrix3cd LatticeLag::FrequencySamples::with_delayed_stress(Complex eps) const {
+  return (at + eps * (above - below) / (2 * frequency_step)) / (1.0 - eps);
 }
 
 template <class Flow>
-LatticeLag::Neighbours LatticeLag::neighbours(const Flow& flow) const {
+LatticeLag::FrequencySamples LatticeLag::frequency_samples(const Flow& flow) const {
   const auto at = [&](double factor) {
     InertialScene other = scene_;
     other.swimmer.period = scene_.swimmer.period / factor;
     return flow(other);
   };
-  return {.at = flow(scene_), .below = at(1 - apart), .above = at(1 + apart)};
+  return {.at = flow(scene_), .below = at(1 - frequency_step), .above = at(1 + frequency_step)};
 }
 
 LatticeLag::LatticeLag(const Question& question)
     : scene_(inertial_scene(question)),
       box_(question.box),
-      induced_(neighbours(induced_mobility)),
-      slopes_(neighbours([](const InertialScene& scene) { return drift_form(scene).by_receiver; })),
+      induced_(frequency_samples(induced_mobility)),
+      slopes_(frequency_samples([](const InertialScene& scene) { return drift_form(scene).by_receiver; })),
       form_(drift_form(scene_)),
-      reynolds_(reynolds_form(scene_).whole),
+      reynolds_(reynolds_form(scene_).total),
       exact_(motion(unsteady_mobility(scene_), induced_.at, form_)) {}
 
-/// mobility: of forces on beads; induced: of what beads push the fluid with.
+/// `mobility`: bead velocities per force on the beads; `induced`: per induced force on the fluid [time/mass].
 LatticeLag::Motion LatticeLag::motion(const Eigen::Matrix3cd& mobility, const Eigen::Matrix3cd& induced,
                                       const DriftForm& form) const {
   const LinearResponse response = linear_response(scene_.swimmer, mobility);
@@ -56,9 +56,9 @@ LatticeLag::Motion LatticeLag::motion(const Eigen::Matrix3cd& mobility, const Ei
           .reynolds = reynolds_stress_velocity(reynolds_, force)};
 }
 
-// F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U, solved for U.
-Eigen::Matrix3cd LatticeLag::with_late_links(const Eigen::Matrix3cd& induced,
-                                             const LatticeTiming& timing) const {
+// Mobility U/F by F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U.
+Eigen::Matrix3cd LatticeLag::with_delayed_links(const Eigen::Matrix3cd& induced,
+                                                const LatticeTiming& timing) const {
   const CollinearSwimmer& swimmer = scene_.swimmer;
   const Complex i_omega = i_unit * swimmer.angular_frequency();
   const double nu = swimmer.viscosity / scene_.fluid_density;
@@ -80,9 +80,9 @@ LagErrors LatticeLag::errors(const LatticeTiming& timing) const {
       i_unit * scene_.swimmer.angular_frequency() * nu / (timing.sound_speed * timing.sound_speed);
   const SoundFlow sound = sound_flow(scene_, box_, timing.sound_speed);
   DriftForm form = form_;
-  form.by_receiver = slopes_.with_late_stress(eps) + sound.by_receiver;
-  const Eigen::Matrix3cd late = induced_.with_late_stress(eps) + sound.value;
-  const Motion lattice = motion(with_late_links(late, timing), late, form);
+  form.by_receiver = slopes_.with_delayed_stress(eps) + sound.by_receiver;
+  const Eigen::Matrix3cd late = induced_.with_delayed_stress(eps) + sound.value;
+  const Motion lattice = motion(with_delayed_links(late, timing), late, form);
 
   LagErrors errors;
   for (int arm = 0; arm < 2; ++arm) {

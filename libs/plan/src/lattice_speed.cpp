@@ -13,11 +13,11 @@
 namespace beadswim {
 namespace {
 
-constexpr std::array edges{12, 24, 48, 96};  // of a rank's block: in cache, and far out of it
-constexpr double stretch = 0.06;             // one timed stretch [s]
+constexpr std::array edges{12, 24, 48, 96};  // of a rank's block [cell]: from in cache to far beyond it
+constexpr double timing_interval = 0.06;     // duration of one timing [s]
 constexpr int rounds = 3;
 
-CoupledScene fluid_alone(int edge, Precision precision, int ranks) {
+CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
   CoupledScene scene;
   scene.cells = {edge, edge, edge * ranks};
   scene.boundary.fill(Boundary::periodic);
@@ -26,9 +26,10 @@ CoupledScene fluid_alone(int edge, Precision precision, int ranks) {
   return scene;
 }
 
-/// Beads of radius 4 abreast, as dense as the paper's swarm, at rest.
-CoupledScene with_beads(Precision precision, BeadScheme scheme, int ranks) {
-  CoupledScene scene = fluid_alone(64, precision, ranks);
+/// Returns a scene with swimmers at rest side by side: beads of radius 4 cells, as dense as in the swarm of
+/// the paper.
+CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks) {
+  CoupledScene scene = fluid_scene(64, precision, ranks);
   scene.bead_boundary = scheme;
   SwimmerType type;
   type.beads.fill({.radius = 4, .density = 1});
@@ -45,7 +46,7 @@ CoupledScene with_beads(Precision precision, BeadScheme scheme, int ranks) {
   return scene;
 }
 
-/// Seconds of one step until the last rank is through: the median of some stretches.
+/// Returns the wall time of a step until all ranks have finished [s], the median of some timings. Collective.
 double seconds_of_step(const CoupledScene& scene, const Communicator& communicator) {
   CoupledSystem system(scene, communicator);
   const auto seconds_of = [&](int steps) {
@@ -56,7 +57,7 @@ double seconds_of_step(const CoupledScene& scene, const Communicator& communicat
     return MPI_Wtime() - start;
   };
   seconds_of(2);
-  int steps = 2 * std::max(1, static_cast<int>(stretch / 2 / std::max(seconds_of(2) / 2, 1e-7)));
+  int steps = 2 * std::max(1, static_cast<int>(timing_interval / 2 / std::max(seconds_of(2) / 2, 1e-7)));
   MPI_Bcast(&steps, 1, MPI_INT, 0, communicator.get());
   std::vector<double> seconds;
   for (int round = 0; round < rounds; ++round) seconds.push_back(seconds_of(steps) / steps);
@@ -65,7 +66,7 @@ double seconds_of_step(const CoupledScene& scene, const Communicator& communicat
   return result;
 }
 
-/// Straight lines between logarithms; level beyond the ends.
+/// Returns y at x = `at` by linear interpolation of log y against log x; constant outside the range of x.
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   if (at <= x.front()) return y.front();
   for (std::size_t i = 1; i < x.size(); ++i) {
@@ -81,7 +82,7 @@ double interpolated(const std::vector<double>& x, const std::vector<double>& y, 
 LatticeSpeed::LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions)
     : ranks_(ranks), precisions_(std::move(precisions)) {
   const auto is_sound = [](const PrecisionCost& own) {
-    constexpr double longest = 1;  // no machine takes a second for a cell
+    constexpr double longest = 1;  // upper bound of a plausible cost [s]
     return own.cells.size() == edges.size() && own.seconds_per_cell.size() == edges.size() &&
            own.seconds_per_area.size() == all_values<BeadScheme>.size() && own.cells.front() > 0 &&
            std::ranges::is_sorted(own.cells) && std::ranges::min(own.seconds_per_cell) > 0 &&
@@ -101,15 +102,15 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
       return ranks * seconds_of_step(scene, communicator);
     };
     for (const int edge : edges) {
-      const CoupledScene scene = fluid_alone(edge, precision, ranks);
+      const CoupledScene scene = fluid_scene(edge, precision, ranks);
       own.cells.push_back(std::pow(edge, 3));
       own.seconds_per_cell.push_back(cost_of(scene) / scene.cells.cast<double>().prod());
     }
     for (const BeadScheme scheme : all_values<BeadScheme>) {
-      const CoupledScene scene = with_beads(precision, scheme, ranks);
+      const CoupledScene scene = scene_with_beads(precision, scheme, ranks);
       const double cells = scene.cells.cast<double>().prod();
-      const double of_fluid = cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks);
-      own.seconds_per_area.push_back(std::max(0.0, cost_of(scene) - of_fluid) / bead_surface(scene));
+      const double fluid_seconds = cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks);
+      own.seconds_per_area.push_back(std::max(0.0, cost_of(scene) - fluid_seconds) / bead_surface(scene));
     }
   }
   return {ranks, std::move(precisions)};

@@ -23,22 +23,22 @@ namespace {
 constexpr std::array usual_cells{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 constexpr std::array usual_times{0.6, 0.8, 1.0, 1.5, 2.0};
 
-/// Cells a radius near the usual ones for which all edges of the box are whole numbers of cells; quarters
-/// rather than odd fractions.
-std::vector<double> whole_resolutions(const Layout& layout) {
+/// Returns resolutions near the usual ones [cells per radius] for which each edge of the box is an integer
+/// number of cells. Multiples of 1/4 are preferred. Returns no resolution in open space.
+std::vector<double> commensurate_resolutions(const Layout& layout) {
   if (!layout.domain) return {};
   const Vec3 edges = layout.domain->lengths / smallest_radius(layout);
-  const auto is_whole = [&](double cells) {
-    constexpr double roundoff = 1e-9;  // as put_on_lattice has it
+  const auto is_commensurate = [&](double cells) {
+    constexpr double roundoff = 1e-9;  // relative, as in put_on_lattice
     return (cells * edges.array() - (cells * edges.array()).round()).abs().maxCoeff() <
            roundoff * cells * edges.maxCoeff();
   };
   std::vector<double> result;
-  constexpr double most = 1e6;  // cells along an edge, as put_on_lattice has it
+  constexpr double max_cells = 1e6;  // along an edge, as in put_on_lattice
   for (const double usual : usual_cells) {
-    if (usual * edges.maxCoeff() > most) break;
+    if (usual * edges.maxCoeff() > max_cells) break;
     constexpr double within = 0.13, odd = 0.1;
-    const auto badness = [&](double cells) {
+    const auto penalty = [&](double cells) {
       const bool is_quarter = std::abs(4 * cells - std::round(4 * cells)) < 1e-9;
       return std::abs(cells / usual - 1) + (is_quarter ? 0 : odd);
     };
@@ -46,29 +46,30 @@ std::vector<double> whole_resolutions(const Layout& layout) {
     const long first = std::lround(std::ceil(usual * (1 - within) * edges[0] - 1e-9));
     for (long n = first; static_cast<double>(n) <= usual * (1 + within) * edges[0]; ++n) {
       const double cells = static_cast<double>(n) / edges[0];
-      if (is_whole(cells) && badness(cells) < badness(nearest)) nearest = cells;
+      if (is_commensurate(cells) && penalty(cells) < penalty(nearest)) nearest = cells;
     }
     if (nearest > 0 && (result.empty() || nearest > result.back())) result.push_back(nearest);
   }
   return result;
 }
 
-/// What is wrong in kind with a run that put_on_lattice allows; empty if nothing is.
-std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double roundoff) {
-  if (mach > fast_bead)
+/// Returns why the result of a run would be qualitatively wrong although put_on_lattice allows it; empty if
+/// it would not.
+std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, double roundoff) {
+  if (mach > max_incompressible_mach)
     return fmt::format(
         "beads would reach Mach {:.2g}, where the fluid is compressible; take a smaller {}, "
         "more {}, or drive them less",
         mach, Setting::relaxation_time, Setting::cells_per_radius);
-  if (on_lattice.density_on_lattice() < light_bead)
+  if (on_lattice.density_on_lattice() < min_stable_density)
     return fmt::format(
         "beads of {:.2g} times the fluid's density on the lattice may be shaken; take a larger {} "
         "or {} psm",
         on_lattice.density_on_lattice(), Setting::relaxation_time, Setting::bead_boundary);
-  if (on_lattice.lattice.relaxation_time < least_viscous)
+  if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time)
     return fmt::format("tau {:.4g} is too near 1/2; take {} or more", on_lattice.lattice.relaxation_time,
-                       least_viscous);
-  constexpr double contact = 0.1;  // [cell]: below it strokes of docs/hard-cases.md are off by their size
+                       min_stable_relaxation_time);
+  constexpr double contact = 0.1;  // [cell]: below, strokes have errors of 100 % (docs/hard-cases.md)
   if (on_lattice.smallest_gap < contact)
     return "beads touch at rest, or all but touch, and a stroke would be the contact's own give; move them "
            "apart";
@@ -78,11 +79,11 @@ std::string wrong_in_kind(const SceneOnLattice& on_lattice, double mach, double 
   return {};
 }
 
-/// Of the fastest bead, to first order in the driving [length/time].
+/// Returns the speed of the fastest bead of all representatives, to first order in the driving [length/time].
 double largest_speed(const SceneFacts& facts) {
   double speed = 0;
-  for (const Asked& asked : facts.asked)
-    speed = std::max(speed, std::ranges::max(bead_speeds(asked.representative.question.swimmer)));
+  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
+    speed = std::max(speed, std::ranges::max(bead_speeds(swimmer_facts.representative.question.swimmer)));
   return speed;
 }
 
@@ -97,9 +98,9 @@ ErrorEstimate error_of(const SceneOnLattice& on_lattice, const SceneFacts& facts
                         .timing = {.step = scales.step,
                                    .sound_speed = scales.velocity() / std::numbers::sqrt3,
                                    .corrects_delay = on_lattice.corrects_delay}};
-  ErrorEstimate error = scene_error(facts, [&](const Asked& asked) {
-    if (!asked.lag) throw InputError("theory has no motion for a swimmer: " + asked.why_not);
-    return lattice_error(*asked.lag, asked.best, run);
+  ErrorEstimate error = scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
+    if (!swimmer_facts.lag) throw InputError("theory has no motion for a swimmer: " + swimmer_facts.obstacle);
+    return lattice_error(*swimmer_facts.lag, swimmer_facts.best, run);
   });
   if (std::isfinite(roundoff) && error.velocity > 0) error.velocity += roundoff;
   return error;
@@ -114,7 +115,7 @@ void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSp
   run.output_bytes = output_bytes(run.settings, on_lattice.scene.swimmers.size(), cells, bytes / cells);
 }
 
-/// `speed` is asked for when the first lattice that can run needs it.
+/// Returns the candidate with these settings. `speed` is measured when the first candidate needs it.
 PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,
                        const RunSettings& settings, const std::string& source,
                        std::optional<LatticeSpeed>& speed, const Communicator& communicator) {
@@ -132,7 +133,7 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
     if (!speed) speed = request.lattice_speed();
     run.error = error_of(on_lattice, facts, mach, roundoff);
     add_cost(run, on_lattice, *speed, steps, communicator);
-    wrong = wrong_in_kind(on_lattice, mach, roundoff);
+    wrong = lattice_obstacle(on_lattice, mach, roundoff);
   });
   if (run.refused.empty()) run.refused = wrong;
   return run;
@@ -144,7 +145,7 @@ std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& fac
                                      const PlanRequest& request, const std::string& source,
                                      const Communicator& communicator) {
   const LatticeSettings& fixed = request.settings.lattice;
-  std::vector<double> cells = whole_resolutions(layout);
+  std::vector<double> cells = commensurate_resolutions(layout);
   if (fixed.cells_per_radius) cells = {*fixed.cells_per_radius};
   if (cells.empty() && layout.resolution) cells = {layout.resolution->cells_per_radius};
   if (cells.empty()) cells = {4};

@@ -11,7 +11,7 @@
 namespace beadswim {
 namespace {
 
-/// Core-seconds of a product, timed.
+/// Measures the core-seconds of one product of mobility and forces. Collective.
 double product_seconds(const OverdampedScene& scene, const Communicator& communicator) {
   const Beads places = rest_positions(scene);
   Beads forces(places.size()), velocities(places.size());
@@ -22,7 +22,7 @@ double product_seconds(const OverdampedScene& scene, const Communicator& communi
                                  .radii = bead_radii(scene),
                                  .tolerance = scene.tolerance},
                                 places, communicator);
-  product.apply(places, forces, velocities);  // makes its plans and tables
+  product.apply(places, forces, velocities);  // the first product prepares plans and tables
   const auto seconds_of = [&](int products) {
     MPI_Barrier(communicator.get());
     const double begin = MPI_Wtime();
@@ -33,30 +33,33 @@ double product_seconds(const OverdampedScene& scene, const Communicator& communi
     return seconds;
   };
   const double once = seconds_of(1);
-  constexpr double stretch = 0.02;
-  return communicator.size() * (once > stretch ? once : seconds_of(static_cast<int>(stretch / once) + 1));
+  constexpr double timing_interval = 0.02;
+  return communicator.size() *
+         (once > timing_interval ? once : seconds_of(static_cast<int>(timing_interval / once) + 1));
 }
 
-/// Why no mobility model can stand for the beads of this scene; empty if one can.
-std::string films_matter(const SceneFacts& facts) {
-  for (const Asked& asked : facts.asked)
-    if (const std::string film = film_between_beads(asked); !film.empty()) return film;
+/// Returns why no mobility model is accurate for this scene; empty if there is no such reason.
+std::string mobility_obstacle(const SceneFacts& facts) {
+  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
+    if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) return film;
   return {};
 }
 
-/// Products of a run, and the rest of it: docs/method/mobility-swarms.md, docs/performance.md.
+/// Adds the cost of the products and of the other work of each step (docs/method/mobility-swarms.md,
+/// docs/performance.md).
 void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
   const bool has_dashpots = std::ranges::any_of(setup.scene.types, [](const SwimmerType& type) {
     return type.springs[0].damping > 0 || type.springs[1].damping > 0;
   });
   const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.box;
-  const double products_a_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
-  constexpr double first_products = 13, rest_of_step = 1e-5;  // of a swimmer [s]
-  constexpr double bytes_in_box = 700, bytes_in_open = 2700;  // of a bead, the mesh's too
+  const double products_per_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
+  constexpr double first_products = 13, rest_of_step = 1e-5;  // rest_of_step: per swimmer and step [s]
+  constexpr double bytes_in_box = 700, bytes_in_open = 2700;  // per bead, including the mesh [byte]
   const double swimmers = static_cast<double>(setup.scene.swimmers.size());
   const double steps = static_cast<double>(total_steps(run.settings.cycles, setup.steps_per_cycle));
-  run.core_seconds = start_seconds * communicator.size() + rest_of_step * swimmers * steps +
-                     (products_a_step * steps + first_products) * product_seconds(setup.scene, communicator);
+  run.core_seconds =
+      start_seconds * communicator.size() + rest_of_step * swimmers * steps +
+      (products_per_step * steps + first_products) * product_seconds(setup.scene, communicator);
   run.memory_bytes =
       3 * swimmers * (setup.scene.box ? bytes_in_box : bytes_in_open) + program_bytes * communicator.size();
   run.output_bytes = output_bytes(run.settings, setup.scene.swimmers.size(), 0, 0);
@@ -72,9 +75,10 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
     request.require_choices_apply(run.settings);
     const MobilitySettings& settings = run.settings.mobility;
     const OverdampedSetup setup = overdamped_setup(layout, model, settings, source);
-    if (const std::string film = films_matter(facts); !film.empty()) throw InputError(film);
-    run.error = scene_error(facts, [&](const Asked& asked) {
-      return mobility_error(asked.representative.question, *asked.best, model, settings.steps_per_cycle);
+    if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
+    run.error = scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
+      return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model,
+                            settings.steps_per_cycle);
     });
     add_cost(run, setup, communicator);
   });

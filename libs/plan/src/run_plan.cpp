@@ -17,11 +17,11 @@
 namespace beadswim {
 namespace {
 
-constexpr double usual_tolerance = 0.03;
+constexpr double default_tolerance = 0.03;
 
-/// Marks runs that need more memory than the nodes have. Collective.
-void refuse_what_does_not_fit(std::vector<PlannedRun>& runs, const Communicator& communicator) {
-  double bytes_of_rank = installed_bytes() / ranks_on_this_node(communicator);
+/// Refuses runs that need more memory than the nodes have. Collective.
+void mark_runs_beyond_memory(std::vector<PlannedRun>& runs, const Communicator& communicator) {
+  double bytes_of_rank = installed_bytes() / count_ranks_on_node(communicator);
   MPI_Allreduce(MPI_IN_PLACE, &bytes_of_rank, 1, MPI_DOUBLE, MPI_MIN, communicator.get());
   for (PlannedRun& run : runs) {
     const double needed = run.memory_bytes / communicator.size();
@@ -33,7 +33,8 @@ void refuse_what_does_not_fit(std::vector<PlannedRun>& runs, const Communicator&
   }
 }
 
-/// Of those that can be and have numbers; rank 0 decides for all. Collective.
+/// Chooses the cheapest run within the tolerance and the run with the smallest error, and refuses runs whose
+/// error is not finite. Rank 0 decides for all ranks. Collective.
 void choose(RunPlan& plan, const Communicator& communicator) {
   constexpr int none = -1;
   std::array<int, 2> found{none, none};  // choice, best
@@ -56,14 +57,14 @@ std::string in_percent(double share) {
   return fmt::format("{:.2g} %", 100 * share);
 }
 
-/// What is hard about a swimmer's velocity and surroundings.
-void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
-  const Question& question = asked.representative.question;
-  const BestKnown& best = *asked.best;
-  const std::string who = fmt::format("swimmer {}", asked.representative.swimmer);
+/// Adds the difficulties of one swimmer to `plan.hard`.
+void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
+  const Question& question = swimmer_facts.representative.question;
+  const BestPrediction& best = *swimmer_facts.best;
+  const std::string who = fmt::format("swimmer {}", swimmer_facts.representative.swimmer);
   const auto add = [&](const std::string& what) { plan.hard.push_back(who + ": " + what); };
-  if (const std::string film = film_between_beads(asked); !film.empty()) add(film);
-  if (!best.swims) {
+  if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) add(film);
+  if (!best.is_swimming) {
     add("does not swim, or by no more than roundoff; errors are of strokes alone");
   } else if (constexpr double much = 3; best.cancellation > much) {
     add(
@@ -71,14 +72,14 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
                     "space, and errors of it are large",
                     best.cancellation));
   }
-  if (!asked.representative.approximation.empty())
-    add("errors are of a swimmer " + asked.representative.approximation + ", doubled");
-  if (constexpr double tips_over = 20; asked.turning > tips_over)
+  if (!swimmer_facts.representative.approximation.empty())
+    add("errors are of a swimmer " + swimmer_facts.representative.approximation + ", doubled");
+  if (constexpr double tips_over = 20; swimmer_facts.tilt_growth > tips_over)
     add(
         fmt::format("driving along fixed axes presses it together for so long that a tilt grows {:.2g} "
                     "times, and it turns over; straight it stays so until something disturbs it",
-                    asked.turning));
-  reason_against([&] {  // that the model has no motion its row says
+                    swimmer_facts.tilt_growth));
+  reason_against([&] {  // the candidate's own row states an error
     const ErrorEstimate stokes =
         mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}.steps_per_cycle);
     const auto& [first, second] = stokes.arm_amplitudes;
@@ -89,20 +90,20 @@ void add_hard_cases_of(RunPlan& plan, const Asked& asked) {
 }
 
 void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
-  for (const Asked& asked : facts.asked) {
-    if (asked.best) {
-      add_hard_cases_of(plan, asked);
+  for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
+    if (swimmer_facts.best) {
+      add_hard_cases_of(plan, swimmer_facts);
     } else {
       plan.hard.push_back(
           fmt::format("swimmer {}: {}, and estimates are of the lattice's lag and cells alone",
-                      asked.representative.swimmer, film_between_beads(asked)));
+                      swimmer_facts.representative.swimmer, film_obstacle(swimmer_facts)));
     }
   }
-  if (constexpr double much = 1.5; facts.disorder > much)
+  if (constexpr double much = 1.5; facts.disorder_growth > much)
     plan.hard.push_back(fmt::format(
         "swimmers that differ part from their order: departures grow {:.2g} times in the run, and "
         "errors of single swimmers with them",
-        facts.disorder));
+        facts.disorder_growth));
 }
 
 void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts) {
@@ -112,10 +113,13 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
         "the scene is {} times a cell of {:g} x {:g} x {:g} with {} of {} swimmers, at 1/{} of the cost",
         copies, box[0], box[1], box[2], facts.cell.swimmers.size(), layout.swimmers.size(), copies)});
   }
-  const Asked& asked = facts.asked.front();
-  if (layout.swimmers.size() != 1 || !asked.representative.approximation.empty() || !asked.best) return;
-  const std::optional<SufficientBox> box = sufficient_box(asked.representative.question, plan.tolerance / 3);
-  constexpr double worthwhile = 0.7;  // of the volume
+  const SwimmerFacts& swimmer_facts = facts.swimmer_facts.front();
+  if (layout.swimmers.size() != 1 || !swimmer_facts.representative.approximation.empty() ||
+      !swimmer_facts.best)
+    return;
+  const std::optional<SufficientBox> box =
+      sufficient_box(swimmer_facts.representative.question, plan.tolerance / 3);
+  constexpr double worthwhile = 0.7;  // largest volume relative to the present box
   if (!box || (layout.domain && box->lengths.prod() > worthwhile * layout.domain->lengths.prod())) return;
   int along = 0;
   layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);
@@ -133,13 +137,13 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
 RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::string& source,
                  const Communicator& communicator) {
   RunPlan plan;
-  plan.tolerance = request.tolerance.value_or(usual_tolerance);
-  const SceneFacts facts = facts_of(layout, request.settings.cycles);
+  plan.tolerance = request.tolerance.value_or(default_tolerance);
+  const SceneFacts facts = scene_facts(layout, request.settings.cycles);
   plan.runs = mobility_runs(layout, facts, request, source, communicator);
   if (!request.model || *request.model == RunModel::lbm)
     std::ranges::move(lattice_runs(layout, facts, request, source, communicator),
                       std::back_inserter(plan.runs));
-  refuse_what_does_not_fit(plan.runs, communicator);
+  mark_runs_beyond_memory(plan.runs, communicator);
   choose(plan, communicator);
   if (!request.has_advice) return plan;
   add_hard_cases(plan, facts);

@@ -16,7 +16,8 @@ double shell(double wave_times_radius) {
   return wave_times_radius == 0 ? 1 : std::sin(wave_times_radius) / wave_times_radius;
 }
 
-/// Integral of shell(ka)^2 over k from `first` on: pi/(2a) in all.
+/// Returns the integral of (sin(ka)/(ka))^2 over k from `first` to infinity; it is pi/(2a) for first = 0
+/// [1/length].
 double shell_integral_from(double first, double radius) {
   constexpr int points = 400;
   double below = 0;
@@ -27,20 +28,20 @@ double shell_integral_from(double first, double radius) {
   return pi / (2 * radius) - below;
 }
 
-/// The box with walls mirrored away, and its waves.
+/// Wavevectors of the periodic box in which mirror images replace the walls.
 struct Waves {
   Waves(const BoxPlace& place, double shortest_radius) : place(place), lengths(mirrored_lengths(place.box)) {
     const double volume = lengths[0] * lengths[1] * lengths[2];
-    constexpr double most = 2e5, shells = 6;
-    cut = std::min(shells / shortest_radius, std::cbrt(6 * pi * pi * most / volume));
+    constexpr double max_waves = 2e5, shells = 6;
+    cut = std::min(shells / shortest_radius, std::cbrt(6 * pi * pi * max_waves / volume));
   }
 
   int count(int axis) const { return static_cast<int>(cut * lengths[axis] / (2 * pi)); }
   double wave(int axis, int n) const { return 2 * pi * n / lengths[axis]; }
   double volume() const { return lengths[0] * lengths[1] * lengths[2]; }
 
-  /// Of the copies behind walls across y and z, at their distance from the line.
-  double copies(int axis, double wave) const {
+  /// Returns the factor of the mirror images behind walls that are perpendicular to y or z.
+  double mirror_factor(int axis, double wave) const {
     return place.box.has_mirrors(axis) ? 1 + std::cos(2 * wave * place.middle_bead[axis]) : 1;
   }
 
@@ -56,21 +57,22 @@ SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& 
   const double omega = scene.swimmer.angular_frequency(), rho = scene.fluid_density;
   const double nu = scene.swimmer.viscosity / rho;
   SoundFlow flow{.value = Eigen::Matrix3cd::Zero(), .by_receiver = Eigen::Matrix3cd::Zero()};
-  const auto add_own = [&](double from_wave) {
+  const auto add_self_flow = [&](double from_wave) {
     for (int i = 0; i < 3; ++i) {
       flow.value(i, i) += i_unit * omega * shell_integral_from(from_wave, radius[i]) /
                           (6 * pi * pi * rho * sound_speed * sound_speed);
     }
   };
   if (!place) {
-    add_own(0);
+    add_self_flow(0);
     return flow;
   }
   const Waves waves(*place, *std::ranges::min_element(radius));
   const bool walls_across = place->box.has_mirrors(0);
   for (int nx = 1; nx <= waves.count(0); ++nx) {
     const double kx = waves.wave(0, nx);
-    // Complex amplitude of all waves with this k_x, for each size of bead: shells depend on |k|.
+    // Sum over all waves with this k_x. It is a matrix, because the form factors depend on |k| and the bead
+    // radii.
     Eigen::Matrix3cd amplitude = Eigen::Matrix3cd::Zero();
     for (int ny = 0; ny <= waves.count(1); ++ny) {
       const double ky = waves.wave(1, ny);
@@ -78,26 +80,29 @@ SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& 
         const double kz = waves.wave(2, nz);
         const double k2 = kx * kx + ky * ky + kz * kz, k = std::sqrt(k2);
         if (k > waves.cut) break;
-        const double many = 2 * (ny > 0 ? 2 : 1) * (nz > 0 ? 2 : 1);  // signs of k
-        const Complex stiff = sound_speed * sound_speed * k2 - omega * omega + 2.0 * i_unit * omega * nu * k2;
-        const Complex one = many / waves.volume() * waves.copies(1, ky) * waves.copies(2, kz) *
-                            (kx * kx / k2) * i_unit * omega / (rho * stiff);
+        const double multiplicity = 2 * (ny > 0 ? 2 : 1) * (nz > 0 ? 2 : 1);  // both signs of each k
+        const Complex denominator =
+            sound_speed * sound_speed * k2 - omega * omega + 2.0 * i_unit * omega * nu * k2;
+        const Complex term = multiplicity / waves.volume() * waves.mirror_factor(1, ky) *
+                             waves.mirror_factor(2, kz) * (kx * kx / k2) * i_unit * omega /
+                             (rho * denominator);
         for (int j = 0; j < 3; ++j)
-          for (int i = 0; i < 3; ++i) amplitude(j, i) += one * shell(k * radius[j]) * shell(k * radius[i]);
+          for (int i = 0; i < 3; ++i) amplitude(j, i) += term * shell(k * radius[j]) * shell(k * radius[i]);
       }
     }
     for (int j = 0; j < 3; ++j) {
       for (int i = 0; i < 3; ++i) {
-        const double apart = scene.positions[j] - scene.positions[i];
-        const double mirrored = scene.positions[j] + scene.positions[i];
+        const double distance = scene.positions[j] - scene.positions[i];
+        const double mirror_distance = scene.positions[j] + scene.positions[i];
         flow.value(j, i) +=
-            amplitude(j, i) * (std::cos(kx * apart) - (walls_across ? std::cos(kx * mirrored) : 0));
+            amplitude(j, i) * (std::cos(kx * distance) - (walls_across ? std::cos(kx * mirror_distance) : 0));
         flow.by_receiver(j, i) -=
-            kx * amplitude(j, i) * (std::sin(kx * apart) - (walls_across ? std::sin(kx * mirrored) : 0));
+            kx * amplitude(j, i) *
+            (std::sin(kx * distance) - (walls_across ? std::sin(kx * mirror_distance) : 0));
       }
     }
   }
-  add_own(waves.cut);
+  add_self_flow(waves.cut);
   return flow;
 }
 

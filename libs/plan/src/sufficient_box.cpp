@@ -10,8 +10,8 @@
 namespace beadswim {
 namespace {
 
-double change_between(const BestKnown& a, const BestKnown& b) {
-  double change = b.swims ? std::abs(a.velocity / b.velocity - 1) : 0;
+double change_between(const BestPrediction& a, const BestPrediction& b) {
+  double change = b.is_swimming ? std::abs(a.velocity / b.velocity - 1) : 0;
   for (int arm = 0; arm < 2; ++arm) {
     if (b.arm_amplitudes[arm] > 0)
       change = std::max(change, std::abs(a.arm_amplitudes[arm] / b.arm_amplitudes[arm] - 1));
@@ -21,23 +21,24 @@ double change_between(const BestKnown& a, const BestKnown& b) {
 
 Vec3 box_around(const CollinearSwimmer& swimmer, double free_length) {
   const double radius = *std::ranges::min_element(swimmer.radius);
-  const auto whole = [&](double edge) { return radius * std::ceil(edge / radius - 1e-9); };
-  return {whole(length_of(swimmer) + free_length), whole(free_length), whole(free_length)};
+  const auto rounded_up = [&](double edge) { return radius * std::ceil(edge / radius - 1e-9); };
+  return {rounded_up(swimmer_length(swimmer) + free_length), rounded_up(free_length),
+          rounded_up(free_length)};
 }
 
 }  // namespace
 
 std::optional<SufficientBox> sufficient_box(const Question& question, double tolerance) {
-  const BestKnown here = best_known(question);
+  const BestPrediction reference = best_prediction(question);
   const CollinearSwimmer& swimmer = question.swimmer;
   const double length = swimmer.arm[0] + swimmer.arm[1];
   constexpr double factor = 1.2, longest = 20;
   for (double free_length = 0.5 * length; free_length < longest * length; free_length *= factor) {
     const Vec3 lengths = box_around(swimmer, free_length);
     Question boxed = question;
-    boxed.box = in_the_middle(lengths);
-    double change = INFINITY;  // where it is too narrow for theory
-    reason_against([&] { change = change_between(best_known(boxed), here); });
+    boxed.box = box_place_at_centre(lengths);
+    double change = INFINITY;  // stays if the box is too narrow for theory
+    reason_against([&] { change = change_between(best_prediction(boxed), reference); });
     if (change <= tolerance) return SufficientBox{.lengths = lengths, .change = change};
   }
   return std::nullopt;

@@ -14,13 +14,14 @@ double surface_gap(const std::vector<PlacedBead>& beads, const BeadPair& pair) {
   return pair.distance - beads[pair.first].radius - beads[pair.second].radius;
 }
 
-/// The pairs of each bead with its own nearest image, one a periodic axis.
+/// Returns the pairs of each bead with its own nearest image, one per periodic axis.
 std::vector<BeadPair> own_image_pairs(const std::vector<PlacedBead>& beads,
                                       const std::optional<Box>& domain) {
   std::vector<BeadPair> pairs;
   for (int axis = 0; axis < 3; ++axis) {
     if (!domain || !domain->is_periodic(axis)) continue;
-    for (std::size_t i = 0; i < beads.size(); ++i) pairs.push_back({i, i, domain->lengths[axis]});
+    for (std::size_t i = 0; i < beads.size(); ++i)
+      pairs.push_back({.first = i, .second = i, .distance = domain->lengths[axis]});
   }
   return pairs;
 }
@@ -45,7 +46,8 @@ std::vector<PlacedBead> placed_beads(const Layout& layout) {
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     const SwimmerType& type = layout.types.at(layout.swimmers[s].type);
     const auto centres = rest_positions(type, layout.swimmers[s].position, layout.swimmers[s].axis);
-    for (int i = 0; i < 3; ++i) beads.push_back({centres[i], type.beads[i].radius, s, i});
+    for (int i = 0; i < 3; ++i)
+      beads.push_back({.centre = centres[i], .radius = type.beads[i].radius, .swimmer = s, .bead = i});
   }
   return beads;
 }
@@ -56,21 +58,21 @@ double largest_radius(const std::vector<PlacedBead>& beads) {
   return radius;
 }
 
-CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double reach) {
+CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff) {
   std::vector<Vec3> centres;
   centres.reserve(beads.size());
   for (const PlacedBead& bead : beads) centres.push_back(bead.centre);
-  return CellList(centres, reach, domain ? domain->lengths : Vec3::Zero());
+  return CellList(centres, cutoff, domain ? domain->lengths : Vec3::Zero());
 }
 
-void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double reach,
+void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff,
                        const std::function<bool(const BeadPair&)>& visit) {
   if (beads.empty()) return;
-  const CellList cells = bead_cells(beads, domain, reach);
+  const CellList cells = bead_cells(beads, domain, cutoff);
   std::vector<std::size_t> near;
   for (std::size_t i = 0; i < beads.size(); ++i) {
     near.clear();
-    cells.visit_near(beads[i].centre, [&](std::size_t j) {
+    cells.visit_neighbours(beads[i].centre, [&](std::size_t j) {
       if (j < i) near.push_back(j);
       return true;
     });
@@ -83,11 +85,11 @@ void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional
 }
 
 std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
-                                        const std::optional<Box>& domain, std::size_t most) {
+                                        const std::optional<Box>& domain, std::size_t max_pairs) {
   std::vector<BeadPair> found;
   const auto keep_overlap = [&](const BeadPair& pair) {
     if (surface_gap(beads, pair) <= 0) found.push_back(pair);
-    return found.size() < most;
+    return found.size() < max_pairs;
   };
   for (const BeadPair& pair : own_image_pairs(beads, domain)) {
     if (!keep_overlap(pair)) return found;
@@ -99,12 +101,13 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
 double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain) {
   double gap = domain ? smallest_wall_gap(beads, *domain) : std::numeric_limits<double>::infinity();
   for (const BeadPair& pair : own_image_pairs(beads, domain)) gap = std::min(gap, surface_gap(beads, pair));
-  for (std::size_t i = 1; i < beads.size(); ++i) {  // beads that follow one another: the arms among them
-    const BeadPair pair{i, i - 1, (beads[i].centre - beads[i - 1].centre).norm()};
+  for (std::size_t i = 1; i < beads.size(); ++i) {  // successive beads, arms included: a first upper bound
+    const BeadPair pair{
+        .first = i, .second = i - 1, .distance = (beads[i].centre - beads[i - 1].centre).norm()};
     gap = std::min(gap, surface_gap(beads, pair));
   }
-  const double reach = 2 * largest_radius(beads) + gap;
-  visit_close_pairs(beads, domain, reach, [&](const BeadPair& pair) {
+  const double cutoff = 2 * largest_radius(beads) + gap;
+  visit_close_pairs(beads, domain, cutoff, [&](const BeadPair& pair) {
     gap = std::min(gap, surface_gap(beads, pair));
     return true;
   });

@@ -15,7 +15,7 @@ namespace beadswim {
 namespace {
 
 constexpr double axis_tolerance = 1e-6;
-constexpr std::size_t most_overlaps = 1000;
+constexpr std::size_t max_overlaps = 1000;
 
 using Faults = std::vector<LayoutFault>;
 
@@ -63,8 +63,8 @@ void check_type_names(const Layout& layout, Faults& faults) {
   for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
     const std::string& type = layout.swimmers[i].type;
     if (layout.types.count(type) > 0) continue;
-    faults.push_back({swimmer_place(i, "type"),
-                      fmt::format("\"{}\": no such type under /types{}", type, guess_at(type, names))});
+    faults.push_back({swimmer_place(i, "type"), fmt::format("\"{}\": no such type under /types{}", type,
+                                                            format_suggestion(type, names))});
   }
 }
 
@@ -125,7 +125,7 @@ std::string bead_in_words(const PlacedBead& bead, const Layout& layout) {
 }
 
 void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, Faults& faults) {
-  for (const BeadPair& pair : overlapping_pairs(beads, layout.domain, most_overlaps)) {
+  for (const BeadPair& pair : overlapping_pairs(beads, layout.domain, max_overlaps)) {
     const PlacedBead& first = beads[pair.first];
     const PlacedBead& second = beads[pair.second];
     const bool through_boundary =
@@ -140,7 +140,7 @@ void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, 
   }
 }
 
-/// A misplaced swimmer has several beads in trouble; one of them is told.
+/// Keeps one fault per place, because a misplaced swimmer usually has several faulty beads.
 void keep_first_of_each_place(Faults& faults) {
   std::unordered_set<std::string> seen;
   std::erase_if(faults, [&seen](const LayoutFault& fault) { return !seen.insert(fault.place).second; });
@@ -166,7 +166,7 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
 }
 
 void normalise_axes(Layout& layout) {
-  // An axis that is a unit vector to roundoff stays as it is, so that reading and writing change no bits.
+  // Axes of unit length to roundoff are unchanged, so that reading and writing a layout changes no bits.
   constexpr double roundoff = 4 * std::numeric_limits<double>::epsilon();
   for (Swimmer& swimmer : layout.swimmers) {
     const double excess = std::abs(swimmer.axis.norm() - 1);

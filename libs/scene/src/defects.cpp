@@ -18,26 +18,27 @@
 namespace beadswim {
 namespace {
 
-/// What random numbers are for, so that one seed does not move and turn by the same ones.
-/// Their values are part of what a seed means.
+/// Independent streams of random numbers, so that one seed does not use the same numbers for different
+/// changes. The values define the result of a seed and must not change.
 enum Purpose : std::uint64_t { draw = 0, place, turn, region, offset, strength, frequency, layer };
 
-KeyedRandom random_of(const Swimmer& swimmer, std::uint64_t seed, Purpose purpose) {
+KeyedRandom swimmer_random(const Swimmer& swimmer, std::uint64_t seed, Purpose purpose) {
   return {seed, static_cast<std::uint64_t>(swimmer.id), purpose};
 }
 
-std::size_t number_of(const HowMany& how_many, std::size_t all, const std::string& things) {
-  if (const auto* fraction = std::get_if<double>(&how_many))
+std::size_t resolved_count(const ShareOrCount& share_or_count, std::size_t all, const std::string& things) {
+  if (const auto* fraction = std::get_if<double>(&share_or_count))
     return static_cast<std::size_t>(std::lround(*fraction * static_cast<double>(all)));
-  const auto count = static_cast<std::size_t>(std::get<std::int64_t>(how_many));
+  const auto count = static_cast<std::size_t>(std::get<std::int64_t>(share_or_count));
   if (count <= all) return count;
   throw InputError(Setting::count,
                    fmt::format("{}: more than there are {}, {}; take fewer", count, things, all));
 }
 
-/// That many of 0 ... keys.size() - 1, those whose random numbers are least, in ascending order.
-std::vector<std::size_t> drawn(const std::vector<std::uint64_t>& keys, std::size_t count, std::uint64_t seed,
-                               Purpose purpose) {
+/// Draws `count` of the indices 0 ... keys.size() - 1: those with the smallest random numbers. Returns them
+/// in ascending order.
+std::vector<std::size_t> draw_keys(const std::vector<std::uint64_t>& keys, std::size_t count,
+                                   std::uint64_t seed, Purpose purpose) {
   std::vector<std::pair<std::uint64_t, std::size_t>> tickets;
   for (std::size_t i = 0; i < keys.size(); ++i)
     tickets.emplace_back(KeyedRandom(seed, keys[i], purpose).bits(), i);
@@ -48,13 +49,13 @@ std::vector<std::size_t> drawn(const std::vector<std::uint64_t>& keys, std::size
   return result;
 }
 
-const Box& box_of(const Layout& layout, const char* defect) {
+const Box& required_box(const Layout& layout, const char* defect) {
   if (layout.domain) return *layout.domain;
   throw InputError("/domain", fmt::format("is null (unbounded fluid), which {} has no places in", defect));
 }
 
-/// Between surfaces that interstitials and repairs leave [length].
-double clearance_in(const Layout& layout) {
+/// Returns the gap that interstitials and repairs aim at [length].
+double min_clearance(const Layout& layout) {
   return 0.1 * smallest_radius(layout);
 }
 
@@ -70,32 +71,32 @@ double positive_factor(const Swimmer& swimmer, double factor, const char* what) 
                                what, swimmer.id, factor, Setting::sigma, Setting::seed));
 }
 
-/// What moves a swimmer as a whole when several of its beads are pushed: the mean of beads' pushes, and of
-/// walls', across each, the largest.
+/// Displacement of a swimmer with several overlapping beads: the mean of the displacements required by beads,
+/// plus the largest displacement required by walls along each axis.
 class Push {
  public:
-  void by_bead(const Vec3& push) {
+  void add_bead_push(const Vec3& push) {
     beads_ += push;
-    ++number_;
+    ++bead_pushes_;
   }
-  void by_wall(int axis, double push) {
+  void add_wall_push(int axis, double push) {
     if (std::abs(push) > std::abs(walls_[axis])) walls_[axis] = push;
   }
-  Vec3 move() const { return walls_ + beads_ / std::max(number_, 1); }
+  Vec3 move() const { return walls_ + beads_ / std::max(bead_pushes_, 1); }
 
  private:
   Vec3 beads_ = Vec3::Zero(), walls_ = Vec3::Zero();
-  int number_ = 0;
+  int bead_pushes_ = 0;
 };
 
-/// Changes the drivings of the chosen, each with random numbers of its own.
+/// Changes the driving of each chosen swimmer with random numbers of its own.
 void change_driving(Layout& layout, const std::vector<std::size_t>& chosen, std::uint64_t seed,
                     Purpose purpose,
                     const std::function<void(const Swimmer&, Driving&, KeyedRandom&)>& change) {
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
     Driving driving = own_driving(layout, swimmer);
-    KeyedRandom random = random_of(swimmer, seed, purpose);
+    KeyedRandom random = swimmer_random(swimmer, seed, purpose);
     change(swimmer, driving, random);
     swimmer.driving = driving;
   }
@@ -103,15 +104,16 @@ void change_driving(Layout& layout, const std::vector<std::size_t>& chosen, std:
 
 }  // namespace
 
-std::vector<std::size_t> drawn_swimmers(const Layout& layout, const HowMany& how_many, std::uint64_t seed) {
+std::vector<std::size_t> draw_swimmer_indices(const Layout& layout, const ShareOrCount& share_or_count,
+                                              std::uint64_t seed) {
   std::vector<std::uint64_t> ids;
   for (const Swimmer& swimmer : layout.swimmers) ids.push_back(static_cast<std::uint64_t>(swimmer.id));
-  return drawn(ids, number_of(how_many, ids.size(), "swimmers"), seed, Purpose::draw);
+  return draw_keys(ids, resolved_count(share_or_count, ids.size(), "swimmers"), seed, Purpose::draw);
 }
 
-void add_vacancies(Layout& layout, const HowMany& how_many, std::uint64_t seed) {
+void add_vacancies(Layout& layout, const ShareOrCount& share_or_count, std::uint64_t seed) {
   std::vector<Swimmer> left;
-  const std::vector<std::size_t> gone = drawn_swimmers(layout, how_many, seed);
+  const std::vector<std::size_t> gone = draw_swimmer_indices(layout, share_or_count, seed);
   if (gone.size() == layout.swimmers.size())
     throw InputError("vacancy", fmt::format("leaves no swimmer; take a smaller {} or {}", Setting::count,
                                             Setting::fraction));
@@ -121,12 +123,12 @@ void add_vacancies(Layout& layout, const HowMany& how_many, std::uint64_t seed) 
   layout.swimmers = std::move(left);
 }
 
-void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t seed) {
-  const Box domain = box_of(layout, "an interstitial");
+void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::uint64_t seed) {
+  const Box domain = required_box(layout, "an interstitial");
   std::vector<PlacedBead> beads = placed_beads(layout);
-  const double clearance = clearance_in(layout), reach = 2 * largest_radius(beads) + clearance;
-  CellList cells = bead_cells(beads, layout.domain, reach);
-  std::size_t sorted = beads.size();  // number of beads in the cells; added beads are tried one by one
+  const double clearance = min_clearance(layout), cutoff = 2 * largest_radius(beads) + clearance;
+  CellList cells = bead_cells(beads, layout.domain, cutoff);
+  std::size_t sorted = beads.size();  // number of beads in the cells; later beads are tested one by one
 
   const auto is_free = [&](const Vec3& centre, double radius) {
     for (int a = 0; a < 3; ++a) {
@@ -139,11 +141,11 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
     };
     for (std::size_t b = sorted; b < beads.size(); ++b)
       if (!is_clear_of(b)) return false;
-    return cells.visit_near(centre, is_clear_of);
+    return cells.visit_neighbours(centre, is_clear_of);
   };
-  const std::size_t count = std::holds_alternative<double>(how_many)
-                                ? number_of(how_many, layout.swimmers.size(), "swimmers")
-                                : static_cast<std::size_t>(std::get<std::int64_t>(how_many));
+  const std::size_t count = std::holds_alternative<double>(share_or_count)
+                                ? resolved_count(share_or_count, layout.swimmers.size(), "swimmers")
+                                : static_cast<std::size_t>(std::get<std::int64_t>(share_or_count));
   Swimmer added = layout.swimmers.front();
   added.driving.reset();
   for (const Swimmer& swimmer : layout.swimmers) added.id = std::max(added.id, swimmer.id);
@@ -155,12 +157,12 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
                                  std::numeric_limits<int>::max(), added.id));
   }
   const SwimmerType& type = layout.types.at(added.type);
-  constexpr int most_trials = 100000;
+  constexpr int max_trials = 100000;
   for (std::size_t n = 0; n < count; ++n) {
     ++added.id;
-    KeyedRandom random = random_of(added, seed, Purpose::place);
+    KeyedRandom random = swimmer_random(added, seed, Purpose::place);
     bool found = false;
-    for (int trial = 0; trial < most_trials && !found; ++trial) {
+    for (int trial = 0; trial < max_trials && !found; ++trial) {
       for (int a = 0; a < 3; ++a) added.position[a] = domain.lengths[a] * random.uniform();
       const auto centres = rest_positions(type, added.position, added.axis);
       found = is_free(centres[0], type.beads[0].radius) && is_free(centres[1], type.beads[1].radius) &&
@@ -170,15 +172,18 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
       throw InputError("interstitial",
                        fmt::format("no free place for swimmer {} in {} trials; the box is too "
                                    "full, add fewer",
-                                   added.id, most_trials));
+                                   added.id, max_trials));
     }
     const auto centres = rest_positions(type, added.position, added.axis);
     for (int b = 0; b < 3; ++b)
-      beads.push_back({centres[b], type.beads[b].radius, layout.swimmers.size(), b});
+      beads.push_back({.centre = centres[b],
+                       .radius = type.beads[b].radius,
+                       .swimmer = layout.swimmers.size(),
+                       .bead = b});
     layout.swimmers.push_back(added);
     constexpr std::size_t max_unsorted = 100;
     if (beads.size() - sorted > max_unsorted) {
-      cells = bead_cells(beads, layout.domain, reach);
+      cells = bead_cells(beads, layout.domain, cutoff);
       sorted = beads.size();
     }
   }
@@ -187,7 +192,7 @@ void add_interstitials(Layout& layout, const HowMany& how_many, std::uint64_t se
 void jitter(Layout& layout, const std::vector<std::size_t>& chosen, double sigma, std::uint64_t seed) {
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
-    KeyedRandom random = random_of(swimmer, seed, Purpose::place);
+    KeyedRandom random = swimmer_random(swimmer, seed, Purpose::place);
     swimmer.position = wrapped(swimmer.position + sigma * random.normal3(), layout.domain);
   }
 }
@@ -196,7 +201,7 @@ void rotate(Layout& layout, const std::vector<std::size_t>& chosen, std::optiona
             std::uint64_t seed) {
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
-    KeyedRandom random = random_of(swimmer, seed, Purpose::turn);
+    KeyedRandom random = swimmer_random(swimmer, seed, Purpose::turn);
     if (!sigma) {
       swimmer.axis = random.direction();
       continue;
@@ -209,7 +214,7 @@ void rotate(Layout& layout, const std::vector<std::size_t>& chosen, std::optiona
 }
 
 void add_domains(Layout& layout, std::int64_t domains, std::uint64_t seed) {
-  const Box& box = box_of(layout, "a pattern of domains");
+  const Box& box = required_box(layout, "a pattern of domains");
   std::vector<Vec3> points, directions;
   for (std::int64_t d = 0; d < domains; ++d) {
     KeyedRandom random(seed, static_cast<std::uint64_t>(d), Purpose::region);
@@ -219,11 +224,11 @@ void add_domains(Layout& layout, std::int64_t domains, std::uint64_t seed) {
   }
   for (Swimmer& swimmer : layout.swimmers) {
     std::size_t nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double nearest_distance = std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < points.size(); ++d) {
       const double distance = nearest_separation(swimmer.position, points[d], layout.domain).norm();
-      if (distance < least) nearest = d;
-      least = std::min(least, distance);
+      if (distance < nearest_distance) nearest = d;
+      nearest_distance = std::min(nearest_distance, distance);
     }
     swimmer.axis = directions[nearest];
   }
@@ -256,7 +261,8 @@ void disorder_frequencies(Layout& layout, const std::vector<std::size_t>& chosen
                  });
 }
 
-void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& how_many, std::uint64_t seed) {
+void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCount& share_or_count,
+                  std::uint64_t seed) {
   const int axis = spacing.axis;
   const bool periodic = layout.domain && layout.domain->is_periodic(axis);
   for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain);
@@ -265,7 +271,7 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& ho
   const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
   std::ranges::sort(order, {}, [&](std::size_t s) { return height(s); });
   const double same = 1e-6 * smallest_radius(layout);
-  if (periodic) {  // a layer at the box's face stays in one piece
+  if (periodic) {  // keeps a layer on the face of the box together
     const double length = layout.domain->lengths[axis];
     while (height(order.back()) > length - same && height(order.front()) < same) {
       height(order.back()) -= length;
@@ -279,11 +285,11 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& ho
   }
 
   const std::size_t first =
-      periodic ? 0 : 1;  // in a periodic box the first gap ends at the last layer's image
+      periodic ? 0 : 1;  // in a periodic box the first gap is the one to the image of the last layer
   std::vector<std::uint64_t> numbers;
   for (std::size_t n = first; n < layers.size(); ++n) numbers.push_back(n);
-  const std::vector<std::size_t> moved =
-      drawn(numbers, number_of(how_many, numbers.size(), "gaps between layers"), seed, Purpose::draw);
+  const std::vector<std::size_t> moved = draw_keys(
+      numbers, resolved_count(share_or_count, numbers.size(), "gaps between layers"), seed, Purpose::draw);
   double shift = 0, before = periodic ? height(layers.back().front()) - layout.domain->lengths[axis] : 0;
   for (std::size_t n = 0; n < layers.size(); ++n) {
     const double here = height(layers[n].front());
@@ -307,23 +313,24 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const HowMany& ho
 }
 
 void repair_overlaps(Layout& layout) {
-  constexpr int most_passes = 1000;
-  const double clearance = clearance_in(layout);
-  const double tolerance = 0.5 * clearance;  // pushes aim further than they must, and so come to an end
-  for (int pass = 0; pass < most_passes; ++pass) {
+  constexpr int max_passes = 1000;
+  const double clearance = min_clearance(layout);
+  const double tolerance =
+      0.5 * clearance;  // displacements exceed the required gap, so that the iteration ends
+  for (int pass = 0; pass < max_passes; ++pass) {
     const std::vector<PlacedBead> beads = placed_beads(layout);
     std::vector<Push> pushes(layout.swimmers.size());
     bool any = false;
-    const double reach = 2 * largest_radius(beads) + clearance;
-    visit_close_pairs(beads, layout.domain, reach, [&](const BeadPair& pair) {
+    const double cutoff = 2 * largest_radius(beads) + clearance;
+    visit_close_pairs(beads, layout.domain, cutoff, [&](const BeadPair& pair) {
       const PlacedBead &one = beads[pair.first], &other = beads[pair.second];
-      const double lack = one.radius + other.radius + clearance - pair.distance;
-      if (one.swimmer == other.swimmer || lack <= tolerance) return true;
+      const double missing_gap = one.radius + other.radius + clearance - pair.distance;
+      if (one.swimmer == other.swimmer || missing_gap <= tolerance) return true;
       any = true;
       const Vec3 separation = nearest_separation(one.centre, other.centre, layout.domain);
       const Vec3 away = pair.distance > 0 ? Vec3(separation / pair.distance) : Vec3(Vec3::UnitZ());
-      pushes[one.swimmer].by_bead(-0.5 * lack * away);
-      pushes[other.swimmer].by_bead(0.5 * lack * away);
+      pushes[one.swimmer].add_bead_push(-0.5 * missing_gap * away);
+      pushes[other.swimmer].add_bead_push(0.5 * missing_gap * away);
       return true;
     });
     for (const PlacedBead& bead : beads) {
@@ -333,7 +340,7 @@ void repair_overlaps(Layout& layout) {
         const double inward = std::clamp(bead.centre[a], low, std::max(low, high)) - bead.centre[a];
         if (std::abs(inward) <= tolerance) continue;
         any = true;
-        pushes[bead.swimmer].by_wall(a, inward);
+        pushes[bead.swimmer].add_wall_push(a, inward);
       }
     }
     if (!any) return;
@@ -343,7 +350,7 @@ void repair_overlaps(Layout& layout) {
   throw InputError(Setting::repair,
                    fmt::format("beads are still too close after {} passes; there is too little room for "
                                "them where they are",
-                               most_passes));
+                               max_passes));
 }
 
 }  // namespace beadswim

@@ -5,7 +5,7 @@
 namespace beadswim {
 namespace {
 
-/// Which layer each coordinate is in.
+/// Returns the index of the layer of each coordinate.
 std::vector<int> layers_of(const std::vector<double>& coordinates, double thickness) {
   std::vector<double> sorted = coordinates;
   std::ranges::sort(sorted);

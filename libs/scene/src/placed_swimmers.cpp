@@ -10,12 +10,13 @@ namespace beadswim {
 
 Swarm placed_swimmers(const Layout& layout) {
   Swarm swarm;
-  std::map<std::string, int> shared_types;  // of swimmers that do not override their type's driving
+  std::map<std::string, int> shared_types;  // types of the swimmers without their own driving
   for (const Swimmer& swimmer : layout.swimmers) {
     int type = static_cast<int>(swarm.types.size());
     if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
     if (type == std::ssize(swarm.types)) swarm.types.push_back(layout.resolved_type(swimmer));
-    swarm.swimmers.push_back({swimmer.id, type, swimmer.position, swimmer.axis});
+    swarm.swimmers.push_back(
+        {.id = swimmer.id, .type = type, .position = swimmer.position, .axis = swimmer.axis});
   }
   std::ranges::sort(swarm.swimmers, {}, &PlacedSwimmer::id);
   return swarm;

@@ -7,8 +7,8 @@ namespace beadswim {
 
 namespace {
 
-/// What all the paper's scenes have in common: equal beads and arms, A = B, alpha = pi/2, densities 1, nu =
-/// 1/3.
+/// Returns the common parameters of the paper's scenes: equal beads and arms, A = B, alpha = pi/2, densities
+/// 1, nu = 1/3.
 Layout paper_scene(double radius, double arm, double stiffness, double amplitude, double period) {
   const Bead bead{.radius = radius, .density = 1};
   const Spring spring{.stiffness = stiffness, .rest_length = arm, .damping = 0};

@@ -21,12 +21,12 @@ class SwimmerFinder {
         tolerance_(tolerance),
         cells_(positions(layout), tolerance, box.lengths) {}
 
-  /// Returns the distance from `position` to the nearest swimmer within the tolerance that equals swimmer `s`
-  /// in all but its position and that `admits` accepts; infinite if there is none [length].
+  /// Returns the distance from `position` to the nearest swimmer that is equivalent to swimmer `s`, is within
+  /// the tolerance and is accepted by `admits` [length]. Infinite if there is none.
   double distance_to_twin(std::size_t s, const Vec3& position,
                           const std::function<bool(std::size_t)>& admits) const {
     double nearest = std::numeric_limits<double>::infinity();
-    cells_.visit_near(position, [&](std::size_t other) {
+    cells_.visit_neighbours(position, [&](std::size_t other) {
       const double distance = nearest_separation(position, layout_.swimmers[other].position, box_).norm();
       if (other != s && distance <= tolerance_ && distance < nearest && admits(other) && are_alike(s, other))
         nearest = distance;
@@ -56,9 +56,10 @@ class SwimmerFinder {
   CellList cells_;
 };
 
-/// The largest shift with which the scene maps onto itself when moved by a `parts`-th of its edge; infinite
-/// if it does not.
-double shift_of(const Layout& layout, const SwimmerFinder& finder, int axis, std::size_t parts) {
+/// Returns the largest distance of a swimmer from an equivalent one [length], when the scene is displaced by
+/// the edge of the box divided by `parts`. Infinite if a swimmer has no equivalent one.
+double largest_shift_after_move(const Layout& layout, const SwimmerFinder& finder, int axis,
+                                std::size_t parts) {
   const Vec3 step = Vec3::Unit(axis) * layout.domain->lengths[axis] / static_cast<double>(parts);
   const auto is_any = [](std::size_t) { return true; };
   double largest = 0;
@@ -83,7 +84,7 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
     if (!layout.domain->is_periodic(axis)) continue;
     for (std::size_t parts = all; parts > 1; --parts) {
       if (all % parts != 0) continue;
-      const double shift = shift_of(layout, finder, axis, parts);
+      const double shift = largest_shift_after_move(layout, finder, axis, parts);
       if (!std::isfinite(shift)) continue;
       result.cells[axis] = static_cast<int>(parts);
       result.largest_shift = std::max(result.largest_shift, shift);
@@ -94,7 +95,8 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   Box& cell = *result.layout.domain;
   cell.lengths = layout.domain->lengths.cwiseQuotient(result.cells.cast<double>().matrix());
   for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = wrapped(swimmer.position, cell);
-  // One of each that have become the same; twins of twins are within twice the tolerance.
+  // Keeps one of each set of equivalent swimmers. Indirectly equivalent ones differ by up to twice the
+  // tolerance.
   const SwimmerFinder twins(result.layout, cell, 2 * tolerance);
   std::vector<bool> is_kept(all);
   std::vector<Swimmer> firsts;

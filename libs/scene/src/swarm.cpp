@@ -3,12 +3,12 @@
 namespace beadswim {
 namespace {
 
-/// From a swimmer to the next of its block, between the centres of their beads 2.
+/// Returns the vector between the centres of beads 2 of neighbours in one block [length].
 Vec3 pitch(const SwarmPlan& plan, const SwimmerType& type) {
   return plan.core_gap + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX();
 }
 
-/// Calls visit(i, j, k) for each cell of a grid, x fastest.
+/// Calls visit(Vec3(i, j, k)) for each cell of a grid, i fastest.
 template <typename Visit>
 void for_each_place(const Index3& grid, Visit&& visit) {
   for (int k = 0; k < grid[2]; ++k) {
@@ -21,7 +21,7 @@ void for_each_place(const Index3& grid, Visit&& visit) {
 }  // namespace
 
 Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type) {
-  // n swimmers, n - 1 gaps between them, and one to the next block
+  // n swimmers have n - 1 distances within the block and one to the next block.
   const Vec3 last = (plan.block_swimmers - 1).cast<double>().matrix().cwiseProduct(pitch(plan, type));
   return last + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX() + plan.block_gap;
 }

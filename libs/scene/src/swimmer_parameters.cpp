@@ -8,9 +8,9 @@
 namespace beadswim {
 namespace {
 
-constexpr std::size_t most_notes = 4;  // a page has room for
+constexpr std::size_t max_notes = 4;  // lines that fit on a figure
 
-/// "4", or "4, 5, 4" if they differ.
+/// Returns "4" for equal numbers, "4, 5, 4" otherwise.
 std::string values(const std::vector<double>& numbers) {
   std::vector<std::string> texts;
   for (const double number : numbers) texts.push_back(fmt::format("{:.4g}", number));
@@ -55,7 +55,7 @@ std::string driving_parameters(const Driving& driving) {
 std::vector<std::string> type_notes(const Layout& layout) {
   std::vector<std::string> notes;
   for (const auto& [name, type] : layout.types) {
-    if (notes.size() == most_notes) return notes;
+    if (notes.size() == max_notes) return notes;
     const auto overridden = [&name = name](const Swimmer& s) { return s.type == name && s.driving; };
     const auto own = std::ranges::count_if(layout.swimmers, overridden);
     notes.push_back((layout.types.size() == 1 ? "" : name + ": ") + body_parameters(type) + "; " +

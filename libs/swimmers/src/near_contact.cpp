@@ -8,22 +8,22 @@
 namespace beadswim {
 namespace {
 
-/// Where an increasing function changes its sign, between low and high: the last bit of bisection.
+/// Returns the root of an increasing function between low and high, by bisection to the last bit.
 template <class Function>
-double root_of(const Function& increasing, double low, double high) {
+double find_root(const Function& increasing, double low, double high) {
   for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high)) {
     (increasing(middle) < 0 ? low : high) = middle;
   }
   return high;
 }
 
-/// The pair as seen along its line.
+/// Parameters of the motion along the line of centres.
 struct Approach {
   double gap, reduced_mass, stiffness, damping;
-  double film;  ///< part of the film's resistance that counts
+  double film;  ///< factor that limits the resistance of the film, 0 to 1
 };
 
-/// Impulses that push the beads apart.
+/// Repulsive impulses along the line of centres: film and contact together, and contact alone.
 struct NormalImpulse {
   double total, contact;
 };
@@ -43,32 +43,33 @@ NormalImpulse normal_impulse(const NearContactLaw& law, const CloseBead& first, 
            step * contact_force(v);
   };
   if (excess(velocity) == 0) return {.total = 0, .contact = 0};
-  const double end = root_of(excess, std::min(velocity, 0.0), std::max({velocity, -pair.gap / step, 0.0}));
+  const double end = find_root(excess, std::min(velocity, 0.0), std::max({velocity, -pair.gap / step, 0.0}));
   const double total = pair.reduced_mass * (end - velocity);
   const double by_film = momentum_now - momentum(pair.gap + step * end);
   return {.total = total, .contact = std::max(0.0, total - by_film)};
 }
 
-/// Rates w of a pair and what sets them in motion: beads' turning relative to the line of centres.
-struct TurningPair {
-  Vec3 first, second;                                     ///< w, across the line
+/// Angular velocities w of the beads relative to the line of centres, and mobilities that relate them to
+/// impulses.
+struct PairRotation {
+  Vec3 first, second;                                     ///< w, perpendicular to the line
   double first_mobility, second_mobility, line_mobility;  ///< 1/I, 1/I, 1/(m r^2)
 
-  /// What angular impulses on the beads do, balanced by forces across the line.
-  void turn(const Vec3& on_first, const Vec3& on_second) {
+  /// Applies angular impulses to the beads, balanced by forces perpendicular to the line of centres.
+  void apply(const Vec3& on_first, const Vec3& on_second) {
     const Vec3 of_line = line_mobility * (on_first + on_second);
     first += first_mobility * on_first + of_line;
     second += second_mobility * on_second + of_line;
   }
 };
 
-/// Angular impulses on both beads.
-struct Turns {
+/// Angular impulses on the two beads.
+struct AngularImpulses {
   Vec3 first, second;
 };
 
-/// (1 + M C) w = w*, C = step ((c_aa, c_ab), (c_ab, c_bb)); impulses -C w.
-Turns film_turns(const TurningPair& w, const Sliding& film, double step) {
+/// Solves (1 + M C) w = w* with C = step ((c_aa, c_ab), (c_ab, c_bb)) and returns the impulses -C w.
+AngularImpulses film_angular_impulses(const PairRotation& w, const Sliding& film, double step) {
   // clang-format off
   const double c11 = step * film.aa, c12 = step * film.ab, c22 = step * film.bb;
   const double m11 = w.first_mobility  + w.line_mobility;
@@ -84,15 +85,16 @@ Turns film_turns(const TurningPair& w, const Sliding& film, double step) {
   // clang-format on
 }
 
-/// What stops the surfaces at the point of contact, as far as `most` does: surfaces there slide with n x (r_a
-/// w_a + r_b w_b), r_a, r_b the distances of the point from the centres.
-Turns friction_turns(const TurningPair& w, double r_a, double r_b, double most) {
+/// Returns the angular impulses of friction. The friction stops the sliding of the surfaces at the point of
+/// contact, or has the impulse `max_impulse` if that does not suffice. The sliding velocity is n x (r_a w_a +
+/// r_b w_b), where r_a and r_b are the distances of the point of contact from the centres.
+AngularImpulses friction_angular_impulses(const PairRotation& w, double r_a, double r_b, double max_impulse) {
   const Vec3 sliding = r_a * w.first + r_b * w.second;
   const double mobility = r_a * r_a * w.first_mobility + r_b * r_b * w.second_mobility +
                           (r_a + r_b) * (r_a + r_b) * w.line_mobility;
   const double speed = sliding.norm();
   if (speed == 0) return {Vec3::Zero(), Vec3::Zero()};
-  const Vec3 impulse = -std::min(speed / mobility, most) / speed * sliding;
+  const Vec3 impulse = -std::min(speed / mobility, max_impulse) / speed * sliding;
   return {r_a * impulse, r_b * impulse};
 }
 
@@ -104,45 +106,47 @@ PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& fir
   const Vec3 n = separation / distance;
   const Vec3 velocity = second.velocity - first.velocity;
   const double gap = distance - a - b;
-  const double split_mass = 1 / (first.pairs / first.mass + second.pairs / second.mass);
-  const double whole_mass = 1 / (1 / first.mass + 1 / second.mass);
-  // Beads in n firm pairs: limits of what a film does in a step.
-  const double others = std::max(first.pairs, second.pairs) - 1;
-  const auto part_of = [&](double resistance, double mobility) {
-    return others * step * resistance * mobility > 1 ? 1 / (others * step * resistance * mobility) : 1.0;
+  const double reduced_mass_shared = 1 / (first.pairs / first.mass + second.pairs / second.mass);
+  const double reduced_mass_alone = 1 / (1 / first.mass + 1 / second.mass);
+  // Limit of the resistance of the film for beads with several pairs: near_contact.hpp.
+  const double other_pairs = std::max(first.pairs, second.pairs) - 1;
+  const auto limit_fraction = [&](double resistance, double mobility) {
+    return other_pairs * step * resistance * mobility > 1 ? 1 / (other_pairs * step * resistance * mobility)
+                                                          : 1.0;
   };
   const double resistance = squeezing(a, b, law.viscosity, law.range, gap).resistance;
   Approach approach{.gap = gap,
-                    .reduced_mass = split_mass,
-                    .stiffness = whole_mass * law.stiffness_rate * law.stiffness_rate,
-                    .damping = 2 * law.damping_ratio * whole_mass * law.stiffness_rate,
-                    .film = part_of(resistance, 1 / whole_mass)};
+                    .reduced_mass = reduced_mass_shared,
+                    .stiffness = reduced_mass_alone * law.stiffness_rate * law.stiffness_rate,
+                    .damping = 2 * law.damping_ratio * reduced_mass_alone * law.stiffness_rate,
+                    .film = limit_fraction(resistance, 1 / reduced_mass_alone)};
   const double spring = gap < 0 ? step * approach.stiffness + approach.damping : 0;
-  const double taken = step * (resistance + spring) / whole_mass;
+  const double taken = step * (resistance + spring) / reduced_mass_alone;
   const NormalImpulse push = normal_impulse(law, first, second, approach, velocity.dot(n), step);
 
-  const auto across = [&](const Vec3& v) -> Vec3 { return v - v.dot(n) * n; };
-  const Vec3 line_turns = n.cross(velocity) / distance;
-  TurningPair turning{.first = across(first.angular_velocity) - line_turns,
-                      .second = across(second.angular_velocity) - line_turns,
-                      .first_mobility = first.pairs / first.inertia,
-                      .second_mobility = second.pairs / second.inertia,
-                      .line_mobility = 1 / (split_mass * distance * distance)};
+  const auto perpendicular_part = [&](const Vec3& v) -> Vec3 { return v - v.dot(n) * n; };
+  const Vec3 line_rotation = n.cross(velocity) / distance;
+  PairRotation rotation{.first = perpendicular_part(first.angular_velocity) - line_rotation,
+                        .second = perpendicular_part(second.angular_velocity) - line_rotation,
+                        .first_mobility = first.pairs / first.inertia,
+                        .second_mobility = second.pairs / second.inertia,
+                        .line_mobility = 1 / (reduced_mass_shared * distance * distance)};
   const Sliding film = sliding(a, b, law.viscosity, law.range, gap);
   const double rate = film.aa / first.inertia + film.bb / second.inertia;
-  Turns turns = film_turns(turning, film, step * part_of(rate, 1));
+  AngularImpulses angular_impulses = film_angular_impulses(rotation, film, step * limit_fraction(rate, 1));
   if (push.contact > 0) {
-    turning.turn(turns.first, turns.second);
+    rotation.apply(angular_impulses.first, angular_impulses.second);
     const double r_a = distance * a / (a + b);
-    const Turns friction = friction_turns(turning, r_a, distance - r_a, law.friction * push.contact);
-    turns.first += friction.first;
-    turns.second += friction.second;
+    const AngularImpulses friction =
+        friction_angular_impulses(rotation, r_a, distance - r_a, law.friction * push.contact);
+    angular_impulses.first += friction.first;
+    angular_impulses.second += friction.second;
   }
-  const Vec3 both = turns.first + turns.second;
+  const Vec3 both = angular_impulses.first + angular_impulses.second;
   return {.linear = push.total * n + n.cross(both) / distance,
-          .first_angular = turns.first,
-          .second_angular = turns.second,
-          .firmness = taken / (1 + taken)};
+          .first_angular = angular_impulses.first,
+          .second_angular = angular_impulses.second,
+          .removed_fraction = taken / (1 + taken)};
 }
 
 ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
@@ -152,7 +156,7 @@ ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead
   std::array<bool, 3> close{};
   for (int p = 0; p < 3; ++p) {
     const auto [i, j] = all_pairs[p];
-    close[p] = (positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius < law.reach();
+    close[p] = (positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius < law.cutoff();
   }
   std::array<PairImpulse, 3> impulses;
   const auto sum_up = [&] {
@@ -175,10 +179,10 @@ ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead
   };
   double scale = 0;
   for (const CloseBead& bead : beads) scale = std::max(scale, bead.mass * bead.velocity.norm());
-  constexpr int most_sweeps = 50;
+  constexpr int max_sweeps = 50;
   constexpr double roundoff = 1e-14;
-  const bool is_alone = std::ranges::count(close, true) == 1;  // nothing to iterate for
-  for (int sweep = 0; sweep < (is_alone ? 1 : most_sweeps); ++sweep) {
+  const bool is_alone = std::ranges::count(close, true) == 1;  // a single pair needs no iteration
+  for (int sweep = 0; sweep < (is_alone ? 1 : max_sweeps); ++sweep) {
     double change = 0;
     for (int p = 0; p < 3; ++p) {
       if (!close[p]) continue;
@@ -192,7 +196,7 @@ ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead
   }
   sum_up();
   for (int p = 0; p < 3; ++p) {
-    for (const int b : all_pairs[p]) result.firmness[b] += impulses[p].firmness;
+    for (const int b : all_pairs[p]) result.removed_fraction[b] += impulses[p].removed_fraction;
   }
   return result;
 }

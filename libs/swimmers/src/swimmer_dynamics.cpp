@@ -15,7 +15,7 @@ struct Phase {
   BeadVectors position, velocity;
 };
 
-/// d(position, velocity)/dt
+/// Returns d(position, velocity)/dt.
 Phase rate_of_change(const Phase& phase, const SwimmerType& type, const Vec3& initial_axis,
                      const SwimmerLoads& loads, double time) {
   const BeadVectors spring = spring_forces(type.springs, phase.position, phase.velocity);
@@ -38,7 +38,8 @@ Phase moved(const Phase& phase, const Phase& rate, double interval) {
   return result;
 }
 
-/// omega^2/K_A of bending, which moves the beads like (1/l1, -1/l1 - 1/l2, 1/l2).
+/// Returns omega^2/K_A of bending, in which the displacements of the beads are proportional to
+/// (1/l1, -1/l1 - 1/l2, 1/l2).
 double bending_mobility(const SwimmerType& type) {
   const double g1 = 1 / type.springs[0].rest_length, g3 = 1 / type.springs[1].rest_length, g2 = g1 + g3;
   return g1 * g1 / mass(type.beads[0]) + g2 * g2 / mass(type.beads[1]) + g3 * g3 / mass(type.beads[2]);
@@ -57,7 +58,8 @@ double moment_of_inertia(const Bead& bead) {
 int substeps_for(const SwimmerType& type, double step) {
   const auto& [first, second] = type.springs;
   const std::array m{mass(type.beads[0]), mass(type.beads[1]), mass(type.beads[2])};
-  // Gershgorin bounds of the stretching modes, for k and for c alike.
+  // Gershgorin bound of the eigenvalues of the stretching modes, for stiffness or damping a, b of the two
+  // springs.
   const auto stretching = [&m](double a, double b) {
     return std::max({2 * a / m[0], 2 * (a + b) / m[1], 2 * b / m[2]});
   };
@@ -65,17 +67,17 @@ int substeps_for(const SwimmerType& type, double step) {
   const double frequency = std::sqrt(std::max(stretching(first.stiffness, second.stiffness), bending));
   const double damping_rate = stretching(first.damping, second.damping);
   const double substeps = std::ceil(4 * step * std::max(frequency, damping_rate));
-  constexpr double most = 10000;
-  if (!(substeps <= most)) {
+  constexpr double max_substeps = 10000;
+  if (!(substeps <= max_substeps)) {
     throw InputError("springs",
                      fmt::format("so stiff or damped that a step needs {:.3g} sub-steps, over {}; soften "
                                  "them or take a smaller step",
-                                 substeps, most));
+                                 substeps, max_substeps));
   }
   return std::max(1, static_cast<int>(substeps));
 }
 
-SwimmerType with_steady_vibrations(SwimmerType type, double step) {
+SwimmerType with_resolved_vibrations(SwimmerType type, double step) {
   for (int arm = 0; arm < 2; ++arm) {
     Spring& spring = type.springs[arm];
     const double reduced_mass = 1 / (1 / mass(type.beads[arm]) + 1 / mass(type.beads[arm + 1]));

@@ -30,7 +30,8 @@ BeadVectors angular_spring_forces(double angular_stiffness, const BeadVectors& p
   const Vec3 direction_2 = arm_2 / length_2;
   const double cosine = direction_1.dot(direction_2);
   const double sine = direction_1.cross(direction_2).norm();
-  // theta / sin(theta): 1 in line, and without a direction to push along once the swimmer is folded flat.
+  // theta/sin(theta) is 1 for parallel arms. For antiparallel arms the force has no defined direction and is
+  // set to 0.
   constexpr double smallest_sine = 1e-12;
   const double theta_over_sine =
       sine > smallest_sine ? std::atan2(sine, cosine) / sine : (cosine > 0 ? 1 : 0);

@@ -109,7 +109,7 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
 CLI::Validator one_of(std::vector<std::string> words) {
   const auto fault = [words = std::move(words)](const std::string& text) {
     if (std::find(words.begin(), words.end(), text) != words.end()) return std::string{};
-    return unknown_name(text, words);
+    return format_unknown_name(text, words);
   };
   return CLI::Validator(fault, "");
 }

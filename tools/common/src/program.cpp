@@ -80,9 +80,9 @@ void refuse_leftovers(const CLI::App& program) {
   if (leftovers.front().empty())
     throw InputError("command line", "an argument is empty; is a variable not set?");
   const std::vector<std::string> commands = command_names(command);
-  const std::string what = commands.empty()
-                               ? std::string("unexpected argument.")
-                               : fmt::format("unknown command{}", guess_at(leftovers.front(), commands));
+  const std::string what =
+      commands.empty() ? std::string("unexpected argument.")
+                       : fmt::format("unknown command{}", format_suggestion(leftovers.front(), commands));
   throw InputError(leftovers.front(), fmt::format("{} \"{} --help\" lists all", what, full_name(command)));
 }
 
@@ -178,7 +178,7 @@ void append_arguments(const CLI::App& command, Json& arguments) {
 }  // namespace
 
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description) {
-  name_settings_by(flag_of);
+  set_setting_names(flag_of);
   auto program = std::make_unique<CLI::App>(description, name);
   program->formatter(std::make_shared<HelpFormatter>());
   program->set_help_flag("-h,--help", "Print this help and exit.");

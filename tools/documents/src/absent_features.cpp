@@ -30,7 +30,7 @@ const std::array<AbsentFeature, 3>& absent_features() {
   return features;
 }
 
-/// Looks at the keys of one object.
+/// Throws InputError if a key of the object asks for an absent feature. Other values have no keys.
 void refuse_keys(const Json& object, const std::string& place) {
   if (!object.is_object()) return;
   for (const auto& [key, value] : object.items()) {

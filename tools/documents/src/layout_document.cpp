@@ -39,8 +39,8 @@ Json json_of(const Units& units) {
 
 // --- driving
 
-/// The driving with whatever the object says in place of what was there.
-Driving overridden(Driving driving, const Json& json) {
+/// Returns the driving with the members of `json` in place of its own.
+Driving override_driving(Driving driving, const Json& json) {
   visit_fields(
       [&](const char* name, auto& field, auto...) {
         if (json.contains(name)) json[name].get_to(field);
@@ -49,7 +49,7 @@ Driving overridden(Driving driving, const Json& json) {
   return driving;
 }
 
-/// The members of `driving` that differ from the type's.
+/// Returns the members of `driving` that differ from the driving of the type.
 Json difference(const Driving& driving, const Driving& of_type) {
   Json json = driving;
   const Json ordinary = of_type;
@@ -62,9 +62,9 @@ Json difference(const Driving& driving, const Driving& of_type) {
 
 // --- types
 
-/// Keys of the driving that the schema does not require keep their defaults.
+/// Converts a type. Optional keys of the driving that are absent keep their defaults.
 SwimmerType type_from(Json json) {
-  json["driving"] = overridden({}, json["driving"]);
+  json["driving"] = override_driving({}, json["driving"]);
   return json.get<SwimmerType>();
 }
 
@@ -75,9 +75,9 @@ Swimmer swimmer_from(const Json& json, const std::map<std::string, SwimmerType>&
                   .type = json["type"].get<std::string>(),
                   .position = json["position"].get<Vec3>(),
                   .axis = json["axis"].get<Vec3>()};
-  const auto type = types.find(swimmer.type);  // an unknown one is a fault, which check_layout finds
+  const auto type = types.find(swimmer.type);  // check_layout reports unknown types
   if (json.contains("driving") && type != types.end()) {
-    swimmer.driving = overridden(type->second.driving, json["driving"]);
+    swimmer.driving = override_driving(type->second.driving, json["driving"]);
   }
   return swimmer;
 }
@@ -115,7 +115,7 @@ LayoutDocument layout_from_json(const Json& json, const std::string& source) {
   std::vector<DocumentFault> faults;
   for (const LayoutFault& fault : check_layout(document.layout))
     faults.push_back({fault.place, fault.message});
-  refuse_faulty(source, faults);
+  throw_if_faulty(source, faults);
   return document;
 }
 

@@ -3,7 +3,7 @@
 #include "beadswim/io/schema.hpp"
 #include "units_json.hpp"
 
-/// An object: names of settings, in their order, and a text or a number each.
+/// Converts settings to a JSON object and back: one key per setting, in order, with a string or a number.
 template <>
 struct nlohmann::adl_serializer<std::vector<beadswim::Prediction::Setting>> {
   static void to_json(beadswim::Json& json, const std::vector<beadswim::Prediction::Setting>& settings) {

@@ -11,7 +11,7 @@
 namespace beadswim {
 namespace {
 
-void refuse_trajectory(const std::string& path) {
+void throw_if_trajectory(const std::string& path) {
   if (!path.ends_with(".h5md")) return;
   throw InputError(path, "is a trajectory; give the run record (JSON) that beadswim-run printed with it");
 }
@@ -20,8 +20,8 @@ bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-/// Several lines, the first of which is a document by itself.
-bool holds_json_lines(const std::string& text) {
+/// Returns whether the text has several lines, of which the first is a complete JSON document.
+bool is_json_lines(const std::string& text) {
   std::istringstream lines(text);
   std::string first, next;
   while (std::getline(lines, first) && is_blank(first)) {
@@ -42,12 +42,12 @@ std::vector<SourceJson> documents_by_line(const std::string& text, const std::st
   return documents;
 }
 
-RunRecord with_swimmers(RunRecord record, const std::string& source) {
+RunRecord require_swimmers(RunRecord record, const std::string& source) {
   if (!record.swimmers.empty()) return record;
   throw InputError(
       source, fmt::format("holds statistics of the swarm alone, as records of over {} swimmers do; use the "
                           "run's trajectory (.h5md): beadswim-plot trajectories or swarm, beadswim-view",
-                          most_swimmers_listed));
+                          max_swimmers_listed));
 }
 
 }  // namespace
@@ -57,28 +57,29 @@ std::string source_name(const std::string& path) {
 }
 
 RunRecord read_run(const std::string& path) {
-  refuse_trajectory(path);
-  return with_swimmers(read_run_record(path), source_name(path));
+  throw_if_trajectory(path);
+  return require_swimmers(read_run_record(path), source_name(path));
 }
 
 std::string schema_of(const Json& document) {
-  const bool says = document.is_object() && document.contains("schema") && document["schema"].is_string();
-  return says ? document["schema"].get<std::string>() : "";
+  const bool has_schema =
+      document.is_object() && document.contains("schema") && document["schema"].is_string();
+  return has_schema ? document["schema"].get<std::string>() : "";
 }
 
 std::vector<SourceJson> read_json_documents(const std::string& path, const std::string& wanted) {
-  refuse_trajectory(path);
+  throw_if_trajectory(path);
   const std::string source = source_name(path);
   const std::string text = read_text(path);
   if (is_blank(text)) throw InputError(source, fmt::format("is empty; {} is needed here", wanted));
-  if (holds_json_lines(text)) return documents_by_line(text, source);
+  if (is_json_lines(text)) return documents_by_line(text, source);
   return {{source, parse_json(text, source)}};
 }
 
 SwimmingDocument swimming_from_json(const Json& document, const std::string& source) {
   const std::string schema = schema_of(document);
   if (schema.starts_with("beadswim/run/"))
-    return with_swimmers(run_record_from_json(document, source), source);
+    return require_swimmers(run_record_from_json(document, source), source);
   if (schema.starts_with("beadswim/prediction/")) return predictions_from_json(document, source);
   throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
                                        "(\"beadswim/prediction/1\") is needed here",
@@ -86,21 +87,21 @@ SwimmingDocument swimming_from_json(const Json& document, const std::string& sou
 }
 
 SwimmingDocument read_swimming(const std::string& path) {
-  refuse_trajectory(path);
+  throw_if_trajectory(path);
   const std::string source = source_name(path);
   return swimming_from_json(parse_json(read_text(path), source), source);
 }
 
-Swimming swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
-                     const std::string& source) {
-  std::vector<Swimming> cycles;
-  for (const CycleStatistics& cycle : chosen_cycles(swimmer.cycles, choice, source)) {
-    cycles.push_back(swimming_in(cycle, run.domain));
+ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
+                           const std::string& source) {
+  std::vector<ComparedValues> cycles;
+  for (const CycleStatistics& cycle : select_cycles(swimmer.cycles, choice, source)) {
+    cycles.push_back(evaluate_compared_values(cycle, run.domain));
   }
-  return mean_swimming(cycles);
+  return average_compared_values(cycles);
 }
 
-Swimming swimming_of(const Prediction& prediction) {
+ComparedValues swimming_of(const Prediction& prediction) {
   return {
       {ComparedQuantity::velocity, {prediction.velocity}},
       {ComparedQuantity::arm_amplitudes, {prediction.stroke.amplitude[0], prediction.stroke.amplitude[1]}},

@@ -36,7 +36,7 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   return layout;
 }
 
-/// Index among the layout's swimmers of each of the file's.
+/// Returns the index into layout.swimmers of each swimmer in the file.
 std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader& reader,
                                     const std::string& path) {
   std::map<int, std::size_t> index_of;
@@ -74,10 +74,14 @@ TrajectoryFile open_trajectory(const std::string& path) {
   TrajectoryReader reader(path);
   Layout layout = layout_of(reader, path);
   std::vector<std::size_t> in_layout = indices_in(layout, reader, path);
-  return {path, std::move(reader), std::move(layout), std::move(in_layout)};
+  return {.source = path,
+          .reader = std::move(reader),
+          .layout = std::move(layout),
+          .in_layout = std::move(in_layout)};
 }
 
-void refuse_swimmer(const std::string& flag, int id, const std::vector<int>& ids, const std::string& source) {
+void throw_unknown_swimmer(const std::string& flag, int id, const std::vector<int>& ids,
+                           const std::string& source) {
   const auto distance = [id](int other) { return std::abs(static_cast<long>(other) - id); };
   const int nearest = *std::ranges::min_element(ids, {}, distance);
   const auto [low, high] = std::ranges::minmax(ids);

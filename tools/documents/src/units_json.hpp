@@ -5,10 +5,10 @@
 
 namespace beadswim {
 
-/// "lattice", or an object of length, time and mass, each { "name", "si_factor" }.
+/// Writes units as "lattice", or as an object with length, time and mass, each { "name", "si_factor" }.
 void to_json(Json& json, const Units& units);
 
-/// The inverse, of JSON that a schema has let through.
+/// Reads units from JSON that a schema has validated.
 void from_json(const Json& json, Units& units);
 
 }  // namespace beadswim

@@ -17,7 +17,9 @@ std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> ru
 
 VerdictDocument verdict_from_json(const Json& json, const std::string& source) {
   validate_json(json, "verdict", source);
-  return {.decided_by = json.at("decided_by"), .rows = json.at("rows"), .cost = json.at("cost").get<std::optional<VerdictCost>>()};
+  return {.decided_by = json.at("decided_by"),
+          .rows = json.at("rows"),
+          .cost = json.at("cost").get<std::optional<VerdictCost>>()};
 }
 
 Json verdict_to_json(const VerdictDocument& document) {

@@ -46,7 +46,7 @@ std::variant<Request, int> read_request(int argc, char** argv, const Communicato
   request.options = std::get<RunOptions>(parse_run_options(argc, argv, flags));
   require_same_course(request.options, flags);
   if (request.options.output.empty()) request.options.output = trajectory_of(request.checkpoint->path());
-  request.steps_done = steps_in(*request.checkpoint);
+  request.steps_done = steps_done_in(*request.checkpoint);
   return request;
 }
 

@@ -14,22 +14,22 @@ std::string name_of(const BeadName& bead) {
   return fmt::format("bead {} of swimmer {}", bead.bead + 1, bead.swimmer);
 }
 
-/// "bead 2 of swimmer 7 at (x, y, z)", in the layout's units.
+/// Returns "bead 2 of swimmer 7 at (x, y, z)", in units of the layout.
 std::string place_of(const Fault& fault, const LatticeScales& scales) {
   const Vec3 p = fault.position * scales.cell;
   return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_of(fault.bead), p[0], p[1], p[2]);
 }
 
-/// Why numbers are likely to have grown without bound, or beads to be too fast.
+/// Returns the likely cause of non-finite numbers or of beads that are too fast, with a remedy.
 std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_so_far) {
   const double density = on_lattice.density_on_lattice(), tau = on_lattice.lattice.relaxation_time;
-  if (density < light_bead) {
+  if (density < min_stable_density) {
     return fmt::format(
         "beads of {:.3g} times the fluid's density on the lattice are too light for the "
         "explicit coupling: take {}--bead-boundary psm, or a larger --relaxation-time",
         density, on_lattice.corrects_delay ? "" : "--delay-correction on, ");
   }
-  if (tau < least_viscous) {
+  if (tau < min_stable_relaxation_time) {
     return fmt::format(
         "at tau {:.4g} the fluid's viscosity hardly damps what cells do not resolve: take a "
         "larger --relaxation-time, or more --cells-per-radius",
@@ -37,7 +37,7 @@ std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_s
   }
   const std::string smaller_step =
       "take a smaller step by a smaller --relaxation-time or more --cells-per-radius";
-  if (mach_so_far > fast_bead)
+  if (mach_so_far > max_incompressible_mach)
     return fmt::format("beads have been at Mach {:.2g}: drive them less, or {}", mach_so_far, smaller_step);
   return fmt::format("drive beads less, or {}", smaller_step);
 }
@@ -53,17 +53,17 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
       return fmt::format(
           "the arm from {} to bead {} is torn: {:.3g} times its rest length, over {}; weaker "
           "driving or stiffer springs keep it whole",
-          place_of(fault, scales), fault.other.bead + 1, fault.value, longest_stretch);
+          place_of(fault, scales), fault.other.bead + 1, fault.value, max_stretch);
     case FaultKind::wall:
       return fmt::format(
           "{} touches a wall: its surface is {:.3g} from it, and must stay {:.3g} off, half "
           "a cell; a larger box or weaker driving keeps it off",
-          place_of(fault, scales), fault.value * scales.cell, nearest_to_wall * scales.cell);
+          place_of(fault, scales), fault.value * scales.cell, min_wall_gap * scales.cell);
     case FaultKind::overlap:
       return fmt::format(
           "{} and {} are pressed into each other by {:.3g} of the smaller one's radius, over "
           "{}; weaker driving or stiffer springs keep them apart",
-          place_of(fault, scales), name_of(fault.other), fault.value, deepest_overlap);
+          place_of(fault, scales), name_of(fault.other), fault.value, max_overlap);
     case FaultKind::not_finite:
       return fmt::format("the fluid{} has become unstable, its numbers are none any more; {}",
                          fault.names_bead() ? " at " + place_of(fault, scales) : "",

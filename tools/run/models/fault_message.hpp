@@ -7,8 +7,8 @@
 
 namespace beadswim {
 
-/// Where, what, the likely cause and what to change, for people. mach_so_far: of the fastest bead that was
-/// within the limit.
+/// Returns a message for users with place, fault, likely cause and remedy. `mach_so_far`: largest Mach number
+/// of a bead before the fault.
 std::string fault_message(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far);
 
 }  // namespace beadswim

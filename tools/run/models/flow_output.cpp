@@ -13,7 +13,8 @@
 namespace beadswim {
 namespace {
 
-/// Components slowest, as gather_plane gives them, to components innermost, as VTK wants them.
+/// Converts a plane with one block per component (gather_plane) to the order of VTK, with all components of a
+/// cell adjacent.
 std::vector<float> interleaved(const std::vector<double>& plane, int components) {
   const std::size_t cells = plane.size() / components;
   std::vector<float> result;
@@ -72,36 +73,36 @@ void FlowOutput::write(const CoupledSystem& system) {
         }};
   };
   const double pressure = scales_.density * scales_.velocity() * scales_.velocity() / 3;
-  struct InBead {
+  struct CoveredCell {
     Vec3 velocity;
     double number;
   };
-  std::unordered_map<std::ptrdiff_t, InBead> in_beads;  // covered cells hold no fluid
+  std::unordered_map<std::ptrdiff_t, CoveredCell> covered_cells;  // covered cells contain no fluid
   system.coverage().for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
     const BeadOnLattice& covering = system.beads_here()[bead];
-    in_beads.emplace(cell, InBead{covering.velocity_at(from_centre), 1.0 + covering.name.bead});
+    covered_cells.emplace(cell, CoveredCell{covering.velocity_at(from_centre), 1.0 + covering.name.bead});
   });
   const std::vector<VtiField> fields{
       field("velocity", 3,
             [&](int k, std::ptrdiff_t cell) {
-              const auto in_bead = in_beads.find(cell);
-              const Vec3 velocity = in_bead != in_beads.end()
-                                        ? in_bead->second.velocity
+              const auto covered_cell = covered_cells.find(cell);
+              const Vec3 velocity = covered_cell != covered_cells.end()
+                                        ? covered_cell->second.velocity
                                         : cell_moments(system.populations(), cell).momentum;
               return velocity[k] * scales_.velocity();
             }),
       field("pressure", 1,
             [&](int, std::ptrdiff_t cell) {
-              return in_beads.contains(cell)
+              return covered_cells.contains(cell)
                          ? 0.0
                          : cell_moments(system.populations(), cell).density_deviation * pressure;
             }),
       field("bead", 1, [&](int, std::ptrdiff_t cell) {
-        const auto in_bead = in_beads.find(cell);
-        return in_bead != in_beads.end() ? in_bead->second.number : 0.0;
+        const auto covered_cell = covered_cells.find(cell);
+        return covered_cell != covered_cells.end() ? covered_cell->second.number : 0.0;
       })};
   const Index3& cells = system.decomposition().cells();
-  if (!communicator_.is_root()) {  // give rank 0 what it asks for, in the order in which it writes
+  if (!communicator_.is_root()) {  // sends the planes to rank 0 in the order in which it writes them
     for (const VtiField& f : fields) {
       for (int z = 0; z < cells[2]; ++z) f.plane(z);
     }

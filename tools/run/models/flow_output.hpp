@@ -9,21 +9,22 @@
 
 namespace beadswim {
 
-/// Flow fields beside the trajectory: TRAJECTORY.flow/STEP.vti and TRAJECTORY.flow.pvd, in the layout's
-/// units.
+/// Writes flow fields to TRAJECTORY.flow/STEP.vti, with the index TRAJECTORY.flow.pvd, in units of the
+/// layout.
 class FlowOutput {
  public:
-  /// Throws InputError if the folder cannot be created. Fields of each `interval` steps up to step `done` are
-  /// there from an earlier run that this one goes on with.
+  /// Creates the folder. `interval`: steps between fields. `done`: last step of the earlier run that this run
+  /// continues, or 0; its fields up to this step are kept in the index. Throws InputError if the folder
+  /// cannot be created.
   FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
              const Communicator& communicator);
 
-  /// Velocity, pressure (over that of the resting fluid) and bead of every cell as they are now. Collective.
+  /// Writes velocity, pressure relative to the fluid at rest, and bead number of each cell. Collective.
   void write(const CoupledSystem& system);
 
  private:
   PvdEntry entry_of(long step) const;
-  void remove_after(long done) const;  ///< fields of later steps, which will be taken again
+  void remove_after(long done) const;  ///< removes fields of later steps, which will be written again
 
   std::string stem_;
   LatticeScales scales_;

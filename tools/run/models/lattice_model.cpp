@@ -38,14 +38,14 @@ std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) 
 
 }  // namespace
 
-LatticePlan::LatticePlan(const Layout& layout, const RunOptions& asked, const std::string& source,
+LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                          const Communicator& ranks)
-    : communicator(ranks), on_lattice(put_on_lattice(layout, asked.settings.lattice, source)) {
-  refuse_flags(asked, {"--tolerance", "--steps-per-cycle"},
+    : communicator(ranks), on_lattice(put_on_lattice(layout, requested.settings.lattice, source)) {
+  refuse_flags(requested, {"--tolerance", "--steps-per-cycle"},
                "is of the mobility models; leave it out, or add --model rpy, rpy+near or oseen");
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
-  options = asked;
+  options = requested;
   options.settings.lattice.cells_per_radius = on_lattice.resolution.cells_per_radius;
   options.settings.lattice.relaxation_time = on_lattice.resolution.relaxation_time;
   units = {.length = lattice.scales.cell, .time = lattice.scales.step};
@@ -83,7 +83,7 @@ LatticeModel::LatticeModel(const LatticePlan& plan, long flow_until)
       first_totals_(system_.totals()),
       last_totals_(first_totals_) {}
 
-SwimmerName LatticeModel::own_swimmer(int number) const {
+SwimmerIdentity LatticeModel::own_swimmer(int number) const {
   const SwimmerState& swimmer = system_.owned_swimmers()[number];
   return {.id = swimmer.id, .type = swimmer.type};
 }
@@ -93,17 +93,17 @@ std::array<Vec3, 3> LatticeModel::bead_positions(int number, double ahead) const
   std::array<Vec3, 3> positions;
   for (int b = 0; b < 3; ++b) {
     const BeadMotion& bead = swimmer.motion[b];
-    const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // a step
+    const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // per step
     positions[b] = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
   }
   return positions;
 }
 
-std::vector<SwimmerSight> LatticeModel::gather_swimmers() const {
-  std::vector<SwimmerSight> sights;
+std::vector<SwimmerPose> LatticeModel::gather_swimmers() const {
+  std::vector<SwimmerPose> poses;
   for (const SwimmerState& swimmer : system_.gather_swimmers())
-    sights.push_back({.id = swimmer.id, .initial_axis = swimmer.initial_axis, .motion = swimmer.motion});
-  return sights;
+    poses.push_back({.id = swimmer.id, .initial_axis = swimmer.initial_axis, .motion = swimmer.motion});
+  return poses;
 }
 
 ModelTotals LatticeModel::in_layout_units(const SceneTotals& totals) const {
@@ -142,18 +142,18 @@ std::vector<std::string> LatticeModel::warnings() const {
   return warnings_after(largest_mach());
 }
 
-void LatticeModel::write_past(OutgoingMessage& past) const {
-  past(system_.moment(), first_totals_);
+void LatticeModel::write_history(OutgoingMessage& history) const {
+  history(system_.progress(), first_totals_);
 }
 
 void LatticeModel::write_state(CheckpointWriter& checkpoint) {
   write_lattice_state(checkpoint, system_, communicator_);
 }
 
-void LatticeModel::restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) {
-  SystemMoment moment{.steps_done = steps_done};
-  past(moment, first_totals_);
-  read_lattice_state(checkpoint, system_, moment, communicator_);
+void LatticeModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
+  SystemProgress progress{.steps_done = steps_done};
+  history(progress, first_totals_);
+  read_lattice_state(checkpoint, system_, progress, communicator_);
   first_step_ = steps_done;
 }
 

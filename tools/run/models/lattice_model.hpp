@@ -5,14 +5,15 @@
 #include "models/flow_output.hpp"
 #include "models/model.hpp"
 
-// Beads resolved in a lattice-Boltzmann fluid (libs/coupling), as a run drives them.
+// Model of a run: resolved beads in a lattice-Boltzmann fluid (libs/coupling).
 
 namespace beadswim {
 
+/// Plan of a run with the model lbm.
 struct LatticePlan : ModelPlan {
-  /// communicator: must outlive it. Throws InputError as put_on_lattice (scene_on_lattice.hpp) does, or if
-  /// the machine has too little memory. Collective.
-  LatticePlan(const Layout& layout, const RunOptions& asked, const std::string& source,
+  /// The communicator must outlive the plan. Throws InputError as put_on_lattice() does
+  /// (scene_on_lattice.hpp), and if the machine has too little memory. Collective.
+  LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
               const Communicator& communicator);
 
   std::unique_ptr<Model> make(long flow_until) const override;
@@ -21,6 +22,7 @@ struct LatticePlan : ModelPlan {
   SceneOnLattice on_lattice;
 };
 
+/// The model lbm.
 class LatticeModel : public Model {
  public:
   LatticeModel(const LatticePlan& plan, long flow_until);
@@ -29,9 +31,9 @@ class LatticeModel : public Model {
   long steps_done() const override { return system_.steps_done(); }
 
   int own_swimmers() const override { return static_cast<int>(system_.owned_swimmers().size()); }
-  SwimmerName own_swimmer(int number) const override;
+  SwimmerIdentity own_swimmer(int number) const override;
   std::array<Vec3, 3> bead_positions(int number, double ahead) const override;
-  std::vector<SwimmerSight> gather_swimmers() const override;
+  std::vector<SwimmerPose> gather_swimmers() const override;
 
   ModelTotals first_totals() const override { return in_layout_units(first_totals_); }
   ModelTotals totals() override;
@@ -41,9 +43,9 @@ class LatticeModel : public Model {
   void describe(RunRecord& record) const override;
   std::vector<std::string> warnings() const override;
 
-  void write_past(OutgoingMessage& past) const override;
+  void write_history(OutgoingMessage& history) const override;
   void write_state(CheckpointWriter& checkpoint) override;
-  void restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) override;
+  void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) override;
 
  private:
   ModelTotals in_layout_units(const SceneTotals& totals) const;
@@ -53,8 +55,8 @@ class LatticeModel : public Model {
   const Communicator& communicator_;
   CoupledSystem system_;
   std::optional<FlowOutput> flow_;
-  long first_step_ = 0;                     ///< of this program's own
-  SceneTotals first_totals_, last_totals_;  ///< lattice units
+  long first_step_ = 0;                     ///< first step that this program computes
+  SceneTotals first_totals_, last_totals_;  ///< in lattice units
   long last_totals_step_ = 0;
 };
 

@@ -13,12 +13,12 @@ namespace {
 CommunicationRecord communication_of(const CoupledSystem& system, long steps,
                                      const Communicator& communicator) {
   const Traffic sent = system.traffic();
-  std::array<std::int64_t, 3> most{system.neighbours(), sent.messages, sent.bytes};
-  MPI_Allreduce(MPI_IN_PLACE, most.data(), most.size(), MPI_INT64_T, MPI_MAX, communicator.get());
-  const double each = 1 / std::max(1.0, static_cast<double>(steps));
-  return {.neighbours = static_cast<int>(most[0]),
-          .messages_per_step = each * static_cast<double>(most[1]),
-          .bytes_per_step = each * static_cast<double>(most[2])};
+  std::array<std::int64_t, 3> maxima{system.neighbours(), sent.messages, sent.bytes};
+  MPI_Allreduce(MPI_IN_PLACE, maxima.data(), maxima.size(), MPI_INT64_T, MPI_MAX, communicator.get());
+  const double per_step = 1 / std::max(1.0, static_cast<double>(steps));
+  return {.neighbours = static_cast<int>(maxima[0]),
+          .messages_per_step = per_step * static_cast<double>(maxima[1]),
+          .bytes_per_step = per_step * static_cast<double>(maxima[2])};
 }
 
 DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice& on_lattice) {
@@ -67,7 +67,7 @@ void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const 
   cost.mlups = 1e-6 * static_cast<double>(*cost.cell_updates) / cost.wall_seconds;
   cost.communication = communication_of(system, own_steps, communicator);
   record.near_contact = near_contact_of(system, on_lattice);
-  // After a fault swimmers waited where they were: the last state is no result.
+  // After a fault, swimmers are no longer advanced, so the last state is not a result.
   if (record.status != RunStatus::failed && record.status != RunStatus::stopped_speed)
     record.state_sha256 = state_sha256(system, communicator);
 }

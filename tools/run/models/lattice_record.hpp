@@ -6,9 +6,10 @@
 
 namespace beadswim {
 
-/// Adds to a record with status and cost what is a lattice run's own: model, resolution, dimensionless
-/// numbers, near contact, cell updates, communication and the state's hash. `own_steps`: done by this
-/// program, not by one that it goes on from. Whole on rank 0. Collective.
+/// Adds the data of a lattice run to a record that contains status and cost: model, resolution, dimensionless
+/// numbers, near contact, cell updates, communication and hash of the state. `own_steps`: number of steps
+/// that this program has computed, without those of a run that it continues. The record is complete on rank 0
+/// only. Collective.
 void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const SceneOnLattice& on_lattice,
                           long own_steps, const Communicator& communicator);
 

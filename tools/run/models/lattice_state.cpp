@@ -15,7 +15,7 @@ LatticePart part_of(const CoupledSystem& system, const Communicator& communicato
   return {.cells = decomposition.cells(), .offset = block.offset, .size = block.size};
 }
 
-/// The populations of one rank, as they are stored.
+/// Adds the populations of one rank to a checkpoint, in the precision in which they are stored.
 template <class Real>
 void add_populations(CheckpointWriter& file, const CoupledSystem& system, const LatticePart& part) {
   const Populations& populations = system.populations();
@@ -37,30 +37,31 @@ void read_populations(const CheckpointReader& file, Populations& populations, co
   });
 }
 
-/// Farther from the box, in cells, no bead has ever come.
-constexpr double farthest = 1e9;
+/// Upper bound of a valid bead coordinate [cell].
+constexpr double max_coordinate = 1e9;
 
 bool is_sound(const SwimmerState& swimmer, const PlacedSwimmer& of_scene) {
   return swimmer.id == of_scene.id && swimmer.type == of_scene.type &&
          std::ranges::all_of(swimmer.motion, [](const BeadMotion& bead) {
-           return (bead.position.array().abs() < farthest).all() && bead.velocity.allFinite() &&
+           return (bead.position.array().abs() < max_coordinate).all() && bead.velocity.allFinite() &&
                   bead.angular_velocity.allFinite();
          });
 }
 
-/// Of all swimmers, which must be the scene's, those that this rank owns, read some thousands at a time.
+/// Reads all swimmers of the checkpoint in chunks and returns those that this rank owns. Throws SolverError
+/// unless the swimmers are those of the scene.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
-  const std::uint64_t all = file.size(swimmers_section), some = 4096 * snapshot_size();
+  const std::uint64_t total_bytes = file.size(swimmers_section), chunk_bytes = 4096 * snapshot_size();
   const std::vector<PlacedSwimmer>& of_scene = system.scene().swimmers;
-  if (all != of_scene.size() * snapshot_size())
+  if (total_bytes != of_scene.size() * snapshot_size())
     throw SolverError(
         file.path() +
         ": has swimmers of another scene; take the other checkpoint, or begin without --restart");
   auto next = of_scene.begin();
   std::vector<SwimmerSnapshot> owned;
-  for (std::uint64_t first = 0; first < all; first += some) {
-    for (SwimmerSnapshot& swimmer :
-         snapshots_from_bytes(file.bytes(swimmers_section, first, std::min(some, all - first)))) {
+  for (std::uint64_t first = 0; first < total_bytes; first += chunk_bytes) {
+    for (SwimmerSnapshot& swimmer : snapshots_from_bytes(
+             file.bytes(swimmers_section, first, std::min(chunk_bytes, total_bytes - first)))) {
       if (!is_sound(swimmer.state, *next++))
         throw SolverError(
             file.path() +
@@ -80,10 +81,10 @@ void write_lattice_state(CheckpointWriter& file, CoupledSystem& system, const Co
                [&]<class Real>() { add_populations<Real>(file, system, part); });
 }
 
-void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemMoment& moment,
+void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress,
                         const Communicator& communicator) {
   const LatticePart part = part_of(system, communicator);
-  system.restore(moment, owned_swimmers(file, system), [&](Populations& populations) {
+  system.restore(progress, owned_swimmers(file, system), [&](Populations& populations) {
     in_precision(populations.precision(),
                  [&]<class Real>() { read_populations<Real>(file, populations, part); });
   });

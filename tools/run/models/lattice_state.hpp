@@ -3,15 +3,16 @@
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
 
-// What a checkpoint keeps of a lattice run: populations, and swimmers with the impulses under way to them.
+// Sections of a checkpoint for a lattice run: populations, and swimmers with their pending impulses.
 
 namespace beadswim {
 
-/// Collective.
+/// Writes the state of the system to a checkpoint. Collective.
 void write_lattice_state(CheckpointWriter& file, CoupledSystem& system, const Communicator& communicator);
 
-/// Sets the system to where the checkpoint's was. Collective.
-void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemMoment& moment,
+/// Restores the system from a checkpoint. Throws SolverError if its swimmers are not those of the scene.
+/// Collective.
+void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress,
                         const Communicator& communicator);
 
 }  // namespace beadswim

@@ -14,46 +14,50 @@
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "command_line/options.hpp"
 
-// What a run drives: swimmers in a fluid, whatever the model of the fluid. A ModelPlan says what the run will
-// be, and makes the Model. All is in the layout's units, but for motions and positions of beads, which are in
-// the model's own: samples in checkpoints stay the numbers that the model has. All ranks call everything
-// together unless a function says that it is one rank's own.
+// Interface between the time loop of a run and the model of the fluid. A ModelPlan describes a run and makes
+// its Model.
+//
+// Quantities are in units of the layout. Positions and motions of beads are an exception: they are in units
+// of the model [ModelUnits], so that a checkpoint stores samples without a conversion.
+//
+// All functions are collective, unless their comment says that they are local to one rank.
 
 namespace beadswim {
 
-/// A model's units, in the layout's.
+/// Units of a model, expressed in units of the layout.
 struct ModelUnits {
   double length = 1, time = 1;
 
   double velocity() const { return length / time; }
 };
 
-/// A swimmer, and whose driving it has.
-struct SwimmerName {
+/// Id and type of a swimmer.
+struct SwimmerIdentity {
   int id = 0;
-  int type = 0;  ///< index into ModelPlan::periods
+  int type = 0;  ///< index into ModelPlan::periods and ModelPlan::radii
 };
 
-/// A swimmer as it is now.
-struct SwimmerSight {
+/// Present positions and velocities of a swimmer's beads.
+struct SwimmerPose {
   int id = 0;
   Vec3 initial_axis = Vec3::UnitX();
   SwimmerMotion motion;  ///< [ModelUnits]
 };
 
-/// Sums over the whole scene.
+/// Sums over the complete scene.
 struct ModelTotals {
-  std::optional<Vec3> momentum;       ///< of fluid and beads [mass length/time]
-  Vec3 mean_flow = Vec3::Zero();      ///< volume mean of the velocity of fluid and beads [length/time]
-  std::optional<double> mass_excess;  ///< beyond the resting fluid's, relative to that
+  std::optional<Vec3> momentum;       ///< momentum of fluid and beads [mass length/time]
+  Vec3 mean_flow = Vec3::Zero();      ///< velocity of fluid and beads, averaged over the volume [length/time]
+  std::optional<double> mass_excess;  ///< mass relative to the fluid at rest, minus 1
 };
 
-/// Why a run cannot go on.
+/// Fault that ends a run.
 struct ModelFault {
-  RunStatus status = RunStatus::failed;  ///< or stopped_speed
-  std::string message;                   ///< where, what, the likely cause and what to change, for people
+  RunStatus status = RunStatus::failed;  ///< failed or stopped_speed
+  std::string message;                   ///< place, fault, likely cause and remedy, for users
 };
 
+/// Swimmers in a fluid, advanced step by step.
 class Model {
  public:
   Model() = default;
@@ -61,60 +65,66 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// What becomes unphysical is noted, not thrown: fault() tells.
+  /// Advances by one time step. Does not throw if the state becomes unphysical; fault() then returns the
+  /// fault.
   virtual void step() = 0;
-  /// Of the whole run; one rank's own.
+  /// Returns the number of steps since the start of the run, including steps of runs that it continues.
+  /// Local.
   virtual long steps_done() const = 0;
 
-  /// Swimmers that this rank moves, numbered from 0, until the next step; these three are one rank's own.
+  /// Returns the number of swimmers that this rank owns until the next step. Local.
   virtual int own_swimmers() const = 0;
-  virtual SwimmerName own_swimmer(int number) const = 0;
-  /// Where its beads are `ahead` of now, a part of a step before or after, to second order [ModelUnits].
+  /// Returns id and type of an own swimmer, numbered from 0. Local.
+  virtual SwimmerIdentity own_swimmer(int number) const = 0;
+  /// Returns the bead positions of an own swimmer at the present time plus `ahead`, to second order in
+  /// `ahead` [ModelUnits]. `ahead`: fraction of a step, positive or negative. Local.
   virtual std::array<Vec3, 3> bead_positions(int number, double ahead) const = 0;
-  /// All swimmers in order of their ids on rank 0; empty elsewhere.
-  virtual std::vector<SwimmerSight> gather_swimmers() const = 0;
+  /// Returns all swimmers in the order of their ids on rank 0, and an empty list on other ranks.
+  virtual std::vector<SwimmerPose> gather_swimmers() const = 0;
 
-  virtual ModelTotals first_totals() const = 0;  ///< at the run's start
-  virtual ModelTotals totals() = 0;
-  /// The first of what has gone wrong on any rank, in steps or in the totals if they were taken after this
-  /// one; alike on all ranks.
+  virtual ModelTotals first_totals() const = 0;  ///< totals at the start of the run
+  virtual ModelTotals totals() = 0;              ///< evaluates the present totals
+  /// Returns the first fault on any rank, or nullopt. The totals are checked only if they were evaluated
+  /// after the last step. Returns the same on all ranks.
   virtual std::optional<ModelFault> fault() const = 0;
 
-  /// Writes the fields of the flow as they are now, if the plan's options ask for any.
+  /// Writes the present flow fields if the options of the plan request flow fields.
   virtual void write_flow() = 0;
-  /// Adds what it alone knows to a record that has status, momentum and cost.
+  /// Adds the data of the model to a record that contains status, momentum and cost.
   virtual void describe(RunRecord& record) const = 0;
-  /// What, of the steps done, may have made results wrong, each a line for people.
+  /// Returns warnings on the steps done that may have impaired the results, one line each.
   virtual std::vector<std::string> warnings() const = 0;
 
-  /// A checkpoint: few numbers of its past on rank 0, and sections that the future follows from.
-  virtual void write_past(OutgoingMessage& past) const = 0;
+  /// Writes the history of the run that a checkpoint keeps (few numbers, on rank 0).
+  virtual void write_history(OutgoingMessage& history) const = 0;
+  /// Writes the state, from which the run continues, as sections of a checkpoint.
   virtual void write_state(CheckpointWriter& checkpoint) = 0;
-  virtual void restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) = 0;
+  /// Restores the history and the state of a run that had completed `steps_done` steps.
+  virtual void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) = 0;
 };
 
-/// What is known of a model's run before it takes memory for it.
+/// Description of a run that is known before memory for its model is allocated.
 struct ModelPlan {
   ModelPlan() = default;
   virtual ~ModelPlan() = default;
   ModelPlan(const ModelPlan&) = delete;
   ModelPlan& operator=(const ModelPlan&) = delete;
 
-  /// The model at its start. Fields of the flow up to step `flow_until` are there from an earlier run. Throws
-  /// InputError alike on all ranks. The plan must outlive it.
+  /// Makes the model in its initial state. `flow_until`: step up to which an earlier run has written flow
+  /// fields. The plan must outlive the model. Throws InputError on all ranks.
   virtual std::unique_ptr<Model> make(long flow_until) const = 0;
 
-  RunOptions options;  ///< with what the plan chose where they left it open
+  RunOptions options;  ///< requested options, with the choices of the plan for those left open
   ModelUnits units;
-  double base_period = 0;  ///< by which cycles of the run are counted [time]
-  double time_step = 0;    ///< [time]
-  long steps_per_cycle = 0;
-  std::vector<double> periods;               ///< of each type's driving [step]
-  std::vector<std::array<double, 3>> radii;  ///< of each type's beads 1, 2, 3 [length]
-  std::vector<PlacedSwimmer> swimmers;       ///< in order of their ids [ModelUnits]
-  std::optional<double> cells;               ///< none: no lattice
-  std::string announcement;                  ///< what the run is, in a line
-  std::vector<std::string> warnings;         ///< what may go wrong, each a line
+  double base_period = 0;                    ///< duration of one cycle of the run [time]
+  double time_step = 0;                      ///< [time]
+  long steps_per_cycle = 0;                  ///< time steps per base cycle
+  std::vector<double> periods;               ///< driving period of each type [step]
+  std::vector<std::array<double, 3>> radii;  ///< radii of beads 1, 2, 3 of each type [length]
+  std::vector<PlacedSwimmer> swimmers;       ///< in the order of their ids [ModelUnits]
+  std::optional<double> cells;               ///< number of lattice cells; nullopt without a lattice
+  std::string announcement;                  ///< description of the run, one line
+  std::vector<std::string> warnings;         ///< warnings that are known before the run, one line each
 };
 
 }  // namespace beadswim

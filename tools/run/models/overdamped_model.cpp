@@ -16,13 +16,13 @@ constexpr const char* beads_section = "overdamped";
 
 }  // namespace
 
-OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& asked, const std::string& source,
+OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                                const Communicator& ranks)
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
-  refuse_lattice_flags(asked, asked.settings.model);
-  options = asked;
-  OverdampedSetup setup =
-      overdamped_setup(layout, *mobility_model(asked.settings.model), asked.settings.mobility, source);
+  refuse_lattice_flags(requested, requested.settings.model);
+  options = requested;
+  OverdampedSetup setup = overdamped_setup(layout, *mobility_model(requested.settings.model),
+                                           requested.settings.mobility, source);
   scene = std::move(setup.scene);
   swimmers = scene.swimmers;
   base_period = setup.base_period;
@@ -50,7 +50,7 @@ int OverdampedModel::own_swimmers() const {
   return static_cast<int>(last - first);
 }
 
-SwimmerName OverdampedModel::own_swimmer(int number) const {
+SwimmerIdentity OverdampedModel::own_swimmer(int number) const {
   const PlacedSwimmer& swimmer = plan_.swimmers[system_.own_swimmers().first + number];
   return {.id = swimmer.id, .type = swimmer.type};
 }
@@ -67,18 +67,18 @@ std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) co
   return positions;
 }
 
-std::vector<SwimmerSight> OverdampedModel::gather_swimmers() const {
-  std::vector<SwimmerSight> sights;
-  if (!plan_.communicator.is_root()) return sights;
+std::vector<SwimmerPose> OverdampedModel::gather_swimmers() const {
+  std::vector<SwimmerPose> poses;
+  if (!plan_.communicator.is_root()) return poses;
   for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
-    SwimmerSight sight{.id = plan_.swimmers[s].id, .initial_axis = plan_.swimmers[s].axis, .motion = {}};
+    SwimmerPose pose{.id = plan_.swimmers[s].id, .initial_axis = plan_.swimmers[s].axis, .motion = {}};
     for (int b = 0; b < 3; ++b) {
-      sight.motion[b].position = system_.positions()[3 * s + b];
-      sight.motion[b].velocity = system_.velocities()[3 * s + b];
+      pose.motion[b].position = system_.positions()[3 * s + b];
+      pose.motion[b].velocity = system_.velocities()[3 * s + b];
     }
-    sights.push_back(sight);
+    poses.push_back(pose);
   }
-  return sights;
+  return poses;
 }
 
 std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
@@ -102,7 +102,7 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           "bead {} {} is {:.3g} beyond a wall; take more --steps-per-cycle, drive it less, or enlarge the "
           "box",
           fault.bead, place, fault.value);
-    case OverdampedFaultKind::unsolved:
+    case OverdampedFaultKind::not_converged:
       return "velocities and forces that go together were not found; take more --steps-per-cycle, drive it "
              "less, or take weaker dashpots" +
              other_model;
@@ -136,7 +136,7 @@ void OverdampedModel::describe(RunRecord& record) const {
       .steps_per_cycle = plan_.steps_per_cycle,
       .tolerance = plan_.scene.tolerance,
       .products = state.products,
-      .cut_off = sums ? std::optional(sums->cut_off) : std::nullopt,
+      .cut_off = sums ? std::optional(sums->cutoff) : std::nullopt,
       .mesh_spacing = sums ? std::optional(sums->spacing) : std::nullopt,
       .smallest_gap = std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap) : std::nullopt};
   if (system_.fault()) return;
@@ -156,8 +156,8 @@ std::vector<std::string> OverdampedModel::warnings() const {
       knows_films ? "the repulsion is no physics" : "point models know nothing of the film between them")};
 }
 
-void OverdampedModel::write_past(OutgoingMessage& past) const {
-  past(system_.state());
+void OverdampedModel::write_history(OutgoingMessage& history) const {
+  history(system_.state());
 }
 
 void OverdampedModel::write_state(CheckpointWriter& checkpoint) {
@@ -168,10 +168,10 @@ void OverdampedModel::write_state(CheckpointWriter& checkpoint) {
   checkpoint.add(beads_section, message.bytes());
 }
 
-void OverdampedModel::restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) {
+void OverdampedModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
   OverdampedState state;
   state.steps_done = steps_done;
-  past(state);
+  history(state);
   IncomingMessage message(checkpoint.bytes(beads_section, 0, checkpoint.size(beads_section)));
   OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
   if (!message.is_at_end())

@@ -4,14 +4,15 @@
 #include "beadswim/overdamped/overdamped_system.hpp"
 #include "models/model.hpp"
 
-// Beads as points of a mobility, without inertia (libs/overdamped), as a run drives them.
+// Model of a run: beads with a mobility, without inertia (libs/overdamped).
 
 namespace beadswim {
 
+/// Plan of a run with a mobility model.
 struct OverdampedPlan : ModelPlan {
-  /// communicator: must outlive it. Throws InputError if the layout has no-slip walls or is too narrow,
-  /// or options are the lattice's.
-  OverdampedPlan(const Layout& layout, const RunOptions& asked, const std::string& source,
+  /// The communicator must outlive the plan. Throws InputError if the layout has no-slip walls, if its box is
+  /// too narrow, or if an option applies to lattices only.
+  OverdampedPlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                  const Communicator& communicator);
 
   std::unique_ptr<Model> make(long flow_until) const override;
@@ -21,6 +22,7 @@ struct OverdampedPlan : ModelPlan {
   double kinematic_viscosity = 0;
 };
 
+/// The models rpy, rpy+near and oseen.
 class OverdampedModel : public Model {
  public:
   explicit OverdampedModel(const OverdampedPlan& plan);
@@ -29,21 +31,21 @@ class OverdampedModel : public Model {
   long steps_done() const override { return system_.steps_done(); }
 
   int own_swimmers() const override;
-  SwimmerName own_swimmer(int number) const override;
+  SwimmerIdentity own_swimmer(int number) const override;
   std::array<Vec3, 3> bead_positions(int number, double ahead) const override;
-  std::vector<SwimmerSight> gather_swimmers() const override;
+  std::vector<SwimmerPose> gather_swimmers() const override;
 
   ModelTotals first_totals() const override { return {}; }
-  ModelTotals totals() override { return {}; }  // no inertia, no volume flux
+  ModelTotals totals() override { return {}; }  // without inertia, momentum and mean flow are not evaluated
   std::optional<ModelFault> fault() const override;
 
   void write_flow() override {}
   void describe(RunRecord& record) const override;
   std::vector<std::string> warnings() const override;
 
-  void write_past(OutgoingMessage& past) const override;
+  void write_history(OutgoingMessage& history) const override;
   void write_state(CheckpointWriter& checkpoint) override;
-  void restore(long steps_done, IncomingMessage& past, const CheckpointReader& checkpoint) override;
+  void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) override;
 
  private:
   std::string message_of(const OverdampedFault& fault) const;

@@ -27,17 +27,17 @@ void warn_of_resolution(Lines& lines, const SceneOnLattice& on_lattice) {
 }
 
 void warn_of_stability(Lines& lines, const SceneOnLattice& on_lattice) {
-  if (on_lattice.density_on_lattice() < light_bead) {
+  if (on_lattice.density_on_lattice() < min_stable_density) {
     lines.push_back(fmt::format(
         "beads of {:.3g} times the fluid's density on the lattice; the coupling is explicit, and below {} it "
         "may become unstable; --delay-correction on helps, with it a larger --relaxation-time",
-        on_lattice.density_on_lattice(), light_bead));
+        on_lattice.density_on_lattice(), min_stable_density));
   }
-  if (on_lattice.lattice.relaxation_time < least_viscous) {
+  if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time) {
     lines.push_back(fmt::format(
         "tau {:.4g} is so near 1/2 that the fluid hardly damps what cells do not resolve, and may become "
         "unstable, or turbulent where it should not; take {} or more",
-        on_lattice.lattice.relaxation_time, least_viscous));
+        on_lattice.lattice.relaxation_time, min_stable_relaxation_time));
   }
   if (on_lattice.damps_springs) {
     lines.push_back(
@@ -81,7 +81,7 @@ std::vector<std::string> warnings_before(const SceneOnLattice& on_lattice, doubl
 }
 
 std::vector<std::string> warnings_after(double mach) {
-  if (mach <= fast_bead) return {};
+  if (mach <= max_incompressible_mach) return {};
   return {fmt::format(
       "beads reached Mach {:.2g}, where the fluid's compressibility, some {:.0f} % there, changes what they "
       "do; take a smaller step by a smaller --relaxation-time or more --cells-per-radius",

@@ -5,14 +5,14 @@
 
 #include "beadswim/coupling/scene_on_lattice.hpp"
 
-// What a lattice run says on standard error and does all the same, a line each.
+// Warnings of a lattice run, one line each. They do not stop the run.
 
 namespace beadswim {
 
-/// What may go wrong, known before it starts. roundoff: velocity_roundoff().
+/// Returns the warnings that are known before the run. `roundoff`: relative error by velocity_roundoff().
 std::vector<std::string> warnings_before(const SceneOnLattice& on_lattice, double roundoff);
 
-/// A lattice fluid is nearly incompressible only while it is slow. mach: the largest of the run.
+/// Returns a warning if compressibility affects the results. `mach`: largest Mach number of the run.
 std::vector<std::string> warnings_after(double mach);
 
 }  // namespace beadswim

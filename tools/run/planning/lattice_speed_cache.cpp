@@ -69,7 +69,7 @@ LatticeSpeed speed_of_this_machine(const Communicator& communicator) {
   broadcast(text, communicator);
   if (text.empty()) {
     if (communicator.is_root())
-      tell("beadswim-run: measuring how fast this machine steps a lattice, once, some seconds\n");
+      print_to_stderr("beadswim-run: measuring how fast this machine steps a lattice, once, some seconds\n");
     const LatticeSpeed speed = LatticeSpeed::measured(communicator);
     if (communicator.is_root()) keep(lattice_speed_to_json(speed), communicator.size());
     return speed;

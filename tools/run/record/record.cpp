@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Largest resident memory of all ranks together.
+/// Returns the sum over all ranks of their largest resident memory [byte]. Collective.
 std::int64_t peak_memory_bytes(const Communicator& communicator) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -18,7 +18,7 @@ std::int64_t peak_memory_bytes(const Communicator& communicator) {
   return bytes;
 }
 
-/// Amplitudes and phase are none if the swimmers' driving differs.
+/// Returns the driving of all swimmers, without amplitudes and phase if they differ between swimmers.
 DrivingRecord driving_of(const Layout& layout, double base_period) {
   const Driving first = layout.resolved_type(layout.swimmers.front()).driving;
   for (const Swimmer& swimmer : layout.swimmers) {
@@ -29,7 +29,7 @@ DrivingRecord driving_of(const Layout& layout, double base_period) {
   return {.period = base_period, .amplitude = first.amplitude, .phase = first.phase};
 }
 
-/// What became of momentum and mass, where the model has them.
+/// Adds momentum and mass change to the record if the model evaluates them.
 void add_conservation(RunRecord& record, const ModelTotals& first, const ModelTotals& last) {
   if (first.momentum && last.momentum)
     record.momentum = MomentumRecord{.total = *last.momentum, .initial = *first.momentum};
@@ -46,7 +46,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   record.units = document.layout.units;
   record.domain = document.layout.domain;
   record.driving = driving_of(document.layout, parts.plan.base_period);
-  if (parts.plan.swimmers.size() <= most_swimmers_listed) record.swimmers = parts.recorder.swimmers();
+  if (parts.plan.swimmers.size() <= max_swimmers_listed) record.swimmers = parts.recorder.swimmers();
   if (!parts.recorder.swarm().empty() || record.swimmers.empty()) record.swarm = parts.recorder.swarm();
   add_conservation(record, parts.model.first_totals(), outcome.last_totals);
   record.cost = RunCost{.wall_seconds = outcome.wall_seconds,

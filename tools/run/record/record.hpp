@@ -7,10 +7,11 @@
 
 namespace beadswim {
 
-/// The run record; whole on rank 0. Collective.
+/// Returns the run record, which is complete on rank 0 only. Collective.
 RunRecord make_record(const RunParts& parts, const LayoutDocument& layout, const RunOutcome& outcome);
 
-/// Returns the numbers of a run in any coherent units; `speed`: the largest of any bead.
+/// Returns the dimensionless numbers of a run without the Mach number. Arguments in any coherent units.
+/// `speed`: largest bead speed. `period`: base period.
 DimensionlessNumbers dimensionless_numbers(std::span<const SwimmerType> types, double speed,
                                            double kinematic_viscosity, double period);
 

@@ -10,8 +10,9 @@
 namespace beadswim {
 namespace {
 
-/// All but equal where both ends are: the mean flow at a time between two frames.
-Vec3 between(double part, const Vec3& first, const Vec3& last) {
+/// Interpolates linearly between `first` (part = 0) and `last` (part = 1). std::lerp returns exactly the
+/// common value if both are equal.
+Vec3 interpolate(double part, const Vec3& first, const Vec3& last) {
   Vec3 result;
   for (int a = 0; a < 3; ++a) result[a] = std::lerp(first[a], last[a], part);
   return result;
@@ -49,7 +50,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
 
 std::vector<SwimmerRecord> Recorder::swimmers() const {
   std::vector<SwimmerRecord> records;
-  for (const Log& log : logs_) records.push_back(log.record);
+  for (const SwimmerLog& log : logs_) records.push_back(log.record);
   return records;
 }
 
@@ -61,73 +62,78 @@ void Recorder::sample(const Model& model) {
   const long step = model.steps_done();
   if (!schedules_.is_any_due(step)) return;
   for (int swimmer = 0; swimmer < model.own_swimmers(); ++swimmer) {
-    const SwimmerName name = model.own_swimmer(swimmer);
+    const SwimmerIdentity name = model.own_swimmer(swimmer);
     if (!schedules_.is_due(name.type, step)) continue;
     const SamplingSchedule& schedule = schedules_.of(name.type);
     const long number = schedule.number_at(step);
-    // A cycle ends at its own time, from which the nearest step is less than half a step away.
+    // The end of a cycle is sampled at its exact time, which differs from this step by less than half a step.
     const bool ends_cycle = number % schedule.per_cycle() == 0;
     const double time = ends_cycle ? schedule.time_of(number) : static_cast<double>(step);
-    const Note note{.id = name.id,
-                    .number = number,
-                    .time = time,
-                    .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
-    notes_(note);
+    const PositionSample position_sample{
+        .id = name.id,
+        .number = number,
+        .time = time,
+        .positions = model.bead_positions(swimmer, time - static_cast<double>(step))};
+    pending_samples_(position_sample);
   }
-  schedules_.go_on_from(step + 1);
+  schedules_.advance_to(step + 1);
 }
 
-void Recorder::gather_notes() {
-  IncomingMessage arrived(gather_bytes(notes_.bytes(), communicator_));
-  notes_ = {};
+void Recorder::gather_samples() {
+  IncomingMessage arrived(gather_bytes(pending_samples_.bytes(), communicator_));
+  pending_samples_ = {};
   while (!arrived.is_at_end()) arrived(gathered_.emplace_back());
 }
 
-void Recorder::take_notes(const Moment& now) {
-  std::ranges::sort(gathered_, {}, [](const Note& note) { return std::tuple(note.id, note.number); });
-  for (const Note& note : gathered_) {
-    const auto log = std::ranges::lower_bound(logs_, note.id, {},
-                                              [](const Log& candidate) { return candidate.record.id; });
-    take_note(*log, note, now);
+void Recorder::store_samples(const FlowSample& now) {
+  std::ranges::sort(gathered_, {}, [](const PositionSample& position_sample) {
+    return std::tuple(position_sample.id, position_sample.number);
+  });
+  for (const PositionSample& position_sample : gathered_) {
+    const auto log = std::ranges::lower_bound(
+        logs_, position_sample.id, {}, [](const SwimmerLog& candidate) { return candidate.record.id; });
+    store_sample(*log, position_sample, now);
   }
   gathered_.clear();
 }
 
-void Recorder::take_note(Log& log, const Note& note, const Moment& now) {
-  const double time = note.time * time_step_;
+void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_sample, const FlowSample& now) {
+  const double time = position_sample.time * time_step_;
   const double part =
       now.time > last_frame_.time ? (time - last_frame_.time) / (now.time - last_frame_.time) : 1;
-  SwimmerSample sample{
-      .time = time, .bead_positions = {}, .mean_flow = between(part, last_frame_.mean_flow, now.mean_flow)};
-  for (int b = 0; b < 3; ++b) sample.bead_positions[b] = note.positions[b] * units_.length;
+  SwimmerSample sample{.time = time,
+                       .bead_positions = {},
+                       .mean_flow = interpolate(part, last_frame_.mean_flow, now.mean_flow)};
+  for (int b = 0; b < 3; ++b) sample.bead_positions[b] = position_sample.positions[b] * units_.length;
   log.samples.push_back(sample);
-  if (note.number == 0 || note.number % log.samples_per_cycle != 0) return;
-  const int index = static_cast<int>(note.number / log.samples_per_cycle);
+  if (position_sample.number == 0 || position_sample.number % log.samples_per_cycle != 0) return;
+  const int index = static_cast<int>(position_sample.number / log.samples_per_cycle);
   std::vector<CycleStatistics>& cycles = log.record.cycles;
-  if (logs_.size() > most_swimmers_listed) cycles.clear();
+  if (logs_.size() > max_swimmers_listed) cycles.clear();
   cycles.push_back(cycle_statistics(index, log.samples, log.period));
-  log.samples.erase(log.samples.begin(), log.samples.end() - 1);  // one cycle's end is the next one's start
+  log.samples.erase(log.samples.begin(),
+                    log.samples.end() - 1);  // keeps the end, the start of the next
 }
 
 void Recorder::record(const Model& model, const ModelTotals& totals) {
-  const std::vector<SwimmerSight> swimmers = model.gather_swimmers();
+  const std::vector<SwimmerPose> swimmers = model.gather_swimmers();
   const long step = model.steps_done();
-  const Moment now{.time = static_cast<double>(step) * time_step_, .mean_flow = totals.mean_flow};
+  const FlowSample now{.time = static_cast<double>(step) * time_step_, .mean_flow = totals.mean_flow};
   TrajectoryFrame frame{.step = step,
                         .time = now.time,
                         .positions = {},
                         .velocities = {},
                         .mean_flow = now.mean_flow,
                         .momentum = totals.momentum.value_or(Vec3::Zero())};
-  for (const SwimmerSight& swimmer : swimmers) {
+  for (const SwimmerPose& swimmer : swimmers) {
     for (const BeadMotion& bead : swimmer.motion) {
       frame.positions.push_back(bead.position * units_.length);
       frame.velocities.push_back(bead.velocity * units_.velocity());
     }
   }
   trajectory_.append(frame);
-  gather_notes();
-  take_notes(now);
+  gather_samples();
+  store_samples(now);
   last_frame_ = now;
   if (is_cycle_end()) {
     append_cycles(frame.step, frame.time);
@@ -138,21 +144,21 @@ void Recorder::record(const Model& model, const ModelTotals& totals) {
 
 void Recorder::append_cycles(long step, double time) {
   std::vector<CycleStatistics> last;
-  for (const Log& log : logs_) {
+  for (const SwimmerLog& log : logs_) {
     const std::vector<CycleStatistics>& cycles = log.record.cycles;
     last.push_back(cycles.empty() ? record_of_nan<CycleStatistics>() : cycles.back());
   }
   trajectory_.append({.step = step, .time = time, .columns = columns_of(std::move(last))});
 }
 
-void Recorder::append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec3& momentum) {
+void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum) {
   const auto axis = [](const SwimmerMotion& motion) -> Vec3 {
     return (motion[2].position - motion[0].position).normalized();
   };
   std::vector<SwarmMember> members;
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
     const SwimmerMotion& motion = swimmers[s].motion;
-    const Log& log = logs_[s];
+    const SwimmerLog& log = logs_[s];
     SwarmMember& member = members.emplace_back();
     member.axis = axis(motion);
     member.initial_axis = swimmers[s].initial_axis;
@@ -172,27 +178,28 @@ void Recorder::append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec
 template <class Message>
 void Recorder::transfer(Message& message) {
   message(next_frame_, last_frame_.time, last_frame_.mean_flow, gathered_, swarm_);
-  for (Log& log : logs_) message(log.samples, log.record.cycles);
+  for (SwimmerLog& log : logs_) message(log.samples, log.record.cycles);
 }
 
 std::vector<char> Recorder::state() {
-  gather_notes();
+  gather_samples();
   OutgoingMessage message;
   if (communicator_.is_root()) transfer(message);
   return message.bytes();
 }
 
-bool Recorder::fits(long steps_done) const {
+bool Recorder::is_consistent_with(long steps_done) const {
   const bool is_next =
       next_frame_ > 0 && next_frame_ <= steps_done + 1 && step_of_frame(next_frame_) > steps_done;
-  return is_next && std::ranges::all_of(gathered_, [this](const Note& note) {
-           return note.number >= 0 && std::ranges::binary_search(
-                                          logs_, note.id, {}, [](const Log& log) { return log.record.id; });
+  return is_next && std::ranges::all_of(gathered_, [this](const PositionSample& position_sample) {
+           return position_sample.number >= 0 &&
+                  std::ranges::binary_search(logs_, position_sample.id, {},
+                                             [](const SwimmerLog& log) { return log.record.id; });
          });
 }
 
 void Recorder::restore(std::vector<char> state, long steps_done) {
-  schedules_.go_on_from(steps_done + 1);
+  schedules_.advance_to(steps_done + 1);
   if (communicator_.is_root()) {
     IncomingMessage message(std::move(state));
     try {
@@ -201,7 +208,7 @@ void Recorder::restore(std::vector<char> state, long steps_done) {
       throw SolverError(
           "the checkpoint's record is cut; take the other checkpoint, or begin without --restart");
     }
-    if (!message.is_at_end() || !fits(steps_done))
+    if (!message.is_at_end() || !is_consistent_with(steps_done))
       throw SolverError(
           "the checkpoint's record is of another run; take the other checkpoint, or begin without --restart");
   }

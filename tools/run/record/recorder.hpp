@@ -11,71 +11,73 @@
 
 namespace beadswim {
 
-/// Takes frames and samples. Frames, each base period alike, go to the trajectory; samples, each swimmer's
-/// own period alike, become the statistics of its cycles, on rank 0.
+/// Records frames and samples. Frames are taken at the same phases of each base period and written to the
+/// trajectory. Samples are taken at the same phases of each swimmer's own period; rank 0 computes cycle
+/// statistics from them.
 class Recorder {
  public:
   Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
            const Communicator& communicator);
 
-  /// Step of frame k: as near to k/frames_per_cycle cycles as steps allow.
+  /// Returns the step of frame k: the step nearest to k/frames_per_cycle cycles.
   long step_of_frame(long frame) const;
 
-  /// Whether the next frame's step has come.
+  /// Returns whether the next frame is due at this step.
   bool is_due(long step) const { return step == step_of_frame(next_frame_); }
 
-  /// Samples those of this rank's swimmers whose time has come. To be called after every step, and before the
-  /// first.
+  /// Samples the swimmers of this rank for which a sample is due. Call it before the first step and after
+  /// every step.
   void sample(const Model& model);
 
-  /// Takes the next frame. `totals`: of the model as it is now. Collective.
+  /// Records the next frame. `totals`: present totals of the model. Collective.
   void record(const Model& model, const ModelTotals& totals);
 
-  // On rank 0. Of many swimmers only the last cycle is kept.
+  // Statistics on rank 0. For more than max_swimmers_listed swimmers, only the last cycle is kept.
   std::vector<SwimmerRecord> swimmers() const;
   const std::vector<SwarmCycle>& swarm() const { return swarm_; }
 
-  /// What a checkpoint keeps; on rank 0, empty elsewhere. Collective.
+  /// Returns the state for a checkpoint on rank 0, and an empty list on other ranks. Collective.
   std::vector<char> state();
-  /// `state`: on rank 0, of a run that had done `steps_done`. Throws SolverError if it is of another run.
+  /// Restores the state of a run that had completed `steps_done` steps. `state` is used on rank 0 only.
+  /// Throws SolverError if the state belongs to another run.
   void restore(std::vector<char> state, long steps_done);
 
  private:
-  /// A sample on its way to rank 0.
-  struct Note {
+  /// Bead positions of one swimmer at one sampling time, sent to rank 0.
+  struct PositionSample {
     int id = 0;
-    long number = 0;                ///< k
+    long number = 0;                ///< number k of the sample
     double time = 0;                ///< [step]
     std::array<Vec3, 3> positions;  ///< [ModelUnits]
 
-    static void visit_fields(auto&& visit, auto& note) {
-      visit("id", note.id);
-      visit("number", note.number);
-      visit("time", note.time);
-      visit("positions", note.positions);
+    static void visit_fields(auto&& visit, auto& position_sample) {
+      visit("id", position_sample.id);
+      visit("number", position_sample.number);
+      visit("time", position_sample.time);
+      visit("positions", position_sample.positions);
     }
   };
-  /// What rank 0 knows of one swimmer.
-  struct Log {
+  /// Data of one swimmer on rank 0.
+  struct SwimmerLog {
     SwimmerRecord record;
-    std::array<Bead, 3> beads;  ///< the layout's
-    double period = 0;          ///< [time]
+    std::array<Bead, 3> beads;  ///< beads in units of the layout
+    double period = 0;          ///< driving period [time]
     int samples_per_cycle = 1;
-    std::vector<SwimmerSample> samples;  ///< of the cycle so far
+    std::vector<SwimmerSample> samples;  ///< samples of the current cycle
   };
-  /// The whole of one frame's time that concerns all.
-  struct Moment {
+  /// Mean flow at the time of a frame, in units of the layout.
+  struct FlowSample {
     double time = 0;
     Vec3 mean_flow = Vec3::Zero();
   };
 
-  /// Whether frames and notes are those of a run that had done so many steps.
-  bool fits(long steps_done) const;
-  void gather_notes();
-  void take_notes(const Moment& now);
-  void take_note(Log& log, const Note& note, const Moment& now);
+  /// Returns whether frames and samples can be those of a run that had completed `steps_done` steps.
+  bool is_consistent_with(long steps_done) const;
+  void gather_samples();
+  void store_samples(const FlowSample& now);
+  void store_sample(SwimmerLog& log, const PositionSample& position_sample, const FlowSample& now);
   void append_cycles(long step, double time);
-  void append_swarm(const std::vector<SwimmerSight>& swimmers, const Vec3& momentum);
+  void append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum);
   template <class Message>
   void transfer(Message& message);
 
@@ -90,13 +92,13 @@ class Recorder {
   TrajectoryWriter& trajectory_;
   SamplingSchedules schedules_;
   long next_frame_ = 0;
-  OutgoingMessage notes_;  ///< of this rank's swimmers, since they were gathered
+  OutgoingMessage pending_samples_;  ///< samples of this rank that have not been gathered
 
-  // On rank 0.
-  std::vector<Note> gathered_;  ///< since the last frame
-  Moment last_frame_;
-  std::vector<Log> logs_;          ///< swimmers in order of their ids
-  std::vector<SwarmCycle> swarm_;  ///< of two swimmers or more
+  // Used on rank 0 only:
+  std::vector<PositionSample> gathered_;  ///< samples since the last frame
+  FlowSample last_frame_;
+  std::vector<SwimmerLog> logs_;   ///< in the order of swimmer ids
+  std::vector<SwarmCycle> swarm_;  ///< for two or more swimmers
 };
 
 }  // namespace beadswim

@@ -7,7 +7,8 @@
 namespace beadswim {
 namespace {
 
-/// Whole numbers of steps are exact: a swimmer of the base period is sampled at frames.
+/// Returns the period, rounded if it is an integer within roundoff. Swimmers with the base period are then
+/// sampled exactly at frames.
 double in_steps(double period) {
   const double whole = std::round(period);
   return std::abs(period - whole) < 1e-9 * period ? whole : period;
@@ -15,9 +16,9 @@ double in_steps(double period) {
 
 }  // namespace
 
-SamplingSchedule::SamplingSchedule(double period, int most_per_cycle) {
+SamplingSchedule::SamplingSchedule(double period, int max_per_cycle) {
   const double steps = in_steps(period);
-  per_cycle_ = static_cast<int>(std::min<double>(most_per_cycle, std::floor(steps)));
+  per_cycle_ = static_cast<int>(std::min<double>(max_per_cycle, std::floor(steps)));
   interval_ = steps / per_cycle_;
 }
 
@@ -34,11 +35,11 @@ long SamplingSchedule::first_due_from(long step) const {
   return nearest >= step ? nearest : std::lround(time_of(number + 1));
 }
 
-SamplingSchedules::SamplingSchedules(std::span<const double> periods, int most_per_cycle) {
-  for (const double period : periods) types_.push_back({.schedule = {period, most_per_cycle}});
+SamplingSchedules::SamplingSchedules(std::span<const double> periods, int max_per_cycle) {
+  for (const double period : periods) types_.push_back({.schedule = {period, max_per_cycle}});
 }
 
-void SamplingSchedules::go_on_from(long step) {
+void SamplingSchedules::advance_to(long step) {
   next_step_ = std::numeric_limits<long>::max();
   for (Type& type : types_) {
     if (type.next_step < step) type.next_step = type.schedule.first_due_from(step);

@@ -4,8 +4,9 @@
 
 namespace beadswim {
 
-/// Adds a bead's terms that are too large for lanes one by one: there is more room there. Batch: terms[t][k],
-/// k < count; Sums: sums[t]. Throws FaultError where even that does not suffice, or a term is no number.
+/// Adds the terms of a bead one by one to its order-free sums, whose range is larger than that of the lanes.
+/// Batch: terms[t][k], k < count; Sums: sums[t]. Throws FaultError if a term is too large for the sums or
+/// non-finite.
 template <class Batch, class Sums>
 void add_one_by_one(const Batch& batch, int count, Sums& sums, const BeadOnLattice& bead) {
   try {

@@ -12,6 +12,7 @@
 namespace beadswim {
 namespace {
 
+/// Returns the data of a bead that the link kernel needs.
 LinkBead link_bead(const BeadOnLattice& bead, double slip = 0) {
   const Vec3 &v = bead.motion.velocity, &omega = bead.motion.angular_velocity;
   return {.velocity = {v[0], v[1], v[2]},
@@ -21,7 +22,7 @@ LinkBead link_bead(const BeadOnLattice& bead, double slip = 0) {
           .slip = slip};
 }
 
-/// Ends the batch with whole lanes.
+/// Fills the last vector of the batch with neutral links.
 void fill_lanes(LinkBatch& batch) {
   for (int k = batch.links; k % LinkSums::lanes != 0; ++k) {
     for (double* values :
@@ -32,49 +33,50 @@ void fill_lanes(LinkBatch& batch) {
   }
 }
 
-/// For each direction i those j with c_i.c_j != 0, and c_i.c_j.
+/// Directions j with c_i.c_j != 0, and the values c_i.c_j, for one direction i.
 struct Projections {
   int count = 0;
   std::array<int, 14> direction{};
   std::array<double, 14> value{};
 };
-constexpr auto along = [] {
+constexpr auto projections_on_directions = [] {
   std::array<Projections, d3q19::directions> table{};
   for (int i = 0; i < d3q19::directions; ++i) {
     for (int j = 0; j < d3q19::directions; ++j) {
       const auto &a = d3q19::velocity[i], &b = d3q19::velocity[j];
       const int value = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
       if (value == 0) continue;
-      Projections& of = table[i];
-      of.direction[of.count] = j;
-      of.value[of.count++] = value;
+      Projections& projections = table[i];
+      projections.direction[projections.count] = j;
+      projections.value[projections.count++] = value;
     }
   }
   return table;
 }();
 
-/// Links of one image of a bead on their way through the kernel.
+/// Collects links of one image of a bead in batches and passes them to the link kernel.
 template <class Real>
-class Bounce {
+class LinkReflection {
  public:
-  Bounce(BeadBoundary& boundary, Populations& populations) : boundary_(boundary), populations_(populations) {}
+  LinkReflection(BeadBoundary& boundary, Populations& populations)
+      : boundary_(boundary), populations_(populations) {}
 
   void add(std::span<BeadLink> links, const CoveredImage& covered) {
     if (covered_ != &covered) flush();
     covered_ = &covered;
     for (BeadLink& link : links) {
-      if (batch_.links == LinkBatch::most) flush();
+      if (batch_.links == LinkBatch::max_links) flush();
       add(link);
     }
   }
 
-  /// Bounces back all that were added.
+  /// Reflects all links that were added.
   void flush() {
     if (batch_.links == 0) return;
     fetch();
     fill_lanes(batch_);
     LinkSums& sums = boundary_.sums[covered_->bead];
-    sums.make_room(LinkBatch::most / LinkSums::lanes);
+    sums.reserve_terms(LinkBatch::max_links / LinkSums::lanes);
     const LinkBead bead = link_bead(boundary_.beads[covered_->bead], slip_);
     if (!link_kernels().reflect<Real>(boundary_.links.scheme(), batch_, bead, sums))
       add_one_by_one(batch_, batch_.links, sums, boundary_.beads[covered_->bead]);
@@ -89,7 +91,7 @@ class Bounce {
     const int out = link.out, in = d3q19::opposite(out);
     const std::ptrdiff_t fluid_cell = boundary_.coverage.cell(x, y, z) + populations_.shift(out);
     const Real* outgoing = populations_.outgoing_row<Real>(in, fluid_cell);
-    if (!link.fluid_is_own) {  // its owner's link
+    if (!link.fluid_is_own) {  // the owner of the fluid cell reflects
       link.outgoing = static_cast<double>(*outgoing);
       return;
     }
@@ -116,16 +118,17 @@ class Bounce {
     batch_.speed[k] = link.fluid_behind > 1 ? momentum_along(in, fluid_cell) : 0;
   }
 
-  /// c_i.u of a cell
+  /// Returns c_i.u of a cell.
   double momentum_along(int i, std::ptrdiff_t cell) const {
-    const Projections& of = along[i];
+    const Projections& projections = projections_on_directions[i];
     double sum = 0;
-    for (int n = 0; n < of.count; ++n)
-      sum += of.value[n] * static_cast<double>(*populations_.outgoing_row<Real>(of.direction[n], cell));
+    for (int n = 0; n < projections.count; ++n)
+      sum += projections.value[n] *
+             static_cast<double>(*populations_.outgoing_row<Real>(projections.direction[n], cell));
     return sum;
   }
 
-  /// Reads what the links need, in short loops: memory answers many at a time.
+  /// Reads the populations that the links need. Short loops allow many memory accesses at the same time.
   void fetch() {
     for (int k = 0; k < batch_.links; ++k) batch_.outgoing[k] = static_cast<double>(*outgoing_[k]);
     if (cells_behind_ >= 1) {
@@ -146,12 +149,12 @@ class Bounce {
   const double slip_ = multireflection_slip(boundary_.rates);
   const CoveredImage* covered_ = nullptr;
   LinkBatch batch_;
-  std::array<BeadLink*, LinkBatch::most> links_;
-  std::array<Real*, LinkBatch::most> incoming_;
-  std::array<const Real*, LinkBatch::most> outgoing_, behind_, arrived_, two_behind_, arrived_behind_;
+  std::array<BeadLink*, LinkBatch::max_links> links_;
+  std::array<Real*, LinkBatch::max_links> incoming_;
+  std::array<const Real*, LinkBatch::max_links> outgoing_, behind_, arrived_, two_behind_, arrived_behind_;
 };
 
-/// Fills a cell that was covered, from what has come to it along the links that it had (refill.hpp).
+/// Refills an uncovered cell from the populations that arrived along its former links (refill.hpp).
 void refill(Populations& populations, const ChangedCell& cell, const BeadLinks& links,
             const BeadOnLattice& bead, const RelaxationRates& rates) {
   const LinkBead b = link_bead(bead);
@@ -183,7 +186,7 @@ void BeadBoundary::bounce_back_before_row(Populations& populations, int y, int z
   const int first = links.first_segment_of(y, z), end = links.end_segment_of(y, z);
   if (first == end) return;
   in_precision(populations.precision(), [&]<class Real>() {
-    Bounce<Real> bounce(*this, populations);
+    LinkReflection<Real> bounce(*this, populations);
     for (const LinkSegment& segment : links.segments().subspan(first, end - first)) {
       bounce.add(links.links(segment), coverage.images().images[segment.image]);
     }
@@ -191,7 +194,7 @@ void BeadBoundary::bounce_back_before_row(Populations& populations, int y, int z
   });
 }
 
-void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads) {
+void transfer_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads) {
   for (std::size_t b = 0; b < beads.size(); ++b) {
     const std::array<OrderFreeSum, link_terms> total = sums[b].take();
     Impulse& impulse = beads[b].impulse;
@@ -204,9 +207,9 @@ void hand_over_impulses(std::span<LinkSums> sums, std::span<BeadOnLattice> beads
   }
 }
 
-void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
-                             const BeadLinks& links_before, std::span<const BeadOnLattice> beads_before,
-                             std::span<BeadOnLattice> beads, const RelaxationRates& rates) {
+void transfer_changed_cells(Populations& populations, const Coverage& coverage, const BeadLinks& links_before,
+                            std::span<const BeadOnLattice> beads_before, std::span<BeadOnLattice> beads,
+                            const RelaxationRates& rates) {
   for (const ChangedCell& covered : coverage.newly_covered()) {
     const CellMoments fluid = cell_moments(populations, covered.cell);
     Impulse& impulse = beads[covered.bead].impulse;
@@ -217,10 +220,11 @@ void hand_over_changed_cells(Populations& populations, const Coverage& coverage,
     const BeadOnLattice& before = beads_before[uncovered.bead];
     const auto bead = std::ranges::lower_bound(beads, before.name, {}, &BeadOnLattice::name);
     if (bead == beads.end() || bead->name != before.name) {
-      throw not_finite_at(before);  // it moved farther than a cell in one step
+      throw not_finite_at(before);  // the bead moved by more than one cell in one step
     }
     refill(populations, uncovered, links_before, before, rates);
-    const CellMoments fluid = cell_moments(populations, uncovered.cell);  // as stored
+    const CellMoments fluid =
+        cell_moments(populations, uncovered.cell);  // values as stored in the precision of the populations
     bead->impulse.add(-fluid.momentum, uncovered.from_centre);
     bead->impulse.mass.add(-fluid.density_deviation);
   }

@@ -7,10 +7,10 @@ BlockInLattice block_in_lattice(const Decomposition& decomposition, int rank,
   return {.block = decomposition.block(rank), .cells = decomposition.cells(), .boundary = boundary};
 }
 
-bool touches(const BlockInLattice& at, int margin, const Vec3& position, double radius) {
-  bool met = false;
-  for_each_image(at, margin, position, radius, [&](const BeadImage&) { met = true; });
-  return met;
+bool touches(const BlockInLattice& lattice_block, int margin, const Vec3& position, double radius) {
+  bool is_found = false;
+  for_each_image(lattice_block, margin, position, radius, [&](const BeadImage&) { is_found = true; });
+  return is_found;
 }
 
 }  // namespace beadswim

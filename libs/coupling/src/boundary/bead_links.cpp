@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Appends links from runs of covered cells of one image.
+/// Finds links from the runs of covered cells of one image and appends them.
 struct LinkFinder {
   const Coverage& coverage;
   const CoveredImage& covered;
@@ -17,14 +17,14 @@ struct LinkFinder {
   int cells_behind;
   std::vector<BeadLink>& links;
 
-  /// From covered cells of row (y, z) to fluid cells of row (y + cy, z + cz).
+  /// Appends the links from covered cells of row (y, z) to fluid cells of row (y + cy, z + cz).
   void add(int y, int z, int cy, int cz) {
     const CoveredRun run = coverage.images().run(covered, y, z);
     if (run.empty()) return;
     const CoveredRun facing = coverage.images().run(covered, y + cy, z + cz);
     for (int cx = -1; cx <= 1; ++cx) {
       const int out = direction[cx + 1][cy + 1][cz + 1];
-      if (out <= 0) continue;  // at rest, or no direction of the lattice
+      if (out <= 0) continue;  // direction of rest, or no direction of the lattice
       add_cells(run.low, std::min(run.high, facing.low - cx), y, z, out);
       add_cells(std::max(run.low, facing.high - cx), run.high, y, z, out);
     }
@@ -41,7 +41,8 @@ struct LinkFinder {
     return table;
   }();
 
-  /// Covered cells [low, high) whose neighbours along `out` the same image does not cover.
+  /// Appends the links along `out` of the covered cells [low, high), whose neighbours along `out` are not
+  /// covered by the same image.
   void add_cells(int low, int high, int y, int z, int out) {
     if (low >= high) return;
     const auto& c = d3q19::velocity[out];
@@ -54,7 +55,7 @@ struct LinkFinder {
       const bool fluid_is_own = fluid_row_is_own && fx >= 0 && fx < cells;
       const bool is_own = row_is_own && x >= 0 && x < cells;
       if (!fluid_is_own && !is_own) continue;
-      if (!is_alone && coverage.is_covered(fx, fy, fz)) continue;  // another bead's
+      if (!is_alone && coverage.is_covered(fx, fy, fz)) continue;  // covered by another bead
       int fluid_behind = cells_behind;
       if (!is_alone && fluid_is_own) fluid_behind = count_fluid_behind({fx, fy, fz}, {c[0], c[1], c[2]});
       links.push_back(
@@ -77,7 +78,7 @@ bool same_box(const BeadImage& a, const BeadImage& b) {
   return (a.low == b.low).all() && (a.high == b.high).all();
 }
 
-/// Of each image, whether neither another one nor a wall may be within `distance` cells of its own.
+/// Returns for each image whether no other image and no wall can lie within `distance` cells of its cells.
 std::vector<bool> images_alone(const Coverage& coverage, int distance) {
   const std::vector<CoveredImage>& images = coverage.images().images;
   std::vector<bool> alone;
@@ -111,7 +112,11 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
 
   found_.clear();
   first_found_.clear();
-  LinkFinder finder{coverage, covered, is_alone, cells_behind(scheme_), found_};
+  LinkFinder finder{.coverage = coverage,
+                    .covered = covered,
+                    .is_alone = is_alone,
+                    .cells_behind = cells_behind(scheme_),
+                    .links = found_};
   const auto begin_segment = [&] { first_found_.push_back(static_cast<int>(found_.size())); };
   const BeadImage& box = covered.image;
   for (int z = box.low[2] - 1; z < box.high[2]; ++z) {
@@ -153,7 +158,8 @@ void BeadLinks::find_of_image(const Coverage& coverage, const CoveredImage& cove
   known.links.assign(found_.begin(), found_.end());
 }
 
-/// The place, in the order of the step, of the first row that the links of a segment read or write.
+/// Returns the position, in the order of the step, of the first row that the links of a segment read or
+/// write.
 int BeadLinks::place_of_segment(int y, int z, int downwards) const {
   int first = std::numeric_limits<int>::max();
   const auto involve = [&](int row_y, int row_z) {
@@ -180,20 +186,20 @@ int BeadLinks::place_of_segment(int y, int z, int downwards) const {
   return first;
 }
 
-/// Calls visit(segment, its place in the order of the step) for all segments that have links.
+/// Calls visit(segment, its position in the order of the step) for all segments that have links.
 template <class Visit>
 void BeadLinks::for_each_segment(Visit&& visit) const {
   for (int i = 0; i < std::ssize(images_); ++i) {
-    const ImageLinks& of = images_[i];
-    for (std::size_t s = 0; s < of.place_of_segment.size(); ++s) {
+    const ImageLinks& image_links = images_[i];
+    for (std::size_t s = 0; s < image_links.place_of_segment.size(); ++s) {
       const LinkSegment segment{
-          .first = of.first_of_segment[s], .end = of.first_of_segment[s + 1], .image = i};
-      if (segment.first < segment.end) visit(segment, of.place_of_segment[s]);
+          .first = image_links.first_of_segment[s], .end = image_links.first_of_segment[s + 1], .image = i};
+      if (segment.first < segment.end) visit(segment, image_links.place_of_segment[s]);
     }
   }
 }
 
-/// Counting sort.
+/// Sorts the segments by row (counting sort).
 void BeadLinks::sort_by_row() {
   first_of_row_.assign(block_[1] * block_[2] + 1, 0);
   for_each_segment([&](const LinkSegment&, int place) { ++first_of_row_[place]; });

@@ -7,7 +7,8 @@
 namespace beadswim {
 namespace {
 
-/// The cells of row (y, z) whose centres lie inside the bead: a sphere meets a row in one run.
+/// Returns the cells of row (y, z) whose centres lie inside the bead. They are consecutive, because a sphere
+/// is convex.
 CoveredRun covered_run(const CoveredImage& covered, int y, int z) {
   const double radius_squared = covered.radius * covered.radius;
   const auto is_inside = [&](int x) { return covered.from_centre(x, y, z).squaredNorm() < radius_squared; };
@@ -33,13 +34,13 @@ std::vector<ImagePair> find_close_pairs(const std::vector<CoveredImage>& images)
   return pairs;
 }
 
-/// r^2 - R^2 of a cell: negative inside.
+/// Returns r^2 - R^2 of a cell, which is negative inside the bead.
 double power(const CoveredImage& covered, int x, int y, int z) {
   return covered.from_centre(x, y, z).squaredNorm() - covered.radius * covered.radius;
 }
 
-/// Parts cells of row (y, z) that are inside both beads; either keeps one run, as each has all cells on its
-/// side of a plane.
+/// Divides the cells of row (y, z) that lie inside both beads. Each bead keeps one run, because it gets all
+/// cells on one side of a plane.
 void part_row(const CoveredImage& first, CoveredRun& of_first, const CoveredImage& second,
               CoveredRun& of_second, int y, int z) {
   const auto is_lost = [&](int x) {
@@ -50,7 +51,8 @@ void part_row(const CoveredImage& first, CoveredRun& of_first, const CoveredImag
   while (of_first.low < of_first.high && is_lost(of_first.high - 1)) --of_first.high;
   if (of_first.empty() || of_second.empty()) return;
   if (of_second.high <= of_first.low || of_first.high <= of_second.low) return;
-  // By what the first has: were a tie rounded otherwise, no cell may have two beads.
+  // Removes the cells of the first bead from the second instead of comparing again: rounding must not assign
+  // a cell to both beads.
   if (of_first.low - of_second.low > of_second.high - of_first.high) {
     of_second.high = std::max(of_first.low, of_second.low);
   } else {
@@ -60,30 +62,32 @@ void part_row(const CoveredImage& first, CoveredRun& of_first, const CoveredImag
 
 }  // namespace
 
-Coverage::Coverage(const BlockInLattice& at, const Populations& populations)
-    : at_(at),
+Coverage::Coverage(const BlockInLattice& lattice_block, const Populations& populations)
+    : block_in_lattice_(lattice_block),
       pitch_y_(populations.pitch(1)),
       pitch_z_(populations.pitch(2)),
       origin_(populations.cell(0, 0, 0)),
-      state_((at.block.size + 2 * margin).cast<std::ptrdiff_t>().prod(), State::fluid) {}
+      state_((lattice_block.block.size + 2 * margin).cast<std::ptrdiff_t>().prod(), State::fluid) {}
 
 bool Coverage::is_fluid(const Index3& cell) const {
   Index3 inside = cell;
   for (int axis = 0; axis < 3; ++axis) {
-    if (at_.is_periodic(axis)) continue;
-    const int place = cell[axis] + at_.block.offset[axis], end = at_.cells[axis];
+    if (block_in_lattice_.is_periodic(axis)) continue;
+    const int place = cell[axis] + block_in_lattice_.block.offset[axis], end = block_in_lattice_.cells[axis];
     if (place >= 0 && place < end) continue;
-    if (at_.boundary[axis] == Boundary::no_slip) return false;
-    inside[axis] = (place < 0 ? -1 - place : 2 * end - 1 - place) - at_.block.offset[axis];
+    if (block_in_lattice_.boundary[axis] == Boundary::no_slip) return false;
+    inside[axis] = (place < 0 ? -1 - place : 2 * end - 1 - place) - block_in_lattice_.block.offset[axis];
   }
   return !is_covered(inside[0], inside[1], inside[2]);
 }
 
 bool Coverage::is_near_wall(const BeadImage& image, int distance) const {
   for (int axis = 0; axis < 3; ++axis) {
-    const int low = image.low[axis] + at_.block.offset[axis],
-              high = image.high[axis] + at_.block.offset[axis];
-    if (!at_.is_periodic(axis) && (low < distance || high > at_.cells[axis] - distance)) return true;
+    const int low = image.low[axis] + block_in_lattice_.block.offset[axis],
+              high = image.high[axis] + block_in_lattice_.block.offset[axis];
+    if (!block_in_lattice_.is_periodic(axis) &&
+        (low < distance || high > block_in_lattice_.cells[axis] - distance))
+      return true;
   }
   return false;
 }
@@ -115,7 +119,7 @@ void Coverage::find_runs(std::span<const BeadOnLattice> beads) {
   now_.runs.clear();
   for (int b = 0; b < std::ssize(beads); ++b) {
     const Vec3& centre = beads[b].motion.position;
-    for_each_image(at_, margin, centre, beads[b].radius, [&](const BeadImage& image) {
+    for_each_image(block_in_lattice_, margin, centre, beads[b].radius, [&](const BeadImage& image) {
       const CoveredImage& covered =
           now_.images.emplace_back(CoveredImage{.image = image,
                                                 .index = static_cast<int>(now_.images.size()),
@@ -132,7 +136,7 @@ void Coverage::find_runs(std::span<const BeadOnLattice> beads) {
   for (const ImagePair& pair : now_.close_pairs) part(now_.images[pair.first], now_.images[pair.second]);
 }
 
-/// Parts cells that are inside both beads.
+/// Divides the cells that lie inside both beads.
 void Coverage::part(const CoveredImage& first, const CoveredImage& second) {
   const BeadImage &a = first.image, &b = second.image;
   if (!are_close(a, b, 0)) return;

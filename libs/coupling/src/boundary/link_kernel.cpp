@@ -1,5 +1,5 @@
-// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace. No function
-// outside that namespace may be emitted from here.
+// This file is compiled once per instruction set; BEADSWIM_INSTRUCTION_SET is the namespace. It must not emit
+// functions outside this namespace.
 #include "link_kernel.hpp"
 
 #include "beadswim/core/order_free_terms.hpp"

@@ -3,47 +3,50 @@
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/coupling/link_sums.hpp"
 
-// The arithmetic of many links of one bead side by side. link_kernel.cpp is compiled once for each
-// instruction set; link_kernels() chooses at run time.
+// Vectorised evaluation of many links of one bead. link_kernel.cpp is compiled once per instruction set;
+// link_kernels() selects the instruction set at run time.
 
 namespace beadswim {
 
-/// Links of one bead. Places after the last one, up to whole lanes, have direction (1, 0, 0) and zeros.
+/// Links of one bead. Entries after the last link, up to the end of its vector, have direction (1, 0, 0) and
+/// zeros.
 struct LinkBatch {
-  static constexpr int most = 64;
+  static constexpr int max_links = 64;
 
   int links = 0;
-  double x[most], y[most], z[most];     ///< centre of the covered cell relative to the bead's
-  double cx[most], cy[most], cz[most];  ///< direction from the covered cell into the fluid
-  double weight[most];                  ///< of the direction
-  double outgoing[most];                ///< what the fluid sends
-  double fluid_behind[most];  ///< fluid cells behind the link's; for cli and mr, which do with what there is
-  double behind[most];        ///< what the fluid cell behind sends along the same direction; for cli and mr
-  double arrived[most];       ///< what the fluid cell sends the other way; for cli and mr
-  double two_behind[most];    ///< what the second fluid cell behind sends along the same direction; for mr
-  double arrived_behind[most];     ///< what the fluid cell behind sends the other way; for mr
-  double speed[most];              ///< momentum of the fluid cell along the link, into the bead; for mr
-  double returned[most];           ///< result: what comes back, rounded to the precision of the populations
-  double terms[link_terms][most];  ///< result: what each link hands to the bead
+  double x[max_links], y[max_links], z[max_links];     ///< centre of the covered cell from that of the bead
+  double cx[max_links], cy[max_links], cz[max_links];  ///< direction from the covered cell to the fluid cell
+  double weight[max_links];                            ///< weight of the direction
+  double outgoing[max_links];      ///< population that leaves the fluid cell towards the bead
+  double fluid_behind[max_links];  ///< number of fluid cells behind; cli and mr simplify if there are too few
+  double behind[max_links];   ///< population of the fluid cell behind in the same direction; for cli and mr
+  double arrived[max_links];  ///< population of the fluid cell in the opposite direction; for cli and mr
+  double two_behind[max_links];  ///< population of the second fluid cell behind in the same direction; for mr
+  double arrived_behind[max_links];  ///< population of the fluid cell behind, opposite direction; for mr
+  double speed[max_links];  ///< momentum of the fluid cell along the link, positive towards the bead; for mr
+  double returned[max_links];  ///< result: returned population, rounded to the precision of the populations
+  double terms[link_terms][max_links];  ///< result: contributions of each link to the bead
 };
 
+/// Data of a bead that the link kernel needs, in lattice units.
 struct LinkBead {
   double velocity[3], angular_velocity[3];
-  double mass_source;  ///< fluid mass that each link returns, over its weight
+  double mass_source;  ///< returned mass: fluid mass that each link returns, divided by its weight
   double radius;
-  double slip;  ///< of the fluid's relaxation (multireflection.hpp); for mr
+  double slip;  ///< multireflection_slip() of the relaxation rates; for mr
 };
 
-/// Reflects what goes out along the links of a batch, and adds what they hand to the bead to its sums. False,
-/// and nothing is added, if a term is too large, or not a number.
+/// Link kernels of one instruction set. A kernel reflects the populations that leave along the links of a
+/// batch and adds the contributions to the sums of the bead. If a term is too large or non-finite, it adds
+/// nothing and returns false.
 struct LinkKernels {
   using Reflect = bool(LinkBatch&, const LinkBead&, LinkSums&);
-  Reflect* of[3][2];  ///< [scheme with links][is single precision]
+  Reflect* reflect_by_scheme[3][2];  ///< [scheme with links][is single precision]
 
   /// Real: the type of the populations.
   template <class Real>
   bool reflect(BeadScheme scheme, LinkBatch& batch, const LinkBead& bead, LinkSums& sums) const {
-    return of[static_cast<int>(scheme)][sizeof(Real) == sizeof(float)](batch, bead, sums);
+    return reflect_by_scheme[static_cast<int>(scheme)][sizeof(Real) == sizeof(float)](batch, bead, sums);
   }
 };
 
@@ -59,14 +62,14 @@ BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v3)
 BEADSWIM_DECLARE_LINK_KERNELS(x86_64_v4)
 #endif
 
-/// Those of one instruction set, in the order of BeadScheme.
+/// Kernels of one instruction set, in the order of BeadScheme.
 #define BEADSWIM_LINK_KERNELS_OF(set, scheme) \
   { set::reflect<BeadScheme::scheme, double>, set::reflect<BeadScheme::scheme, float> }
 #define BEADSWIM_LINK_KERNELS(set)                                                            \
   (LinkKernels{{BEADSWIM_LINK_KERNELS_OF(set, staircase), BEADSWIM_LINK_KERNELS_OF(set, cli), \
                 BEADSWIM_LINK_KERNELS_OF(set, mr)}})
 
-/// The best that this processor can run.
+/// Returns the kernels of the best instruction set that this processor supports.
 const LinkKernels& link_kernels();
 
 }  // namespace beadswim

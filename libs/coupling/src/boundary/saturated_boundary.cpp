@@ -11,24 +11,29 @@
 namespace beadswim {
 namespace {
 
-/// A cell that several beads touch: the law of saturated_cell.hpp with F = sum over beads of sigma (u_b - v).
+/// A cell that several beads touch. The law is that of saturated_cell.hpp with F = sum over beads of sigma
+/// (u_b - v).
 class SharedCell {
  public:
   void add(const SaturatedRun& run, double solid_fraction, double viscosity, const Vec3& from_centre,
            const Vec3& velocity) {
     const double sigma = 3 * viscosity * resistance(solid_fraction);
-    shares_.push_back({run.bead, solid_fraction, sigma, from_centre, velocity});
+    shares_.push_back({.bead = run.bead,
+                       .solid_fraction = solid_fraction,
+                       .sigma = sigma,
+                       .from_centre = from_centre,
+                       .velocity = velocity});
     sigma_ += sigma;
     pull_ += sigma * velocity;
   }
 
-  /// F on fluid that streams in with momentum u.
+  /// Returns the force F on fluid that streams in with momentum u.
   Vec3 force(const Vec3& u) const { return (pull_ - sigma_ * u) / (1 + sigma_ / 2); }
 
-  /// Hands the fluid's change of momentum from u, as it came out, to the beads: to each its part.
-  void hand_over(std::vector<SaturatedSums>& sums, const Vec3& u, const Vec3& change) const {
+  /// Divides the actual change of the momentum of the fluid, from u to u + change, among the beads.
+  void distribute_change(std::vector<SaturatedSums>& sums, const Vec3& u, const Vec3& change) const {
     const Vec3 mean = u + 0.5 * force(u);
-    Vec3 rest = change;  // all of it is handed over, whatever rounding did
+    Vec3 rest = change;  // the first bead gets the remainder, so that rounding loses no momentum
     for (std::size_t n = shares_.size(); n-- > 0;) {
       const Share& share = shares_[n];
       const Vec3 part = n == 0 ? rest : Vec3(share.sigma * (share.velocity - mean));
@@ -57,11 +62,11 @@ class SharedCell {
   Vec3 pull_ = Vec3::Zero();
 };
 
-/// Cells of one row on their way through the kernel, or one by one.
+/// Passes the cells of one row to the kernel, and evaluates cells that several beads touch one by one.
 template <class Real>
-class Push {
+class SaturatedRowUpdate {
  public:
-  Push(SaturatedBoundary& boundary, Populations& populations, int y, int z)
+  SaturatedRowUpdate(SaturatedBoundary& boundary, Populations& populations, int y, int z)
       : boundary_(boundary),
         runs_(boundary.cells.runs(y, z)),
         populations_(populations),
@@ -70,7 +75,7 @@ class Push {
   void row() {
     for (std::size_t n = 0; n < runs_.size(); ++n) {
       const SaturatedRun& run = runs_[n];
-      int start = run.low;  // of cells that no other bead touches
+      int start = run.low;  // of the next cells that no other bead touches
       for (int x = run.low; x < run.high; ++x) {
         if (!is_shared(n, x)) continue;
         push(run, start, x);
@@ -90,11 +95,11 @@ class Push {
     return false;
   }
 
-  /// Cells [low, high) of a run, which no other bead touches.
+  /// Applies the force in the cells [low, high) of a run, which no other bead touches.
   void push(const SaturatedRun& run, int low, int high) {
-    constexpr int most = SaturatedBatch<Real>::most, lanes = SaturatedSums::lanes;
-    for (; low < high; low += most) {
-      batch_.cells = std::min(most, high - low);
+    constexpr int max_cells = SaturatedBatch<Real>::max_cells, lanes = SaturatedSums::lanes;
+    for (; low < high; low += max_cells) {
+      batch_.cells = std::min(max_cells, high - low);
       for (int i = 0; i < d3q19::directions; ++i)
         batch_.places[i] = populations_.template incoming_row<Real>(i, first_ + low);
       const int places = (batch_.cells + lanes - 1) / lanes * lanes;
@@ -114,7 +119,7 @@ class Push {
                              .angular_velocity = {omega[0], omega[1], omega[2]},
                              .viscosity = boundary_.viscosity};
     SaturatedSums& sums = boundary_.sums[b];
-    sums.make_room(SaturatedBatch<Real>::most / SaturatedSums::lanes);
+    sums.reserve_terms(SaturatedBatch<Real>::max_cells / SaturatedSums::lanes);
     if (!saturated_kernels().push(batch_, bead, sums))
       add_one_by_one(batch_, batch_.cells, sums, boundary_.beads[b]);
   }
@@ -142,7 +147,7 @@ class Push {
       f[i] = static_cast<double>(*places[i]) - f[i];
     }
     moments_of(f, density, gained);
-    cell.hand_over(boundary_.sums, before, Vec3(gained[0], gained[1], gained[2]));
+    cell.distribute_change(boundary_.sums, before, Vec3(gained[0], gained[1], gained[2]));
   }
 
   SaturatedBoundary& boundary_;
@@ -154,12 +159,13 @@ class Push {
 
 }  // namespace
 
-void SaturatedBoundary::push_before_row(Populations& populations, int y, int z) {
+void SaturatedBoundary::apply_forces_before_row(Populations& populations, int y, int z) {
   if (cells.runs(y, z).empty()) return;
-  in_precision(populations.precision(), [&]<class Real>() { Push<Real>(*this, populations, y, z).row(); });
+  in_precision(populations.precision(),
+               [&]<class Real>() { SaturatedRowUpdate<Real>(*this, populations, y, z).row(); });
 }
 
-void hand_over_impulses(std::span<SaturatedSums> sums, std::span<BeadOnLattice> beads) {
+void transfer_impulses(std::span<SaturatedSums> sums, std::span<BeadOnLattice> beads) {
   for (std::size_t b = 0; b < beads.size(); ++b) {
     const std::array<OrderFreeSum, saturated_terms> total = sums[b].take();
     Impulse& impulse = beads[b].impulse;

@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Squares of the least and largest distance from the origin in [low, low + 1].
+/// Squares of the smallest and largest distance from the origin in [low, low + 1].
 struct Distances {
   double nearest, farthest;
 };
@@ -22,16 +22,17 @@ Distances squared_distances(double low) {
 
 }  // namespace
 
-SaturatedCells::SaturatedCells(const BlockInLattice& at)
-    : at_(at), first_of_row_(at.block.size[1] * at.block.size[2] + 1, 0) {}
+SaturatedCells::SaturatedCells(const BlockInLattice& lattice_block)
+    : block_in_lattice_(lattice_block),
+      first_of_row_(lattice_block.block.size[1] * lattice_block.block.size[2] + 1, 0) {}
 
 void SaturatedCells::find(std::span<const BeadOnLattice> beads) {
   found_.clear();
   fractions_.clear();
   for (int b = 0; b < std::ssize(beads); ++b) {
     const Vec3& centre = beads[b].motion.position;
-    // Touched, not only covered: half a cell farther than the centres of cells.
-    for_each_image(at_, 0, centre, beads[b].radius + 0.5,
+    // for_each_image() compares with centres of cells; a bead touches cells up to half a cell farther.
+    for_each_image(block_in_lattice_, 0, centre, beads[b].radius + 0.5,
                    [&](const BeadImage& image) { find_of_image(b, centre, beads[b].radius, image); });
   }
   sort_by_row();
@@ -55,7 +56,8 @@ void SaturatedCells::find_of_image(int bead, const Vec3& centre, double radius, 
   }
 }
 
-/// `row`: a run from end to end of the image's box; y, z from the low corner of that.
+/// Finds the touched cells of one row. row: run over the complete box of the image; y, z: relative to the low
+/// corner of the box.
 void SaturatedCells::find_of_row(const SaturatedRun& row, double radius, const BeadImage& image, int y,
                                  int z) {
   const double radius_squared = radius * radius;
@@ -71,11 +73,12 @@ void SaturatedCells::find_of_row(const SaturatedRun& row, double radius, const B
   while (run.low < run.high && !is_touched(run.high - 1)) --run.high;
   if (run.low == run.high) return;
 
-  const auto below = [&](int plane) {  // the bead's volume in the column from its centre to a plane across x
-    const int x = plane - image.low[0];
-    return volume_below(x, y + 1, z + 1, radius) - volume_below(x, y, z + 1, radius) -
-           volume_below(x, y + 1, z, radius) + volume_below(x, y, z, radius);
-  };
+  const auto below =
+      [&](int plane) {  // volume of the bead in this column, from its centre to a plane across x
+        const int x = plane - image.low[0];
+        return volume_below(x, y + 1, z + 1, radius) - volume_below(x, y, z + 1, radius) -
+               volume_below(x, y + 1, z, radius) + volume_below(x, y, z, radius);
+      };
   int known_plane = run.low;
   double known = below(known_plane);
   for (int x = run.low; x < run.high; ++x) {
@@ -113,7 +116,7 @@ void SaturatedCells::cut(const Vec3& centre, double radius, const BeadImage& ima
   }
 }
 
-/// C of the corner where these planes meet.
+/// Returns C(a, b, c) of the corner at which the planes x, y, z intersect.
 double SaturatedCells::volume_below(int x, int y, int z, double radius) const {
   const auto& [planes, one, two] = cuts_;
   const std::size_t nx = planes[0].size(), ny = planes[1].size();

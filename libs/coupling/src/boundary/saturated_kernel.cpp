@@ -1,5 +1,5 @@
-// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace. No function
-// outside that namespace may be emitted from here.
+// This file is compiled once per instruction set; BEADSWIM_INSTRUCTION_SET is the namespace. It must not emit
+// functions outside this namespace.
 #include "saturated_kernel.hpp"
 
 #include "beadswim/core/order_free_terms.hpp"
@@ -17,7 +17,7 @@ BEADSWIM_KERNEL Lanes load(const double* from) {
   return values;
 }
 
-/// Populations of `cells` cells, at most a lane each; zeros after the last.
+/// Loads the populations of `cells` cells, cells <= lanes. The other lanes are zero.
 template <class Real>
 BEADSWIM_KERNEL Lanes load_populations(const Real* from, int cells) {
   Real __attribute__((vector_size(lanes * sizeof(Real)))) stored{};
@@ -29,7 +29,7 @@ BEADSWIM_KERNEL Lanes load_populations(const Real* from, int cells) {
   return __builtin_convertvector(stored, Lanes);
 }
 
-/// Stores populations; returns them as stored.
+/// Stores populations and returns the values as stored.
 template <class Real>
 BEADSWIM_KERNEL Lanes store_populations(Lanes f, int cells, Real* to) {
   Real __attribute__((vector_size(lanes * sizeof(Real)))) stored;
@@ -42,7 +42,7 @@ BEADSWIM_KERNEL Lanes store_populations(Lanes f, int cells, Real* to) {
   return __builtin_convertvector(stored, Lanes);
 }
 
-/// Stores a momentum, and its angular momentum at r, as six terms of cells from `first` on.
+/// Stores the momentum p and the angular momentum r x p as six terms per cell, for the cells from `first` on.
 BEADSWIM_KERNEL void store_terms(double (*terms)[64], int first, const Lanes (&p)[3], const Lanes (&r)[3]) {
   // clang-format off
   const Lanes values[6]{p[0], p[1], p[2],
@@ -54,7 +54,7 @@ BEADSWIM_KERNEL void store_terms(double (*terms)[64], int first, const Lanes (&p
   for (int t = 0; t < 6; ++t) __builtin_memcpy(&terms[t][first], &values[t], sizeof values[t]);
 }
 
-/// Pushes up to a lane each of cells, from `first` of the batch on.
+/// Applies the force to up to `lanes` cells of the batch, beginning with cell `first`.
 template <class Real>
 BEADSWIM_KERNEL void push_lanes(SaturatedBatch<Real>& batch, const SaturatedBead& b, int first) {
   const int cells = batch.cells - first < lanes ? batch.cells - first : lanes;

@@ -3,31 +3,33 @@
 #include "beadswim/coupling/saturated_sums.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
-// The arithmetic of many cells of one bead side by side. saturated_kernel.cpp is compiled once for each
-// instruction set; saturated_kernels() chooses at run time.
+// Vectorised evaluation of many cells of one bead. saturated_kernel.cpp is compiled once per instruction set;
+// saturated_kernels() selects the instruction set at run time.
 
 namespace beadswim {
 
-/// Cells of a row that one bead and no other touches, one after the other.
+/// Consecutive cells of a row that exactly one bead touches.
 template <class Real>
 struct SaturatedBatch {
-  static constexpr int most = 64;
+  static constexpr int max_cells = 64;
 
   int cells = 0;
-  Real* places[d3q19::directions];      ///< incoming populations of the first cell
-  double solid_fraction[most];          ///< zeros after the last cell, up to whole lanes
-  double x[most];                       ///< centre of the cell relative to the bead's, likewise
-  double y, z;                          ///< of all cells
-  double terms[saturated_terms][most];  ///< result: what each cell hands to the bead
+  Real* places[d3q19::directions];           ///< addresses of the incoming populations of the first cell
+  double solid_fraction[max_cells];          ///< zero after the last cell, up to the end of its vector
+  double x[max_cells];                       ///< centre of the cell relative to the centre of the bead
+  double y, z;                               ///< the same for all cells
+  double terms[saturated_terms][max_cells];  ///< result: contributions of each cell to the bead
 };
 
+/// Data of a bead that the kernel needs, in lattice units.
 struct SaturatedBead {
   double velocity[3], angular_velocity[3];
-  double viscosity;  ///< of the fluid [cell^2/step]
+  double viscosity;  ///< kinematic, of the fluid [cell^2/step]
 };
 
-/// Pushes what streams into the cells of a batch, and adds what they hand to the bead to its sums. False, and
-/// nothing is added, if a term is too large, or not a number.
+/// Kernels of one instruction set. A kernel applies the force of the bead to the incoming populations of a
+/// batch of cells and adds the contributions to the sums of the bead. If a term is too large or non-finite,
+/// it adds nothing to the sums and returns false.
 struct SaturatedKernels {
   bool (*push_fp64)(SaturatedBatch<double>&, const SaturatedBead&, SaturatedSums&);
   bool (*push_fp32)(SaturatedBatch<float>&, const SaturatedBead&, SaturatedSums&);
@@ -52,7 +54,7 @@ BEADSWIM_DECLARE_SATURATED_KERNELS(x86_64_v3)
 BEADSWIM_DECLARE_SATURATED_KERNELS(x86_64_v4)
 #endif
 
-/// The best that this processor can run.
+/// Returns the kernels of the best instruction set that this processor supports.
 const SaturatedKernels& saturated_kernels();
 
 }  // namespace beadswim

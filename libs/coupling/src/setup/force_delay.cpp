@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-Bead made_up_for_delay(Bead bead, double relaxation_time) {
+Bead with_delay_correction(Bead bead, double relaxation_time) {
   bead.density +=
       4.5 * lattice_viscosity(relaxation_time) * force_delay(relaxation_time) / (bead.radius * bead.radius);
   return bead;

@@ -8,12 +8,12 @@ namespace beadswim {
 namespace {
 
 struct Calibration {
-  double radius;                 ///< as given [cell]
-  std::array<double, 4> excess;  ///< of the hydrodynamic radius, by scheme in the order of BeadScheme [cell]
+  double radius;                 ///< radius as set [cell]
+  std::array<double, 4> excess;  ///< hydrodynamic radius minus `radius`, in the order of BeadScheme [cell]
 };
 
-/// The records of case hydrodynamic-radius in docs/results/verification.jsonl, rounded; docs/verification.md
-/// has their scatter. A test compares the two.
+/// Rounded results of the case hydrodynamic-radius in docs/results/verification.jsonl; a test compares them.
+/// Their scatter is in docs/verification.md.
 constexpr std::array calibrations{std::to_array<Calibration>({
     {1.5, {-0.0659, -0.0705, -0.0183, -0.0641}}, {1.75, {-0.0702, -0.0666, -0.0095, -0.0420}},
     {2, {-0.0710, -0.0658, -0.0082, -0.0336}},   {2.25, {-0.0438, -0.0502, -0.0013, -0.0341}},
@@ -39,8 +39,8 @@ double excess_radius(BeadScheme scheme, double radius) {
                    (radius - below.radius) / (above->radius - below.radius));
 }
 
-// Solves r + excess(r) = radius by r -> radius - excess(r), which contracts: the excess changes by at most
-// 0.15 in as much as a cell of radius.
+// Solves r + excess(r) = radius by the fixed-point iteration r -> radius - excess(r). It converges because
+// |d excess/dr| <= 0.15.
 double corrected_radius(BeadScheme scheme, double radius) {
   double corrected = radius;
   for (int n = 0; n < 40; ++n) corrected = radius - excess_radius(scheme, corrected);

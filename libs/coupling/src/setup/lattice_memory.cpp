@@ -27,20 +27,22 @@ double bead_surface(const CoupledScene& scene) {
 }
 
 double lattice_bytes(const CoupledScene& scene) {
-  constexpr double padding = 1.04;  // halo
-  const double number = static_cast<double>(bytes_of_number(scene.precision));
+  constexpr double padding = 1.04;  // factor for the halo
+  const double number = static_cast<double>(bytes_per_population(scene.precision));
   const double cells = padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
-  constexpr double links_of_area = 5.74;  // sum of |c_i.n| over half the directions, mean over n
-  constexpr double lists = 1.2;           // of rows and segments, beside the links
+  constexpr double links_of_area =
+      5.74;  // links per unit of area: sum of |c_i.n| over half of the directions, mean over n
+  constexpr double lists = 1.2;  // factor for lists of rows and segments
   return cells + lists * sizeof(BeadLink) * links_of_area * bead_surface(scene);
 }
 
 void require_memory(const CoupledScene& scene, const Communicator& communicator) {
-  const double needed = lattice_bytes(scene) / communicator.size() * ranks_on_this_node(communicator);
+  const double needed = lattice_bytes(scene) / communicator.size() * count_ranks_on_node(communicator);
   double lack = needed - installed_bytes();
   MPI_Allreduce(MPI_IN_PLACE, &lack, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
   if (lack <= 0) return;
-  const bool has_walls = std::ranges::count(scene.boundary, Boundary::no_slip) > 0;  // no mobility there
+  const bool has_walls =
+      std::ranges::count(scene.boundary, Boundary::no_slip) > 0;  // mobility models have no no-slip walls
   const std::string model = has_walls ? "" : fmt::format(", {} rpy, which has no cells,", Setting::model);
   const std::string precision =
       scene.precision == Precision::fp64 ? fmt::format("{} single, ", Setting::precision) : "";

@@ -20,10 +20,10 @@
 namespace beadswim {
 namespace {
 
-/// The resolution if neither the settings nor the layout have one: docs/speed-against-error.md.
+/// Default if neither the settings nor the layout specify a resolution: docs/speed-against-error.md.
 constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time = 1};
 
-/// A smaller bead can slip between the centres of cells and cover none [cell].
+/// Smallest radius of a bead [cell]. A smaller bead may cover no centre of a cell.
 constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
@@ -45,28 +45,28 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
         if (layout.domain->is_periodic(a)) continue;
         const double to_wall = std::min(beads[b][a], layout.domain->lengths[a] - beads[b][a]);
         const double gap = to_wall - type.beads[b].radius;
-        if (gap >= nearest_to_wall * cell) continue;
-        throw InputError(
-            fmt::format("{}:/swimmers/{}/position", source, s),
-            fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, "
-                        "{:.3g}; move the swimmer, or take more {}",
-                        b + 1, gap, "xyz"[a], nearest_to_wall * cell, Setting::cells_per_radius));
+        if (gap >= min_wall_gap * cell) continue;
+        throw InputError(fmt::format("{}:/swimmers/{}/position", source, s),
+                         fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, "
+                                     "{:.3g}; move the swimmer, or take more {}",
+                                     b + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
       }
     }
   }
 }
 
-/// Throws InputError where links into beads break down, or go on with strokes that are wrong by half.
+/// Throws InputError if the relaxation time is so small that links are unstable or the strokes are wrong by
+/// up to a half.
 void require_viscosity(BeadScheme scheme, double relaxation_time) {
-  if (!has_links(scheme) || relaxation_time >= least_viscous) return;
+  if (!has_links(scheme) || relaxation_time >= min_stable_relaxation_time) return;
   throw InputError(Setting::relaxation_time,
                    fmt::format("{:.6g} is so near 1/2 that the surface of beads is unstable with "
                                "{} {}; take {} or more, or {} psm",
-                               relaxation_time, Setting::bead_boundary, to_text(scheme), least_viscous,
-                               Setting::bead_boundary));
+                               relaxation_time, Setting::bead_boundary, to_text(scheme),
+                               min_stable_relaxation_time, Setting::bead_boundary));
 }
 
-/// Throws InputError at the one relaxation time at which multireflection has nothing to go by.
+/// Throws InputError near the relaxation time at which multireflection is undefined (multireflection.hpp).
 void require_slip(BeadScheme scheme, double relaxation_time) {
   constexpr double nearest = 1e-4;
   const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
@@ -78,15 +78,15 @@ void require_slip(BeadScheme scheme, double relaxation_time) {
 }
 
 Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) {
-  constexpr double roundoff = 1e-9, most = 1e6;
+  constexpr double roundoff = 1e-9, max_cells = 1e6;
   Index3 cells;
   for (int a = 0; a < 3; ++a) {
     const double exact = lengths[a] / cell;
     const double whole = std::round(exact);
     const std::string place = fmt::format("{}:/domain/lengths/{}", source, a);
-    if (whole > most)
+    if (whole > max_cells)
       throw InputError(place, fmt::format("{} is {:.3g} cells, over {}; take a smaller box, or fewer {}",
-                                          lengths[a], exact, most, Setting::cells_per_radius));
+                                          lengths[a], exact, max_cells, Setting::cells_per_radius));
     if (whole < 1 || std::abs(exact - whole) > roundoff * whole) {
       throw InputError(place, fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest are "
                                           "{:.10g} and {:.10g}, or choose another {}",
@@ -98,12 +98,12 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
   return cells;
 }
 
-/// By which the fluid's force comes late, in radians of a period [step].
+/// Returns the delay of the force of the fluid as a phase [rad]. period: [step].
 double phase_of_delay(const LatticeChoice& lattice, double period) {
   return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) / period;
 }
 
-/// Throws InputError if beads are too small, or steps too long.
+/// Returns the lattice. Throws InputError if beads are too small or steps too long.
 LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, double period) {
   constexpr double latest = 0.3;  // [rad]
   const LatticeChoice lattice = choose_lattice(smallest_radius(layout), resolution, layout.fluid, period);
@@ -128,12 +128,12 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
 SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {
   SwimmerType result = in_lattice_units(type, lattice.scales);
   if (corrects_delay) {
-    for (Bead& bead : result.beads) bead = made_up_for_delay(bead, lattice.relaxation_time);
+    for (Bead& bead : result.beads) bead = with_delay_correction(bead, lattice.relaxation_time);
   }
   return result;
 }
 
-/// The layout's swimmers and their types, in lattice units.
+/// Adds the swimmers of the layout and their types to the scene, in lattice units.
 void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice& lattice,
                   bool corrects_delay) {
   Swarm swarm = placed_swimmers(layout);
@@ -177,7 +177,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   scene.boundary = layout.domain->boundary;
   add_swimmers(scene, layout, result.lattice, settings.delay_correction);
   for (SwimmerType& type : scene.types) {
-    const SwimmerType steady = with_steady_vibrations(type, 1);
+    const SwimmerType steady = with_resolved_vibrations(type, 1);
     for (int arm = 0; arm < 2; ++arm)
       result.damps_springs |= steady.springs[arm].damping != type.springs[arm].damping;
     if (steady.angular_stiffness < type.angular_stiffness)

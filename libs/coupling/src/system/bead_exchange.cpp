@@ -7,26 +7,26 @@
 namespace beadswim {
 namespace {
 
-/// A bead is announced to ranks this many cells off, so that a rank still hears of one that left it in this
-/// step.
+/// Distance up to which a bead is sent to a rank [cell]. A rank thus still receives a bead that left its
+/// block in this step.
 constexpr int margin = 2;
 
-constexpr int publish_tag = 11, collect_tag = 12;  // the halo has 0 and 1
+constexpr int publish_tag = 11, collect_tag = 12;  // Halo uses the tags 0 and 1
 
-/// Farthest that a cell touched by a swimmer's bead may be from bead 2.
-double reach(const CoupledScene& scene) {
+/// Returns the largest distance from bead 2 at which a bead of the same swimmer can touch a cell [cell].
+double max_touched_distance(const CoupledScene& scene) {
   double farthest = 0;
   for (const SwimmerType& type : scene.types) {
     for (int arm = 0; arm < 2; ++arm) {
       const double radius =
           std::max(scene.radius_on_lattice(type.beads[2 * arm]), scene.radius_on_lattice(type.beads[1]));
-      farthest = std::max(farthest, longest_stretch * type.springs[arm].rest_length + radius);
+      farthest = std::max(farthest, max_stretch * type.springs[arm].rest_length + radius);
     }
   }
   return farthest + margin + 1;
 }
 
-/// Whether two blocks are within `distance` of each other along every axis.
+/// Returns true if the distance of two blocks is at most `distance` along every axis [cell].
 bool within(const BlockInLattice& a, const BlockInLattice& b, double distance) {
   const Vec3 centre = (b.block.offset.cast<double>() + 0.5 * b.block.size.cast<double>()).matrix();
   for (int axis = 0; axis < 3; ++axis) {
@@ -55,7 +55,7 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
     blocks_.push_back(block_in_lattice(decomposition, r, scene.boundary));
   }
   for (int r = 0; r < communicator.size(); ++r) {
-    if (within(blocks_[rank_], blocks_[r], reach(scene))) peers_.push_back(r);
+    if (within(blocks_[rank_], blocks_[r], max_touched_distance(scene))) peers_.push_back(r);
   }
 }
 
@@ -69,12 +69,12 @@ int BeadExchange::owner_of(const Vec3& position) const {
   return decomposition_.rank_of_cell(cell);
 }
 
-std::optional<Fault> BeadExchange::out_of_reach(const SwimmerState& swimmer) const {
+std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) const {
   const SwimmerType& type = types_[swimmer.type];
   for (int arm = 0; arm < 2; ++arm) {
     const double stretch = (swimmer.motion[arm + 1].position - swimmer.motion[arm].position).norm() /
                            type.springs[arm].rest_length;
-    if (stretch <= longest_stretch) continue;
+    if (stretch <= max_stretch) continue;
     return Fault{.kind = FaultKind::torn_arm,
                  .bead = {swimmer.id, arm},
                  .other = {swimmer.id, arm + 1},
@@ -82,12 +82,12 @@ std::optional<Fault> BeadExchange::out_of_reach(const SwimmerState& swimmer) con
                  .value = stretch};
   }
   for (int b = 0; b < 3; ++b) {
-    const BlockInLattice& at = blocks_[rank_];
+    const BlockInLattice& lattice_block = blocks_[rank_];
     for (int axis = 0; axis < 3; ++axis) {
-      if (at.is_periodic(axis)) continue;
+      if (lattice_block.is_periodic(axis)) continue;
       const double place = swimmer.motion[b].position[axis];
-      const double gap = std::min(place, at.cells[axis] - place) - radii_[swimmer.type][b];
-      if (gap >= nearest_to_wall) continue;
+      const double gap = std::min(place, lattice_block.cells[axis] - place) - radii_[swimmer.type][b];
+      if (gap >= min_wall_gap) continue;
       return Fault{.kind = FaultKind::wall,
                    .bead = {swimmer.id, b},
                    .position = swimmer.motion[b].position,
@@ -132,7 +132,7 @@ std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& ow
                                .motion = swimmer.motion[b],
                                .body = types_[swimmer.type].beads[b],
                                .predicted = swimmer.predicted[b],
-                               .firmness = swimmer.firmness[b],
+                               .removed_fraction = swimmer.removed_fraction[b],
                                .mass_source = swimmer.mass_source[b],
                                .impulse = {}};
       if (touches(blocks_[peer], margin, bead.motion.position, bead.radius)) beads(bead);

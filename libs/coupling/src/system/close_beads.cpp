@@ -9,27 +9,28 @@
 namespace beadswim {
 namespace {
 
-CloseBead close_bead(const Bead& body, const BeadVelocity& velocity, double firmness) {
+CloseBead close_bead(const Bead& body, const BeadVelocity& velocity, double removed_fraction) {
   return {.radius = body.radius,
           .mass = mass(body),
           .inertia = moment_of_inertia(body),
           .velocity = velocity.linear,
           .angular_velocity = velocity.angular,
-          .pairs = std::max(1.0, firmness)};
+          .pairs = std::max(1.0, removed_fraction)};
 }
 CloseBead close_bead(const BeadOnLattice& bead) {
-  return close_bead(bead.body, bead.predicted, bead.firmness);
+  return close_bead(bead.body, bead.predicted, bead.removed_fraction);
 }
 
-void hand_over(BeadOnLattice& bead, const Vec3& linear, const Vec3& angular, double firmness) {
+void add_close_impulse(BeadOnLattice& bead, const Vec3& linear, const Vec3& angular,
+                       double removed_fraction) {
   for (int a = 0; a < 3; ++a) {
     bead.impulse.close_linear[a].add(linear[a]);
     bead.impulse.close_angular[a].add(angular[a]);
   }
-  bead.impulse.firmness.add(firmness);
+  bead.impulse.removed_fraction.add(removed_fraction);
 }
 
-/// Whether a point in the unwrapped coordinates of an image lies in the block's own cells.
+/// Returns true if a point, in the unwrapped coordinates of an image, lies in the block.
 bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point) {
   const Index3 cell = point.array().floor().cast<int>() - image.shift;
   return coverage.is_own(cell[0], cell[1], cell[2]);
@@ -39,7 +40,7 @@ bool is_own(const Coverage& coverage, const BeadImage& image, const Vec3& point)
 
 std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
                                 double smaller_radius) {
-  if (-gap <= deepest_overlap * smaller_radius) return std::nullopt;
+  if (-gap <= max_overlap * smaller_radius) return std::nullopt;
   return Fault{.kind = FaultKind::overlap,
                .bead = bead,
                .other = other,
@@ -50,7 +51,8 @@ std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, con
 LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
   constexpr double roughness = 1e-3;  // [smallest radius]
   const auto range = [&](double normal, double tangential) {
-    return LubricationRange{normal, tangential, roughness * smallest_radius};
+    return LubricationRange{
+        .normal = normal, .tangential = tangential, .smallest = roughness * smallest_radius};
   };
   switch (scheme) {
     case BeadScheme::staircase:
@@ -65,7 +67,7 @@ LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
 }
 
 NearContactLaw near_contact_law(const CoupledScene& scene) {
-  constexpr double collision_steps = 2;  // the fewest in which an implicit step follows a spring
+  constexpr double collision_steps = 2;  // the minimum for an implicit step to follow a spring
   double smallest = std::numeric_limits<double>::infinity();
   for (const SwimmerType& type : scene.types) {
     for (const Bead& bead : type.beads) smallest = std::min(smallest, bead.radius);
@@ -75,25 +77,25 @@ NearContactLaw near_contact_law(const CoupledScene& scene) {
                      .stiffness_rate = std::numbers::pi / collision_steps,
                      .damping_ratio = 0.5,
                      .friction = scene.friction,
-                     .contact_reach = 2 * speed_limit};
+                     .contact_cutoff = 2 * speed_limit};
   if (scene.lubrication) law.range = lubrication_range(scene.bead_boundary, smallest);
   return law;
 }
 
-CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
-                            std::span<BeadOnLattice> beads) {
+CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& coverage,
+                                std::span<BeadOnLattice> beads) {
   const std::vector<CoveredImage>& images = coverage.images().images;
   CloseBeads found;
   for (const ImagePair& pair : coverage.images().close_pairs) {
     const CoveredImage &a = images[pair.first], &b = images[pair.second];
     BeadOnLattice &first = beads[a.bead], &second = beads[b.bead];
-    // Whole numbers between images: the same bits whichever block asks.
+    // The shift between images is an integer, so that every block gets the same bits.
     const Vec3 between = (a.image.shift - b.image.shift).cast<double>().matrix();
     if (first.name.swimmer == second.name.swimmer && between == Vec3::Zero()) continue;
     const Vec3 separation = second.motion.position - first.motion.position + between;
     const double distance = separation.norm();
     const double gap = distance - first.body.radius - second.body.radius;
-    if (!(gap < law.reach())) continue;
+    if (!(gap < law.cutoff())) continue;
     const double to_middle = distance > 0 ? (first.body.radius + 0.5 * gap) / distance : 0;
     if (!is_own(coverage, a.image, first.motion.position + to_middle * separation)) continue;
 
@@ -101,17 +103,17 @@ CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
     const auto overlap = overlap_of(first.name, second.name, first.motion.position, gap,
                                     std::min(first.body.radius, second.body.radius));
     if (overlap && (!found.overlap || comes_before(*overlap, *found.overlap))) found.overlap = overlap;
-    if (overlap) continue;  // the run will stop
+    if (overlap) continue;  // the fault stops the run
     const PairImpulse impulse =
         near_contact_impulse(law, close_bead(first), close_bead(second), separation, 1);
-    hand_over(first, -impulse.linear, impulse.first_angular, impulse.firmness);
-    hand_over(second, impulse.linear, impulse.second_angular, impulse.firmness);
+    add_close_impulse(first, -impulse.linear, impulse.first_angular, impulse.removed_fraction);
+    add_close_impulse(second, impulse.linear, impulse.second_angular, impulse.removed_fraction);
   }
   return found;
 }
 
-void push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
-                SwimmerLoads& impulses) {
+void add_swimmer_contact_impulses(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
+                                  SwimmerLoads& impulses) {
   std::array<CloseBead, 3> beads;
   std::array<Vec3, 3> positions;
   for (int b = 0; b < 3; ++b) {
@@ -119,14 +121,14 @@ void push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState
     BeadVelocity velocity = swimmer.predicted[b];
     velocity.linear += impulses[b].force / mass(body);
     velocity.angular += impulses[b].torque / moment_of_inertia(body);
-    beads[b] = close_bead(body, velocity, swimmer.firmness[b]);
+    beads[b] = close_bead(body, velocity, swimmer.removed_fraction[b]);
     positions[b] = swimmer.motion[b].position;
   }
   const ChainContact chain = chain_contact(law, beads, positions, 1);
   for (int b = 0; b < 3; ++b) {
     impulses[b].force += chain.linear[b];
     impulses[b].torque += chain.angular[b];
-    swimmer.firmness[b] += chain.firmness[b];
+    swimmer.removed_fraction[b] += chain.removed_fraction[b];
   }
 }
 

@@ -7,6 +7,7 @@
 namespace beadswim {
 namespace {
 
+/// Largest permitted relative changes.
 struct Limits {
   double momentum, mass;
 };
@@ -33,7 +34,7 @@ std::optional<Fault> conservation_fault(const CoupledScene& scene, const SceneTo
 
   const bool periodic =
       std::ranges::all_of(scene.boundary, [](Boundary ends) { return ends == Boundary::periodic; });
-  constexpr double slowest = 1e-9;  // beads at rest: roundoff of the fluid alone [cell/step]
+  constexpr double slowest = 1e-9;  // lower bound for beads at rest [cell/step]
   const double scale = mass_of_beads(scene) * std::max(bead_speed, slowest);
   const double gained = (now.momentum - first.momentum).norm() / scale;
   if (periodic && !(gained <= limit.momentum)) return Fault{.kind = FaultKind::momentum, .value = gained};

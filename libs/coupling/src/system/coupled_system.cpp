@@ -13,6 +13,7 @@
 namespace beadswim {
 namespace {
 
+/// Returns the state of a swimmer whose beads are at rest.
 SwimmerState at_rest(const CoupledScene& scene, const PlacedSwimmer& swimmer) {
   const SwimmerType& type = scene.type_of(swimmer);
   SwimmerState state{.id = swimmer.id,
@@ -49,7 +50,7 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
-  meet();
+  find_links_and_contacts();
 }
 
 std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
@@ -66,11 +67,11 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
                  .position = motion.position,
                  .value = speed};
   }
-  if (const auto fault = exchange_.out_of_reach(swimmer)) return fault;
+  if (const auto fault = exchange_.position_fault(swimmer)) return fault;
   for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
     const Vec3& place = swimmer.motion[i].position;
     const double gap = (swimmer.motion[j].position - place).norm() - bodies[i].radius - bodies[j].radius;
-    if (!fault_ && gap < near_contact_.reach()) smallest_gap_ = std::min(smallest_gap_, gap);
+    if (!fault_ && gap < near_contact_.cutoff()) smallest_gap_ = std::min(smallest_gap_, gap);
     if (const auto fault = overlap_of({swimmer.id, i}, {swimmer.id, j}, place, gap,
                                       std::min(bodies[i].radius, bodies[j].radius)))
       return fault;
@@ -78,7 +79,7 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
   return std::nullopt;
 }
 
-void CoupledSystem::note(Fault fault) {
+void CoupledSystem::record_fault(Fault fault) {
   fault.step = steps_done_;
   if (!fault_ || comes_before(fault, *fault_)) fault_ = fault;
 }
@@ -107,12 +108,12 @@ std::vector<SwimmerState> CoupledSystem::gather_swimmers() const {
 
 std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
   std::map<BeadName, Impulse> impulses = exchange_.collect(beads_);
-  add_under_way(impulses);
+  add_pending_impulses(impulses);
   std::vector<SwimmerSnapshot> own;
   for (const SwimmerState& swimmer : owned_) {
     SwimmerSnapshot& snapshot = own.emplace_back();
     snapshot.state = swimmer;
-    for (int b = 0; b < 3; ++b) snapshot.under_way[b] = impulses[{swimmer.id, b}];
+    for (int b = 0; b < 3; ++b) snapshot.pending_impulses[b] = impulses[{swimmer.id, b}];
   }
   auto snapshots = snapshots_from_bytes(gather_bytes(bytes_of(own), communicator_));
   std::ranges::sort(snapshots, {}, [](const SwimmerSnapshot& s) { return s.state.id; });
@@ -132,28 +133,28 @@ int CoupledSystem::neighbours() const {
   return static_cast<int>(others.size());
 }
 
-void CoupledSystem::restore(const SystemMoment& moment, std::span<const SwimmerSnapshot> swimmers,
+void CoupledSystem::restore(const SystemProgress& progress, std::span<const SwimmerSnapshot> swimmers,
                             const std::function<void(Populations&)>& fill) {
   owned_.clear();
-  under_way_.clear();
+  pending_impulses_.clear();
   for (const SwimmerSnapshot& swimmer : swimmers) {
     if (!owns(swimmer.state)) continue;
     owned_.push_back(swimmer.state);
-    for (int b = 0; b < 3; ++b) under_way_[{swimmer.state.id, b}] = swimmer.under_way[b];
+    for (int b = 0; b < 3; ++b) pending_impulses_[{swimmer.state.id, b}] = swimmer.pending_impulses[b];
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
   fill(populations_);
-  find_surfaces();
+  find_links_or_saturated_cells();
   fault_.reset();
-  is_broken_ = false;
-  steps_done_ = moment.steps_done;
-  largest_bead_speed_ = moment.largest_bead_speed;
-  smallest_gap_ = moment.smallest_gap;
+  state_is_finite_ = true;
+  steps_done_ = progress.steps_done;
+  largest_bead_speed_ = progress.largest_bead_speed;
+  smallest_gap_ = progress.smallest_gap;
 }
 
-void CoupledSystem::add_under_way(std::map<BeadName, Impulse>& impulses) {
-  for (const auto& [name, impulse] : under_way_) impulses[name].add(impulse);
+void CoupledSystem::add_pending_impulses(std::map<BeadName, Impulse>& impulses) {
+  for (const auto& [name, impulse] : pending_impulses_) impulses[name].add(impulse);
 }
 
 FluidTotals CoupledSystem::exchange_covered_cells(FluidTotals& fluid) const {
@@ -180,7 +181,7 @@ FluidTotals CoupledSystem::exchange_inner_fluid(FluidTotals& fluid) const {
 }
 
 void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) const {
-  everything = block_totals(populations_);  // fluid, beads, and what is under way between them
+  everything = block_totals(populations_);  // cells of the block; beads and pending impulses follow
   const FluidTotals beads_volume =
       has_links(scene_.bead_boundary) ? exchange_covered_cells(everything) : exchange_inner_fluid(everything);
   all_cells = everything;
@@ -193,10 +194,11 @@ void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) 
     }
   }
   for (const BeadOnLattice& bead : beads_) {
-    everything.density_deviation.add(bead.impulse.mass);  // as sums: a rank's part must not be rounded
+    everything.density_deviation.add(
+        bead.impulse.mass);  // adds exact sums, because the part of one rank must not be rounded
     for (int a = 0; a < 3; ++a) everything.momentum[a].add(bead.impulse.linear[a]);
   }
-  for (const auto& [name, impulse] : under_way_) {
+  for (const auto& [name, impulse] : pending_impulses_) {
     everything.density_deviation.add(impulse.mass);
     for (int a = 0; a < 3; ++a) everything.momentum[a].add(impulse.linear[a]);
   }
@@ -204,7 +206,7 @@ void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) 
 
 SceneTotals CoupledSystem::totals() {
   FluidTotals everything, all_cells;
-  unless_broken([&] { add_totals(everything, all_cells); });
+  if_state_is_finite([&] { add_totals(everything, all_cells); });
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);
   const double cells = scene_.cells.cast<double>().prod();

@@ -8,13 +8,13 @@
 namespace beadswim {
 namespace {
 
-/// Cells of a block in plane z of the lattice.
+/// Returns the number of cells of a block in plane z of the lattice.
 int cells_in_plane(const Block& block, int z) {
   const int local = z - block.offset[2];
   return local >= 0 && local < block.size[2] ? block.size[0] * block.size[1] : 0;
 }
 
-/// Where the ranks' blocks, one after the other in `packed`, lie in the plane.
+/// Sorts the values of a plane, which `packed` contains block by block, into global order.
 std::vector<double> in_global_order(const Decomposition& decomposition, int z, int components,
                                     const std::vector<double>& packed) {
   const Index3& cells = decomposition.cells();

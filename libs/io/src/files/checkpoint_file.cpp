@@ -22,7 +22,8 @@ namespace {
 
 constexpr const char* format_name = "beadswim/checkpoint/1";
 constexpr const char* lattice_name = "lattice";
-constexpr hsize_t piece = hsize_t{1} << 26;  ///< bytes that are read or written at a time
+constexpr hsize_t max_piece_bytes = hsize_t{1}
+                                    << 26;  ///< maximum number of bytes per read or write operation
 
 template <class Real>
 hid_t file_type() {
@@ -34,7 +35,7 @@ hid_t memory_type() {
 }
 
 H5Handle parallel_access(const Communicator& communicator, const std::string& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are exceptions of ours
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
   H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
   return access;
@@ -47,7 +48,7 @@ H5Handle create_file(const std::string& path, const Communicator& communicator) 
   return {file, H5Fclose, path};
 }
 
-/// Whether all ranks say so.
+/// Returns true on all ranks if `yes` is true on all ranks. Collective.
 bool all_agree(bool yes, const Communicator& communicator) {
   int all = yes ? 1 : 0;
   MPI_Allreduce(MPI_IN_PLACE, &all, 1, MPI_INT, MPI_MIN, communicator.get());
@@ -55,7 +56,7 @@ bool all_agree(bool yes, const Communicator& communicator) {
 }
 
 H5Handle open_file(const std::string& path, const Communicator& communicator) {
-  // Not by all ranks of HDF5 at once what is no file, or none of HDF5's.
+  // Rank 0 checks first, so that HDF5 does not open a missing or foreign file in parallel.
   const bool is_hdf5 = !communicator.is_root() || H5Fis_hdf5(path.c_str()) > 0;
   if (!all_agree(is_hdf5, communicator))
     throw InputError(
@@ -69,7 +70,7 @@ H5Handle open_file(const std::string& path, const Communicator& communicator) {
   return {file, H5Fclose, path};
 }
 
-/// One rank's part of a dataset, and where it lies in memory.
+/// Dataspaces of one rank's part of a dataset, in the file and in memory.
 struct Selection {
   H5Handle file, memory;
 };
@@ -91,7 +92,7 @@ H5Handle transfer_mode(H5FD_mpio_xfer_t mode, const std::string& what) {
   return transfer;
 }
 
-/// Shape of a component's part in the lattice [component][z][y][x].
+// Start and extents of the part of one component, in the dataset [component][z][y][x].
 std::array<hsize_t, 4> start_of(const LatticePart& part, int component) {
   return {hsize_t(component), hsize_t(part.offset[2]), hsize_t(part.offset[1]), hsize_t(part.offset[0])};
 }
@@ -99,6 +100,8 @@ std::array<hsize_t, 4> count_of(const LatticePart& part) {
   return {1, hsize_t(part.size[2]), hsize_t(part.size[1]), hsize_t(part.size[0])};
 }
 
+/// Adds the numbers of one component of a part to the hash. The index of a number is that in the complete
+/// lattice, so that the hash does not depend on the division into parts.
 template <class Real>
 void add_to(LatticeHash& hash, const LatticePart& part, int component, std::span<const Real> numbers) {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
@@ -114,8 +117,9 @@ void add_to(LatticeHash& hash, const LatticePart& part, int component, std::span
   }
 }
 
-/// Ends the hash of a checkpoint: sections by name, size and contents, then the lattice.
-std::string ended(Sha256& hash, std::uint64_t lattice) {
+/// Completes the hash of a checkpoint and returns it. The hash covers name, size and contents of each
+/// section, then the hash of the lattice.
+std::string finish_hash(Sha256& hash, std::uint64_t lattice) {
   const std::string text = fmt::format("{}:{:016x}", lattice_name, lattice);
   hash.update(std::as_bytes(std::span(text)));
   return hash.hexadecimal();
@@ -130,8 +134,8 @@ std::uint64_t sum_over_ranks(std::uint64_t value, const Communicator& communicat
   return value;
 }
 
-/// Extents of a dataset: SolverError if it has not `dimensions` of them, or claims to hold more than is
-/// stored.
+/// Returns the extents of a dataset. Throws SolverError if it does not have this number of dimensions or
+/// declares more data than the file stores.
 template <std::size_t dimensions>
 std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::string& what) {
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
@@ -142,7 +146,7 @@ std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::str
         fmt::format(": has another number of dimensions; take the other checkpoint, or begin without {}",
                     Setting::restart));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  if (!stores_all(dataset, shape))
+  if (!has_plausible_extents(dataset, shape))
     throw SolverError(
         what +
         fmt::format(": claims to hold more than is stored; take the other checkpoint, or begin without {}",
@@ -150,7 +154,8 @@ std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::str
   return shape;
 }
 
-/// Text of an attribute; empty if there is none such.
+/// Returns the text of an attribute, or an empty text if there is no attribute with one string of fixed
+/// length.
 std::string attribute(const H5Handle& file, const char* name) {
   if (H5Aexists(file, name) <= 0) return "";
   const H5Handle at(H5Aopen(file, name, H5P_DEFAULT), H5Aclose, name);
@@ -166,7 +171,7 @@ std::string attribute(const H5Handle& file, const char* name) {
 }  // namespace
 
 void LatticeHash::add(std::uint64_t place, std::uint64_t bits) {
-  // SplitMix64's mixing (Steele, Lea and Flood 2014) of the bits and their place.
+  // Mixing function of SplitMix64 (Steele, Lea and Flood 2014), applied to the bits and their index.
   std::uint64_t z = bits + place * 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
@@ -181,7 +186,7 @@ CheckpointWriter::CheckpointWriter(const std::string& path, const Communicator& 
 CheckpointWriter::~CheckpointWriter() {
   if (is_finished_) return;
   file_.leave_open();
-  if (communicator_.is_root()) unlink(part_name(path_).c_str());  // its room is missed elsewhere
+  if (communicator_.is_root()) unlink(part_name(path_).c_str());  // frees the disk space
 }
 
 H5Handle CheckpointWriter::create(const std::string& name, hid_t type, std::span<const hsize_t> shape) {
@@ -196,7 +201,7 @@ H5Handle CheckpointWriter::create(const std::string& name, hid_t type, std::span
 
 void CheckpointWriter::write_bytes(const H5Handle& dataset, hsize_t first, std::span<const char> bytes) {
   for (hsize_t done = 0; done < bytes.size();) {
-    const std::array start{first + done}, count{std::min<hsize_t>(piece, bytes.size() - done)};
+    const std::array start{first + done}, count{std::min<hsize_t>(max_piece_bytes, bytes.size() - done)};
     const Selection selection = select(dataset, start, count, path_);
     if (H5Dwrite(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
                  transfer_mode(H5FD_MPIO_INDEPENDENT, path_), bytes.data() + done) < 0)
@@ -231,7 +236,7 @@ void CheckpointWriter::add_file(const std::string& section, const std::string& p
   sections_ += section + "\n";
   if (!communicator_.is_root()) return;
   begin_section(hash_, section, size);
-  std::vector<char> buffer(std::min<std::uint64_t>(piece, size));
+  std::vector<char> buffer(std::min<std::uint64_t>(max_piece_bytes, size));
   for (std::uint64_t done = 0; done < size;) {
     const std::uint64_t count = std::min<std::uint64_t>(buffer.size(), size - done);
     if (!file.read(buffer.data(), static_cast<std::streamsize>(count)))
@@ -260,7 +265,7 @@ void CheckpointWriter::add_lattice(const LatticePart& part, int components,
 
 void CheckpointWriter::finish() {
   const std::uint64_t lattice = sum_over_ranks(lattice_hash_.value, communicator_);
-  std::string hash = communicator_.is_root() ? ended(hash_, lattice) : std::string(64, ' ');
+  std::string hash = communicator_.is_root() ? finish_hash(hash_, lattice) : std::string(64, ' ');
   MPI_Bcast(hash.data(), static_cast<int>(hash.size()), MPI_CHAR, 0, communicator_.get());
   write_attribute(file_, "sections", sections_);
   write_attribute(file_, "content_sha256", hash);
@@ -278,17 +283,17 @@ void CheckpointWriter::finish() {
 
 CheckpointReader::CheckpointReader(const std::string& path, const Communicator& communicator)
     : path_(path), communicator_(communicator), file_(open_file(path, communicator)) {
-  require_sound();
+  require_undamaged();
 }
 
 CheckpointReader::~CheckpointReader() {
-  // One rank alone may have failed, and to close the file takes all.
+  // An error may have occurred on one rank only. Closing the file would then wait for the other ranks.
   if (std::uncaught_exceptions() > exceptions_) file_.leave_open();
 }
 
-void CheckpointReader::require_sound() const {
-  const auto require = [this](bool is_sound) {
-    if (!all_agree(is_sound, communicator_))
+void CheckpointReader::require_undamaged() const {
+  const auto require = [this](bool is_undamaged) {
+    if (!all_agree(is_undamaged, communicator_))
       throw InputError(path_, fmt::format("is damaged: its contents are not those of its hash; take the "
                                           "other checkpoint, or begin without {}",
                                           Setting::restart));
@@ -301,10 +306,10 @@ void CheckpointReader::require_sound() const {
     format = attribute(file_, "format");
     if (format == format_name) {
       hash_on_file = attribute(file_, "content_sha256");
-      lattice = hash_of_part();
+      lattice = hash_lattice_part();
       if (communicator_.is_root()) add_sections(hash);
     }
-  } catch (const std::exception&) {  // what HDF5 cannot read, or sizes that no file can have
+  } catch (const std::exception&) {  // for example unreadable data, or sizes that exceed the memory
     is_read = false;
   }
   require(is_read);
@@ -317,7 +322,7 @@ void CheckpointReader::require_sound() const {
                                         "wrote it, or begin without {}",
                                         format_name, Setting::restart));
   lattice = sum_over_ranks(lattice, communicator_);
-  require(!communicator_.is_root() || ended(hash, lattice) == hash_on_file);
+  require(!communicator_.is_root() || finish_hash(hash, lattice) == hash_on_file);
 }
 
 void CheckpointReader::add_sections(Sha256& hash) const {
@@ -326,15 +331,15 @@ void CheckpointReader::add_sections(Sha256& hash) const {
     const std::uint64_t all = size(name);
     begin_section(hash, name, all);
     for (std::uint64_t done = 0; done < all;) {
-      const std::vector<char> part = bytes(name, done, std::min<std::uint64_t>(piece, all - done));
+      const std::vector<char> part = bytes(name, done, std::min<std::uint64_t>(max_piece_bytes, all - done));
       hash.update(std::as_bytes(std::span(part)));
       done += part.size();
     }
   }
 }
 
-std::uint64_t CheckpointReader::hash_of_part() const {
-  if (H5Lexists(file_, lattice_name, H5P_DEFAULT) == 0) return 0;  // of a model without one
+std::uint64_t CheckpointReader::hash_lattice_part() const {
+  if (H5Lexists(file_, lattice_name, H5P_DEFAULT) == 0) return 0;  // the model has no lattice
   const H5Handle dataset(H5Dopen2(file_, lattice_name, H5P_DEFAULT), H5Dclose, path_);
   const H5Handle type(H5Dget_type(dataset), H5Tclose, path_);
   const auto shape = shape_of<4>(dataset, path_);
@@ -391,7 +396,7 @@ void CheckpointReader::copy_to(const std::string& section, int descriptor) const
   };
   require(ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0);
   for (std::uint64_t done = 0; done < all;) {
-    const std::vector<char> part = bytes(section, done, std::min<std::uint64_t>(piece, all - done));
+    const std::vector<char> part = bytes(section, done, std::min<std::uint64_t>(max_piece_bytes, all - done));
     for (std::size_t written = 0; written < part.size();) {
       const ssize_t count = write(descriptor, part.data() + written, part.size() - written);
       if (count < 0 && errno == EINTR) continue;

@@ -18,13 +18,13 @@
 namespace beadswim {
 namespace {
 
-// Beside the H5MD groups: MDAnalysis takes whatever lies in /observables for a series with a value every
-// frame.
+// Cycle quantities are outside the H5MD groups, because MDAnalysis expects all series in /observables to have
+// one value per frame.
 const std::string swimmers_group = "swimmers/";
-constexpr const char* trajectory_section = "trajectory";  ///< of a checkpoint
+constexpr const char* trajectory_section = "trajectory";  ///< section of a checkpoint
 
-/// Why no trajectory of this name can be made; empty if it can. `part` becomes PATH.part, locked by this
-/// process.
+/// Creates and locks PATH.part and stores its descriptor in `part`. Returns an empty text, or the reason why
+/// the trajectory cannot be created.
 std::string creation_fault(const std::string& path, int& part) {
   struct stat existing {};
   if (path == "-" || path.ends_with('/')) return "not the name of a file";
@@ -36,8 +36,8 @@ std::string creation_fault(const std::string& path, int& part) {
   return "";
 }
 
-/// Rank 0 tries and all ranks throw the same InputError. Returns rank 0's lock, which lasts until it is
-/// closed.
+/// Creates and locks the output file on rank 0. Returns the file descriptor on rank 0 and -1 on other ranks.
+/// The lock lasts until the descriptor is closed. All ranks throw the same InputError on failure.
 int lock_output(const std::string& path, const Communicator& communicator) {
   int part = -1;
   std::string fault = communicator.is_root() ? creation_fault(path, part) : "";
@@ -51,10 +51,11 @@ int lock_output(const std::string& path, const Communicator& communicator) {
   return part;
 }
 
-/// `locked`: rank 0's PATH.part. An empty file, or the checkpoint's.
+/// Opens PATH.part on all ranks: as an empty file, or with the contents that the checkpoint contains.
+/// `locked` is the descriptor of rank 0.
 H5Handle open_file(const std::string& path, int locked, const CheckpointReader* checkpoint,
                    const Communicator& communicator) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are exceptions of ours, not HDF5's stack on stderr
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_fapl_mpio(access, communicator.get(), MPI_INFO_NULL), path);
   if (checkpoint != nullptr) checkpoint->copy_to(trajectory_section, locked);
@@ -72,8 +73,8 @@ H5Handle open_file(const std::string& path, int locked, const CheckpointReader* 
   return {file, H5Fclose, path};
 }
 
-/// A frame at least so large is a chunk of its own, and compressed; smaller ones share a chunk as they are.
-/// Either way a later frame moves nothing of an earlier one.
+/// Size [byte] from which each frame has its own chunk, which is compressed. Smaller frames share
+/// uncompressed chunks. In both cases, writing a frame does not move data of earlier frames.
 constexpr hsize_t chunk_bytes = 16384;
 
 struct WrappedPositions {
@@ -110,10 +111,10 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
       comm_(communicator.get()),
       box_(header.box),
       beads_(header.bead.size()),
-      goes_on_(checkpoint != nullptr),
+      continues_checkpoint_(checkpoint != nullptr),
       lock_(lock_output(path, communicator)),
       file_(open_file(path, lock_.descriptor, checkpoint, communicator)) {
-  if (!goes_on_) create_groups(header);
+  if (!continues_checkpoint_) create_groups(header);
   const hsize_t swimmers = beads_ / 3;
   add_element(frames_, "particles/beads/box/edges", H5T_NATIVE_DOUBLE, {3, 3});
   add_element(frames_, "particles/beads/position", H5T_NATIVE_FLOAT, {beads_, 3});
@@ -129,7 +130,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
 }
 
 TrajectoryWriter::~TrajectoryWriter() {
-  // One rank alone may have failed, and to close the file takes all.
+  // An error may have occurred on one rank only. Closing the file would then wait for the other ranks.
   if (std::uncaught_exceptions() <= exceptions_) return;
   for (auto& [name, series] : series_) series.dataset.leave_open();
   file_.leave_open();
@@ -165,14 +166,14 @@ void TrajectoryWriter::write_metadata(const TrajectoryHeader& header) {
 
 H5Handle TrajectoryWriter::create_series(const std::string& name, hid_t type,
                                          const std::vector<hsize_t>& row) {
-  std::vector<hsize_t> now{0}, most{H5S_UNLIMITED};
+  std::vector<hsize_t> extents{0}, max_extents{H5S_UNLIMITED};
   hsize_t bytes = H5Tget_size(type);
   for (const hsize_t n : row) bytes *= n;
   std::vector<hsize_t> chunk{std::max<hsize_t>(1, chunk_bytes / bytes)};
-  for (auto* shape : {&now, &most, &chunk}) shape->insert(shape->end(), row.begin(), row.end());
+  for (auto* shape : {&extents, &max_extents, &chunk}) shape->insert(shape->end(), row.begin(), row.end());
 
-  const H5Handle space(H5Screate_simple(static_cast<int>(now.size()), now.data(), most.data()), H5Sclose,
-                       name);
+  const H5Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), max_extents.data()),
+                       H5Sclose, name);
   const H5Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
   check_hdf5(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), name);
   if (bytes >= chunk_bytes) {
@@ -185,8 +186,9 @@ H5Handle TrajectoryWriter::create_series(const std::string& name, hid_t type,
 
 void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vector<hsize_t> row) {
   const std::string what = path_ + ":/" + name;
-  H5Handle dataset = goes_on_ ? H5Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, what)
-                              : create_series(name, type, row);
+  H5Handle dataset = continues_checkpoint_
+                         ? H5Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, what)
+                         : create_series(name, type, row);
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::vector<hsize_t> extent(row.size() + 1);
   if (H5Sget_simple_extent_ndims(space) != std::ssize(extent))
@@ -200,12 +202,12 @@ void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vect
 
 void TrajectoryWriter::add_element(Sampling& sampling, const std::string& name, hid_t type,
                                    std::vector<hsize_t> row) {
-  if (!goes_on_) create_group(file_, name);
+  if (!continues_checkpoint_) create_group(file_, name);
   if (sampling.step_name.empty()) {
     sampling = {.step_name = name + "/step", .time_name = name + "/time"};
     add_series(sampling.step_name, H5T_NATIVE_INT64, {});
     add_series(sampling.time_name, H5T_NATIVE_DOUBLE, {});
-  } else if (!goes_on_) {
+  } else if (!continues_checkpoint_) {
     for (const auto& [target, link] : {std::pair{sampling.step_name, "/step"}, {sampling.time_name, "/time"}})
       check_hdf5(
           H5Lcreate_hard(file_, target.c_str(), file_, (name + link).c_str(), H5P_DEFAULT, H5P_DEFAULT),

@@ -74,8 +74,8 @@ void check_hdf5(herr_t status, const std::string& what) {
     throw SolverError(what + ": HDF5 cannot read or write it; is the file damaged, or the disk full?");
 }
 
-bool stores_all(hid_t dataset, std::span<const hsize_t> extents) {
-  constexpr double most_compressed = 1032;  // by deflate
+bool has_plausible_extents(hid_t dataset, std::span<const hsize_t> extents) {
+  constexpr double max_compression = 1032;  // by deflate
   const std::string what = "dataset";
   try {
     const H5Handle type(H5Dget_type(dataset), H5Tclose, what);
@@ -86,7 +86,7 @@ bool stores_all(hid_t dataset, std::span<const hsize_t> extents) {
     double claimed = static_cast<double>(H5Tget_size(type));
     for (const hsize_t n : extents) claimed *= static_cast<double>(n);
     const bool in_chunks = H5Pget_layout(creation) == H5D_CHUNKED;
-    return claimed <= (in_chunks ? most_compressed * static_cast<double>(file_size)
+    return claimed <= (in_chunks ? max_compression * static_cast<double>(file_size)
                                  : static_cast<double>(H5Dget_storage_size(dataset)));
   } catch (const SolverError&) {
     return false;

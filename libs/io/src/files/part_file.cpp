@@ -10,10 +10,10 @@
 namespace beadswim {
 namespace {
 
-/// The system's reason if the file or folder cannot be put on the disk, else 0.
+/// Flushes a file or a folder to the disk. Returns 0, or the value of errno if this fails.
 int sync(const std::string& path, int flags) {
   const int file = open(path.c_str(), flags | O_CLOEXEC);
-  // Folders of some network file systems cannot be synchronised and say EINVAL.
+  // Some network file systems cannot synchronise folders and return EINVAL.
   const bool failed = file < 0 || (fsync(file) != 0 && errno != EINVAL);
   const int reason = failed ? errno : 0;
   if (file >= 0) close(file);

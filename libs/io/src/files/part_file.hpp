@@ -2,14 +2,14 @@
 
 #include <string>
 
-// A file is PATH.part until it is whole.
+// An incomplete file is named PATH.part.
 
 namespace beadswim {
 
 std::string part_name(const std::string& path);
 
-/// Puts PATH.part on the disk and gives it its name, in place of an older one. The system's reason if that
-/// fails, else 0.
+/// Flushes PATH.part to the disk and renames it to PATH. Replaces an older file. Returns 0, or the value of
+/// errno if this fails.
 int name_finished_file(const std::string& path);
 
 }  // namespace beadswim

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string system_says() {
+std::string system_message() {
   return std::strerror(errno);
 }
 
@@ -39,15 +39,15 @@ class Descriptor {
     for (std::size_t written = 0; written < text.size();) {
       const ssize_t count = ::write(number_, text.data() + written, text.size() - written);
       if (count < 0 && errno == EINTR) continue;
-      if (count < 0) throw SolverError(fmt::format("{}: cannot be written: {}", path, system_says()));
+      if (count < 0) throw SolverError(fmt::format("{}: cannot be written: {}", path, system_message()));
       written += static_cast<std::size_t>(count);
     }
   }
 
   void sync(const std::string& path) const {
-    // Folders of some network file systems cannot be synchronised and say EINVAL.
+    // Some network file systems cannot synchronise folders and return EINVAL.
     if (::fsync(number_) != 0 && errno != EINVAL) {
-      throw SolverError(fmt::format("{}: cannot be written: {}", path, system_says()));
+      throw SolverError(fmt::format("{}: cannot be written: {}", path, system_message()));
     }
   }
 
@@ -55,7 +55,7 @@ class Descriptor {
   int number_;
 };
 
-/// A new file beside `target`, removed with the object unless it has taken the target's place.
+/// A temporary file in the folder of `target`. The destructor removes it unless it has replaced the target.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const fs::path& target)
@@ -68,9 +68,9 @@ class TemporaryFile {
 
   const fs::path& path() const { return path_; }
 
-  void take_targets_place() {
+  void replace_target() {
     if (::rename(path_.c_str(), target_.c_str()) != 0) {
-      throw SolverError(fmt::format("{}: cannot be replaced: {}", target_.string(), system_says()));
+      throw SolverError(fmt::format("{}: cannot be replaced: {}", target_.string(), system_message()));
     }
     path_.clear();
   }
@@ -84,18 +84,18 @@ InputError cannot_be_created(const std::string& path) {
   return InputError(
       path,
       fmt::format("cannot be created: {}; name a file in a folder that exists and that you may write to",
-                  system_says()));
+                  system_message()));
 }
 
 void write_stdout(const std::string& text) {
   const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
   if (written != text.size() || std::fflush(stdout) != 0) {
-    throw SolverError(fmt::format("stdout: cannot be written: {}", system_says()));
+    throw SolverError(fmt::format("stdout: cannot be written: {}", system_message()));
   }
 }
 
-/// What a symbolic link leads to, whether that is there or not.
-fs::path followed(const std::string& link) {
+/// Returns the target of a symbolic link, which need not exist.
+fs::path link_target(const std::string& link) {
   std::error_code loop;
   const fs::path target = fs::weakly_canonical(link, loop);
   if (loop) throw InputError(link, fmt::format("cannot be created: {}; name a file", loop.message()));
@@ -118,7 +118,7 @@ void replace_file(const fs::path& target, const std::string& text) {
     file.write_all(text, target);
     file.sync(target);
   }
-  temporary.take_targets_place();
+  temporary.replace_target();
   const fs::path folder = target.has_parent_path() ? target.parent_path() : ".";
   const Descriptor opened_folder(folder, O_RDONLY | O_DIRECTORY);
   if (opened_folder.is_open()) opened_folder.sync(folder);
@@ -137,8 +137,8 @@ std::string read_text(const std::string& path) {
     throw InputError(path, "is a folder; name a file, or - for standard input");
   const std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw InputError(path,
-                     fmt::format("cannot be read: {}; name a file, or - for standard input", system_says()));
+    throw InputError(
+        path, fmt::format("cannot be read: {}; name a file, or - for standard input", system_message()));
   }
   text << file.rdbuf();
   return text.str();
@@ -147,8 +147,8 @@ std::string read_text(const std::string& path) {
 void write_text(const std::string& path, const std::string& text) {
   if (path == "-") return write_stdout(text);
   std::error_code ignored;
-  // Through symbolic links, so that the link stays and its target changes.
-  const fs::path target = fs::is_symlink(path, ignored) ? followed(path) : fs::path(path);
+  // A symbolic link is resolved, so that its target is replaced and not the link.
+  const fs::path target = fs::is_symlink(path, ignored) ? link_target(path) : fs::path(path);
   // A pipe or device has no earlier content to keep, and must not be replaced by a file.
   const fs::file_status status = fs::status(target, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) {

@@ -18,15 +18,15 @@ namespace beadswim {
 namespace {
 
 constexpr const char* remedy = "give a trajectory as beadswim-run wrote it (.h5md or .h5md.part)";
-constexpr hsize_t most_beads = 100'000'000;  // more is a broken number
+constexpr hsize_t max_beads = 100'000'000;  // a larger number indicates a damaged file
 
-[[noreturn]] void refuse(const std::string& place, const std::string& what) {
+[[noreturn]] void throw_input_error(const std::string& place, const std::string& what) {
   throw InputError(place, what + "; " + remedy);
 }
 
-/// A handle to what the file should hold; InputError if it does not.
-H5Handle opened(hid_t id, H5Handle::Close close, const std::string& place, const std::string& fault) {
-  if (id < 0) refuse(place, fault);
+/// Returns a handle that closes `id`. Throws InputError with the text `fault` if the id is negative.
+H5Handle checked_handle(hid_t id, H5Handle::Close close, const std::string& place, const std::string& fault) {
+  if (id < 0) throw_input_error(place, fault);
   return {id, close, place};
 }
 
@@ -34,39 +34,39 @@ void require_regular_file(const std::string& path) {
   struct stat status {};
   if (path == "-") throw InputError(path, "a trajectory cannot be read from standard input; name the file");
   if (stat(path.c_str(), &status) != 0 || access(path.c_str(), R_OK) != 0) {
-    refuse(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+    throw_input_error(path, fmt::format("cannot be read: {}", std::strerror(errno)));
   }
-  if (!S_ISREG(status.st_mode)) refuse(path, "is not a regular file");
+  if (!S_ISREG(status.st_mode)) throw_input_error(path, "is not a regular file");
 }
 
 void require_read(herr_t status, const std::string& place) {
-  if (status < 0) refuse(place, "is broken");
+  if (status < 0) throw_input_error(place, "is broken");
 }
 
 /// Refuses HDF5 files of other programs.
 void require_groups(hid_t file, const std::string& path) {
   for (const char* group : {"h5md", "particles", "particles/beads", "particles/beads/species"}) {
     if (H5Lexists(file, group, H5P_DEFAULT) > 0) continue;
-    refuse(path, fmt::format("is HDF5, but no trajectory of Beadswim: it has no /{}", group));
+    throw_input_error(path, fmt::format("is HDF5, but no trajectory of Beadswim: it has no /{}", group));
   }
 }
 
-/// Without HDF5's lock, which the run that writes the file holds.
+/// Opens the file without HDF5's file lock, because an active run holds the lock while it writes the file.
 H5Handle open_file(const std::string& path) {
   require_regular_file(path);
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are exceptions of ours, not HDF5's stack on stderr
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_file_locking(access, false, true), path);
-  H5Handle file = opened(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
-                         "is no HDF5 file, or a broken one");
+  H5Handle file = checked_handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
+                                 "is no HDF5 file, or a broken one");
   require_groups(file, path);
   return file;
 }
 
 std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
-  const H5Handle space = opened(H5Dget_space(dataset), H5Sclose, place, "is broken");
+  const H5Handle space = checked_handle(H5Dget_space(dataset), H5Sclose, place, "is broken");
   const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 0) refuse(place, "has no extents");
+  if (rank < 0) throw_input_error(place, "has no extents");
   std::vector<hsize_t> extents(rank);
   H5Sget_simple_extent_dims(space, extents.data(), nullptr);
   return extents;
@@ -82,7 +82,8 @@ hid_t native_type(std::int64_t) {
   return H5T_NATIVE_INT64;
 }
 
-/// Whether numbers of a type in the file are still the same as Number.
+/// Returns true if numbers of this type in the file can be read as Number: any number as a floating-point
+/// type, and integers of at most the same size as an integer type.
 template <typename Number>
 bool holds(hid_t type) {
   const H5T_class_t kind = H5Tget_class(type);
@@ -90,8 +91,8 @@ bool holds(hid_t type) {
   return kind == H5T_INTEGER && H5Tget_size(type) <= sizeof(Number);
 }
 
-/// Texts of fixed length, padded with zeros.
-std::vector<std::string> cut_apart(const std::string& padded, std::size_t length) {
+/// Splits a sequence of texts of fixed length, which are padded with zeros.
+std::vector<std::string> split_padded_texts(const std::string& padded, std::size_t length) {
   std::vector<std::string> texts;
   for (std::size_t at = 0; at + length <= padded.size(); at += length) {
     const std::string text = padded.substr(at, length);
@@ -100,12 +101,13 @@ std::vector<std::string> cut_apart(const std::string& padded, std::size_t length
   return texts;
 }
 
-/// Refuses a dataset that claims to hold more than there is.
+/// Throws InputError if a dataset declares more data than the file stores.
 void require_storage(hid_t dataset, std::span<const hsize_t> extents, const std::string& place) {
-  if (!stores_all(dataset, extents)) refuse(place, "claims to hold more than is stored");
+  if (!has_plausible_extents(dataset, extents))
+    throw_input_error(place, "claims to hold more than is stored");
 }
 
-/// The length of a text of this type; 0 if it is not one of fixed length.
+/// Returns the length of a text of this type [byte], or 0 if the type is not a string of fixed length.
 std::size_t text_length(hid_t type) {
   const bool fixed = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0;
   return fixed ? H5Tget_size(type) : 0;
@@ -115,21 +117,21 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
                                         const std::string& name) {
   const std::string place = fmt::format("{}:/{}", path, object);
   const H5Handle attribute =
-      opened(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose, place,
-             fmt::format("has no attribute \"{}\"", name));
-  const H5Handle type = opened(H5Aget_type(attribute), H5Tclose, place, "is broken");
-  const H5Handle space = opened(H5Aget_space(attribute), H5Sclose, place, "is broken");
+      checked_handle(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                     place, fmt::format("has no attribute \"{}\"", name));
+  const H5Handle type = checked_handle(H5Aget_type(attribute), H5Tclose, place, "is broken");
+  const H5Handle space = checked_handle(H5Aget_space(attribute), H5Sclose, place, "is broken");
   const std::size_t length = text_length(type);
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
   hsize_t file_size = 0;
   require_read(H5Fget_filesize(file, &file_size), place);
   if (static_cast<double>(length) * static_cast<double>(count) > static_cast<double>(file_size))
-    refuse(place, fmt::format("attribute \"{}\" claims to be longer than the file", name));
+    throw_input_error(place, fmt::format("attribute \"{}\" claims to be longer than the file", name));
   std::string padded(length * count, '\0');
   if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
-    refuse(place, fmt::format("attribute \"{}\" is no text", name));
+    throw_input_error(place, fmt::format("attribute \"{}\" is no text", name));
   }
-  return cut_apart(padded, length);
+  return split_padded_texts(padded, length);
 }
 
 }  // namespace
@@ -148,7 +150,7 @@ TrajectoryReader::TrajectoryReader(const std::string& path)
       mean_flow_(open_series("observables/mean_flow/value", {3})),
       momentum_(open_series("observables/momentum/value", {3})) {
   if (frames_ == 0) throw InputError(path, "holds no frame yet; wait for the run's first, or run it again");
-  if (beads_ == 0 || beads_ > most_beads) refuse(path, fmt::format("has {} beads", beads_));
+  if (beads_ == 0 || beads_ > max_beads) throw_input_error(path, fmt::format("has {} beads", beads_));
   read_header();
 }
 
@@ -156,12 +158,12 @@ TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
                                                      std::vector<hsize_t> row) const {
   const std::string place = path_ + ":/" + name;
   H5Handle dataset =
-      opened(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
-  Table table{place, std::move(dataset), {}};
+      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
+  Table table{.place = place, .dataset = std::move(dataset), .extents = {}};
   table.extents = extents_of(table.dataset, place);
   if (table.extents.size() != row.size() + 1 ||
       !std::equal(row.begin(), row.end(), table.extents.begin() + 1)) {
-    refuse(place, "has another shape than docs/formats/h5md.md says");
+    throw_input_error(place, "has another shape than docs/formats/h5md.md says");
   }
   require_storage(table.dataset, table.extents, place);
   return table;
@@ -169,7 +171,8 @@ TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
 
 TrajectoryReader::Table TrajectoryReader::open_series(const std::string& name, std::vector<hsize_t> row) {
   Table table = open_table(name, std::move(row));
-  frames_ = std::min<std::size_t>(frames_, table.extents[0]);  // a killed run may have grown some of them
+  frames_ =
+      std::min<std::size_t>(frames_, table.extents[0]);  // a killed run may have extended only some series
   return table;
 }
 
@@ -180,16 +183,16 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   size[0] = count;
   hsize_t numbers = 1;
   for (const hsize_t n : size) numbers *= n;
-  const H5Handle type = opened(H5Dget_type(table.dataset), H5Tclose, table.place, "is broken");
-  if (!holds<Number>(type)) refuse(table.place, "is not of numbers as docs/formats/h5md.md says");
-  const H5Handle in_file = opened(H5Dget_space(table.dataset), H5Sclose, table.place, "is broken");
+  const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place, "is broken");
+  if (!holds<Number>(type)) throw_input_error(table.place, "is not of numbers as docs/formats/h5md.md says");
+  const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place, "is broken");
   const H5Handle in_memory =
-      opened(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place, "is broken");
+      checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place, "is broken");
   require_read(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
                table.place);
   std::vector<Number> values(numbers);
   if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
-    refuse(table.place, "cannot be read as numbers");
+    throw_input_error(table.place, "cannot be read as numbers");
   }
   return values;
 }
@@ -199,7 +202,7 @@ std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t firs
   std::vector<Number> values = read_raw_rows<Number>(table, first, count);
   const auto is_number = [](Number value) { return std::isfinite(static_cast<double>(value)); };
   if (!std::all_of(values.begin(), values.end(), is_number)) {
-    refuse(table.place, "holds a number that is not finite");
+    throw_input_error(table.place, "holds a number that is not finite");
   }
   return values;
 }
@@ -207,7 +210,7 @@ std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t firs
 template <typename Number>
 std::vector<Number> TrajectoryReader::read_all(const std::string& name) const {
   const Table table = open_table(name, {});
-  if (table.extents[0] != beads_) refuse(table.place, fmt::format("is not of {} beads", beads_));
+  if (table.extents[0] != beads_) throw_input_error(table.place, fmt::format("is not of {} beads", beads_));
   return read_rows<Number>(table, 0, beads_);
 }
 
@@ -221,22 +224,22 @@ std::vector<Vec3> TrajectoryReader::vectors(const Table& table, std::size_t fram
 std::string TrajectoryReader::text(const std::string& name) const {
   const std::string place = path_ + ":/" + name;
   const H5Handle dataset =
-      opened(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
-  const H5Handle type = opened(H5Dget_type(dataset), H5Tclose, place, "is broken");
+      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
+  const H5Handle type = checked_handle(H5Dget_type(dataset), H5Tclose, place, "is broken");
   const std::size_t length = text_length(type);
   require_storage(dataset, {}, place);
   std::string padded(length, '\0');
   if (length == 0 || !extents_of(dataset, place).empty() ||
       H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
-    refuse(place, "is no text");
+    throw_input_error(place, "is no text");
   }
-  return cut_apart(padded, length).front();
+  return split_padded_texts(padded, length).front();
 }
 
 std::map<std::string, std::string> TrajectoryReader::texts(const std::string& group) const {
   const std::string place = path_ + ":/" + group;
   const H5Handle opened_group =
-      opened(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, "is missing or broken");
+      checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, "is missing or broken");
   H5G_info_t info{};
   require_read(H5Gget_info(opened_group, &info), place);
   std::map<std::string, std::string> result;
@@ -244,7 +247,7 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
     std::array<char, 256> name{};
     if (H5Lget_name_by_idx(opened_group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
                            H5P_DEFAULT) < 0) {
-      refuse(place, "is broken");
+      throw_input_error(place, "is broken");
     }
     result[name.data()] = text(group + "/" + name.data());
   }
@@ -254,7 +257,7 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
 std::array<Boundary, 3> TrajectoryReader::boundary() const {
   const std::string box = "particles/beads/box";
   const std::vector<std::string> names = text_attribute(file_, path_, box, "boundary");
-  if (names.size() != 3) refuse(path_ + ":/" + box, "has not three boundaries");
+  if (names.size() != 3) throw_input_error(path_ + ":/" + box, "has not three boundaries");
   std::array<Boundary, 3> boundary;
   for (int a = 0; a < 3; ++a) boundary[a] = names[a] == "periodic" ? Boundary::periodic : Boundary::free_slip;
   return boundary;
@@ -265,7 +268,7 @@ std::optional<Box> TrajectoryReader::box(std::size_t frame) const {
   const Box box{.lengths = {edges[0], edges[4], edges[8]}, .boundary = boundary_};
   for (int a = 0; a < 3; ++a) {
     if (!(box.lengths[a] > 0) && (box.is_periodic(a) || box.lengths[a] != 0)) {
-      refuse(edges_.place, "holds a box without volume");
+      throw_input_error(edges_.place, "holds a box without volume");
     }
   }
   return box.lengths == Vec3::Zero() ? std::nullopt : std::optional(box);
@@ -278,19 +281,20 @@ void TrajectoryReader::read_header() {
   header_.bead = read_all<int>("particles/beads/species");
   header_.radius = read_all<double>("particles/beads/radius");
   if (!std::ranges::all_of(header_.radius, [](double radius) { return radius > 0; }))
-    refuse(path_ + ":/particles/beads/radius", "holds a radius that is not positive");
+    throw_input_error(path_ + ":/particles/beads/radius", "holds a radius that is not positive");
   header_.creator_version = text_attribute(file_, path_, "h5md/creator", "version").front();
   header_.parameters = texts("parameters");
-  require_whole_swimmers();
+  require_complete_swimmers();
 }
 
-void TrajectoryReader::require_whole_swimmers() const {
-  bool whole = beads_ % 3 == 0;
-  for (std::size_t b = 0; whole && b < beads_; ++b) {
-    whole =
+void TrajectoryReader::require_complete_swimmers() const {
+  bool is_complete = beads_ % 3 == 0;
+  for (std::size_t b = 0; is_complete && b < beads_; ++b) {
+    is_complete =
         header_.bead[b] == static_cast<int>(b % 3) + 1 && header_.swimmer[b] == header_.swimmer[b - b % 3];
   }
-  if (!whole) refuse(path_ + ":/particles/beads/species", "is not 1, 2, 3 of one swimmer after another");
+  if (!is_complete)
+    throw_input_error(path_ + ":/particles/beads/species", "is not 1, 2, 3 of one swimmer after another");
 }
 
 std::vector<double> TrajectoryReader::times() const {
@@ -304,11 +308,11 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   frame.positions = vectors(position_, index);
   frame.velocities = vectors(velocity_, index);
   const std::vector<Vec3> images = vectors(image_, index);
-  const std::optional<Box> around = box(index);
-  for (std::size_t b = 0; b < beads_ && around; ++b)
-    frame.positions[b] += images[b].cwiseProduct(around->lengths);
+  const std::optional<Box> frame_box = box(index);
+  for (std::size_t b = 0; b < beads_ && frame_box; ++b)
+    frame.positions[b] += images[b].cwiseProduct(frame_box->lengths);
   if (!std::ranges::all_of(frame.positions, [](const Vec3& position) { return position.allFinite(); }))
-    refuse(image_.place, "leads to a position that is not finite");
+    throw_input_error(image_.place, "leads to a position that is not finite");
   frame.mean_flow = vectors(mean_flow_, index)[0];
   frame.momentum = vectors(momentum_, index)[0];
   return frame;
@@ -325,7 +329,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
     std::vector<hsize_t> row{beads_ / 3};
     row.insert(row.end(), column.shape.begin(), column.shape.end());
     tables.push_back(open_table("swimmers/" + column.name + "/value", row));
-    count = std::min(count, tables.back().extents[0]);  // a killed run may have grown some of them
+    count = std::min(count, tables.back().extents[0]);  // a killed run may have extended only some tables
   }
   for (hsize_t c = 0; c < count; ++c) {
     TrajectoryCycle& cycle =
@@ -335,7 +339,8 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
     for (std::size_t i = 0; i < tables.size(); ++i) {
       std::vector<double>& numbers = cycle.columns[i].numbers = read_raw_rows<double>(tables[i], c, 1);
       const auto is_infinite = [](double number) { return std::isinf(number); };
-      if (std::ranges::any_of(numbers, is_infinite)) refuse(tables[i].place, "holds an infinite number");
+      if (std::ranges::any_of(numbers, is_infinite))
+        throw_input_error(tables[i].place, "holds an infinite number");
     }
   }
   return cycles;

@@ -22,7 +22,7 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// What cannot be written is told at the end, by ferror.
+/// Writes text. A failure is detected at the end of the file by ferror.
 void put(std::FILE* file, const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), file);
 }
@@ -33,15 +33,15 @@ void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
           "        <DataArray type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
           field.name, field.components));
   const std::uint64_t size = cells.cast<std::uint64_t>().prod() * field.components * sizeof(float);
-  std::string bytes;  // of size and data in one stream, not yet written
+  std::string bytes;  // bytes of the stream (size, then data) that are not yet written
   const auto append = [&bytes](std::span<const char> more) { bytes.append(more.begin(), more.end()); };
   append(bytes_of(std::span(&size, 1)));
   for (int z = 0; z < cells[2]; ++z) {
     const std::vector<float> plane = field.plane(z);
     append(bytes_of(std::span(plane)));
-    const std::size_t whole = bytes.size() / 3 * 3;
-    put(file, base64(std::span(bytes).first(whole)));
-    bytes.erase(0, whole);
+    const std::size_t complete_bytes = bytes.size() / 3 * 3;
+    put(file, base64(std::span(bytes).first(complete_bytes)));
+    bytes.erase(0, complete_bytes);
   }
   put(file, base64(bytes) + "\n        </DataArray>\n");
 }
@@ -66,7 +66,7 @@ void write_vti(const std::string& path, const Index3& cells, double spacing,
   const bool written = std::ferror(file.get()) == 0;
   const bool failed = std::fclose(file.release()) != 0 || !written;
   if (failed || std::rename(part.c_str(), path.c_str()) != 0) {
-    std::remove(part.c_str());  // its room is missed elsewhere
+    std::remove(part.c_str());  // frees the disk space
     throw SolverError(path + " cannot be written; is the disk full?");
   }
 }

@@ -10,9 +10,9 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* whole_numbers = "NumberType=\"Int\" Precision=\"4\"";
-constexpr const char* single_precision = "NumberType=\"Float\" Precision=\"4\"";
-constexpr const char* double_precision = "NumberType=\"Float\" Precision=\"8\"";
+constexpr const char* int32_type = "NumberType=\"Int\" Precision=\"4\"";
+constexpr const char* float32_type = "NumberType=\"Float\" Precision=\"4\"";
+constexpr const char* float64_type = "NumberType=\"Float\" Precision=\"8\"";
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -28,22 +28,24 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Where things are in one trajectory. It is named without its folder, so that both can be moved together.
-struct Places {
+/// File name and size of a trajectory. The name has no folder, so that trajectory and index can be moved
+/// together.
+struct TrajectorySource {
   std::string file;
   std::size_t frames = 0, beads = 0;
 };
 
-/// Numbers that each bead keeps.
-std::string fixed(const Places& in, const std::string& name, const char* type) {
+/// Returns an attribute with one number per bead, independent of time.
+std::string static_attribute(const TrajectorySource& in, const std::string& name, const char* type) {
   return fmt::format(
       "<Attribute Name=\"{0}\" AttributeType=\"Scalar\" Center=\"Node\">"
       "<DataItem Dimensions=\"{1}\" {2} Format=\"HDF\">{3}:/particles/beads/{0}</DataItem></Attribute>\n",
       name, in.beads, type, in.file);
 }
 
-/// Three numbers a bead, of one frame.
-std::string slab(const Places& in, const std::string& name, const char* type, std::size_t frame) {
+/// Returns a reference to three numbers per bead in one frame.
+std::string frame_slab(const TrajectorySource& in, const std::string& name, const char* type,
+                       std::size_t frame) {
   return fmt::format(
       "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{0} 3\">"
       "<DataItem Dimensions=\"3 3\" Format=\"XML\">{1} 0 0 1 1 1 1 {0} 3</DataItem>"
@@ -52,20 +54,22 @@ std::string slab(const Places& in, const std::string& name, const char* type, st
       in.beads, frame, in.frames, type, in.file, name);
 }
 
-std::string vectors(const Places& in, const std::string& name, const char* type, std::size_t frame) {
+std::string vector_attribute(const TrajectorySource& in, const std::string& name, const char* type,
+                             std::size_t frame) {
   return fmt::format("<Attribute Name=\"{}\" AttributeType=\"Vector\" Center=\"Node\">{}</Attribute>\n", name,
-                     slab(in, name, type, frame));
+                     frame_slab(in, name, type, frame));
 }
 
-std::string grid(const Places& in, std::size_t frame, double time) {
+std::string grid(const TrajectorySource& in, std::size_t frame, double time) {
   return fmt::format(
              "<Grid Name=\"beads\"><Time Value=\"{}\"/>"
              "<Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{}\"/>\n"
              "<Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
-             time, in.beads, slab(in, "position", single_precision, frame)) +
-         vectors(in, "velocity", single_precision, frame) + vectors(in, "image", whole_numbers, frame) +
-         fixed(in, "radius", double_precision) + fixed(in, "species", whole_numbers) +
-         fixed(in, "swimmer", whole_numbers) + "</Grid>\n";
+             time, in.beads, frame_slab(in, "position", float32_type, frame)) +
+         vector_attribute(in, "velocity", float32_type, frame) +
+         vector_attribute(in, "image", int32_type, frame) + static_attribute(in, "radius", float64_type) +
+         static_attribute(in, "species", int32_type) + static_attribute(in, "swimmer", int32_type) +
+         "</Grid>\n";
 }
 
 }  // namespace
@@ -76,14 +80,14 @@ std::string xdmf_name(const std::string& trajectory) {
 
 void write_xdmf(const std::string& trajectory) {
   const TrajectoryReader reader(trajectory);
-  const Places places{.file = escaped(std::filesystem::path(trajectory).filename().string()),
-                      .frames = reader.frames(),
-                      .beads = reader.header().bead.size()};
+  const TrajectorySource source{.file = escaped(std::filesystem::path(trajectory).filename().string()),
+                                .frames = reader.frames(),
+                                .beads = reader.header().bead.size()};
   const std::vector<double> times = reader.times();
   std::string text =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"2.0\"><Domain>\n"
       "<Grid Name=\"trajectory\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  for (std::size_t frame = 0; frame < places.frames; ++frame) text += grid(places, frame, times[frame]);
+  for (std::size_t frame = 0; frame < source.frames; ++frame) text += grid(source, frame, times[frame]);
   write_text(xdmf_name(trajectory), text + "</Grid>\n</Domain></Xdmf>\n");
 }
 

@@ -7,7 +7,7 @@
 namespace beadswim {
 namespace {
 
-constexpr std::size_t most_faults_shown = 20;
+constexpr std::size_t max_faults_shown = 20;
 
 std::string place(const std::string& source, const DocumentFault& fault) {
   return fault.pointer.empty() ? source : source + ":" + fault.pointer;
@@ -15,14 +15,14 @@ std::string place(const std::string& source, const DocumentFault& fault) {
 
 }  // namespace
 
-void refuse_faulty(const std::string& source, const std::vector<DocumentFault>& faults) {
+void throw_if_faulty(const std::string& source, const std::vector<DocumentFault>& faults) {
   if (faults.empty()) return;
   std::string text = faults.front().message;
-  for (std::size_t i = 1; i < faults.size() && i < most_faults_shown; ++i) {
+  for (std::size_t i = 1; i < faults.size() && i < max_faults_shown; ++i) {
     text += fmt::format("\n{}: {}", place(source, faults[i]), faults[i].message);
   }
-  if (faults.size() > most_faults_shown) {
-    text += fmt::format("\n{}: and at least {} more faults", source, faults.size() - most_faults_shown);
+  if (faults.size() > max_faults_shown) {
+    text += fmt::format("\n{}: and at least {} more faults", source, faults.size() - max_faults_shown);
   }
   throw InputError(place(source, faults.front()), text);
 }

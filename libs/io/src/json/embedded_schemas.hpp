@@ -5,13 +5,13 @@
 
 namespace beadswim {
 
-/// One file of schemas/: "layout" and the text of schemas/layout.schema.json.
+/// A file of schemas/: for example the name "layout" and the text of schemas/layout.schema.json.
 struct EmbeddedSchema {
   std::string_view name;
   std::string_view text;
 };
 
-/// Every schema the library was built with, by name. The definition is generated (cmake/EmbedSchemas.cmake).
+/// Returns all embedded schemas. The definition is generated (cmake/EmbedSchemas.cmake).
 const std::vector<EmbeddedSchema>& embedded_schemas();
 
 }  // namespace beadswim

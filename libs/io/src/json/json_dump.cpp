@@ -13,16 +13,15 @@ namespace {
 constexpr std::size_t line_width = 110;
 constexpr std::size_t indent_width = 2;
 
-/// Throws if the document holds a number that JSON cannot say.
-void refuse_non_finite(const Json& value, const std::string& pointer) {
+/// Throws SolverError if the document contains a non-finite number, which JSON cannot represent.
+void require_finite(const Json& value, const std::string& pointer) {
   if (value.is_number_float() && !std::isfinite(value.get<double>())) {
     throw SolverError(fmt::format("a result at {} is {}, not a finite number", pointer, value.get<double>()));
   }
   if (value.is_object()) {
-    for (const auto& [key, member] : value.items()) refuse_non_finite(member, pointer + pointer_step(key));
+    for (const auto& [key, member] : value.items()) require_finite(member, pointer + pointer_step(key));
   } else if (value.is_array()) {
-    for (std::size_t i = 0; i < value.size(); ++i)
-      refuse_non_finite(value[i], fmt::format("{}/{}", pointer, i));
+    for (std::size_t i = 0; i < value.size(); ++i) require_finite(value[i], fmt::format("{}/{}", pointer, i));
   }
 }
 
@@ -30,8 +29,8 @@ std::string quoted(const std::string& key) {
   return Json(key).dump();
 }
 
-/// Appends the value on one line, unless that would make the line longer than line_width; says whether it
-/// did.
+/// Appends the value on the current line. Returns false as soon as the line is longer than line_width. The
+/// text may then end with an incomplete value.
 bool append_on_one_line(const Json& value, std::size_t line_start, std::string& text) {
   if (!value.is_structured()) {
     text += value.dump();
@@ -51,7 +50,7 @@ bool append_on_one_line(const Json& value, std::size_t line_start, std::string& 
   return text.size() - line_start <= line_width;
 }
 
-/// Appends the value, opened over several lines if it is too long for one.
+/// Appends the value, on several lines if it does not fit on one line.
 void append(const Json& value, std::size_t depth, std::size_t line_start, std::string& text) {
   const std::size_t before = text.size();
   if (append_on_one_line(value, line_start, text) || !value.is_structured()) return;
@@ -74,14 +73,14 @@ void append(const Json& value, std::size_t depth, std::size_t line_start, std::s
 }  // namespace
 
 std::string dump_json(const Json& document) {
-  refuse_non_finite(document, "");
+  require_finite(document, "");
   std::string text;
   append(document, 0, 0, text);
   return text + "\n";
 }
 
 std::string dump_json_line(const Json& document) {
-  refuse_non_finite(document, "");
+  require_finite(document, "");
   return document.dump() + "\n";
 }
 

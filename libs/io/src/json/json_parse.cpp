@@ -10,7 +10,7 @@
 namespace beadswim {
 namespace {
 
-/// Line and column, from 1, of a byte counted from 1 (as nlohmann-json counts).
+/// Returns line and column of a byte. All three numbers start at 1, as in nlohmann-json.
 std::string line_and_column(const std::string& text, std::size_t byte) {
   const std::size_t before = std::min(byte > 0 ? byte - 1 : 0, text.size());
   const auto line = std::count(text.begin(), text.begin() + before, '\n') + 1;
@@ -19,7 +19,8 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
   return fmt::format("line {}, column {}", line, column);
 }
 
-/// Whether the parser stopped inside one of the words that some programs write for a number.
+/// Returns true if the parser stopped inside NaN, inf or infinity, which some programs write for non-finite
+/// numbers.
 bool stopped_at_non_finite_word(const std::string& text, std::size_t byte) {
   const std::string delimiters = " \t\r\n,:[]{}\"";
   const std::size_t last = text.find_last_of(delimiters, byte > 1 ? byte - 2 : 0);
@@ -30,24 +31,25 @@ bool stopped_at_non_finite_word(const std::string& text, std::size_t byte) {
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
-/// What is wrong, in words: the parser's own without its prefix, or a plainer one.
-std::string explanation(const std::string& text, std::size_t byte, const std::string& parser_says) {
+/// Returns an explanation of a syntax error: for common errors a specific text, otherwise the message of the
+/// parser without its prefix.
+std::string explanation(const std::string& text, std::size_t byte, const std::string& parser_message) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "empty; a JSON document is needed";
   if (stopped_at_non_finite_word(text, byte))
     return "NaN and infinity are not JSON; a finite number is needed";
   if (byte >= text.size()) {
     return "the text ends before the document does; is the file truncated?";
   }
-  const std::size_t column = parser_says.find("column ");
-  const std::size_t colon = parser_says.find(": ", column == std::string::npos ? 0 : column);
-  return colon == std::string::npos ? parser_says : parser_says.substr(colon + 2);
+  const std::size_t column = parser_message.find("column ");
+  const std::size_t colon = parser_message.find(": ", column == std::string::npos ? 0 : column);
+  return colon == std::string::npos ? parser_message : parser_message.substr(colon + 2);
 }
 
-/// More would overflow the stack of whatever goes through a document level by level.
-constexpr std::size_t most_levels = 200;
+/// Upper bound of the nesting depth. Deeper documents could overflow the stack of recursive functions.
+constexpr std::size_t max_levels = 200;
 
-/// Builds a document from the parser's events. Unlike nlohmann-json's own builder it refuses a key given
-/// twice, of which that one keeps the last.
+/// Builds a document from the events of the parser. Throws InputError for a duplicate key. The builder of
+/// nlohmann-json would keep the last value without an error.
 class DocumentBuilder : public nlohmann::json_sax<Json> {
  public:
   DocumentBuilder(const std::string& text, const std::string& source) : text_(text), source_(source) {}
@@ -96,14 +98,15 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
   void open(Json container) {
-    if (open_.size() == most_levels)
+    if (open_.size() == max_levels)
       throw InputError(source_,
-                       fmt::format("is nested more than {} levels deep; no document is", most_levels));
+                       fmt::format("is nested more than {} levels deep; no document is", max_levels));
     open_.push_back(add(std::move(container)));
   }
 
-  /// Appends to the open array, or gives the open object's last key its value. The pointer stays valid while
-  /// the value is open: only values inside it are added meanwhile.
+  /// Appends a value to the open array, or assigns it to the last key of the open object. Returns a pointer
+  /// to the value. The pointer is valid as long as the value is open, because only values inside it are added
+  /// in this time.
   Json* add(Json value) {
     if (open_.empty()) return &(root_ = std::move(value));
     if (open_.back()->is_array()) {
@@ -114,7 +117,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     return &(member = std::move(value));
   }
 
-  /// JSON pointer to the innermost open container.
+  /// Returns the JSON pointer to the innermost open container.
   std::string open_pointer() const {
     std::string pointer;
     for (std::size_t depth = 0; depth + 1 < open_.size(); ++depth) {
@@ -129,7 +132,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   const std::string& source_;
   Json root_;
   std::vector<Json*> open_;
-  std::vector<std::unordered_set<std::string>> keys_;  ///< of each open object, to be found at once
+  std::vector<std::unordered_set<std::string>> keys_;  ///< keys of each open object, for a fast search
 };
 
 }  // namespace

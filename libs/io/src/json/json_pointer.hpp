@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-/// "/key" with the key escaped as RFC 6901 asks.
+/// Returns "/key", with the key escaped according to RFC 6901.
 inline std::string pointer_step(const std::string& key) {
   return (Json::json_pointer() / key).to_string();
 }

@@ -14,7 +14,7 @@
 namespace beadswim {
 namespace {
 
-/// A schema to read in and to validate by.
+/// A schema as JSON and in the compiled form of valijson.
 struct Rules {
   explicit Rules(std::string_view schema) : text(Json::parse(schema)) {
     const nlohmann::json unordered(text);
@@ -25,7 +25,8 @@ struct Rules {
   valijson::Schema compiled;
 };
 
-/// Made once: of streams of documents it would be most of the work.
+/// Returns the rules of a schema. Compiles each schema only once, because compilation takes longer than the
+/// validation of a document.
 const Rules& rules_of(const std::string& name) {
   static std::map<std::string, Rules> known;
   if (const auto found = known.find(name); found != known.end()) return found->second;
@@ -35,7 +36,8 @@ const Rules& rules_of(const std::string& name) {
   throw std::logic_error("no schema " + name + " is built in");
 }
 
-/// Takes "[key]" apart; the first step of valijson's paths, "<root>", is left out.
+/// Returns the keys of a path of valijson, in which each step has the form "[key]". Omits the first step,
+/// "<root>".
 std::vector<std::string> path_of(const valijson::ValidationResults::Error& error) {
   std::vector<std::string> path;
   for (const std::string& step : error.context) {
@@ -48,7 +50,7 @@ std::vector<SchemaFailure> failures(const nlohmann::json& document, const valijs
   valijson::Validator validator(valijson::Validator::kStrongTypes);
   const valijson::adapters::NlohmannJsonAdapter target(document);
   std::vector<SchemaFailure> found;
-  // Without a place to put results valijson stops at the first failure, and is several times faster.
+  // Without an object for results, valijson stops at the first failure and is several times faster.
   if (validator.validate(rules, target, nullptr)) return found;
   valijson::ValidationResults results;
   validator.validate(rules, target, &results);
@@ -63,7 +65,7 @@ void validate_json(const Json& document, const std::string& schema_name, const s
   check_schema_name(document, rules.text.at("properties").at("schema").at("const").get<std::string>(),
                     source);
   const auto found = failures(nlohmann::json(document), rules.compiled);
-  refuse_faulty(source, explain_failures(found, rules.text, document));
+  throw_if_faulty(source, explain_failures(found, rules.text, document));
 }
 
 }  // namespace beadswim

@@ -12,7 +12,7 @@
 namespace beadswim {
 namespace {
 
-/// "beadswim/KIND/VERSION" taken apart.
+/// Parts of a schema name "beadswim/KIND/VERSION".
 struct SchemaName {
   std::string kind;
   int version = 0;

@@ -6,8 +6,9 @@
 
 namespace beadswim {
 
-/// Checks the document's key "schema" against the name and version expected, such as "beadswim/layout/1".
-/// Throws InputError that says what the document is instead, or that it is newer than the program.
+/// Checks that the value of the key "schema" is the expected name and version, for example
+/// "beadswim/layout/1". Throws InputError otherwise. The message states the actual kind of the document, or
+/// that its version is newer than the program.
 void check_schema_name(const Json& document, const std::string& expected, const std::string& source);
 
 }  // namespace beadswim

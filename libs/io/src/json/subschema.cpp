@@ -5,7 +5,8 @@
 namespace beadswim {
 namespace {
 
-/// Whether a value meets an "if" that asks for one type alone; unknown (true for both branches) otherwise.
+/// States which branches of an "if" apply to a value. Both are true if this is unknown, because the condition
+/// is not only on the type or because there is no value.
 struct Branches {
   bool then_taken = true;
   bool else_taken = true;
@@ -17,7 +18,7 @@ Branches branches(const Json& condition, const Json* value) {
   return {met, !met};
 }
 
-/// Adds a schema and those that it applies to the same value.
+/// Adds a schema and all subschemas that it applies to the same value.
 void add_expanded(const Json& root, const Json& schema, const Json* value, Subschemas& found) {
   if (!schema.is_object()) return;
   if (const auto reference = schema.find("$ref"); reference != schema.end()) {
@@ -35,7 +36,7 @@ void add_expanded(const Json& root, const Json& schema, const Json* value, Subsc
   if (taken.else_taken && schema.contains("else")) add_expanded(root, schema["else"], value, found);
 }
 
-/// A schema's own entry for a member or element, or nullptr.
+/// Returns the entry of this schema for a member or element, or nullptr if it has none.
 const Json* entry_for(const Json& schema, const std::string& key) {
   if (schema.contains("properties") && schema["properties"].contains(key)) return &schema["properties"][key];
   if (schema.contains("additionalProperties")) return &schema["additionalProperties"];

@@ -14,21 +14,21 @@
 namespace beadswim {
 namespace {
 
-/// Whether valijson only repeats, for an ancestor, what it says of a descendant.
+/// Returns true if valijson only repeats the failure of a descendant for an ancestor.
 bool is_echo(const SchemaFailure& failure) {
   return failure.description.starts_with("Failed to validate");
 }
 
-/// The name in single quotes that valijson's words on a missing key hold.
+/// Returns the name in single quotes in valijson's description of a missing key.
 std::string quoted_name(const std::string& description) {
   const std::size_t start = description.find('\'') + 1;
   return description.substr(start, description.rfind('\'') - start);
 }
 
 std::string echo_value(const Json& value) {
-  constexpr std::size_t longest = 60;
+  constexpr std::size_t max_length = 60;
   const std::string text = value.dump();
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+  return text.size() <= max_length ? text : text.substr(0, max_length) + "...";
 }
 
 std::string allowed_range(const Subschemas& schemas) {
@@ -66,7 +66,7 @@ std::string allowed_names(const Subschemas& schemas, const Json& value) {
   const std::string what = names.size() == 1 ? names[0].dump() : "one of " + names.dump();
   const std::string text = fmt::format("must be {}{}", what, allowed_object(schemas));
   if (!value.is_string()) return text;
-  return text + guess_at(value.get<std::string>(), names.get<std::vector<std::string>>());
+  return text + format_suggestion(value.get<std::string>(), names.get<std::vector<std::string>>());
 }
 
 std::string allowed_type(const Subschemas& schemas, const Json& value) {
@@ -77,22 +77,22 @@ std::string allowed_type(const Subschemas& schemas, const Json& value) {
   return fmt::format("must be of type {}, not {}", names, value.type_name());
 }
 
-/// What the schema allows in place of a value that valijson has refused.
+/// Describes the values that the schema allows in place of an invalid value.
 std::string allowed(const SchemaFailure& failure, const Subschemas& schemas, const Json& value) {
-  const std::string& says = failure.description;
-  if (says.starts_with("Value type") && find_keyword(schemas, "type")) return allowed_type(schemas, value);
-  if (says.starts_with("Failed to match against any enum") && find_keyword(schemas, "enum")) {
+  const std::string& message = failure.description;
+  if (message.starts_with("Value type") && find_keyword(schemas, "type")) return allowed_type(schemas, value);
+  if (message.starts_with("Failed to match against any enum") && find_keyword(schemas, "enum")) {
     return allowed_names(schemas, value);
   }
-  if (says.starts_with("Failed to match expected value") && find_keyword(schemas, "const")) {
+  if (message.starts_with("Failed to match expected value") && find_keyword(schemas, "const")) {
     return "must be " + find_keyword(schemas, "const")->dump();
   }
-  if (says.starts_with("Expected number")) return allowed_range(schemas);
-  if (says.starts_with("Array should contain")) return allowed_count(schemas, value);
-  return says;
+  if (message.starts_with("Expected number")) return allowed_range(schemas);
+  if (message.starts_with("Array should contain")) return allowed_count(schemas, value);
+  return message;
 }
 
-/// " (description)" from the schema, where it has one.
+/// Returns " (description)" from the schema, or an empty text if it has no description.
 std::string meaning(const Subschemas& schemas) {
   const Json* description = find_keyword(schemas, "description");
   return description ? fmt::format(" ({})", description->get<std::string>()) : "";
@@ -100,12 +100,12 @@ std::string meaning(const Subschemas& schemas) {
 
 DocumentFault explain_value(const SchemaFailure& failure, const std::string& pointer,
                             const Subschemas& schemas, const Json& value) {
-  const bool about_length = failure.description.starts_with("Array should contain");
-  const std::string echo = about_length ? "" : echo_value(value) + ": ";
+  const bool is_about_length = failure.description.starts_with("Array should contain");
+  const std::string echo = is_about_length ? "" : echo_value(value) + ": ";
   return {pointer, echo + allowed(failure, schemas, value) + meaning(schemas)};
 }
 
-/// The failures of one place, gathered.
+/// All failures at one place of the document.
 struct Place {
   std::vector<std::string> path;
   bool has_unknown_keys = false;
@@ -119,11 +119,12 @@ void add_failure(const SchemaFailure& failure, Place& place) {
   } else if (failure.description.starts_with("Missing required property")) {
     place.missing_keys.push_back(quoted_name(failure.description));
   } else if (!place.value || failure.description.starts_with("Value type")) {
-    place.value = failure;  // a wrong type explains whatever else is wrong with a value
+    place.value = failure;  // a wrong type is the cause of all other failures of a value
   }
 }
 
-/// Places in the order of their first failure; echoes are left out.
+/// Groups failures by place, in the order of the first failure of each place. Omits repeated failures
+/// (echoes).
 std::vector<Place> gather_by_place(const std::vector<SchemaFailure>& failures) {
   std::vector<Place> places;
   std::map<std::vector<std::string>, std::size_t> index;
@@ -151,10 +152,10 @@ class Explainer {
       pointer += pointer_step(key);
     }
     if (place.value) faults.push_back(explain_value(*place.value, pointer, schemas, *value));
-    const std::vector<std::string> meant = explain_unknown_keys(place, pointer, schemas, *value);
+    const std::vector<std::string> suggestions = explain_unknown_keys(place, pointer, schemas, *value);
     for (const std::string& key : place.missing_keys) {
-      // A misspelt required key is both unknown and missing; it is said once.
-      if (std::find(meant.begin(), meant.end(), key) != meant.end()) continue;
+      // A misspelt required key is both unknown and missing. It is reported once, as unknown.
+      if (std::find(suggestions.begin(), suggestions.end(), key) != suggestions.end()) continue;
       const std::string what = meaning(member_schemas(schema_, schemas, key, nullptr));
       faults.push_back({pointer, fmt::format("lacks the key \"{}\"{}", key, what)});
     }
@@ -163,25 +164,26 @@ class Explainer {
   std::vector<DocumentFault> faults;
 
  private:
-  /// Returns the keys that were probably meant.
+  /// Adds one fault per unknown key. Returns the keys that were probably intended.
   std::vector<std::string> explain_unknown_keys(const Place& place, const std::string& pointer,
                                                 const Subschemas& schemas, const Json& object) {
-    std::vector<std::string> meant;
-    if (!place.has_unknown_keys) return meant;
+    std::vector<std::string> suggestions;
+    if (!place.has_unknown_keys) return suggestions;
     const std::vector<std::string> names = property_names(schemas);
-    std::vector<std::string> absent;  // a key that is there already is a less likely intention
+    std::vector<std::string>
+        absent;  // preferred: a key that the object already has was probably not intended
     for (const std::string& name : names) {
       if (!object.contains(name)) absent.push_back(name);
     }
     for (const auto& [key, value] : object.items()) {
       if (std::find(names.begin(), names.end(), key) != names.end()) continue;
       const std::vector<std::string>& candidates = absent.empty() ? names : absent;
-      meant.push_back(nearest_name(key, candidates));
-      faults.push_back(
-          {pointer + pointer_step(key),
-           fmt::format("unknown key{} Allowed here: {}", guess_at(key, candidates), fmt::join(names, ", "))});
+      suggestions.push_back(nearest_name(key, candidates));
+      faults.push_back({pointer + pointer_step(key),
+                        fmt::format("unknown key{} Allowed here: {}", format_suggestion(key, candidates),
+                                    fmt::join(names, ", "))});
     }
-    return meant;
+    return suggestions;
   }
 
   const Json& schema_;

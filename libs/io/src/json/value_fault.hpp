@@ -8,14 +8,14 @@
 
 namespace beadswim {
 
-/// What valijson says of one failed constraint.
+/// A constraint that failed in valijson.
 struct SchemaFailure {
   std::vector<std::string> path;  ///< keys and indices from the root to the value
-  std::string description;        ///< valijson's words
+  std::string description;        ///< message of valijson
 };
 
-/// Faults in words for users: one a place, with the bad value, what the schema allows there and the nearest
-/// valid name. valijson repeats each failure for every ancestor; those echoes are left out.
+/// Explains failures to users. Each fault contains the invalid value, the values that the schema allows and
+/// the nearest valid name. valijson repeats each failure for every ancestor; these repetitions are omitted.
 std::vector<DocumentFault> explain_failures(const std::vector<SchemaFailure>& failures, const Json& schema,
                                             const Json& document);
 

@@ -1,16 +1,18 @@
 #pragma once
 
-// Where Ewald's sums are cut: Gaussian factors below exp(-6.3^2) = 6e-18 are left out.
+// Cutoffs of Ewald sums. Gaussian factors below exp(-6.3^2) = 6e-18 are neglected.
 
 namespace beadswim {
 
-constexpr double gaussian_reach = 6.3;
+constexpr double gaussian_cutoff = 6.3;
 
-inline double longest_wave(double splitting) {
-  return 2 * gaussian_reach * splitting;
+/// Returns the largest wavenumber in the sum over waves [1/length].
+inline double max_wavenumber(double splitting) {
+  return 2 * gaussian_cutoff * splitting;
 }
-inline double image_reach(double splitting) {
-  return gaussian_reach / splitting;
+/// Returns the largest distance of an image [length].
+inline double image_cutoff(double splitting) {
+  return gaussian_cutoff / splitting;
 }
 
 }  // namespace beadswim

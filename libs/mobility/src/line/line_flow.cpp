@@ -19,15 +19,15 @@ SteadyLine unbounded_steady(double viscosity, double displacement) {
           .laplacian = {.value = laplacian, .slope = -3 * laplacian / displacement}};
 }
 
-/// f(x_r - x_s).
+/// Returns the kernel f(x_r - x_s).
 template <class T>
-LineKernel<T> by_places(const LineValue<T>& direct) {
+LineKernel<T> make_kernel(const LineValue<T>& direct) {
   return {.value = direct.value, .by_receiver = direct.slope, .by_source = -direct.slope};
 }
 
-/// f(x_r - x_s) - f(x_r + x_s).
+/// Returns the kernel f(x_r - x_s) - f(x_r + x_s).
 template <class T>
-LineKernel<T> by_places(const LineValue<T>& direct, const LineValue<T>& mirrored) {
+LineKernel<T> make_kernel(const LineValue<T>& direct, const LineValue<T>& mirrored) {
   return {.value = direct.value - mirrored.value,
           .by_receiver = direct.slope - mirrored.slope,
           .by_source = -direct.slope - mirrored.slope};
@@ -35,21 +35,21 @@ LineKernel<T> by_places(const LineValue<T>& direct, const LineValue<T>& mirrored
 
 template <class... Line>
 SteadyFlow steady_flow(const Line&... lines) {
-  return {.oseen = by_places(lines.oseen...), .laplacian = by_places(lines.laplacian...)};
+  return {.oseen = make_kernel(lines.oseen...), .laplacian = make_kernel(lines.laplacian...)};
 }
 
 template <class... Line>
 UnsteadyFlow unsteady_flow(const Line&... lines) {
-  return {.helmholtz = by_places(lines.helmholtz...),
-          .harmonic = by_places(lines.harmonic...),
-          .whole = by_places(lines.whole...)};
+  return {.helmholtz = make_kernel(lines.helmholtz...),
+          .harmonic = make_kernel(lines.harmonic...),
+          .total = make_kernel(lines.total...)};
 }
 
 void check_alpha(std::complex<double> alpha) {
   constexpr double roundoff = 1e-9;
-  const bool fine = std::isfinite(std::abs(alpha)) && alpha.real() > 0 &&
-                    std::abs(alpha.imag()) <= alpha.real() * (1 + roundoff);
-  if (fine) return;
+  const bool is_valid = std::isfinite(std::abs(alpha)) && alpha.real() > 0 &&
+                        std::abs(alpha.imag()) <= alpha.real() * (1 + roundoff);
+  if (is_valid) return;
   throw InputError("flow on a line", "alpha is " + std::to_string(alpha.real()) + " + " +
                                          std::to_string(alpha.imag()) +
                                          " i; take the root of i omega rho / eta with positive real part");

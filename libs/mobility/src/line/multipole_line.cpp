@@ -13,8 +13,8 @@ namespace beadswim::multipole {
 
 namespace {
 
-/// cosh xi = (R^2 + a_i^2 - a_j^2) / (2 R a_i), in a form that keeps its digits near contact:
-/// cosh xi - 1 = (R - a_i - a_j) (R - a_i + a_j) / (2 R a_i).
+/// Returns the coordinate xi of sphere i, cosh xi = (R^2 + a_i^2 - a_j^2) / (2 R a_i). The equivalent form
+/// cosh xi - 1 = (R - a_i - a_j) (R - a_i + a_j) / (2 R a_i) avoids loss of significance near contact.
 double bispherical_coordinate(const Line& line, int i, int j) {
   const double a_i = line.radius[i], a_j = line.radius[j];
   const double distance = std::abs(line.position[i] - line.position[j]);
@@ -23,9 +23,9 @@ double bispherical_coordinate(const Line& line, int i, int j) {
   return std::log1p(excess + std::sqrt(excess * (2 + excess)));
 }
 
-/// What order n of sphere i adds falls as exp(-2 n xi), from a size that was found to be near 8000 for
-/// spheres far apart and 8000 / (mean xi)^6 for near ones, the mean over both. Only a first guess: the
-/// solution tells the true size.
+/// Estimates the order that sphere i needs beside sphere j. The contribution of order n is C exp(-2 n xi).
+/// Numerical experiments give C near 8000 for distant spheres and 8000 / (mean xi)^6 for close ones,
+/// with the mean over both spheres. This is an initial guess; the true error follows from the solution.
 double needed_order(const Line& line, int i, int j, double log_tolerance) {
   const double xi = bispherical_coordinate(line, i, j);
   const double mean_xi = (xi + bispherical_coordinate(line, j, i)) / 2;
@@ -38,12 +38,12 @@ int needed_order(const Line& line, int i, double log_tolerance) {
   for (int j = 0; j < line.size(); ++j) {
     if (j != i) order = std::max(order, needed_order(line, i, j, log_tolerance));
   }
-  if (order > largest_multipole_order) {
+  if (order > max_multipole_order) {
     throw InputError(
         fmt::format("sphere {}", i + 1),
         fmt::format("too near to its neighbour: it needs multipoles of order {:.0f}, over {}; move "
                     "it away or raise the tolerance",
-                    order, largest_multipole_order));
+                    order, max_multipole_order));
   }
   return static_cast<int>(std::ceil(order));
 }
@@ -63,7 +63,7 @@ Pair Line::pair(int receiver, int source) const {
           .source_order = sphere[source].order()};
 }
 
-Line line_for(std::span<const double> radii, std::span<const double> positions, double log_tolerance) {
+Line make_line(std::span<const double> radii, std::span<const double> positions, double log_tolerance) {
   Line line{.radius = radii, .position = positions, .sphere = {}, .start = {0}};
   for (int i = 0; i < line.size(); ++i) {
     line.sphere.emplace_back(needed_order(line, i, log_tolerance));
@@ -72,7 +72,7 @@ Line line_for(std::span<const double> radii, std::span<const double> positions, 
   return line;
 }
 
-double nearest_coordinate(const Line& line, int i) {
+double nearest_bispherical_coordinate(const Line& line, int i) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int j = 0; j < line.size(); ++j) {
     if (j != i) nearest = std::min(nearest, bispherical_coordinate(line, i, j));

@@ -5,11 +5,12 @@
 
 #include "multipole_sphere.hpp"
 
-// Spheres on a line, each with as many multipoles as its neighbours make necessary.
+// Spheres on a line, with the number of multipoles that the distance to their neighbours requires.
 
 namespace beadswim::multipole {
 
-/// The unknowns of sphere i start at row start[i] of the whole system; start has one entry more.
+/// The unknowns of sphere i start at row start[i] of the linear system. `start` has one additional entry, the
+/// end.
 struct Line {
   std::span<const double> radius, position;  ///< [length]
   std::vector<Sphere> sphere;
@@ -21,13 +22,13 @@ struct Line {
   Pair pair(int receiver, int source) const;
 };
 
-/// Orders for an error near exp(log_tolerance) by experience. Throws InputError beyond
-/// largest_multipole_order.
-Line line_for(std::span<const double> radii, std::span<const double> positions, double log_tolerance);
+/// Sets up the spheres with orders for an error near exp(log_tolerance), by an empirical estimate. Throws
+/// InputError if an order exceeds max_multipole_order.
+Line make_line(std::span<const double> radii, std::span<const double> positions, double log_tolerance);
 
-/// xi of sphere i in the bispherical coordinates that it shares with its nearest neighbour: what it mirrors
-/// of the others lies within a_i exp(-xi) of its centre, so that its multipoles of order n fall as exp(-n
-/// xi). Infinite for a lone sphere.
-double nearest_coordinate(const Line& line, int i);
+/// Returns the bispherical coordinate xi of sphere i with respect to its nearest neighbour. The images of the
+/// other spheres in sphere i lie within a_i exp(-xi) of its centre, so its multipoles of order n decay as
+/// exp(-n xi). Infinite for a lone sphere.
+double nearest_bispherical_coordinate(const Line& line, int i);
 
 }  // namespace beadswim::multipole

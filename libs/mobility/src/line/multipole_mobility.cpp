@@ -18,16 +18,17 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using multipole::Line;
 
-/// The spheres' own flows at unit velocities, one moving sphere a column: matrix * own = drive.
+/// Linear system for the own flows of the spheres, matrix * own = drive. Each column has one sphere moving at
+/// unit velocity.
 struct System {
-  MatrixXd matrix;                                   ///< unity less the answers to the flows of the others
-  MatrixXd drive;                                    ///< own flows of lone moving spheres
+  MatrixXd matrix;  ///< identity minus the responses to the flows of other spheres
+  MatrixXd drive;   ///< own flows of lone moving spheres
   std::vector<std::vector<MatrixXd>> translation{};  ///< [receiver][source]
 };
 
 struct Solution {
-  MatrixXd own;      ///< own flows (A, B) of all spheres, one column for each moving sphere
-  MatrixXd adjoint;  ///< column i: what A_0 of sphere i owes to every entry of drive
+  MatrixXd own;      ///< own flows (A, B) of all spheres; one column per moving sphere
+  MatrixXd adjoint;  ///< column i: derivative of A_0 of sphere i by each entry of drive
 };
 
 void check_positive(double number, const std::string& name) {
@@ -60,13 +61,13 @@ System assemble(const Line& line) {
   system.translation.resize(line.size(), std::vector<MatrixXd>(line.size()));
   for (int i = 0; i < line.size(); ++i) {
     const multipole::Sphere& sphere = line.sphere[i];
-    system.drive.col(i).segment(line.start[i], sphere.unknowns()) = sphere.moving();
+    system.drive.col(i).segment(line.start[i], sphere.unknowns()) = sphere.translating_flow();
     for (int j = 0; j < line.size(); ++j) {
       if (j == i) continue;
       const multipole::Pair pair = line.pair(i, j);
       system.translation[i][j] = multipole::translation(pair);
       system.matrix.block(line.start[i], line.start[j], sphere.unknowns(), line.sphere[j].unknowns()) =
-          -sphere.answer(multipole::unit_flows(pair, system.translation[i][j]));
+          -sphere.response(multipole::unit_flows(pair, system.translation[i][j]));
     }
   }
   return system;
@@ -79,7 +80,7 @@ Solution solve(const Line& line, const System& system) {
   return {.own = lu.solve(system.drive), .adjoint = lu.transpose().solve(strengths)};
 }
 
-/// Force of each sphere on the fluid over its A_0: -8 pi eta a.
+/// Returns the force of each sphere on the fluid, divided by its A_0: -8 pi eta a.
 VectorXd force_per_strength(const Line& line, double viscosity) {
   const Eigen::Map<const VectorXd> radius(line.radius.data(), line.size());
   return -8 * std::numbers::pi * viscosity * radius;
@@ -89,21 +90,23 @@ MatrixXd symmetric_part(const MatrixXd& matrix) {
   return (matrix + matrix.transpose()) / 2;
 }
 
-/// mu = R^-1, R = force over velocity.
+/// Returns mu = R^-1, where R is force divided by velocity.
 MatrixXd mobility_of(const Line& line, const Solution& flow, const VectorXd& force) {
   MatrixXd resistance(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) resistance.row(i) = force[i] * flow.own.row(line.start[i]);
   return symmetric_part(resistance.inverse());
 }
 
-/// Change of all A_0 (rows) at unit velocities (columns) with the place of one sphere as another sees it.
+/// Returns the derivative of all A_0 (rows) at unit velocities (columns) by the offset from `source` to
+/// `receiver`.
 MatrixXd strength_slope(const Line& line, const System& system, const Solution& flow, int receiver,
                         int source) {
   const MatrixXd own = flow.own.middleRows(line.start[source], line.sphere[source].unknowns());
-  const multipole::Incoming slopes =
+  const multipole::IncomingFlow slopes =
       multipole::flow_slopes(line.pair(receiver, source), system.translation[receiver][source], own);
   const multipole::Sphere& sphere = line.sphere[receiver];
-  return flow.adjoint.middleRows(line.start[receiver], sphere.unknowns()).transpose() * sphere.answer(slopes);
+  return flow.adjoint.middleRows(line.start[receiver], sphere.unknowns()).transpose() *
+         sphere.response(slopes);
 }
 
 std::vector<MatrixXd> strength_slopes(const Line& line, const System& system, const Solution& flow) {
@@ -119,7 +122,7 @@ std::vector<MatrixXd> strength_slopes(const Line& line, const System& system, co
   return slopes;
 }
 
-/// d mu / d x_k = -mu (d R / d x_k) mu.
+/// Returns d mu / d x_k = -mu (d R / d x_k) mu.
 std::vector<MatrixXd> mobility_slopes(const Line& line, const System& system, const Solution& flow,
                                       const MatrixXd& mobility, const VectorXd& force) {
   std::vector<MatrixXd> slopes = strength_slopes(line, system, flow);
@@ -127,16 +130,17 @@ std::vector<MatrixXd> mobility_slopes(const Line& line, const System& system, co
   return slopes;
 }
 
-/// More than what the orders left out would add to every A_0. An own flow of order n adds adjoint_n * own_n,
-/// which falls as exp(-2 n xi): a geometric series that goes on from the last orders kept. Without regard to
-/// signs it is some 50 times the true error of mu. Slopes lose a factor 2 n d(xi)/dR more than that; 10 times
-/// the series bounded them too in 300 random lines of spheres, by a factor of 4.
+/// Returns an upper bound of the truncation error of every A_0. An own flow of order n contributes
+/// adjoint_n * own_n, which decays as exp(-2 n xi). The bound is the geometric series that continues the last
+/// orders kept. Since signs are ignored, it is about 50 times the true error of mu. The error of the slopes
+/// is larger by a factor 2 n d(xi)/dR. Ten times the series also bounded the slopes of 300 random lines of
+/// spheres, with a margin of a factor 4.
 MatrixXd strength_error(const Line& line, const Solution& flow) {
-  constexpr int last = 2;  // an odd and an even order, of A and of B
+  constexpr int last = 2;  // the last odd and the last even order, for A and for B
   constexpr double for_slopes = 10;
   MatrixXd error = MatrixXd::Zero(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) {
-    const double series = for_slopes / std::expm1(2 * nearest_coordinate(line, i));
+    const double series = for_slopes / std::expm1(2 * nearest_bispherical_coordinate(line, i));
     for (const int end : {line.start[i] + line.sphere[i].order(), line.start[i + 1]}) {
       const MatrixXd adjoint = flow.adjoint.middleRows(end - last, last).cwiseAbs();
       error += series * adjoint.transpose() * flow.own.middleRows(end - last, last).cwiseAbs();
@@ -145,7 +149,7 @@ MatrixXd strength_error(const Line& line, const Solution& flow) {
   return error;
 }
 
-/// Largest error of mu_ij over sqrt(mu_ii mu_jj).
+/// Returns the largest error of mu_ij, relative to sqrt(mu_ii mu_jj).
 double relative_error(const MatrixXd& mobility, const MatrixXd& resistance_error) {
   const MatrixXd error = mobility.cwiseAbs() * resistance_error * mobility.cwiseAbs();
   const VectorXd root = mobility.diagonal().cwiseSqrt();
@@ -160,7 +164,7 @@ MultipoleMobility multipole_mobility(std::span<const double> radii, std::span<co
   check_positive(viscosity, "viscosity");
   check_positive(tolerance, "tolerance");
   for (double log_tolerance = std::log(tolerance);;) {
-    const Line line = multipole::line_for(radii, positions, log_tolerance);
+    const Line line = multipole::make_line(radii, positions, log_tolerance);
     const VectorXd force = force_per_strength(line, viscosity);
     const System system = assemble(line);
     const Solution flow = solve(line, system);
@@ -172,7 +176,7 @@ MultipoleMobility multipole_mobility(std::span<const double> radii, std::span<co
               .order = line.largest_order()};
     }
     if (!std::isfinite(error)) throw NotFiniteError("the mobility of spheres on a line is not finite");
-    log_tolerance -= std::log(error / tolerance) + 1;  // what is lacking, and a little more
+    log_tolerance -= std::log(error / tolerance) + 1;  // the missing accuracy and a margin
   }
 }
 

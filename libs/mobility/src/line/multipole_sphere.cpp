@@ -6,7 +6,7 @@ namespace beadswim::multipole {
 
 namespace {
 
-/// B_0 .. B_L of own flows in 2L rows.
+/// Returns B_0 .. B_L of own flows that are given in 2L rows.
 Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
   const Eigen::Index order = own_flow.rows() / 2;
   Eigen::MatrixXd phi(order + 1, own_flow.cols());
@@ -18,7 +18,7 @@ Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
 }  // namespace
 
 // clang-format off
-// No slip on r = 1, with X = A + alpha, Y = B + beta, component P_l:
+// The no-slip condition on r = 1, with X = A + alpha, Y = B + beta, has the components P_l:
 //
 //   tangential               0     = (l-2)/(2l-1) X_l-1 + (l+3)/(2l+3) X_l+1 + Y_l
 //   radial + (l+1) tang.     A_l-1 = (2l-1)/(2(l+1)) [ (l-2)(2l+1)/(2l-1) alpha_l-1 + (l+1) alpha_l+1 + (2l+1) beta_l ]
@@ -32,7 +32,7 @@ Sphere::Sphere(int order) : order_(order) {
 }
 // clang-format on
 
-Eigen::MatrixXd Sphere::answer(const Incoming& flow) const {
+Eigen::MatrixXd Sphere::response(const IncomingFlow& flow) const {
   const int n = order_;
   const auto below = flow.alpha.topRows(n).array();
   const auto above = flow.alpha.bottomRows(n).array();
@@ -47,7 +47,7 @@ Eigen::MatrixXd Sphere::answer(const Incoming& flow) const {
   return own;
 }
 
-Eigen::VectorXd Sphere::moving() const {
+Eigen::VectorXd Sphere::translating_flow() const {
   Eigen::VectorXd own = Eigen::VectorXd::Zero(unknowns());
   own[0] = -0.75;
   own[order_] = 0.25;
@@ -67,13 +67,13 @@ Eigen::MatrixXd translation(const Pair& pair) {
   return t;
 }
 
-// phi is (z - z_j) chi_j + phi_j = (z - z_i) chi_j + [(z_i - z_j) chi_j + phi_j], so that
+// phi of the source, (z - z_j) chi_j + phi_j = (z - z_i) chi_j + [(z_i - z_j) chi_j + phi_j], gives
 //   alpha = T A,   beta = (a_j/a_i) T B + (offset/a_i) T A
-Incoming unit_flows(const Pair& pair, const Eigen::MatrixXd& translation) {
+IncomingFlow unit_flows(const Pair& pair, const Eigen::MatrixXd& translation) {
   const int sources = pair.source_order, rows = pair.receiver_order;
   const double radius_ratio = pair.source_radius / pair.receiver_radius;
-  Incoming flow{.alpha = Eigen::MatrixXd::Zero(rows + 2, 2 * sources),
-                .beta = Eigen::MatrixXd(rows + 1, 2 * sources)};
+  IncomingFlow flow{.alpha = Eigen::MatrixXd::Zero(rows + 2, 2 * sources),
+                    .beta = Eigen::MatrixXd(rows + 1, 2 * sources)};
   flow.alpha.leftCols(sources) = translation.leftCols(sources);
   flow.beta.leftCols(sources) =
       pair.offset / pair.receiver_radius * translation.topLeftCorner(rows + 1, sources);
@@ -82,8 +82,9 @@ Incoming unit_flows(const Pair& pair, const Eigen::MatrixXd& translation) {
   return flow;
 }
 
-// T_nm falls as |offset|^-(n+m+1): d T_nm / d offset = -(n+m+1) T_nm / offset.
-Incoming flow_slopes(const Pair& pair, const Eigen::MatrixXd& translation, const Eigen::MatrixXd& own_flow) {
+// T_nm is proportional to |offset|^-(n+m+1), so d T_nm / d offset = -(n+m+1) T_nm / offset.
+IncomingFlow flow_slopes(const Pair& pair, const Eigen::MatrixXd& translation,
+                         const Eigen::MatrixXd& own_flow) {
   const Eigen::MatrixXd& t = translation;
   const Eigen::Index rows = t.rows(), columns = t.cols();
   const Eigen::ArrayXd n = Eigen::ArrayXd::LinSpaced(rows, 0, rows - 1);

@@ -30,7 +30,8 @@ PeriodicLine::Axis transverse_axis(const Box& box, int axis, double place) {
   return {.period = 2 * length, .mirror = 2 * place};
 }
 
-/// Wavenumbers k >= 0 of one axis: k^2, and the sum of cos(k d) over both signs and over the copies.
+/// Returns, for each wavenumber k >= 0 of an axis, k^2 and the sum of cos(k d) over both signs and over the
+/// copies.
 std::vector<PeriodicLine::Wave> axis_waves(const PeriodicLine::Axis& axis, double longest) {
   std::vector<PeriodicLine::Wave> waves;
   const double spacing = 2 * std::numbers::pi / axis.period;
@@ -42,12 +43,12 @@ std::vector<PeriodicLine::Wave> axis_waves(const PeriodicLine::Axis& axis, doubl
   return waves;
 }
 
-/// Squared distances along one axis to the images of the line.
-std::vector<double> axis_images(const PeriodicLine::Axis& axis, double reach) {
+/// Returns the squared distances along one axis to the images of the line [length^2].
+std::vector<double> axis_images(const PeriodicLine::Axis& axis, double cutoff) {
   std::vector<double> squares;
   const auto add_lattice_of = [&](double offset) {
-    const double last = std::floor((reach - offset) / axis.period);
-    for (double n = std::ceil((-reach - offset) / axis.period); n <= last; ++n) {
+    const double last = std::floor((cutoff - offset) / axis.period);
+    for (double n = std::ceil((-cutoff - offset) / axis.period); n <= last; ++n) {
       const double distance = offset + n * axis.period;
       squares.push_back(distance * distance);
     }
@@ -61,7 +62,7 @@ std::vector<double> axis_images(const PeriodicLine::Axis& axis, double reach) {
 
 PeriodicLine periodic_line(const Box& box, double y, double z) {
   check(box);
-  // Images nearer than 6/xi = V^(1/3): about four of them, whatever the shape of the box.
+  // The distance 6/xi = V^(1/3) then contains about four images, for any shape of the box.
   constexpr double splitting_of_unit_volume = 6;
   const double volume = box.lengths[0] * box.lengths[1] * box.lengths[2];
   return {.period = (box.has_mirrors(0) ? 2 : 1) * box.lengths[0],
@@ -82,12 +83,12 @@ std::vector<PeriodicLine::Wave> transverse_waves(const PeriodicLine& line, doubl
   return waves;
 }
 
-std::vector<double> image_lines(const PeriodicLine& line, double reach) {
+std::vector<double> image_lines(const PeriodicLine& line, double cutoff) {
   std::vector<double> squares;
-  const auto z_squares = axis_images(line.z, reach);
-  for (const double y2 : axis_images(line.y, reach)) {
+  const auto z_squares = axis_images(line.z, cutoff);
+  for (const double y2 : axis_images(line.y, cutoff)) {
     for (const double z2 : z_squares) {
-      if (y2 + z2 <= reach * reach) squares.push_back(y2 + z2);
+      if (y2 + z2 <= cutoff * cutoff) squares.push_back(y2 + z2);
     }
   }
   return squares;

@@ -13,12 +13,12 @@ constexpr double pi = std::numbers::pi;
 
 struct TransverseSum {
   double oseen = 0;      ///< sum of k_t^2/k^4 (1 + k^2 tau) exp(-k^2 tau)
-  double laplacian = 0;  ///< the same times -k^2/6
+  double laplacian = 0;  ///< sum of the same terms times -k^2/6
 };
 
 TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, double k_x, double splitting) {
   const double tau = 1 / (4 * splitting * splitting);
-  const double longest = longest_wave(splitting);
+  const double longest = max_wavenumber(splitting);
   TransverseSum sum;
   for (const auto& wave : waves) {
     const double k2 = k_x * k_x + wave.square;
@@ -31,11 +31,11 @@ TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, doubl
 }
 
 // clang-format off
-/// One image's part below the cut, times 4 pi eta. With g = 2 xi exp(-xi^2 r^2)/sqrt(pi), d B_n/dx = -x B_{n+1} and the B_n
-/// of periodic_stokes.hpp:
+/// Evaluates the part of one image below the division of the integral, times 4 pi eta. With
+/// g = 2 xi exp(-xi^2 r^2)/sqrt(pi), d B_n/dx = -x B_{n+1} and the B_n of periodic_stokes.hpp:
 ///
 ///   oseen      B_0 - rho^2 B_1/2
-///   laplacian  (1/6) [ rho^2 B_2 - 2 B_1 + 2 xi^2 g (1 - xi^2 rho^2) ],   the last term by the cut itself
+///   laplacian  (1/6) [ rho^2 B_2 - 2 B_1 + 2 xi^2 g (1 - xi^2 rho^2) ];  the last term is due to the division
 SteadyLine screened_image(double x, double rho2, double xi) {
   const double r2 = x * x + rho2, r = std::sqrt(r2), xi2 = xi * xi;
   const double g   = 2 * xi / std::sqrt(pi) * std::exp(-xi2 * r2);
@@ -54,8 +54,8 @@ SteadyLine screened_image(double x, double rho2, double xi) {
 }  // namespace
 
 PeriodicStokes::PeriodicStokes(double viscosity, const PeriodicLine& line)
-    : viscosity_(viscosity), line_(line), image_lines_(image_lines(line, image_reach(line.splitting))) {
-  const double longest = longest_wave(line.splitting);
+    : viscosity_(viscosity), line_(line), image_lines_(image_lines(line, image_cutoff(line.splitting))) {
+  const double longest = max_wavenumber(line.splitting);
   const auto waves = transverse_waves(line, longest);
   const double spacing = 2 * pi / line.period;
   for (int n = 0; n * spacing < longest; ++n) {
@@ -83,7 +83,7 @@ SteadyLine PeriodicStokes::waves(double displacement) const {
 SteadyLine PeriodicStokes::near_images(double displacement) const {
   SteadyLine sum;
   const double scale = 1 / (4 * pi * viscosity_);
-  for_each_image(line_.period, image_lines_, image_reach(line_.splitting), displacement,
+  for_each_image(line_.period, image_lines_, image_cutoff(line_.splitting), displacement,
                  [&](double x, double rho2) {
                    const auto image = screened_image(x, rho2, line_.splitting);
                    sum.oseen += scale * image.oseen;
@@ -102,7 +102,8 @@ SteadyLine PeriodicStokes::at(double displacement) const {
 
 SteadyLine PeriodicStokes::images() const {
   SteadyLine flow = at(0);
-  // The waves hold the source's own flow above the cut too: add the limit of screened minus plain at r = 0.
+  // The waves contain the upper part of the source's own flow. Adds the limit of screened minus full flow at
+  // r = 0.
   const double xi = line_.splitting;
   const double own = xi / (2 * viscosity_ * std::pow(pi, 1.5));
   flow.oseen.value -= own;

@@ -13,7 +13,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 
-/// (1 - e^{-z})/z.
+/// Evaluates (1 - e^{-z})/z.
 Complex mean_decay(Complex z) {
   if (std::abs(z) > 0.5) return (1.0 - std::exp(-z)) / z;
   Complex sum = 1, term = 1;
@@ -24,7 +24,7 @@ Complex mean_decay(Complex z) {
   return sum;
 }
 
-/// Power series of the complementary error function, |z| < 1.5: largest term about 4.
+/// Evaluates the complementary error function by its power series for |z| < 1.5. The largest term is near 4.
 Complex complementary_error_function(Complex z) {
   Complex sum = 0, term = z;  // (-1)^n z^{2n+1}/n!
   for (int n = 0; n <= 40; ++n) {
@@ -35,51 +35,56 @@ Complex complementary_error_function(Complex z) {
 }
 
 struct TransverseSum {
-  Complex once;   ///< sum of exp(-k^2 tau)/(k^2 + alpha^2)
-  Complex twice;  ///< sum of exp(-k^2 tau)/(k^2 (k^2 + alpha^2)) without k = 0
+  Complex heat_sum;    ///< sum of exp(-k^2 tau)/(k^2 + alpha^2)
+  Complex steady_sum;  ///< sum of exp(-k^2 tau)/(k^2 (k^2 + alpha^2)) without k = 0
 };
 
 TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, double k_x, Complex alpha2,
                              double splitting) {
   const double tau = 1 / (4 * splitting * splitting);
-  const double longest = longest_wave(splitting);
+  const double longest = max_wavenumber(splitting);
   TransverseSum sum;
   for (const auto& wave : waves) {
     const double k2 = k_x * k_x + wave.square;
     if (k2 > longest * longest) continue;
     const Complex term = wave.weight * std::exp(-k2 * tau) / (k2 + alpha2);
-    sum.once += term;
-    if (k2 > 0) sum.twice += term / k2;
+    sum.heat_sum += term;
+    if (k2 > 0) sum.steady_sum += term / k2;
   }
   return sum;
 }
 
-/// A node of the integral over s = 1/(4 p^2) < tau and what multiplies exp(-p^2 r^2) and its d^2/dx^2 there.
+/// A node of the integral over s = 1/(4 p^2) < tau, with the factors of exp(-p^2 r^2) and of its d^2/dx^2.
 struct HeatNode {
   double p = 0;
-  Complex plain;  ///< in both parts
-  Complex helmholtz_curved, whole_curved;
+  Complex plain;  ///< factor of exp(-p^2 r^2) in both integrals
+  Complex helmholtz_curved, total_curved;
 };
 
-/// integral_0^tau f(s) g_s ds = (2 pi^{3/2})^{-1} integral_xi^oo f e^{-p^2 r^2} dp, up to the p where the
-/// nearest image's Gaussian ends; in ln p, in which the integrand varies on a scale of 1.
+/// Returns the nodes for integral_0^tau f(s) g_s ds = (2 pi^{3/2})^{-1} integral_xi^oo f e^{-p^2 r^2} dp. The
+/// upper limit is the p where the Gaussian of the nearest image is negligible. The variable is ln p, in which
+/// the integrand varies on a scale of 1.
 std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
   const Complex alpha2 = alpha * alpha;
-  const double span = std::log(std::max(gaussian_reach / (xi * nearest), 1.2));
+  const double span = std::log(std::max(gaussian_cutoff / (xi * nearest), 1.2));
   constexpr double longest_panel = 0.7;
   const int panels = static_cast<int>(std::ceil(span / longest_panel));
-  using Rule = boost::math::quadrature::gauss<long double, 16>;  // of doubles the last bits would be wrong
+  using Rule =
+      boost::math::quadrature::gauss<long double, 16>;  // the rule for double has errors in the last bits
   std::vector<HeatNode> nodes;
   const auto add = [&](double y, double weight) {
     const double p = xi * std::exp(y), s = 1 / (4 * p * p);
     const double scale = weight * p / (2 * std::pow(pi, 1.5));
     const Complex decay = scale * std::exp(-alpha2 * s);
-    nodes.push_back({p, decay, -decay / alpha2, scale * s * mean_decay(alpha2 * s)});
+    nodes.push_back({.p = p,
+                     .plain = decay,
+                     .helmholtz_curved = -decay / alpha2,
+                     .total_curved = scale * s * mean_decay(alpha2 * s)});
   };
   for (int panel = 0; panel < panels; ++panel) {
     const double from = span * panel / panels, to = span * (panel + 1) / panels;
     const double middle = (from + to) / 2, half = (to - from) / 2;
-    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {  // those on (0, 1); the others mirror them
+    for (std::size_t n = 0; n < Rule::abscissa().size(); ++n) {  // nodes on (0, 1); the others are symmetric
       const auto place = static_cast<double>(Rule::abscissa()[n]);
       const auto weight = static_cast<double>(Rule::weights()[n]);
       add(middle - half * place, half * weight);
@@ -89,7 +94,8 @@ std::vector<HeatNode> heat_nodes(double xi, Complex alpha, double nearest) {
   return nodes;
 }
 
-/// Distance of a source's nearest image: no sphere is wider, as it would overlap its image.
+/// Returns the distance to the nearest image of a source [length]. It bounds the diameter of spheres without
+/// overlap.
 double nearest_image(const PeriodicLine& line) {
   double nearest = line.period;
   for (const auto& axis : {line.y, line.z}) {
@@ -114,15 +120,16 @@ double nearest_distance(const std::vector<Place>& places) {
 PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Complex alpha)
     : steady_(steady), alpha_(alpha) {
   const auto& line = steady.line();
-  if (decays_within_the_box()) {
-    constexpr double decay_length = 40;  // e^-40 = 4e-18, of the flow at the surface of the widest sphere
-    reach_ = decay_length / alpha.real() + nearest_image(line);
-    image_lines_ = image_lines(line, reach_);
+  if (decays_within_box()) {
+    constexpr double decay_length =
+        40;  // e^-40 = 4e-18, relative to the flow at the surface of the largest sphere
+    cutoff_ = decay_length / alpha.real() + nearest_image(line);
+    image_lines_ = image_lines(line, cutoff_);
     return;
   }
-  reach_ = image_reach(line.splitting);
-  image_lines_ = image_lines(line, reach_);
-  const double longest = longest_wave(line.splitting), spacing = 2 * pi / line.period;
+  cutoff_ = image_cutoff(line.splitting);
+  image_lines_ = image_lines(line, cutoff_);
+  const double longest = max_wavenumber(line.splitting), spacing = 2 * pi / line.period;
   const double tau = 1 / (4 * line.splitting * line.splitting);
   const Complex alpha2 = alpha * alpha, decay = std::exp(-alpha2 * tau),
                 growth = tau * mean_decay(alpha2 * tau);
@@ -131,13 +138,13 @@ PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Com
     const double kx2 = n * spacing * n * spacing;
     const double scale = (n == 0 ? 1 : 2) / (steady.viscosity() * line.volume());
     const auto sum = transverse_sum(waves, n * spacing, alpha2, line.splitting);
-    wave_sums_.push_back({scale * decay * (1.0 + kx2 / alpha2) * sum.once,
-                          scale * ((decay - kx2 * growth) * sum.once - kx2 * sum.twice)});
+    wave_sums_.push_back({scale * decay * (1.0 + kx2 / alpha2) * sum.heat_sum,
+                          scale * ((decay - kx2 * growth) * sum.heat_sum - kx2 * sum.steady_sum)});
   }
 }
 
-/// Against the splitting, whose 6/xi is the cube root of the box's volume.
-bool PeriodicUnsteadyStokes::decays_within_the_box() const {
+/// Compares alpha with the splitting xi, where 6/xi is the cube root of the volume of the box.
+bool PeriodicUnsteadyStokes::decays_within_box() const {
   return std::abs(alpha_) > 13.0 / 6 * steady_.line().splitting;
 }
 
@@ -150,7 +157,7 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::waves(double displacement)
   for (const auto& wave : wave_sums_) {
     const LineValue<double> shape{phase.real(), -k * phase.imag()};
     sum.helmholtz += wave.helmholtz * shape;
-    sum.whole += wave.whole * shape;
+    sum.total += wave.total * shape;
     phase *= step;
     k += spacing;
   }
@@ -160,7 +167,7 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::waves(double displacement)
 PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displacement) const {
   const auto& line = steady_.line();
   std::vector<Place> places;
-  for_each_image(line.period, image_lines_, reach_, displacement, [&](double x, double rho2) {
+  for_each_image(line.period, image_lines_, cutoff_, displacement, [&](double x, double rho2) {
     places.push_back({x, rho2});
   });
   Parts sum;
@@ -177,16 +184,16 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displac
     }
     sum.helmholtz += node.plain * plain;
     sum.helmholtz += node.helmholtz_curved * curved;
-    sum.whole += node.plain * plain;
-    sum.whole += node.whole_curved * curved;
+    sum.total += node.plain * plain;
+    sum.total += node.total_curved * curved;
   }
   const double scale = 1 / steady_.viscosity();
-  return {scale * sum.helmholtz, scale * sum.whole};
+  return {scale * sum.helmholtz, scale * sum.total};
 }
 
-/// The integral over s > tau at r = 0, which the waves hold of the source itself:
+/// Evaluates the part of the source's own flow that the waves contain, the integral over s > tau at r = 0:
 /// I = integral_0^xi e^{-alpha^2/(4 p^2)} dp = xi e^{-alpha^2 tau} - (alpha/2) sqrt(pi) erfc(alpha/(2 xi)).
-PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::own_part_above_the_cut() const {
+PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::self_flow_of_waves() const {
   const double xi = steady_.line().splitting, tau = 1 / (4 * xi * xi);
   const Complex alpha2 = alpha_ * alpha_, decay = std::exp(-alpha2 * tau);
   const Complex integral =
@@ -195,7 +202,7 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::own_part_above_the_cut() c
   const double xi3 = xi * xi * xi;
   // clang-format off
   return {.helmholtz = {scale * (integral + xi3 * decay / alpha2), 0},
-          .whole     = {scale * (integral - xi3 * tau * mean_decay(alpha2 * tau)), 0}};
+          .total     = {scale * (integral - xi3 * tau * mean_decay(alpha2 * tau)), 0}};
   // clang-format on
 }
 
@@ -203,13 +210,13 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::ewald_sum(double displacem
   Parts parts = waves(displacement);
   const Parts images = near_images(displacement);
   parts.helmholtz += images.helmholtz;
-  parts.whole += images.whole;
+  parts.total += images.total;
   return parts;
 }
 
 LineValue<Complex> PeriodicUnsteadyStokes::helmholtz_images(double displacement) const {
   LineValue<Complex> sum;
-  for_each_image(steady_.line().period, image_lines_, reach_, displacement, [&](double x, double rho2) {
+  for_each_image(steady_.line().period, image_lines_, cutoff_, displacement, [&](double x, double rho2) {
     sum += unsteady_stokeslet(steady_.viscosity(), alpha_, x, rho2).helmholtz;
   });
   return sum;
@@ -224,14 +231,14 @@ LineValue<Complex> PeriodicUnsteadyStokes::harmonic(const LineValue<double>& ste
 UnsteadyLine PeriodicUnsteadyStokes::flow(double displacement,
                                           const LineValue<double>& steady_laplacian) const {
   const auto potential = harmonic(steady_laplacian);
-  if (decays_within_the_box()) {
+  if (decays_within_box()) {
     const auto decaying = helmholtz_images(displacement);
-    auto whole = decaying;
-    whole += potential;
-    return {.helmholtz = decaying, .harmonic = potential, .whole = whole};
+    auto total = decaying;
+    total += potential;
+    return {.helmholtz = decaying, .harmonic = potential, .total = total};
   }
   const Parts parts = ewald_sum(displacement);
-  return {.helmholtz = parts.helmholtz, .harmonic = potential, .whole = parts.whole};
+  return {.helmholtz = parts.helmholtz, .harmonic = potential, .total = parts.total};
 }
 
 UnsteadyLine PeriodicUnsteadyStokes::at(double displacement) const {
@@ -240,10 +247,10 @@ UnsteadyLine PeriodicUnsteadyStokes::at(double displacement) const {
 
 UnsteadyLine PeriodicUnsteadyStokes::images() const {
   UnsteadyLine images = flow(0, steady_.images().laplacian);
-  if (decays_within_the_box()) return images;
-  const Parts own = own_part_above_the_cut();
+  if (decays_within_box()) return images;
+  const Parts own = self_flow_of_waves();
   images.helmholtz += -1.0 * own.helmholtz;
-  images.whole += -1.0 * own.whole;
+  images.total += -1.0 * own.total;
   return images;
 }
 

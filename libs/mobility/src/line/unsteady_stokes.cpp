@@ -10,11 +10,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A radial function h(r) and D h, D^2 h, D^3 h with D = (1/r) d/dr.
+/// Value of a radial function h(r) and D h, D^2 h, D^3 h with D = (1/r) d/dr.
 using RadialDerivatives = std::array<Complex, 4>;
 
 // clang-format off
-/// h = e^{-z}/r with z = alpha r:
+/// Evaluates h = e^{-z}/r with z = alpha r:
 ///
 ///   D h = -h (1 + z)/r^2,   D^2 h = h (3 + 3 z + z^2)/r^4,   D^3 h = -h (15 + 15 z + 6 z^2 + z^3)/r^6
 RadialDerivatives decaying(Complex z, double r) {
@@ -31,8 +31,9 @@ RadialDerivatives coulomb(double r) {
   return decaying(0, r);
 }
 
-/// (e^{-alpha r} - 1)/r = sum_{m >= 1} (-alpha)^m r^{m-1}/m!, and D r^n = n r^{n-2}; |z| < 1. The term m = 1
-/// is constant in space: left out of the function itself too, which only its derivatives are wanted of.
+/// Evaluates (e^{-alpha r} - 1)/r = sum_{m >= 1} (-alpha)^m r^{m-1}/m! for |z| < 1, with D r^n = n r^{n-2}.
+/// The term m = 1 is constant in space and has no derivatives. The function value is set to 0, since only
+/// derivatives are used.
 RadialDerivatives decaying_less_coulomb(Complex z, double r) {
   constexpr int last = 22;  // 1/22! = 9e-22
   const double r2 = r * r;
@@ -53,12 +54,12 @@ RadialDerivatives difference(const RadialDerivatives& a, const RadialDerivatives
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 
-/// h(r) and its slope along x: dr^2/dx = 2 x, so d/dx = x D.
+/// Returns h(r) and its slope along x. Since dr^2/dx = 2 x, d/dx = x D.
 LineValue<Complex> plain(const RadialDerivatives& h, double x) {
   return {h[0], x * h[1]};
 }
 
-/// d^2 h/dx^2 = D h + x^2 D^2 h and its slope along x, 3 x D^2 h + x^3 D^3 h.
+/// Returns d^2 h/dx^2 = D h + x^2 D^2 h and its slope along x, 3 x D^2 h + x^3 D^3 h.
 LineValue<Complex> second_derivative(const RadialDerivatives& h, double x) {
   return {h[1] + x * x * h[2], 3 * x * h[2] + x * x * x * h[3]};
 }
@@ -75,10 +76,10 @@ UnsteadyLine unsteady_stokeslet(double viscosity, Complex alpha, double x, doubl
 
   UnsteadyLine flow;
   flow.helmholtz = scale * plain(yukawa, x);
-  flow.whole = flow.helmholtz;
+  flow.total = flow.helmholtz;
   flow.helmholtz += -potential_scale * second_derivative(yukawa, x);
   flow.harmonic = potential_scale * second_derivative(coulomb(r), x);
-  flow.whole += -potential_scale * second_derivative(excess, x);
+  flow.total += -potential_scale * second_derivative(excess, x);
   return flow;
 }
 

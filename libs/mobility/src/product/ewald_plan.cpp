@@ -12,31 +12,33 @@
 namespace beadswim {
 namespace {
 
-// Work relative to a pair of beads, measured (docs/performance.md).
-constexpr double work_of_pair = 1;
-constexpr double work_of_window_point = 0.1;  ///< of three components, there and back
-constexpr double work_of_mesh_point = 2.5;    ///< of six transforms
+// Measured work, relative to the work per pair of beads (docs/performance.md).
+constexpr double pair_work = 1;
+constexpr double window_point_work = 0.1;  ///< three components, spreading and gathering
+constexpr double mesh_point_work = 2.5;    ///< six transforms
 
 double work(const EwaldScene& scene, const EwaldPlan& plan) {
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
-  const double neighbours = 4.0 / 3 * std::numbers::pi * std::pow(plan.cut_off, 3) * scene.beads / volume;
+  const double neighbours = 4.0 / 3 * std::numbers::pi * std::pow(plan.cutoff, 3) * scene.beads / volume;
   double points = 1;
   for (const double length : scene.lengths) {
     const double along = length / plan.spacing;
     points *= scene.is_periodic ? std::max(along, 2.0) : 2 * (along + plan.window);
   }
-  return work_of_pair * scene.beads * neighbours / 2 +
-         work_of_window_point * scene.beads * std::pow(plan.window, 3) + work_of_mesh_point * points;
+  return pair_work * scene.beads * neighbours / 2 +
+         window_point_work * scene.beads * std::pow(plan.window, 3) + mesh_point_work * points;
 }
 
-/// s = xi cut_off for the tolerance. Of random forces F on spheres of radius a, n in a volume, what lies
-/// beyond the cut-off moves a sphere by some
+/// Returns s = xi cutoff for the tolerance. Random forces F act on spheres of radius a with the number
+/// density n. The pairs beyond the cutoff contribute to the velocity of a sphere about
+///
 ///   F/(6 pi eta a)  3/(2 sqrt(pi)) xi a (1 + 4/3 (xi a s)^2) exp(-s^2) sqrt(pi n s/xi^3)
-/// (the near tensor's Gaussians, squared and summed over r > s/xi); waves that are left out do as much. Held
-/// to a quarter of the tolerance.
-double cut_off_in_splittings(const EwaldScene& scene, double xi) {
+///
+/// This is the root of the sum of the squared Gaussians of the near tensor over r > s/xi. Neglected waves
+/// contribute as much. The estimate is limited to a third of the tolerance.
+double scaled_cutoff(const EwaldScene& scene, double xi) {
   const double density = scene.beads / (scene.lengths[0] * scene.lengths[1] * scene.lengths[2]);
-  const double size = xi * scene.typical_radius;
+  const double size = xi * scene.largest_radius;
   double s = 3;
   for (int i = 0; i < 20; ++i) {
     const double each = 1.5 / std::sqrt(std::numbers::pi) * size * (1 + 4.0 / 3 * size * size * s * s);
@@ -46,23 +48,23 @@ double cut_off_in_splittings(const EwaldScene& scene, double xi) {
   return s;
 }
 
-/// The plan of one splitting.
+/// Returns the plan for a given splitting.
 EwaldPlan plan_with(const EwaldScene& scene, double xi) {
-  const double s = cut_off_in_splittings(scene, xi);
-  // The best shape, and the error it leaves, found by trying (docs/method/mobility-product.md).
+  const double s = scaled_cutoff(scene, xi);
+  // The optimal shape and its error were found by numerical experiments (docs/method/mobility-product.md).
   const auto shape = [](int points) { return 0.95 * std::sqrt(std::numbers::pi * points); };
-  const double size = xi * s * scene.typical_radius;
+  const double size = xi * s * scene.largest_radius;
   const auto error = [&](int points) {
     return 4 * (1 + 0.6 * size * size * size * size) * std::exp(-1.36 * points);
   };
   int window = 4;
   while (window < 26 && error(window) > scene.tolerance) window += 2;
-  // Windows must leave enough of the Gaussian to the kernel, or its samples alias in open space:
+  // Part of the Gaussian must remain for the kernel. Otherwise the samples of the kernel alias in open space:
   // share = (window pi/(2 s m))^2 <= 0.6.
-  const double least = std::numbers::pi * window / shape(window) / (2 * std::sqrt(0.6));
+  const double minimum = std::numbers::pi * window / shape(window) / (2 * std::sqrt(0.6));
   return {.xi = xi,
-          .cut_off = s / xi,
-          .spacing = std::numbers::pi / (2 * std::max(s, least) * xi),
+          .cutoff = s / xi,
+          .spacing = std::numbers::pi / (2 * std::max(s, minimum) * xi),
           .window = window,
           .window_shape = shape(window)};
 }
@@ -74,33 +76,34 @@ EwaldPlan plan_ewald(const EwaldScene& scene) {
     throw InputError(Setting::tolerance, fmt::format("{} is not between 1e-12 and 1e-2", scene.tolerance));
   const double shortest = scene.lengths.minCoeff();
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
-  // From cut-offs of half the shortest edge, or of all beads, down to that of the nearest neighbours.
-  const double longest = scene.is_periodic ? shortest / 2 : std::cbrt(volume);
-  const double shortest_cut_off = 2 * scene.typical_radius;  // spheres that overlap are summed as pairs
-  if (longest < shortest_cut_off)
+  // Cutoffs from half the shortest edge, or the size of the swarm in open space, down to that of nearest
+  // neighbours.
+  const double max_cutoff = scene.is_periodic ? shortest / 2 : std::cbrt(volume);
+  const double min_cutoff = 2 * scene.largest_radius;  // overlapping spheres must be summed as pairs
+  if (max_cutoff < min_cutoff)
     throw InputError(
         "box", fmt::format("its edge of {} is less than four radii of {}; enlarge it, or take none ({})",
-                           shortest, scene.typical_radius, Setting::unbounded));
+                           shortest, scene.largest_radius, Setting::unbounded));
   EwaldPlan best;
-  double least = INFINITY;
+  double minimum = INFINITY;
   constexpr int trials = 60;
   for (int t = 0; t < trials; ++t) {
-    const double cut_off = std::max(longest * std::pow(0.9, t), shortest_cut_off);
-    double xi = 5 / cut_off;
+    const double cutoff = std::max(max_cutoff * std::pow(0.9, t), min_cutoff);
+    double xi = 5 / cutoff;
     for (int i = 0; i < 5; ++i)
-      xi *= plan_with(scene, xi).cut_off / cut_off;  // the cut-off hangs on xi a little
+      xi *= plan_with(scene, xi).cutoff / cutoff;  // the cutoff depends weakly on xi
     EwaldPlan plan = plan_with(scene, xi);
-    plan.cut_off = std::min(plan.cut_off, longest);
-    if (const double w = work(scene, plan); w < least) {
-      least = w;
+    plan.cutoff = std::min(plan.cutoff, max_cutoff);
+    if (const double w = work(scene, plan); w < minimum) {
+      minimum = w;
       best = plan;
     }
   }
   return best;
 }
 
-int good_mesh_size(double at_least) {
-  for (int n = std::max(2, static_cast<int>(std::ceil(at_least - 1e-9)));; ++n) {
+int next_fft_size(double min_size) {
+  for (int n = std::max(2, static_cast<int>(std::ceil(min_size - 1e-9)));; ++n) {
     int rest = n;
     for (const int factor : {2, 3, 5, 7})
       while (rest % factor == 0) rest /= factor;

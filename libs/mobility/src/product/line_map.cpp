@@ -12,7 +12,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Orthonormal columns that sum to zero: column k weighs the first k + 1 against the next one (Helmert).
+/// Returns orthonormal columns that sum to zero. Column k has equal entries 1 .. k + 1 and one of opposite
+/// sign (Helmert).
 MatrixXd zero_sum_basis(Eigen::Index n) {
   MatrixXd basis = MatrixXd::Zero(n, n - 1);
   for (Eigen::Index k = 0; k < n - 1; ++k) {
@@ -23,13 +24,13 @@ MatrixXd zero_sum_basis(Eigen::Index n) {
   return basis;
 }
 
-/// Forces, of sum 1, under which all move alike.
-VectorXd towing_forces(const MatrixXd& mobility) {
+/// Returns the forces of sum 1 under which all spheres have the same velocity.
+VectorXd uniform_velocity_forces(const MatrixXd& mobility) {
   const VectorXd forces = mobility.inverse() * VectorXd::Ones(mobility.rows());
   return forces / forces.sum();
 }
 
-/// G = A^-1 # X: G A G = X.
+/// Returns G = A^-1 # X, the positive definite solution of G A G = X.
 MatrixXd riccati_root(const MatrixXd& a, const MatrixXd& x) {
   const Eigen::SelfAdjointEigenSolver<MatrixXd> of_a(a);
   const MatrixXd root = of_a.operatorSqrt(), inverse_root = of_a.operatorInverseSqrt();
@@ -45,8 +46,9 @@ MatrixXd line_map(const MatrixXd& exact, const MatrixXd& approximate) {
   const MatrixXd relative =
       riccati_root(basis.transpose() * approximate * basis, basis.transpose() * exact * basis);
   const Eigen::RowVectorXd ones = Eigen::RowVectorXd::Ones(n);
-  return basis * relative * basis.transpose() * (MatrixXd::Identity(n, n) - towing_forces(exact) * ones) +
-         towing_forces(approximate) * ones;
+  return basis * relative * basis.transpose() *
+             (MatrixXd::Identity(n, n) - uniform_velocity_forces(exact) * ones) +
+         uniform_velocity_forces(approximate) * ones;
 }
 
 Eigen::Matrix2d log_of_pair_map(const Eigen::Matrix2d& map) {

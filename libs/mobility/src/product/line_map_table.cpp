@@ -10,9 +10,9 @@
 namespace beadswim {
 namespace {
 
-constexpr double largest_gap = 64;  // [mean radius]
+constexpr double max_gap = 64;  // [mean radius]
 constexpr double pair_excess = 0.01, triplet_excess = 0.02;
-constexpr double truncation = 1e-8;  // of multipoles
+constexpr double truncation = 1e-8;  // tolerance of multipole_mobility
 
 double mean(double a, double b) {
   return (a + b) / 2;
@@ -20,19 +20,19 @@ double mean(double a, double b) {
 
 template <class Lattice>
 typename Lattice::Axis axis_of(double radius_i, double radius_j, double excess) {
-  const double first = std::log(thinnest_film(radius_i, radius_j, excess) / mean(radius_i, radius_j));
-  const double last = std::log(largest_gap);
+  const double first = std::log(min_tabulated_gap(radius_i, radius_j, excess) / mean(radius_i, radius_j));
+  const double last = std::log(max_gap);
   return {.first = first, .nodes = static_cast<int>(std::ceil((last - first) / Lattice::spacing)) + 1};
 }
 
 template <std::size_t n>
 Eigen::MatrixXd exact_map(const std::array<double, n>& radii, const std::array<double, n>& positions) {
-  constexpr double viscosity = 1;  // S has none
+  constexpr double viscosity = 1;  // S does not depend on it
   return line_map(multipole_mobility(radii, positions, viscosity, truncation).value,
                   rotne_prager_line(radii, positions, viscosity));
 }
 
-/// Lagrange's polynomials at t, nodes 0 to n - 1.
+/// Evaluates Lagrange's polynomials at t for the nodes 0 to n - 1.
 template <int n>
 std::array<double, n> lagrange_weights(double t) {
   constexpr auto scales = [] {
@@ -54,16 +54,16 @@ std::array<double, n> lagrange_weights(double t) {
 
 }  // namespace
 
-/// gap (R - a_l + a_s) = 2 excess R a_l, R = gap + a_l + a_s, a_l the larger one.
-double thinnest_film(double radius_i, double radius_j, double excess) {
+/// Solves gap (R - a_l + a_s) = 2 excess R a_l with R = gap + a_l + a_s, where a_l is the larger radius.
+double min_tabulated_gap(double radius_i, double radius_j, double excess) {
   const auto [small, large] = std::minmax(radius_i, radius_j);
   const double half = small - excess * large;
   return -half + std::sqrt(half * half + 2 * excess * large * (large + small));
 }
 
 template <int axes, int values>
-FilledLattice<axes, values>::FilledLattice(const std::array<Axis, axes>& extent,
-                                           std::function<Values(const Place&)> law)
+LazyTable<axes, values>::LazyTable(const std::array<Axis, axes>& extent,
+                                   std::function<Values(const Place&)> law)
     : extent_(extent), law_(std::move(law)) {
   std::size_t count = 1;
   for (const Axis& axis : extent_) count *= axis.nodes;
@@ -71,7 +71,7 @@ FilledLattice<axes, values>::FilledLattice(const std::array<Axis, axes>& extent,
 }
 
 template <int axes, int values>
-auto FilledLattice<axes, values>::node(const std::array<int, axes>& index) const -> const Values& {
+auto LazyTable<axes, values>::node(const std::array<int, axes>& index) const -> const Values& {
   std::size_t number = 0;
   Place place;
   for (int a = 0; a < axes; ++a) {
@@ -83,7 +83,7 @@ auto FilledLattice<axes, values>::node(const std::array<int, axes>& index) const
 }
 
 template <int axes, int values>
-auto FilledLattice<axes, values>::at(const Place& place) const -> Values {
+auto LazyTable<axes, values>::at(const Place& place) const -> Values {
   std::array<std::array<double, stencil>, axes> weights;
   std::array<int, axes> first;
   int points = 1;
@@ -109,38 +109,38 @@ auto FilledLattice<axes, values>::at(const Place& place) const -> Values {
   return sum;
 }
 
-template class FilledLattice<1, 2>;
-template class FilledLattice<2, 6>;
+template class LazyTable<1, 2>;
+template class LazyTable<2, 6>;
 
 PairMapTable::PairMapTable(const std::array<double, 2>& radii)
     : mean_radius_(mean(radii[0], radii[1])),
-      lattice_({axis_of<FilledLattice<1, 2>>(radii[0], radii[1], pair_excess)},
-               [radii, unit = mean_radius_](const std::array<double, 1>& u) {
-                 const double distance = radii[0] + radii[1] + unit * std::exp(u[0]);
-                 const Eigen::Matrix2d log = log_of_pair_map(exact_map<2>(radii, {0, distance}));
-                 return std::array{log(0, 0), log(0, 1)};
-               }) {}
+      table_({axis_of<LazyTable<1, 2>>(radii[0], radii[1], pair_excess)},
+             [radii, unit = mean_radius_](const std::array<double, 1>& u) {
+               const double distance = radii[0] + radii[1] + unit * std::exp(u[0]);
+               const Eigen::Matrix2d log = log_of_pair_map(exact_map<2>(radii, {0, distance}));
+               return std::array{log(0, 0), log(0, 1)};
+             }) {}
 
 Eigen::RowVector2d PairMapTable::log_map(double gap) const {
-  const auto [own, other] = lattice_.at({std::log(gap / mean_radius_)});
+  const auto [own, other] = table_.at({std::log(gap / mean_radius_)});
   return {own, other};
 }
 
 TripletMapTable::TripletMapTable(const std::array<double, 3>& radii)
     : mean_radii_{mean(radii[0], radii[1]), mean(radii[1], radii[2])},
-      lattice_({axis_of<FilledLattice<2, 6>>(radii[0], radii[1], triplet_excess),
-                axis_of<FilledLattice<2, 6>>(radii[1], radii[2], triplet_excess)},
-               [radii, units = mean_radii_](const std::array<double, 2>& u) {
-                 const double second = radii[0] + radii[1] + units[0] * std::exp(u[0]);
-                 const double third = second + radii[1] + radii[2] + units[1] * std::exp(u[1]);
-                 const Eigen::Matrix3d change =
-                     exact_map<3>(radii, {0, second, third}) - Eigen::Matrix3d::Identity();
-                 return std::array{change(0, 0), change(0, 1), change(0, 2),
-                                   change(2, 0), change(2, 1), change(2, 2)};
-               }) {}
+      table_({axis_of<LazyTable<2, 6>>(radii[0], radii[1], triplet_excess),
+              axis_of<LazyTable<2, 6>>(radii[1], radii[2], triplet_excess)},
+             [radii, units = mean_radii_](const std::array<double, 2>& u) {
+               const double second = radii[0] + radii[1] + units[0] * std::exp(u[0]);
+               const double third = second + radii[1] + radii[2] + units[1] * std::exp(u[1]);
+               const Eigen::Matrix3d change =
+                   exact_map<3>(radii, {0, second, third}) - Eigen::Matrix3d::Identity();
+               return std::array{change(0, 0), change(0, 1), change(0, 2),
+                                 change(2, 0), change(2, 1), change(2, 2)};
+             }) {}
 
 Eigen::Matrix3d TripletMapTable::change(const std::array<double, 2>& gaps) const {
-  const auto c = lattice_.at({std::log(gaps[0] / mean_radii_[0]), std::log(gaps[1] / mean_radii_[1])});
+  const auto c = table_.at({std::log(gaps[0] / mean_radii_[0]), std::log(gaps[1] / mean_radii_[1])});
   Eigen::Matrix3d change;  // columns sum to zero
   // clang-format off
   change <<  c[0],         c[1],         c[2],

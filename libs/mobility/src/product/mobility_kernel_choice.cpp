@@ -3,9 +3,10 @@
 namespace beadswim {
 
 const MobilityKernels& mobility_kernels() {
-#define BEADSWIM_MOBILITY_KERNELS_OF(set)                                             \
-  MobilityKernels {                                                                   \
-    set::near_spheres, set::pair_velocities, set::spread_windows, set::gather_windows \
+#define BEADSWIM_MOBILITY_KERNELS_OF(set)                                                 \
+  MobilityKernels {                                                                       \
+    .find_near_spheres = set::find_near_spheres, .pair_velocities = set::pair_velocities, \
+    .spread_windows = set::spread_windows, .gather_windows = set::gather_windows          \
   }
   static const MobilityKernels kernels = BEADSWIM_BEST_KERNELS(BEADSWIM_MOBILITY_KERNELS_OF);
   return kernels;

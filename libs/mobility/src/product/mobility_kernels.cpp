@@ -7,21 +7,22 @@
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
-/// To the nearest whole number, below 2^51.
+/// Rounds to the nearest integer, for |value| < 2^51.
 BEADSWIM_KERNEL double rounded(double value) {
   constexpr double shift = 0x1.8p52;
   return (value + shift) - shift;
 }
 
-int near_spheres(const SortedSpheres& spheres, int one, int begin, int end, double reach, PairBatch& batch) {
+int find_near_spheres(const SortedSpheres& spheres, int one, int begin, int end, double cutoff,
+                      PairBatch& batch) {
   constexpr int chunk = 128;
   double d[3][chunk], r2[chunk];
   const double at[3]{spheres.x[one], spheres.y[one], spheres.z[one]};
   double inverse[3];
   for (int a = 0; a < 3; ++a) inverse[a] = spheres.lengths[a] > 0 ? 1 / spheres.lengths[a] : 0;
-  const double limit = reach * reach;
+  const double limit = cutoff * cutoff;
   const unsigned char wanted = spheres.is_receiver[one];
-  for (; begin < end && batch.count + chunk <= PairBatch::most; begin += chunk) {
+  for (; begin < end && batch.count + chunk <= PairBatch::capacity; begin += chunk) {
     const int n = end - begin < chunk ? end - begin : chunk;
     const double* const places[3]{spheres.x + begin, spheres.y + begin, spheres.z + begin};
     for (int t = 0; t < n; ++t) r2[t] = 0;
@@ -96,20 +97,20 @@ void pair_velocities(const PairTable& table, const double* force, PairBatch& bat
                        : pair_velocities_of<4>(table, force, batch, velocity);
 }
 
-/// A bead's window: P points along each axis and their weights.
+/// Window of a bead: P points along each axis and their weights.
 template <int P>
 struct Window {
   int first[3];
   double weight[3][P];
-  int planes[P], rows[P];  ///< wrapped; a plane is -1 where it is another rank's
+  int planes[P], rows[P];  ///< wrapped indices; a plane is -1 if another rank owns it
 
-  BEADSWIM_KERNEL void meet(const WindowMesh& mesh, const double* position) {
+  BEADSWIM_KERNEL void set_position(const WindowMesh& mesh, const double* position) {
     for (int a = 0; a < 3; ++a) {
       double place = (position[a] - mesh.origin[a]) * mesh.inverse_spacing[a];
-      place -=
-          mesh.points[a] * std::floor(place * mesh.inverse_points[a]);  // where numbers still fit into an int
+      place -= mesh.points[a] *
+               std::floor(place * mesh.inverse_points[a]);  // wrapped, so that it fits into an int
       const double below = std::floor(place);
-      const bool is_on_mesh = below >= 0 && below < mesh.points[a];  // no number is not
+      const bool is_on_mesh = below >= 0 && below < mesh.points[a];  // false for NaN
       first[a] = (is_on_mesh ? static_cast<int>(below) : 0) - P / 2 + 1;
       // exp(-c (d + p)^2) = exp(-c d^2) exp(-2 c d)^p exp(-c p^2)
       const double d = below - P / 2 + 1 - place;
@@ -143,7 +144,7 @@ BEADSWIM_KERNEL void spread_of(const WindowMesh& mesh, const WindowBeads& beads,
                                double* const* onto) {
   Window<P> w;
   for (long b = 0; b < beads.count; ++b) {
-    w.meet(mesh, beads.positions + 3 * b);
+    w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
     for (int c = 0; c < 3; ++c) {
       const double number = numbers[3 * b + c];
@@ -171,10 +172,10 @@ BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads,
                                double* numbers) {
   Window<P> w;
   for (long b = 0; b < beads.count; ++b) {
-    w.meet(mesh, beads.positions + 3 * b);
+    w.set_position(mesh, beads.positions + 3 * b);
     const bool wraps = w.wraps(mesh);
     for (int c = 0; c < 3; ++c) {
-      double along[P]{};  // sums under the other two axes' windows
+      double along[P]{};  // weighted sums over the first two axes
       for (int p = 0; p < P; ++p) {
         if (w.planes[p] < 0) continue;
         for (int q = 0; q < P; ++q) {
@@ -197,12 +198,12 @@ BEADSWIM_KERNEL void gather_of(const WindowMesh& mesh, const WindowBeads& beads,
   }
 }
 
-/// Calls work<P>() for a window of P points along an axis, P = 4, 6, .. most_points.
+/// Calls work<P>() for a window of P points along an axis, P = 4, 6, .., max_points.
 template <int P = 4, class Work>
 BEADSWIM_KERNEL void with_window(int window, const Work& work) {
   if (window == P) {
     work.template operator()<P>();
-  } else if constexpr (P < WindowMesh::most_points) {
+  } else if constexpr (P < WindowMesh::max_points) {
     with_window<P + 2>(window, work);
   }
 }

@@ -14,8 +14,9 @@
 namespace beadswim {
 namespace {
 
-/// In open space fewer spheres are summed pair by pair: exactly, and as fast.
-constexpr std::size_t fewest_on_mesh = 1000;
+/// Smallest number of spheres for which a mesh is used in open space. Sums over all pairs are as fast for
+/// fewer spheres.
+constexpr std::size_t min_spheres_on_mesh = 1000;
 
 void check(const MobilityScene& scene) {
   if (scene.radii.empty()) throw InputError("mobility", "no sphere");
@@ -40,15 +41,16 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
   EwaldScene ewald{.lengths = mirrored_lengths(scene.box),
                    .is_periodic = scene.box.has_value(),
                    .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirrors(scene.box)),
-                   .typical_radius = *std::ranges::max_element(scene.radii),
+                   .largest_radius = *std::ranges::max_element(scene.radii),
                    .tolerance = scene.tolerance};
   if (scene.box) return ewald;
   const Bounds bounds(positions);
-  for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.high[a] - bounds.low[a] + 2 * ewald.typical_radius;
+  for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.high[a] - bounds.low[a] + 2 * ewald.largest_radius;
   return ewald;
 }
 
-/// Sums over ranks, each sum in order of the ranks: the same bits whenever the number of ranks is.
+/// Sums over ranks, always in order of the ranks. The result has the same bits whenever the number of ranks
+/// is the same.
 void sum_over_ranks(std::span<Vec3> velocities, const Communicator& communicator) {
   const int ranks = communicator.size();
   if (ranks == 1) return;
@@ -70,11 +72,12 @@ struct MobilityProduct::Parts {
   MobilityScene scene;
   const Communicator& communicator;
   std::optional<EwaldPlan> plan;
-  std::unique_ptr<NearPairs> near;  ///< none: pairs are summed whole
+  std::unique_ptr<NearPairs> near_pairs;  ///< none: all pairs are summed without a mesh
   std::unique_ptr<ParticleMesh> mesh;
-  std::vector<double> self;  ///< of each sphere, less what the mesh does to itself
+  std::vector<double>
+      self;  ///< self-mobility of each sphere minus the self-interaction in the far part [time/mass]
   std::optional<NearField> near_field;
-  std::optional<NearMap> near_map;  ///< at mapped_places
+  std::optional<NearMap> near_map;  ///< map for mapped_places
   std::vector<Vec3> mapped_places;
 
   const NearMap& near_map_at(std::span<const Vec3> positions);
@@ -88,19 +91,31 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   const Vec3 lengths = mirrored_lengths(scene.box);
   std::vector<double> radii = scene.radii;
   for (int m = 0; m < mirrors(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
-  parts_.reset(new Parts{scene, communicator, {}, {}, {}, {}, {}, {}, {}});
+  parts_.reset(new Parts{.scene = scene,
+                         .communicator = communicator,
+                         .plan = {},
+                         .near_pairs = {},
+                         .mesh = {},
+                         .self = {},
+                         .near_field = {},
+                         .near_map = {},
+                         .mapped_places = {}});
   if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.box);
-  if (scene.box || scene.radii.size() >= fewest_on_mesh)
+  if (scene.box || scene.radii.size() >= min_spheres_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));
   if (!parts_->plan) return;
-  // Of rank 0, should ranks' processors differ in a last digit.
+  // Roundoff may differ between processors: all ranks use the plan of rank 0.
   MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   const EwaldPlan& plan = *parts_->plan;
-  parts_->near = std::make_unique<NearPairs>(
-      NearPairs::Law{scene.model, scene.viscosity, radii, lengths, plan.xi, plan.cut_off});
+  parts_->near_pairs = std::make_unique<NearPairs>(NearPairs::Law{.model = scene.model,
+                                                                  .viscosity = scene.viscosity,
+                                                                  .radii = radii,
+                                                                  .lengths = lengths,
+                                                                  .xi = plan.xi,
+                                                                  .cutoff = plan.cutoff});
   ParticleMesh::Beads beads{{}, scene.viscosity};
-  const bool is_sphere = are_spheres(scene.model);
+  const bool is_sphere = has_finite_radii(scene.model);
   if (is_sphere)
     for (const double radius : radii) beads.squared_radii.push_back(radius * radius);
   parts_->mesh = std::make_unique<ParticleMesh>(plan, lengths, beads, communicator);
@@ -114,7 +129,7 @@ const std::optional<EwaldPlan>& MobilityProduct::plan() const {
   return parts_->plan;
 }
 
-/// That of the last product where places are the same, as in the products of one step.
+/// Returns the map for the positions. Products of one time step have the same positions and share the map.
 const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positions) {
   if (!near_map || !std::ranges::equal(positions, mapped_places)) {
     near_map = near_field->at(positions);
@@ -123,13 +138,13 @@ const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positio
   return *near_map;
 }
 
-/// What pairs and the mesh have: velocities are filled with zeros.
+/// Sets the velocities by pairs and mesh. They must be zero on entry.
 void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                             std::span<Vec3> velocities) const {
   std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
   for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
   if (mesh) {
-    near->add_velocities(places, sources, velocities, communicator);
+    near_pairs->add_velocities(places, sources, velocities, communicator);
     mesh->add_velocities(places, sources, velocities);
   } else {
     add_all_pairs(scene.model, scene.viscosity, scene.radii, places, sources, velocities, communicator);
@@ -147,7 +162,7 @@ void MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec
   map.map_forces(mapped);
   parts_->add_velocities(positions, mapped, velocities);
   map.map_velocities(velocities);
-  // Of rank 0, should ranks' processors differ in a last digit.
+  // Roundoff may differ between processors: all ranks use the velocities of rank 0.
   MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0,
             parts_->communicator.get());
 }

@@ -12,10 +12,10 @@
 namespace beadswim {
 namespace {
 
-/// Places in the periodic box, in order of their cells: for a first look at distances.
-class Folded {
+/// Positions wrapped into the periodic box, in order of their cells, for a fast test of distances.
+class FoldedPositions {
  public:
-  Folded(std::span<const Vec3> places, std::span<const int> order, const Vec3& lengths) {
+  FoldedPositions(std::span<const Vec3> places, std::span<const int> order, const Vec3& lengths) {
     places_.reserve(order.size());
     for (int a = 0; a < 3; ++a) lengths_[a] = lengths[a] > 0 ? lengths[a] : INFINITY;
     for (const int p : order) {
@@ -25,10 +25,11 @@ class Folded {
     }
   }
 
-  /// Whether the nearest images are, roundoff in their favour.
-  bool are_within(double most, int s, int t) const {
+  /// Returns true if the distance of the nearest images is below the cutoff. A margin of 1e-9 covers
+  /// roundoff.
+  bool are_within(double cutoff, int s, int t) const {
     const Vec3 direct = (places_[s] - places_[t]).cwiseAbs();
-    return direct.cwiseMin(lengths_ - direct).squaredNorm() < (1 + 1e-9) * most * most;
+    return direct.cwiseMin(lengths_ - direct).squaredNorm() < (1 + 1e-9) * cutoff * cutoff;
   }
 
  private:
@@ -36,23 +37,24 @@ class Folded {
   std::vector<Vec3> places_;
 };
 
-/// Calls visit(separation, is_direct) for all images of a separation in the periodic box shorter than `most`.
+/// Calls visit(separation, is_direct) for all images of a separation in the periodic box that are shorter
+/// than `cutoff`.
 template <class Visitor>
-void for_each_image(const Vec3& direct, const Vec3& lengths, double most, const Visitor& visit) {
+void for_each_image(const Vec3& direct, const Vec3& lengths, double cutoff, const Visitor& visit) {
   Vec3 nearest = direct, edges = Vec3::Zero();
-  std::array<double, 3> around{};  // images that are this many edges farther may be near too
+  std::array<double, 3> around{};  // number of further images along each axis that may be within the cutoff
   for (int a = 0; a < 3; ++a) {
     if (lengths[a] == 0) continue;
     edges[a] = -std::nearbyint(direct[a] / lengths[a]);
     nearest[a] += edges[a] * lengths[a];
-    around[a] = std::floor(most / lengths[a] + 0.5);
+    around[a] = std::floor(cutoff / lengths[a] + 0.5);
   }
   for (double x = -around[0]; x <= around[0]; ++x)
     for (double y = -around[1]; y <= around[1]; ++y)
       for (double z = -around[2]; z <= around[2]; ++z) {
         const Vec3 farther(x, y, z);
         const Vec3 separation = nearest + farther.cwiseProduct(lengths);
-        if (separation.squaredNorm() < most * most) visit(separation, (edges + farther).isZero(0));
+        if (separation.squaredNorm() < cutoff * cutoff) visit(separation, (edges + farther).isZero(0));
       }
 }
 
@@ -64,9 +66,9 @@ Vec3 direction(const Vec3& separation) {
 }  // namespace
 
 double pair_weight(double distance) {
-  if (distance <= full_pair_reach) return 1;
-  if (distance >= pair_reach) return 0;
-  const double t = (distance - full_pair_reach) / (pair_reach - full_pair_reach);
+  if (distance <= full_weight_distance) return 1;
+  if (distance >= pair_cutoff) return 0;
+  const double t = (distance - full_weight_distance) / (pair_cutoff - full_weight_distance);
   return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
 }
 
@@ -99,7 +101,7 @@ SwimmerLink NearField::swimmer_link(std::size_t swimmer, std::span<const Vec3> p
   return {direction(x[2] - x[0]), triplet_tables_[triplet_table_of_[swimmer]].change(gaps)};
 }
 
-NearField::Images NearField::images_of(std::span<const Vec3> positions) const {
+NearField::Images NearField::mirror_images(std::span<const Vec3> positions) const {
   Images images{{positions.begin(), positions.end()}, {Vec3::Ones()}};
   for (auto* vectors : {&images.places, &images.mirrors}) add_mirror_images(box_, *vectors);
   return images;
@@ -108,19 +110,19 @@ NearField::Images NearField::images_of(std::span<const Vec3> positions) const {
 std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) const {
   std::vector<PairLink> links;
   links.reserve(positions.size());
-  const Images images = images_of(positions);
-  const double most = pair_reach * *std::ranges::max_element(radii_);
-  const CellList cells(images.places, most, lengths_);
+  const Images images = mirror_images(positions);
+  const double cutoff = pair_cutoff * *std::ranges::max_element(radii_);
+  const CellList cells(images.places, cutoff, lengths_);
   const std::vector<int>& order = cells.order();
-  const Folded folded(images.places, order, lengths_);
+  const FoldedPositions folded(images.places, order, lengths_);
   const int beads = static_cast<int>(radii_.size());
   for (int s = 0; s < std::ssize(order); ++s)
-    cells.for_each_stretch_after(s, [&](int begin, int end) {
+    cells.for_each_range_after(s, [&](int begin, int end) {
       for (int t = begin; t < end; ++t) {
-        if (!folded.are_within(most, s, t)) continue;
+        if (!folded.are_within(cutoff, s, t)) continue;
         const int one = order[s], other = order[t];
         if (one >= beads && other >= beads) continue;
-        for_each_image(images.places[one] - images.places[other], lengths_, most,
+        for_each_image(images.places[one] - images.places[other], lengths_, cutoff,
                        [&](const Vec3& separation, bool is_direct) {
                          if (!is_direct || one >= beads || other >= beads || one / 3 != other / 3)
                            add_pair(images, one, other, separation, links);
@@ -130,7 +132,7 @@ std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) con
   return links;
 }
 
-/// `one` and `other`: places of beads or images, one bead at least.
+/// Adds the link of two beads, or of a bead and an image. `one` and `other` are indices into Images::places.
 void NearField::add_pair(const Images& images, int one, int other, const Vec3& separation,
                          std::vector<PairLink>& links) const {
   const int beads = static_cast<int>(radii_.size());
@@ -140,8 +142,13 @@ void NearField::add_pair(const Images& images, int one, int other, const Vec3& s
   const double weight = pair_weight(2 * distance / sum);
   if (weight == 0) return;
   const Eigen::RowVector2d row = weight * pair_table(one, partner).log_map(distance - sum);
-  links.push_back(
-      {one, partner, other >= beads, images.mirrors[other / beads], direction(separation), row[0], row[1]});
+  links.push_back({.bead = one,
+                   .partner = partner,
+                   .is_image = other >= beads,
+                   .mirror = images.mirrors[other / beads],
+                   .axis = direction(separation),
+                   .own = row[0],
+                   .other = row[1]});
 }
 
 const PairMapTable& NearField::pair_table(int bead, int partner) const {

@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-/// Coefficients of the polynomial of degree 5 through values at Chebyshev's points of [0, 1].
+/// Returns the coefficients of the polynomial of degree 5 through values at the Chebyshev points of [0, 1].
 using Fit = Eigen::Matrix<double, PairTable::degree + 1, 1>;
 double chebyshev_point(int k) {
   constexpr int n = PairTable::degree + 1;
@@ -33,20 +33,20 @@ Fit fit(const Fit& values) {
 }  // namespace
 
 NearPairs::NearPairs(Law law) : law_(std::move(law)) {
-  const auto [least, most] = std::ranges::minmax_element(law_.radii);
-  touching_ = std::min(2 * *most, law_.cut_off);
-  is_alike_ = *least == *most || law_.model == MobilityModel::oseen;
+  const auto [smallest, largest] = std::ranges::minmax_element(law_.radii);
+  min_tabulated_distance_ = std::min(2 * *largest, law_.cutoff);
+  has_one_radius_ = *smallest == *largest || law_.model == MobilityModel::oseen;
   tabulate();
 }
 
 PairTensor NearPairs::tensor(double radius_i, double radius_j, double r) const {
-  const bool is_sphere = are_spheres(law_.model);
+  const bool is_sphere = has_finite_radii(law_.model);
   const double squares = is_sphere ? radius_i * radius_i + radius_j * radius_j : 0;
-  if (is_sphere && r < 1e-3 * std::min(radius_i, radius_j)) {  // what follows would cancel
+  if (is_sphere && r < 1e-3 * std::min(radius_i, radius_j)) {  // avoids cancellation of large terms
     return rotne_prager_tensor(radius_i, radius_j, r, law_.viscosity) -
-           far_tensor(law_.xi, 0, 0, law_.viscosity).of_spheres(squares);
+           far_tensor(law_.xi, 0, 0, law_.viscosity).sphere_tensor(squares);
   }
-  PairTensor tensor = near_tensor(law_.xi, r, law_.viscosity).of_spheres(squares);
+  PairTensor tensor = near_tensor(law_.xi, r, law_.viscosity).sphere_tensor(squares);
   if (is_sphere && r < radius_i + radius_j) {
     const PairTensor overlap = rotne_prager_tensor(radius_i, radius_j, r, law_.viscosity) -
                                rotne_prager_tensor_apart(squares, r, law_.viscosity);
@@ -58,9 +58,11 @@ PairTensor NearPairs::tensor(double radius_i, double radius_j, double r) const {
 void NearPairs::tabulate() {
   constexpr int powers = PairTable::degree + 1;
   const auto stretch_of = [](double r) { return std::bit_cast<std::int64_t>(r * r) >> PairTable::shift; };
-  table_ = {.first = stretch_of(touching_), .functions = is_alike_ ? 2 : 4, .coefficients = nullptr};
-  const auto stretches = static_cast<int>(stretch_of(law_.cut_off) - table_.first);
-  const double squares = are_spheres(law_.model) ? 2 * law_.radii.front() * law_.radii.front() : 0;
+  table_ = {.first = stretch_of(min_tabulated_distance_),
+            .functions = has_one_radius_ ? 2 : 4,
+            .coefficients = nullptr};
+  const auto stretches = static_cast<int>(stretch_of(law_.cutoff) - table_.first);
+  const double squares = has_finite_radii(law_.model) ? 2 * law_.radii.front() * law_.radii.front() : 0;
   const int functions = table_.functions;
   coefficients_.resize(static_cast<std::size_t>(stretches + 1) * powers * functions);
   for (int s = 0; s <= stretches; ++s) {
@@ -69,7 +71,7 @@ void NearPairs::tabulate() {
     for (int k = 0; k < powers; ++k) {
       const double r = std::sqrt(std::lerp(edge(s), edge(s + 1), chebyshev_point(k)));
       const SplitTensor parts = near_tensor(law_.xi, r, law_.viscosity);
-      const PairTensor first = is_alike_ ? parts.of_spheres(squares) : parts.oseen;
+      const PairTensor first = has_one_radius_ ? parts.sphere_tensor(squares) : parts.oseen;
       values[0][k] = first.isotropic;
       values[1][k] = first.axial / (r * r);
       values[2][k] = parts.laplacian.isotropic / 6;
@@ -84,7 +86,7 @@ void NearPairs::tabulate() {
   table_.coefficients = coefficients_.data();
 }
 
-/// Beads in order of cells, and the pairs of one bead.
+/// Beads in order of their cells, and the pairs of one bead.
 struct NearPairs::Work {
   CellList cells;
   std::vector<double> places[3];
@@ -96,7 +98,7 @@ struct NearPairs::Work {
 
 void NearPairs::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                std::span<Vec3> velocities, const Communicator& communicator) const {
-  Work work{.cells = CellList(positions, law_.cut_off, law_.lengths),
+  Work work{.cells = CellList(positions, law_.cutoff, law_.lengths),
             .places = {},
             .is_receiver = {},
             .forces = {},
@@ -112,13 +114,16 @@ void NearPairs::add_velocities(std::span<const Vec3> positions, std::span<const 
     work.radii.push_back(law_.radii[b]);
   }
   const auto& kernels = mobility_kernels();
-  SortedSpheres spheres{
-      work.places[0].data(), work.places[1].data(), work.places[2].data(), work.is_receiver.data(), {}};
+  SortedSpheres spheres{.x = work.places[0].data(),
+                        .y = work.places[1].data(),
+                        .z = work.places[2].data(),
+                        .is_receiver = work.is_receiver.data(),
+                        .lengths = {}};
   std::copy_n(law_.lengths.data(), 3, spheres.lengths);
   const auto [first, last] = rank_share(std::ssize(order), communicator.rank(), communicator.size());
   for (int s = static_cast<int>(first); s < last; ++s) {
-    work.cells.for_each_stretch_after(s, [&](int begin, int end) {
-      while ((begin = kernels.near_spheres(spheres, s, begin, end, law_.cut_off, work.batch)) < end)
+    work.cells.for_each_range_after(s, [&](int begin, int end) {
+      while ((begin = kernels.find_near_spheres(spheres, s, begin, end, law_.cutoff, work.batch)) < end)
         flush(work, s);
     });
     flush(work, s);
@@ -133,7 +138,7 @@ void NearPairs::flush(Work& work, int one) const {
   for (int t = 0; t < batch.count; ++t) {
     const int other = batch.other[t];
     const Vec3 d(batch.d[0][t], batch.d[1][t], batch.d[2][t]);
-    if (batch.r2[t] <= touching_ * touching_) {  // few
+    if (batch.r2[t] <= min_tabulated_distance_ * min_tabulated_distance_) {  // rare
       const double r = std::sqrt(batch.r2[t]);
       const PairTensor whole = tensor(work.radii[one], work.radii[other], r);
       work.velocities[one] += whole.apply(d, r, work.forces[other]);
@@ -146,7 +151,7 @@ void NearPairs::flush(Work& work, int one) const {
       batch.d[a][kept] = d[a];
       batch.force[a][kept] = work.forces[other][a];
     }
-    if (!is_alike_)
+    if (!has_one_radius_)
       batch.squares[kept] = work.radii[one] * work.radii[one] + work.radii[other] * work.radii[other];
     ++kept;
   }

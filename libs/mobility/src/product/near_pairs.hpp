@@ -11,21 +11,21 @@
 
 namespace beadswim {
 
-/// What an Ewald sum does pair by pair: the near part of spheres closer than the cut-off, and the whole of
-/// what the mesh does not know, spheres that overlap.
+/// Part of an Ewald sum that is evaluated pair by pair: the near part of spheres within the cutoff, and the
+/// difference that overlaps make, which the mesh does not contain.
 class NearPairs {
  public:
   struct Law {
     MobilityModel model;
     double viscosity;
-    std::vector<double> radii;  ///< of all sources
-    Vec3 lengths;               ///< of the periodic box; 0: open space
-    double xi, cut_off;
+    std::vector<double> radii;  ///< radii of all spheres, images included [length]
+    Vec3 lengths;               ///< edges of the periodic box; 0 in open space [length]
+    double xi, cutoff;
   };
 
   explicit NearPairs(Law law);
 
-  /// Adds this rank's pairs to the velocities of the first spheres, as many as there are.
+  /// Adds the contribution of this rank's pairs. `velocities` holds the first spheres, as many as are needed.
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities, const Communicator& communicator) const;
 
@@ -36,13 +36,13 @@ class NearPairs {
   void flush(Work& work, int one) const;
 
   Law law_;
-  double touching_;  ///< pairs as close are not in the table
-  bool is_alike_;    ///< one radius
+  double min_tabulated_distance_;  ///< closer pairs are evaluated directly [length]
+  bool has_one_radius_;            ///< radii are equal, or do not matter
   PairTable table_;
   std::vector<double> coefficients_;
 };
 
-/// All pairs, whole, in open space: adds this rank's.
+/// Adds the contribution of this rank to the sum over all pairs in open space, without splitting.
 void add_all_pairs(MobilityModel model, double viscosity, std::span<const double> radii,
                    std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
                    const Communicator& communicator);

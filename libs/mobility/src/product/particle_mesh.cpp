@@ -33,8 +33,8 @@ Complex* as_complex(const FftwArray& array) {
   return reinterpret_cast<Complex*>(array.get());
 }
 
-/// Transforms of real meshes in place, split over ranks by planes of the first axis; in k by those of the
-/// second.
+/// In-place Fourier transforms of real meshes. Meshes are divided among ranks by planes of the first axis,
+/// transforms by planes of the second axis.
 class Transform {
  public:
   Transform(const std::array<int, 3>& points, const Communicator& communicator) : points_(points) {
@@ -45,7 +45,7 @@ class Transform {
                                               &first_plane_, &waves_, &first_wave_);
     const FftwArray scratch = array();
     auto* complex = reinterpret_cast<fftw_complex*>(scratch.get());
-    // Estimated plans: the same ones, and the same bits, in every run.
+    // Estimated plans do not depend on timing, so every run has the same plans and the same bits.
     forward_.reset(fftw_mpi_plan_dft_r2c_3d(n[0], n[1], n[2], scratch.get(), complex, communicator.get(),
                                             FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_OUT));
     backward_.reset(fftw_mpi_plan_dft_c2r_3d(n[0], n[1], n[2], complex, scratch.get(), communicator.get(),
@@ -69,7 +69,8 @@ class Transform {
   int first_plane() const { return static_cast<int>(first_plane_); }
   std::ptrdiff_t wave_count() const { return waves_ * points_[0] * (points_[2] / 2 + 1); }
 
-  /// Calls visit(place in the array, index along x, y, z) for this rank's wavevectors, indices from -n/2.
+  /// Calls visit(index in the array, indices along x, y, z) for the wavevectors of this rank. Indices are
+  /// signed.
   template <class Visitor>
   void for_each_wave(const Visitor& visit) const {
     const auto signed_index = [](int i, int n) { return 2 * i > n ? i - n : i; };
@@ -87,7 +88,7 @@ class Transform {
   FftwPlan forward_, backward_;
 };
 
-/// xx, xy, xz, yy, yz, zz of a symmetric tensor on a vector.
+/// Returns the product of a symmetric tensor (xx, xy, xz, yy, yz, zz) and a vector.
 template <class T>
 std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex, 3>& f) {
   return {t[0] * f[0] + t[1] * f[1] + t[2] * f[2], t[1] * f[0] + t[3] * f[1] + t[4] * f[2],
@@ -96,9 +97,10 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 
 }  // namespace
 
-// Of beads of one size the laplacian is part of one kernel. Else forces are spread twice, as they are (F) and
-// times a_j^2 (D), and velocities gathered twice: u = K F + L D, plus a_i^2 times L F; K the Oseen part, L =
-// laplacian/6.
+// With beads of one radius, the kernel includes the laplacian. Otherwise two fields are used: the forces F
+// and the forces times a_j^2, D. The velocities are
+//
+//   u_i = (K F + L D) + a_i^2 (L F),     K Oseen part, L = laplacian/6
 struct ParticleMesh::Mesh {
   EwaldPlan plan;
   Vec3 lengths;
@@ -106,16 +108,16 @@ struct ParticleMesh::Mesh {
   const Communicator& communicator;
   bool is_periodic;
   int fields = 1;
-  double shared_size = 0;  ///< a_i^2 + a_j^2 of all pairs, if there is one field
+  double shared_size = 0;  ///< a_i^2 + a_j^2 of all pairs, if there is one field [length^2]
   WindowMesh geometry;
   std::array<double, 3> spacing{};  ///< h [length]
   std::unique_ptr<Transform> transform;
-  std::vector<std::array<FftwArray, 3>> values;  ///< of each field: forces, then velocities
-  std::vector<int> order;  ///< beads by rows of the mesh, so that neighbours follow each other
-  std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: transforms of K, and of L
+  std::vector<std::array<FftwArray, 3>> values;  ///< per field: forces, later velocities
+  std::vector<int> order;                        ///< beads sorted by rows of the mesh, for locality in memory
+  std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: transforms of K and of L
 
   void set_points(const std::array<int, 3>& points);
-  void follow(std::span<const Vec3> positions);
+  void fit_to_beads(std::span<const Vec3> positions);
   void sample_kernel();
   void spread(std::span<const Vec3> positions, std::span<const Vec3> forces);
   void gather(std::span<const Vec3> positions, std::span<Vec3> velocities);
@@ -127,16 +129,27 @@ struct ParticleMesh::Mesh {
 
 ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads beads,
                            const Communicator& communicator)
-    : mesh_(new Mesh{
-          plan, lengths, std::move(beads), communicator, lengths[0] > 0, 1, 0, {}, {}, {}, {}, {}, {}}) {
+    : mesh_(new Mesh{.plan = plan,
+                     .lengths = lengths,
+                     .beads = std::move(beads),
+                     .communicator = communicator,
+                     .is_periodic = lengths[0] > 0,
+                     .fields = 1,
+                     .shared_size = 0,
+                     .geometry = {},
+                     .spacing = {},
+                     .transform = {},
+                     .values = {},
+                     .order = {},
+                     .kernel = {}}) {
   const std::vector<double>& squares = mesh_->beads.squared_radii;
-  const auto [least, most] = std::ranges::minmax_element(squares);
-  if (!squares.empty() && *least == *most) mesh_->shared_size = 2 * *most;
-  if (!squares.empty() && *least != *most) mesh_->fields = 2;
+  const auto [smallest, largest] = std::ranges::minmax_element(squares);
+  if (!squares.empty() && *smallest == *largest) mesh_->shared_size = 2 * *largest;
+  if (!squares.empty() && *smallest != *largest) mesh_->fields = 2;
   if (!mesh_->is_periodic) return;
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
-    points[a] = good_mesh_size(lengths[a] / plan.spacing);
+    points[a] = next_fft_size(lengths[a] / plan.spacing);
     mesh_->spacing[a] = lengths[a] / points[a];
   }
   mesh_->set_points(points);
@@ -166,7 +179,7 @@ void ParticleMesh::Mesh::set_points(const std::array<int, 3>& points) {
 
 namespace {
 
-/// The window's share eta of the far part's Gaussian: 2 xi^2 h^2/eta = decay.
+/// Returns the part eta of the far part's Gaussian that the window takes over, from 2 xi^2 h^2/eta = decay.
 double share_of(const EwaldPlan& plan, const WindowMesh& mesh, int axis) {
   const double xh = plan.xi / mesh.inverse_spacing[axis];
   return 2 * xh * xh / mesh.decay[axis];
@@ -174,11 +187,11 @@ double share_of(const EwaldPlan& plan, const WindowMesh& mesh, int axis) {
 
 }  // namespace
 
-void ParticleMesh::Mesh::follow(std::span<const Vec3> positions) {
+void ParticleMesh::Mesh::fit_to_beads(std::span<const Vec3> positions) {
   const auto& [low, high] = Bounds(positions);
-  constexpr double most_points = 1e10;
+  constexpr double max_points = 1e10;
   const Vec3 wanted = 2 * ((high - low) / plan.spacing + Vec3::Constant(plan.window));
-  if (!(wanted.prod() < most_points)) {
+  if (!(wanted.prod() < max_points)) {
     throw SolverError(
         fmt::format("beads are {:.3g} x {:.3g} x {:.3g} apart, too far for a mesh of spacing {:.3g}; "
                     "have they been torn away?",
@@ -187,7 +200,7 @@ void ParticleMesh::Mesh::follow(std::span<const Vec3> positions) {
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
     spacing[a] = plan.spacing;
-    points[a] = good_mesh_size(2 * (std::floor((high[a] - low[a]) / plan.spacing) + plan.window) - 1);
+    points[a] = next_fft_size(2 * (std::floor((high[a] - low[a]) / plan.spacing) + plan.window) - 1);
     geometry.origin[a] = low[a] - plan.window / 2 * plan.spacing;
   }
   if (transform && std::ranges::equal(points, geometry.points)) return;
@@ -214,7 +227,7 @@ void ParticleMesh::Mesh::sample_kernel() {
           const double r = d.norm();
           const SplitTensor parts = far_tensor(plan.xi, share, r, beads.viscosity);
           const PairTensor tensor =
-              k == 0 ? parts.of_spheres(fields == 1 ? shared_size : 0)
+              k == 0 ? parts.sphere_tensor(fields == 1 ? shared_size : 0)
                      : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
           const Vec3 unit = r > 0 ? Vec3(d / r) : Vec3::Zero();
           int c = 0;
@@ -225,7 +238,7 @@ void ParticleMesh::Mesh::sample_kernel() {
       }
     }
     for (int c = 0; c < 6; ++c) {
-      transform->forward(samples[c]);  // of even functions: real
+      transform->forward(samples[c]);  // the transform of an even function is real
       const Complex* waves = as_complex(samples[c]);
       for (std::ptrdiff_t w = 0; w < transform->wave_count(); ++w) kernel[k][w][c] = scale * waves[w].real();
     }
@@ -297,10 +310,10 @@ void ParticleMesh::Mesh::multiply() {
 }
 
 void ParticleMesh::Mesh::multiply_periodic() {
-  std::array<double, 3> wave, left;  // per index: k, and what is left of the Gaussian's exponent
+  std::array<double, 3> wave, remaining;  // wavenumber per index, remaining exponent per squared index
   for (int a = 0; a < 3; ++a) {
     wave[a] = 2 * std::numbers::pi / lengths[a];
-    left[a] = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);
+    remaining[a] = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);
   }
   const auto& n = geometry.points;
   const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3 / V
@@ -310,7 +323,7 @@ void ParticleMesh::Mesh::multiply_periodic() {
       force[c] = as_complex(values[0][c]) + place;
       second[c] = fields == 2 ? as_complex(values[1][c]) + place : nullptr;
     }
-    if (i == 0 && j == 0 && l == 0) {  // the mean flow, which is zero
+    if (i == 0 && j == 0 && l == 0) {  // the mean flow is zero
       for (int c = 0; c < 3; ++c) *force[c] = 0;
       if (fields == 2)
         for (int c = 0; c < 3; ++c) *second[c] = 0;
@@ -318,7 +331,7 @@ void ParticleMesh::Mesh::multiply_periodic() {
     }
     const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
     const double k2 = k.squaredNorm();
-    const double exponent = i * i * left[0] + j * j * left[1] + l * l * left[2];
+    const double exponent = i * i * remaining[0] + j * j * remaining[1] + l * l * remaining[2];
     const double factor = scale * far_spectrum(plan.xi, k2, exponent, beads.viscosity);
     const auto transverse = [&](const std::array<Complex*, 3>& f) {
       const Complex along = (k[0] * *f[0] + k[1] * *f[1] + k[2] * *f[2]) / k2;
@@ -359,7 +372,7 @@ void ParticleMesh::Mesh::multiply_open() {
 void ParticleMesh::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                   std::span<Vec3> velocities) {
   Mesh& mesh = *mesh_;
-  if (!mesh.is_periodic) mesh.follow(positions);
+  if (!mesh.is_periodic) mesh.fit_to_beads(positions);
   mesh.spread(positions, forces);
   mesh.multiply();
   mesh.gather(positions, velocities);

@@ -10,13 +10,15 @@ namespace beadswim {
 
 namespace {
 
-/// "periodic 128x80x80", or "free-slip x periodic ..." axis by axis, the swimmer's first.
+/// Returns boundary and length of each axis, such as "periodic 128, periodic 80, periodic 80", with the
+/// swimmer's axis first.
 std::string box_text(const Box& box) {
   const auto axis = [&](int i) { return fmt::format("{} {:.6g}", to_text(box.boundary[i]), box.lengths[i]); };
   return axis(0) + ", " + axis(1) + ", " + axis(2);
 }
 
-/// What both methods say: Rotne-Prager pairs in this box, and what the box does to the velocity.
+/// Adds validity, uncertainty and settings of both methods. `second_order`: velocity in the box to second
+/// order [length/time].
 void add_limits(const Question& question, double second_order, Prediction& prediction) {
   const CollinearSwimmer& swimmer = question.swimmer;
   const double unbounded = second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager)).velocity;
@@ -43,24 +45,26 @@ std::optional<std::string> box_obstacle(const Question& question) {
 
 Prediction predict_rpy_box_perturbation(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const LineFlow flow = flow_in(*question.box, swimmer.viscosity);
-  const SecondOrderMotion motion =
-      second_order_motion(swimmer, rotne_prager_in(flow, swimmer, rest_positions(swimmer, *question.box)));
+  const LineFlow flow = box_line_flow(*question.box, swimmer.viscosity);
+  const SecondOrderMotion motion = second_order_motion(
+      swimmer, rotne_prager_mobility(flow, swimmer, rest_positions(swimmer, *question.box)));
   Prediction prediction = prediction_from(swimmer, motion);
   add_limits(question, motion.velocity, prediction);
   if (question.exact && prediction.uncertainty) {
     prediction.uncertainty = std::hypot(*prediction.uncertainty, question.exact->amplitude_change);
     add_amplitude_limit(question, prediction);
   }
-  refuse_contact(question, prediction);
+  mark_unusable_if_beads_touch(question, prediction);
   return prediction;
 }
 
 Prediction predict_rpy_box_ode(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const LineFlow flow = flow_in(*question.box, swimmer.viscosity);
+  const LineFlow flow = box_line_flow(*question.box, swimmer.viscosity);
   const LinePositions rest = rest_positions(swimmer, *question.box);
-  const MobilityAt mobility = [&](const LinePositions& x) { return rotne_prager_in(flow, swimmer, x); };
+  const MobilityFunction mobility = [&](const LinePositions& x) {
+    return rotne_prager_mobility(flow, swimmer, x);
+  };
   const PeriodicMotion motion = periodic_motion(swimmer, rest, mobility);
   Prediction prediction = prediction_from(motion);
   add_limits(question, second_order_motion(swimmer, mobility(rest)).velocity, prediction);

@@ -18,7 +18,7 @@ namespace {
 constexpr const char* remedy = "the -perturbation methods treat any";
 
 bool equal(double a, double b) {
-  constexpr double roundoff = 1e-12;  // of a conversion of units
+  constexpr double roundoff = 1e-12;  // relative error of a unit conversion
   return std::abs(a - b) <= roundoff * std::abs(a);
 }
 
@@ -47,13 +47,13 @@ std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer) {
   return std::nullopt;
 }
 
-/// No hydrodynamic interaction: the pair law to which (4.4) to (4.8) are exact.
+/// Returns a zero pair mobility: (4.4) to (4.8) are exact for beads without hydrodynamic interaction.
 PairMobility no_interaction(double, double, double, double) {
   return {};
 }
 
-/// The driven stroke to lowest order in lambda/l: amplitudes by (4.4) and (4.5). The paper gives the
-/// difference of the phases alone, (4.6); the phases themselves are of the response that it is taken from.
+/// Returns the driven stroke to lowest order in lambda/l, with the amplitudes of (4.4) and (4.5). The paper
+/// states only the phase difference (4.6). The single phases are those of the response without interaction.
 Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
   Stroke stroke = first_order_stroke(swimmer, no_interaction);
   stroke.amplitude = oseen_arm_amplitudes(swimmer);
@@ -63,7 +63,7 @@ Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
 constexpr const char* measured_origin = "measured";
 constexpr const char* driven_origin = "predicted by (4.4) to (4.8)";
 
-/// What a formula says: its velocity and stroke, and where the stroke is from.
+/// Result of a formula: its velocity and stroke, with texts on the origin of the stroke and the validity.
 struct Formula {
   double velocity = 0;
   Stroke stroke;
@@ -73,26 +73,26 @@ struct Formula {
   std::string pairs;
 };
 
-/// A printed formula is usable while it is nearer to exact Stokes flow than this, relative.
+/// Relative distance from exact Stokes flow below which a truncated formula is usable.
 constexpr double usable_distance = 0.25;
 
-/// Exact velocity of the swimmer, or of the same stroke where that was measured and the geometry factor alone
-/// can be wrong.
-std::optional<double> exact_velocity_beside(const Question& question, const Formula& formula) {
+/// Returns the exact velocity with which a formula is compared. For a measured stroke, this is the velocity
+/// of the same stroke, because only the geometry factor of the formula can be wrong.
+std::optional<double> exact_reference_velocity(const Question& question, const Formula& formula) {
   const bool measured = formula.stroke_origin == measured_origin;
-  return measured ? exact_velocity_of(question, formula.stroke) : exact_velocity(question);
+  return measured ? exact_velocity_for_stroke(question, formula.stroke) : exact_velocity(question);
 }
 
-/// A formula's prediction with this to say of its validity.
-Prediction described(const Question& question, const Formula& formula, const std::string& validity) {
+/// Returns the prediction of a formula with the text `validity`.
+Prediction make_prediction(const Question& question, const Formula& formula, const std::string& validity) {
   Prediction prediction;
   prediction.velocity = formula.velocity;
   prediction.stroke = formula.stroke;
   prediction.sin_phase_shift = formula.sin_phase_shift;
   prediction.validity = validity;
   if (question.exact) {
-    prediction.uncertainty = relative_uncertainty(formula.velocity, exact_velocity_beside(question, formula),
-                                                  question.exact->amplitude_change);
+    prediction.uncertainty = relative_uncertainty(
+        formula.velocity, exact_reference_velocity(question, formula), question.exact->amplitude_change);
   }
   prediction.settings.emplace_back("mobility", formula.pairs);
   prediction.settings.emplace_back("stroke", formula.stroke_origin);
@@ -100,28 +100,29 @@ Prediction described(const Question& question, const Formula& formula, const std
   return prediction;
 }
 
-/// A formula's prediction, judged by exact Stokes flow.
-Prediction judged(const Question& question, const Formula& formula) {
+/// Returns the prediction of a formula, whose validity states the distance from exact Stokes flow.
+Prediction compared_prediction(const Question& question, const Formula& formula) {
   const bool measured = formula.stroke_origin == measured_origin;
   const std::string distance =
-      distance_from_exact(question, formula.velocity, exact_velocity_beside(question, formula));
-  return described(question, formula,
-                   formula.verdict + ": here " + distance + (measured ? ", of this stroke" : ""));
+      distance_from_exact(question, formula.velocity, exact_reference_velocity(question, formula));
+  return make_prediction(question, formula,
+                         formula.verdict + ": here " + distance + (measured ? ", of this stroke" : ""));
 }
 
-/// The same, of a formula that may be far off.
-Prediction judged_if_near(const Question& question, const Formula& formula) {
-  Prediction prediction = judged(question, formula);
-  const std::optional<double> exact = exact_velocity_beside(question, formula);
+/// Returns compared_prediction(), marked as not usable unless the velocity is within `usable_distance` of
+/// exact Stokes flow.
+Prediction usable_if_close(const Question& question, const Formula& formula) {
+  Prediction prediction = compared_prediction(question, formula);
+  const std::optional<double> exact = exact_reference_velocity(question, formula);
   const bool near = exact && std::abs(formula.velocity / *exact - 1) < usable_distance;
   if (!near)
-    refuse(prediction,
-           fmt::format("not known to be within {:.0f} % of exact Stokes flow", 100 * usable_distance));
+    mark_unusable(prediction,
+                  fmt::format("not known to be within {:.0f} % of exact Stokes flow", 100 * usable_distance));
   return prediction;
 }
 
-/// A formula beside the driven stroke, to first order with pairs that interact by `law`.
-Formula driven(const Question& question, PairLaw law, const std::string& pairs) {
+/// Returns a formula with the driven stroke, to first order with the pair mobility `law`.
+Formula formula_for_driven_stroke(const Question& question, PairLaw law, const std::string& pairs) {
   Formula formula;
   formula.pairs = pairs;
   formula.stroke = first_order_stroke(question.swimmer, law);
@@ -130,9 +131,9 @@ Formula driven(const Question& question, PairLaw law, const std::string& pairs) 
   return formula;
 }
 
-/// A formula that is fed a stroke: the measured one, else the driven one.
-Formula fed(const Question& question, PairLaw law, const std::string& pairs) {
-  Formula formula = driven(question, law, pairs);
+/// Returns a formula with the measured stroke, or with the driven stroke if none was measured.
+Formula formula_for_given_stroke(const Question& question, PairLaw law, const std::string& pairs) {
+  Formula formula = formula_for_driven_stroke(question, law, pairs);
   if (!question.measured_stroke) return formula;
   formula.stroke = *question.measured_stroke;
   formula.stroke_origin = measured_origin;
@@ -160,7 +161,7 @@ std::optional<std::string> rpy_force_printed_obstacle(const Question& question) 
 }
 
 std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
-  // A measured stroke holds whatever made it; a predicted one needs (4.4) to (4.8).
+  // (4.4) to (4.8) predict the stroke for equal springs only; a measured stroke needs no such formula.
   return question.measured_stroke ? equal_shape_obstacle(question) : equal_parts_obstacle(question);
 }
 
@@ -171,18 +172,19 @@ std::optional<std::string> measured_stroke_obstacle(const Question& question) {
 }
 
 Prediction predict_oseen_force(const Question& question) {
-  return judged(question, {.velocity = oseen_force_velocity(question.swimmer),
-                           .stroke = lowest_order_stroke(question.swimmer),
-                           .sin_phase_shift = oseen_sin_phase_shift(question.swimmer),
-                           .stroke_origin = driven_origin,
-                           .verdict = "(4.3) with (4.4) to (4.8), right to lowest order in lambda/l",
-                           .pairs = "Oseen"});
+  return compared_prediction(question,
+                             {.velocity = oseen_force_velocity(question.swimmer),
+                              .stroke = lowest_order_stroke(question.swimmer),
+                              .sin_phase_shift = oseen_sin_phase_shift(question.swimmer),
+                              .stroke_origin = driven_origin,
+                              .verdict = "(4.3) with (4.4) to (4.8), right to lowest order in lambda/l",
+                              .pairs = "Oseen"});
 }
 
 Prediction predict_oseen_stroke(const Question& question) {
   Formula formula;
   if (question.measured_stroke) {
-    formula = fed(question, oseen, "Oseen");
+    formula = formula_for_given_stroke(question, oseen, "Oseen");
   } else {
     formula.stroke = lowest_order_stroke(question.swimmer);
     formula.stroke_origin = driven_origin;
@@ -191,71 +193,72 @@ Prediction predict_oseen_stroke(const Question& question) {
   }
   formula.velocity = oseen_stroke_velocity(question.swimmer, formula.stroke);
   formula.verdict = "(4.2), right to lowest order in lambda/l";
-  return judged(question, formula);
+  return compared_prediction(question, formula);
 }
 
 Prediction predict_oseen_ratio_printed(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
   Prediction prediction =
-      judged(question, {.velocity = oseen_ratio_printed(swimmer) * oseen_force_velocity(swimmer),
-                        .stroke = lowest_order_stroke(swimmer),
-                        .sin_phase_shift = oseen_sin_phase_shift(swimmer),
-                        .stroke_origin = driven_origin,
-                        .verdict = "(4.9) as printed, v_S from v_F of (4.3)",
-                        .pairs = "Oseen"});
-  refuse(prediction,
-         "with (4.4) to (4.8) v_S of (4.2) and v_F of (4.3) are the same, so this ratio does not hold");
+      compared_prediction(question, {.velocity = oseen_ratio_printed(swimmer) * oseen_force_velocity(swimmer),
+                                     .stroke = lowest_order_stroke(swimmer),
+                                     .sin_phase_shift = oseen_sin_phase_shift(swimmer),
+                                     .stroke_origin = driven_origin,
+                                     .verdict = "(4.9) as printed, v_S from v_F of (4.3)",
+                                     .pairs = "Oseen"});
+  mark_unusable(
+      prediction,
+      "with (4.4) to (4.8) v_S of (4.2) and v_F of (4.3) are the same, so this ratio does not hold");
   return prediction;
 }
 
 Prediction predict_oseen_ratio_repaired(const Question& question) {
-  Formula formula = fed(question, oseen, "Oseen");
+  Formula formula = formula_for_given_stroke(question, oseen, "Oseen");
   formula.velocity =
       oseen_stroke_velocity(question.swimmer, formula.stroke) / oseen_ratio_repaired(question.swimmer);
   formula.verdict =
       "(4.9) as it should be, (4.2) over the right ratio: untruncated Oseen theory of this stroke";
-  return judged(question, formula);
+  return compared_prediction(question, formula);
 }
 
 Prediction predict_rpy_force_printed(const Question& question) {
-  Formula formula = driven(question, rotne_prager, "Rotne-Prager");
+  Formula formula = formula_for_driven_stroke(question, rotne_prager, "Rotne-Prager");
   formula.velocity = rpy_force_velocity_printed(question.swimmer);
   formula.verdict =
       "(4.23) as printed, wrong: 8l - 33 lambda should be 10l - 33 lambda, a factor sin alpha is missing, "
       "and its k^4 term vanishes at l = 5 lambda";
-  return judged_if_near(question, formula);
+  return usable_if_close(question, formula);
 }
 
 Prediction predict_rpy_force_repaired(const Question& question) {
-  Formula formula = driven(question, rotne_prager, "Rotne-Prager");
+  Formula formula = formula_for_driven_stroke(question, rotne_prager, "Rotne-Prager");
   formula.velocity = rpy_force_velocity_repaired(question.swimmer);
   formula.verdict =
       "(4.23) mended in its own scheme, which truncates in lambda/l, drops the mean change of the arms and "
       "is poor at small l/lambda";
-  return judged_if_near(question, formula);
+  return usable_if_close(question, formula);
 }
 
 Prediction predict_rpy_stroke_printed(const Question& question) {
-  Formula formula = fed(question, rotne_prager, "Rotne-Prager");
+  Formula formula = formula_for_given_stroke(question, rotne_prager, "Rotne-Prager");
   formula.velocity = rpy_stroke_velocity(question.swimmer, formula.stroke);
   formula.verdict = "(4.24), right as a truncation in lambda/l, with a pole at l = 4.25 lambda";
-  return judged_if_near(question, formula);
+  return usable_if_close(question, formula);
 }
 
 Prediction predict_rpy_equal_weight(const Question& question) {
-  Formula formula = fed(question, rotne_prager, "Rotne-Prager");
+  Formula formula = formula_for_given_stroke(question, rotne_prager, "Rotne-Prager");
   formula.velocity = equal_weight_velocity(question.swimmer, formula.stroke);
   formula.verdict =
       "equal-weight mean of the beads' velocities as in (4.18), without truncation in lambda/l but without "
       "the mean change of the arms, which the periodic motion has";
-  return judged(question, formula);
+  return compared_prediction(question, formula);
 }
 
 Prediction predict_multipole_stroke(const Question& question) {
-  Formula formula = fed(question, rotne_prager, "exact");
+  Formula formula = formula_for_given_stroke(question, rotne_prager, "exact");
   formula.velocity = exact_stroke_velocity(question, formula.stroke);
-  return described(question, formula,
-                   "exact Stokes flow of three spheres (axisymmetric multipoles) with this stroke");
+  return make_prediction(question, formula,
+                         "exact Stokes flow of three spheres (axisymmetric multipoles) with this stroke");
 }
 
 }  // namespace beadswim

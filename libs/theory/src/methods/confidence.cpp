@@ -9,14 +9,14 @@ namespace beadswim {
 
 namespace {
 
-/// Velocities below this are roundoff [length/time].
+/// Returns the velocity below which a second-order velocity is roundoff [length/time].
 double velocity_roundoff(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   constexpr double relative_roundoff = 1e-12;
   const double largest_swing = std::max(stroke.amplitude[0], stroke.amplitude[1]);
   return relative_roundoff * swimmer.angular_frequency() * largest_swing * largest_swing / swimmer.arm[0];
 }
 
-std::optional<double> unless_roundoff(const Question& question, double velocity, const Stroke& stroke) {
+std::optional<double> nullopt_if_roundoff(const Question& question, double velocity, const Stroke& stroke) {
   if (std::abs(velocity) > velocity_roundoff(question.swimmer, stroke)) return velocity;
   return std::nullopt;
 }
@@ -48,16 +48,16 @@ bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke) {
 
 std::optional<double> exact_velocity(const Question& question) {
   if (!question.exact) return std::nullopt;
-  return unless_roundoff(question, question.exact->motion.velocity, question.exact->motion.stroke);
+  return nullopt_if_roundoff(question, question.exact->motion.velocity, question.exact->motion.stroke);
 }
 
 double exact_stroke_velocity(const Question& question, const Stroke& stroke) {
   return geometry_factor(question.exact->mobility) * question.swimmer.angular_frequency() * stroke.area();
 }
 
-std::optional<double> exact_velocity_of(const Question& question, const Stroke& stroke) {
+std::optional<double> exact_velocity_for_stroke(const Question& question, const Stroke& stroke) {
   if (!question.exact) return std::nullopt;
-  return unless_roundoff(question, exact_stroke_velocity(question, stroke), stroke);
+  return nullopt_if_roundoff(question, exact_stroke_velocity(question, stroke), stroke);
 }
 
 std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact, double change) {
@@ -73,14 +73,14 @@ std::string distance_from_exact(const Question& question, double velocity, std::
                      percent < 0 ? "below" : "above", ratio);
 }
 
-void refuse(Prediction& prediction, const std::string& reason) {
+void mark_unusable(Prediction& prediction, const std::string& reason) {
   prediction.usable = false;
   prediction.validity += "; not usable: " + reason;
 }
 
-void refuse_contact(const Question& question, Prediction& prediction) {
+void mark_unusable_if_beads_touch(const Question& question, Prediction& prediction) {
   if (!beads_stay_apart(question.swimmer, prediction.stroke)) {
-    refuse(prediction, "with this stroke the beads would run into each other");
+    mark_unusable(prediction, "with this stroke the beads would run into each other");
   }
 }
 
@@ -112,7 +112,7 @@ void add_common_limits(const Question& question, Prediction& prediction) {
   prediction.validity +=
       fmt::format("; alone in unbounded fluid; no inertia of fluid or beads (penetration depth {:.2f} arms)",
                   penetration_depth_over_arm(question));
-  refuse_contact(question, prediction);
+  mark_unusable_if_beads_touch(question, prediction);
   prediction.settings.emplace_back("fluid", "unbounded");
   add_driving_settings(question, prediction);
 }

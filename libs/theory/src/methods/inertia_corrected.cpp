@@ -16,17 +16,17 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Stroke and velocity to second order in one scene.
+/// Stroke and velocity to second order, in the box or in open space.
 struct Motion {
   Eigen::Vector2cd arm;
   double drift = 0, reynolds = 0;  ///< with the exact geometry factor [length/time]
-  double within_beads = 0;         ///< of `reynolds` [length/time]
+  double within_beads = 0;         ///< part of `reynolds` from the volume of the beads [length/time]
 };
 
-/// What does not depend on the box.
+/// Quantities that do not depend on the box.
 struct OpenSpace {
   Eigen::Matrix2cd exact_impedance, pair_impedance;
-  double geometry = 0, pair_geometry = 0;  ///< C of exact flow and of Rotne-Prager pairs
+  double geometry = 0, pair_geometry = 0;  ///< C in exact flow, C with Rotne-Prager mobility [1/length]
   ReynoldsForm reynolds;
 };
 
@@ -48,7 +48,7 @@ Motion motion_in(const InertialScene& scene, const OpenSpace& space) {
   const Eigen::Vector3cd force = induced_forces(scene, response);
   return {.arm = arm,
           .drift = exact_over_pairs * lagrangian_drift(scene, response),
-          .reynolds = exact_over_pairs * reynolds_stress_velocity(space.reynolds.whole, force),
+          .reynolds = exact_over_pairs * reynolds_stress_velocity(space.reynolds.total, force),
           .within_beads = exact_over_pairs * reynolds_stress_velocity(space.reynolds.inside, force)};
 }
 
@@ -58,8 +58,8 @@ double root_of_squares(std::initializer_list<double> parts) {
   return std::sqrt(sum);
 }
 
-/// Share of V_R that a box's images may change: the swimmer's length over the box's narrowest width, at
-/// most 1.
+/// Returns the relative uncertainty of V_R in a box, where V_R is evaluated without images: l_1 + l_2 divided
+/// by the shortest edge of the box, at most 1.
 double unknown_share_of_reynolds(const Question& question) {
   if (!question.box) return 0;
   const double narrowest = question.box->box.lengths.minCoeff();
@@ -81,12 +81,13 @@ InertialVelocity velocity_parts(const Question& question, const OpenSpace& space
   const double size = d1 * d2 > 0 ? std::abs(boxed.arm[0] * boxed.arm[1]) / (d1 * d2) : 1;
   v.by_amplitude = amplitude_change * size;
 
-  // Pairs miss as much of each part as they miss of the steady geometry factor: one cause, so the parts add.
-  const double missed_by_pairs = std::abs(space.pair_geometry / space.geometry - 1);
+  // The relative error of the pair approximation in each contribution is estimated by its error in the steady
+  // geometry factor. The errors have one cause, so their absolute values add.
+  const double pair_error = std::abs(space.pair_geometry / space.geometry - 1);
   const double inertial = v.by_stroke + v.by_drift + v.by_reynolds_stress;
   const double amplitude_share = v.quasi_static != 0 ? std::abs(inertial / v.quasi_static) : 1;
-  const double by_pairs = missed_by_pairs * (std::abs(v.by_stroke) + std::abs(v.by_drift) +
-                                             std::abs(v.by_reynolds_stress) + std::abs(v.by_box));
+  const double by_pairs = pair_error * (std::abs(v.by_stroke) + std::abs(v.by_drift) +
+                                        std::abs(v.by_reynolds_stress) + std::abs(v.by_box));
   v.uncertainty = root_of_squares({by_pairs, boxed.within_beads,
                                    unknown_share_of_reynolds(question) * v.by_reynolds_stress,
                                    std::min(1.0, amplitude_share) * v.by_amplitude});
@@ -97,7 +98,8 @@ Complex complex_of(const Stroke& stroke, int arm) {
   return std::polar(stroke.amplitude[arm], stroke.phase[arm]);
 }
 
-/// What a relative error of the change from x to y does to sin(delta_1 - delta_2), at most.
+/// Returns an upper bound of the error of sin(delta_1 - delta_2) for the stroke y, if the change from x to y
+/// has the relative error `relative_error`.
 double sin_uncertainty(const Eigen::Vector2cd& x, const Eigen::Vector2cd& y, double relative_error) {
   if (x[0] == 0.0 || x[1] == 0.0 || y[1] == 0.0) return 0;
   const Complex shift = y[0] / y[1];
@@ -117,7 +119,7 @@ InertiaCorrected inertia_corrected(const Question& question) {
   InertiaCorrected best;
   best.velocity = velocity_parts(question, space, open, boxed, finite.velocity - small.velocity);
   best.arm_means = finite.arm_means;
-  const double missed_by_pairs = std::abs(space.pair_geometry / space.geometry - 1);
+  const double pair_error = std::abs(space.pair_geometry / space.geometry - 1);
   Eigen::Vector2cd quasi_static;
   for (int arm = 0; arm < 2; ++arm) {
     quasi_static[arm] = complex_of(small.stroke, arm);
@@ -126,9 +128,9 @@ InertiaCorrected inertia_corrected(const Question& question) {
     best.arm[arm] = boxed.arm[arm] * growth;
     const double change = std::abs(boxed.arm[arm] - quasi_static[arm]), size = std::abs(boxed.arm[arm]);
     const double relative_change = size > 0 ? change / size : 0;
-    best.amplitude_uncertainty[arm] = relative_change * std::hypot(missed_by_pairs, std::abs(growth - 1.0));
+    best.amplitude_uncertainty[arm] = relative_change * std::hypot(pair_error, std::abs(growth - 1.0));
   }
-  best.sin_uncertainty = sin_uncertainty(quasi_static, boxed.arm, missed_by_pairs);
+  best.sin_uncertainty = sin_uncertainty(quasi_static, boxed.arm, pair_error);
   return best;
 }
 

@@ -16,8 +16,8 @@ namespace beadswim {
 
 namespace {
 
-/// Spheres so large against the penetration depth that exp(kappa) leaves the range of arithmetic.
-std::optional<std::string> thin_layer(const Question& question) {
+/// Returns a message if a bead is so large, relative to the penetration depth, that exp(kappa) overflows.
+std::optional<std::string> penetration_depth_obstacle(const Question& question) {
   constexpr double largest_kappa = 200;
   const CollinearSwimmer& swimmer = question.swimmer;
   const double largest = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
@@ -38,14 +38,16 @@ void add_settings(const Question& question, Prediction& prediction) {
   add_driving_settings(question, prediction);
 }
 
-/// Relative, of pairs with inertia: what pairs miss without it, as much of what inertia changes, and what
-/// they take from within the beads.
+/// Returns the relative uncertainty of the velocity by unsteady pairs. It combines the error of steady pairs,
+/// the same relative error of the change by inertia, the contribution of the volume of the beads to V_R, and
+/// the change at finite amplitude.
 std::optional<double> pair_uncertainty(const Question& question, double quasi_static, double velocity,
                                        double within_beads) {
   const std::optional<double> exact = exact_velocity(question);
   if (!exact) return std::nullopt;
-  const double missed = std::abs(quasi_static / *exact - 1), inertial = std::abs(velocity / quasi_static - 1);
-  return std::hypot(missed * (1 + inertial) + std::abs(within_beads / velocity),
+  const double pair_error = std::abs(quasi_static / *exact - 1),
+               inertial = std::abs(velocity / quasi_static - 1);
+  return std::hypot(pair_error * (1 + inertial) + std::abs(within_beads / velocity),
                     question.exact->amplitude_change);
 }
 
@@ -57,7 +59,7 @@ std::optional<std::string> inertia_obstacle(const Question& question) {
   if (question.box) {
     if (auto overlap = image_overlap(question.swimmer, *question.box)) return overlap;
   }
-  return thin_layer(question);
+  return penetration_depth_obstacle(question);
 }
 
 std::optional<std::string> inertia_corrected_obstacle(const Question& question) {
@@ -71,7 +73,7 @@ Prediction predict_unsteady_response(const Question& question) {
   const double drift = lagrangian_drift(scene, response);
   const ReynoldsForm form = reynolds_form(scene);
   const Eigen::Vector3cd force = induced_forces(scene, response);
-  const double reynolds = reynolds_stress_velocity(form.whole, force);
+  const double reynolds = reynolds_stress_velocity(form.total, force);
   const double quasi_static =
       second_order_motion(question.swimmer, rest_mobility(question.swimmer, rotne_prager)).velocity;
 
@@ -87,7 +89,7 @@ Prediction predict_unsteady_response(const Question& question) {
       "amplitude with Lagrangian drift and Reynolds stress{}; its pairs without inertia are {}",
       surroundings(question), question.box ? " (that without images)" : "",
       distance_from_exact(question, quasi_static, exact));
-  refuse_contact(question, prediction);
+  mark_unusable_if_beads_touch(question, prediction);
   prediction.settings.emplace_back("mobility", "unsteady Faxen");
   prediction.settings.emplace_back("velocity_by_drift", drift);
   prediction.settings.emplace_back("velocity_by_reynolds_stress", reynolds);

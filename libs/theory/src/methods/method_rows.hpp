@@ -6,11 +6,11 @@
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 
-// The functions behind the rows of the table of methods.
+// Functions of the rows in the table of methods (methods.cpp).
 
 namespace beadswim {
 
-// Why a question cannot be treated.
+// Each returns why a question cannot be treated; nullopt if it can.
 std::optional<std::string> overlap_obstacle(const Question& question);
 std::optional<std::string> exact_obstacle(const Question& question);
 std::optional<std::string> equal_shape_obstacle(const Question& question);
@@ -22,7 +22,7 @@ std::optional<std::string> box_obstacle(const Question& question);
 std::optional<std::string> inertia_obstacle(const Question& question);
 std::optional<std::string> inertia_corrected_obstacle(const Question& question);
 
-// The paper's formulas.
+// Closed forms of the paper.
 Prediction predict_oseen_force(const Question& question);
 Prediction predict_oseen_stroke(const Question& question);
 Prediction predict_oseen_ratio_printed(const Question& question);
@@ -45,14 +45,14 @@ Prediction predict_rpy_ode(const Question& question);
 Prediction predict_multipole_ode(const Question& question);
 Prediction predict_rpy_box_ode(const Question& question);
 
-// With inertia of fluid and beads.
+// Inertia of fluid and beads.
 Prediction predict_unsteady_response(const Question& question);
 Prediction predict_inertia_corrected(const Question& question);
 
-/// Nearest that beads may come for the exact mobility, surface to surface [length].
-double least_exact_gap(const CollinearSwimmer& swimmer);
+/// Returns the smallest gap for which exact_mobility() is used in a periodic motion [length].
+double min_exact_gap(const CollinearSwimmer& swimmer);
 
-/// The periodic motion by exact mobilities in open space. Throws InputError as `periodic_motion` does.
+/// Returns the periodic motion with exact mobilities in open space. Throws the errors of periodic_motion().
 PeriodicMotion exact_periodic_motion(const CollinearSwimmer& swimmer);
 
 }  // namespace beadswim

@@ -54,7 +54,7 @@ const Method& find_method(const std::string& name) {
   if (found != table.end()) return *found;
   std::vector<std::string> names;
   for (const Method& row : table) names.push_back(row.name);
-  throw InputError(Setting::method, unknown_name(name, names));
+  throw InputError(Setting::method, format_unknown_name(name, names));
 }
 
 Prediction predict(const Method& method, const Question& question) {

@@ -12,7 +12,7 @@ namespace beadswim {
 
 namespace {
 
-Prediction described(const Question& question, const PeriodicMotion& motion) {
+Prediction make_prediction(const Question& question, const PeriodicMotion& motion) {
   Prediction prediction = prediction_from(motion);
   prediction.settings.emplace_back("smallest_gap_over_radius",
                                    motion.smallest_gap / question.swimmer.radius[1]);
@@ -20,7 +20,7 @@ Prediction described(const Question& question, const PeriodicMotion& motion) {
   return prediction;
 }
 
-/// Limits and settings of all methods at finite amplitude without inertia in open space.
+/// Adds validity and settings of methods at finite amplitude, without inertia and in open space.
 void add_limits(const Question& question, Prediction& prediction) {
   prediction.validity += fmt::format(
       "; periodic motion at finite amplitude; alone in unbounded fluid; no inertia of fluid or beads "
@@ -32,10 +32,11 @@ void add_limits(const Question& question, Prediction& prediction) {
 
 Prediction predict_pairwise(const Question& question, const std::string& pairs, PairLaw law) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const MobilityAt mobility = [&](const LinePositions& x) {
+  const MobilityFunction mobility = [&](const LinePositions& x) {
     return pairwise_mobility(law, swimmer.radius, x, swimmer.viscosity);
   };
-  Prediction prediction = described(question, periodic_motion(swimmer, rest_positions(swimmer), mobility));
+  Prediction prediction =
+      make_prediction(question, periodic_motion(swimmer, rest_positions(swimmer), mobility));
   const double second_order = second_order_motion(swimmer, rest_mobility(swimmer, law)).velocity;
   const std::optional<double> exact = exact_velocity(question);
   prediction.uncertainty = relative_uncertainty(second_order, exact, 0);
@@ -56,20 +57,22 @@ Prediction predict_rpy_ode(const Question& question) {
   return predict_pairwise(question, "Rotne-Prager", rotne_prager);
 }
 
-double least_exact_gap(const CollinearSwimmer& swimmer) {
-  constexpr double least = 0.02;  // of a radius: the multipole series still takes below 200 terms
-  return least * *std::min_element(swimmer.radius.begin(), swimmer.radius.end());
+double min_exact_gap(const CollinearSwimmer& swimmer) {
+  constexpr double min_gap_over_radius = 0.02;  // the multipole series needs fewer than 200 terms here
+  return min_gap_over_radius * *std::min_element(swimmer.radius.begin(), swimmer.radius.end());
 }
 
 PeriodicMotion exact_periodic_motion(const CollinearSwimmer& swimmer) {
-  constexpr double tolerance = 1e-10;  // of mobilities; their errors stay a thousandfold below it
-  const MobilityAt mobility = [&](const LinePositions& x) { return exact_mobility(swimmer, x, tolerance); };
-  return periodic_motion(swimmer, rest_positions(swimmer), mobility, least_exact_gap(swimmer));
+  constexpr double tolerance = 1e-10;  // requested error of mobilities; actual errors are 1000 times smaller
+  const MobilityFunction mobility = [&](const LinePositions& x) {
+    return exact_mobility(swimmer, x, tolerance);
+  };
+  return periodic_motion(swimmer, rest_positions(swimmer), mobility, min_exact_gap(swimmer));
 }
 
 Prediction predict_multipole_ode(const Question& question) {
-  Prediction prediction = described(question, exact_periodic_motion(question.swimmer));
-  constexpr double numerical_error = 1e-8;  // of the multipole series and of harmonic balance
+  Prediction prediction = make_prediction(question, exact_periodic_motion(question.swimmer));
+  constexpr double numerical_error = 1e-8;  // error of multipole series and harmonic balance
   if (exact_velocity(question)) prediction.uncertainty = numerical_error;
   prediction.validity = "exact Stokes flow of three spheres (axisymmetric multipoles)";
   prediction.settings.emplace_back("mobility", "exact");

@@ -15,10 +15,11 @@ namespace beadswim {
 
 namespace {
 
-/// None where beads touch or all but touch.
+/// Returns the exact reference; nullopt if beads touch or so nearly touch that the multipole series
+/// would need too many terms.
 std::optional<ExactStokes> exact_stokes(const CollinearSwimmer& swimmer) {
   ExactStokes exact;
-  const MobilityAt mobility = [&](const LinePositions& positions) {
+  const MobilityFunction mobility = [&](const LinePositions& positions) {
     return exact_mobility(swimmer, positions);
   };
   try {
@@ -52,7 +53,7 @@ std::vector<std::string> warnings(const Question& question, double tolerance) {
   const SecondOrderMotion motion = question.exact
                                        ? question.exact->motion
                                        : second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager));
-  const MobilityAt pair_mobility = [&](const LinePositions& positions) {
+  const MobilityFunction pair_mobility = [&](const LinePositions& positions) {
     return pairwise_mobility(rotne_prager, swimmer.radius, positions, swimmer.viscosity);
   };
   std::vector<std::string> messages;

@@ -12,7 +12,7 @@
 namespace beadswim {
 namespace {
 
-/// What theory takes of a type whose driving acts along its own line.
+/// Returns the collinear swimmer of a type, with the driving along its axis.
 CollinearSwimmer along_own_axis(const SwimmerType& type, const Fluid& fluid) {
   return collinear_swimmer(type, Vec3::UnitX(), fluid.dynamic_viscosity());
 }

@@ -10,17 +10,18 @@
 namespace beadswim {
 namespace {
 
-/// 0, 1 or 2 for an axis along x, y or z, either way; none otherwise.
+/// Returns 0, 1 or 2 for an axis parallel to x, y or z, in either direction; nullopt otherwise.
 std::optional<int> coordinate_axis(const Vec3& axis) {
-  constexpr double largest_sine = 1e-9;  // as left by normalising
+  constexpr double largest_sine = 1e-9;  // error of a normalised axis
   for (int i = 0; i < 3; ++i) {
     if (axis.cross(Vec3::Unit(i)).norm() <= largest_sine * axis.norm()) return i;
   }
   return std::nullopt;
 }
 
-/// The box with the swimmer's axis first; an axis that points backwards counts from the far end.
-BoxPlace place_in(const Box& box, const Swimmer& swimmer, int axis) {
+/// Returns the box with its axes permuted so that the swimmer's axis comes first. For a swimmer that points
+/// in the negative direction, the coordinate along the axis is measured from the far end of the box.
+BoxPlace box_place(const Box& box, const Swimmer& swimmer, int axis) {
   const Vec3 position = wrapped(swimmer.position, box);
   BoxPlace place;
   for (int i = 0; i < 3; ++i) {
@@ -55,7 +56,7 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
             .obstacle =
                 "it lies aslant in its box, where images push it off its line; theory treats axes along x, y "
                 "or z"};
-  return {.box = place_in(*layout.domain, swimmer, *axis), .obstacle = {}};
+  return {.box = box_place(*layout.domain, swimmer, *axis), .obstacle = {}};
 }
 
 }  // namespace beadswim

@@ -9,9 +9,10 @@ namespace beadswim {
 
 namespace {
 
-/// Images of beads along a periodic axis of the swimmer itself, the bead's own included.
-std::optional<std::string> overlap_along(const CollinearSwimmer& swimmer, const LinePositions& x,
-                                         double period) {
+/// Returns a message if a bead overlaps a periodic image of a bead along the swimmer's axis, including its
+/// own image.
+std::optional<std::string> periodic_overlap(const CollinearSwimmer& swimmer, const LinePositions& x,
+                                            double period) {
   for (int i = 0; i < 3; ++i) {
     for (int j = i; j < 3; ++j) {
       const double d = x[j] - x[i], contact = swimmer.radius[i] + swimmer.radius[j];
@@ -29,8 +30,8 @@ std::optional<std::string> overlap_along(const CollinearSwimmer& swimmer, const 
 
 }  // namespace
 
-CollinearMobility rotne_prager_in(const LineFlow& flow, const CollinearSwimmer& swimmer,
-                                  const LinePositions& positions) {
+CollinearMobility rotne_prager_mobility(const LineFlow& flow, const CollinearSwimmer& swimmer,
+                                        const LinePositions& positions) {
   CollinearMobility mobility;
   mobility.slope.fill(Eigen::Matrix3d::Zero());
   for (int i = 0; i < 3; ++i) {
@@ -47,7 +48,7 @@ CollinearMobility rotne_prager_in(const LineFlow& flow, const CollinearSwimmer& 
   return mobility;
 }
 
-LineFlow flow_in(const BoxPlace& place, double viscosity) {
+LineFlow box_line_flow(const BoxPlace& place, double viscosity) {
   return LineFlow(viscosity, place.box, place.middle_bead[1], place.middle_bead[2]);
 }
 
@@ -61,7 +62,7 @@ std::optional<std::string> image_overlap(const CollinearSwimmer& swimmer, const 
   const LinePositions x = rest_positions(swimmer, place);
   const auto& [box, middle] = place;
   if (!box.has_mirrors(0)) {
-    if (auto overlap = overlap_along(swimmer, x, box.lengths[0])) return overlap;
+    if (auto overlap = periodic_overlap(swimmer, x, box.lengths[0])) return overlap;
   } else if (x[0] < swimmer.radius[0] || x[2] > box.lengths[0] - swimmer.radius[2]) {
     return fmt::format("an end bead reaches through a wall across the swimmer (box {:.6g})", box.lengths[0]);
   }

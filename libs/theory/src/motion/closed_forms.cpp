@@ -10,7 +10,7 @@ namespace beadswim {
 
 namespace {
 
-/// The symbols of (4.2) to (4.8) for a swimmer of equal parts.
+/// Symbols of (4.2) to (4.8) for a swimmer with equal beads, equal arms and equal springs.
 struct EqualParts {
   explicit EqualParts(const CollinearSwimmer& swimmer)
       : A(swimmer.amplitude[0]),
@@ -24,16 +24,16 @@ struct EqualParts {
   double W;  ///< pi eta omega lambda
   double sin_alpha, cos_alpha;
 
-  /// (k^2 + 4 W^2) (k^2 + 36 W^2), which (4.4) and (4.5) print multiplied out
+  /// Returns (k^2 + 4 W^2) (k^2 + 36 W^2), which is expanded in the printed (4.4) and (4.5).
   double denominator() const { return (k * k + 4 * W * W) * (k * k + 36 * W * W); }
-  /// N of (4.7)
+  /// Returns N of (4.7).
   double shift_numerator() const {
     return 2 * (A * A - B * B) * W * k + A * B * (k * k + 12 * W * W) * sin_alpha;
   }
 };
 
 // clang-format off
-/// D^2 of (4.8), powers of k and W collected:
+/// Returns D^2 of (4.8), with powers of k and W collected:
 ///
 ///   A^2 B^2 k^4 + 4 k^2 W^2 (A^4 + 6 A^2 B^2 + B^4) + 16 W^4 (4 A^4 + 25 A^2 B^2 + 4 B^4)
 ///   + 16 AB W^2 (A^2 + B^2) (k^2 + 20 W^2) cos alpha + 8 A^2 B^2 W^2 (k^2 + 16 W^2) cos 2 alpha
@@ -51,13 +51,13 @@ double shift_denominator_squared(const EqualParts& s) {
 }
 // clang-format on
 
-/// omega d1 d2 sin(delta1 - delta2): what every stroke formula multiplies by its geometry factor.
+/// Returns S = omega d1 d2 sin(delta1 - delta2), which each stroke formula multiplies by its geometry factor.
 double stroke_area_rate(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   return swimmer.angular_frequency() * stroke.area();
 }
 
-/// omega lambda (28l - 45 lambda) / 192 l^3 [..], the common part of both forms of (4.23); `coefficient` is
-/// that of l in their k^2 W^2 term.
+/// Returns omega lambda (28l - 45 lambda) / (192 l^3 [..]), the common factor of both forms of (4.23).
+/// `coefficient`: the factor of l in the term k^2 W^2 of the denominator.
 double rpy_force_prefactor(const CollinearSwimmer& swimmer, double coefficient) {
   const EqualParts s(swimmer);
   const double lambda = swimmer.radius[0], l = swimmer.arm[0], k2 = s.k * s.k, W2 = s.W * s.W;
@@ -66,7 +66,7 @@ double rpy_force_prefactor(const CollinearSwimmer& swimmer, double coefficient) 
   return swimmer.angular_frequency() * lambda * (28 * l - 45 * lambda) / (192 * l * l * l * bracket);
 }
 
-/// (2l - 5 lambda) k^2 + 24 W^2 l of (4.23).
+/// Returns (2l - 5 lambda) k^2 + 24 W^2 l of (4.23).
 double rpy_force_symmetric_part(const CollinearSwimmer& swimmer) {
   const EqualParts s(swimmer);
   const double lambda = swimmer.radius[0], l = swimmer.arm[0];
@@ -135,15 +135,15 @@ std::array<double, 2> oseen_arm_amplitudes(const CollinearSwimmer& swimmer) {
   const double d1_squared = (A2 * k2 + 4 * W2 * (4 * A2 +     B2 + 4 * AB * s.cos_alpha) - mixed) / s.denominator();
   const double d2_squared = (B2 * k2 + 4 * W2 * (    A2 + 4 * B2 + 4 * AB * s.cos_alpha) + mixed) / s.denominator();
   // clang-format on
-  // An arm at rest may leave a negative roundoff.
+  // For an arm at rest, roundoff may be negative.
   return {std::sqrt(std::max(d1_squared, 0.0)), std::sqrt(std::max(d2_squared, 0.0))};
 }
 
 double oseen_sin_phase_shift(const CollinearSwimmer& swimmer) {
   const EqualParts s(swimmer);
   const double squared = shift_denominator_squared(s);
-  if (!(squared > 0)) return 0;                                            // an arm at rest has no phase
-  return std::clamp(s.shift_numerator() / std::sqrt(squared), -1.0, 1.0);  // roundoff of a shift of pi/2
+  if (!(squared > 0)) return 0;  // the phase of an arm at rest is undefined
+  return std::clamp(s.shift_numerator() / std::sqrt(squared), -1.0, 1.0);  // roundoff may exceed 1
 }
 
 }  // namespace beadswim

@@ -12,10 +12,11 @@ namespace beadswim {
 
 namespace {
 
-/// +1 or -1: the direction of the driving forces along the swimmer's axis.
+/// Returns +1 if the driving forces are parallel to the swimmer's axis, -1 if they are antiparallel. Throws
+/// InputError if they are neither.
 double driving_direction(DrivingFrame frame, const Vec3& axis) {
   if (frame != DrivingFrame::lab) return 1;
-  constexpr double largest_sine = 1e-9;  // of the angle to x, as left by normalising the axis
+  constexpr double largest_sine = 1e-9;  // sine of the angle to x: error of a normalised axis
   if (axis.cross(Vec3::UnitX()).norm() > largest_sine * axis.norm()) {
     throw InputError("axis",
                      fmt::format("[{}, {}, {}] is not along x, but the driving is (frame \"lab\"), so the "

@@ -10,15 +10,16 @@ namespace beadswim {
 
 namespace {
 
-constexpr double small_part = 0.02;  // of the gaps: the largest arm amplitude at the small driving
+constexpr double max_amplitude_over_gap = 0.02;  // at the small driving
 
-/// A mobility in open space near its rest by cubic interpolation in both arms: 16 evaluations in all, where
-/// the periodic motion takes some hundred.
+/// Mobility in open space for arm lengths close to rest, by cubic interpolation in both arms. It needs 16
+/// evaluations of the mobility; the periodic motion alone would need some hundred.
 class InterpolatedMobility {
  public:
-  InterpolatedMobility(const CollinearSwimmer& swimmer, const MobilityAt& mobility) : rest_(swimmer.arm) {
+  InterpolatedMobility(const CollinearSwimmer& swimmer, const MobilityFunction& mobility)
+      : rest_(swimmer.arm) {
     const std::array<double, 2> gaps = gaps_at_rest(swimmer);
-    for (int arm = 0; arm < 2; ++arm) unit_[arm] = 1.5 * small_part * gaps[arm];
+    for (int arm = 0; arm < 2; ++arm) unit_[arm] = 1.5 * max_amplitude_over_gap * gaps[arm];
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 4; ++j) {
         const double L1 = rest_[0] + nodes[i] * unit_[0], L2 = rest_[1] + nodes[j] * unit_[1];
@@ -44,7 +45,7 @@ class InterpolatedMobility {
     std::array<double, 4> value{}, slope{};
   };
 
-  /// Lagrange's polynomials of the nodes, and their derivatives.
+  /// Returns the Lagrange polynomials of the nodes, and their derivatives, at t.
   static Weights weights(double t) {
     Weights result;
     for (int i = 0; i < 4; ++i) {
@@ -73,7 +74,7 @@ class InterpolatedMobility {
   std::array<std::array<Eigen::Matrix3d, 4>, 4> values_;
 };
 
-/// What to multiply the driving with, so that neither the arms' swing nor their mean change is large.
+/// Returns the factor s of the driving for which arm amplitudes and mean changes are much below the gaps.
 double small_driving(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
   const std::array<double, 2> gaps = gaps_at_rest(swimmer);
   double size = 0;
@@ -81,11 +82,11 @@ double small_driving(const CollinearSwimmer& swimmer, const SecondOrderMotion& m
     size = std::max({size, motion.stroke.amplitude[arm] / gaps[arm],
                      std::sqrt(std::abs(motion.arm_changes[arm]) / gaps[arm])});
   }
-  return small_part / size;
+  return max_amplitude_over_gap / size;
 }
 
-/// Whether a second-order velocity is more than roundoff.
-bool moves(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
+/// Returns whether the second-order velocity exceeds roundoff.
+bool is_above_roundoff(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
   constexpr double relative_roundoff = 1e-10;
   const double swing = std::max(motion.stroke.amplitude[0], motion.stroke.amplitude[1]);
   const double unit = swimmer.angular_frequency() * swing * swing / swimmer.arm[0];
@@ -94,16 +95,16 @@ bool moves(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
 
 }  // namespace
 
-double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityAt& mobility) {
+double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityFunction& mobility) {
   const LinePositions rest = rest_positions(swimmer);
   if (!(smallest_gap(swimmer, rest) > 0)) return std::numeric_limits<double>::quiet_NaN();
   const InterpolatedMobility near_rest(swimmer, mobility);
   const SecondOrderMotion motion = second_order_motion(swimmer, near_rest(rest));
-  if (!moves(swimmer, motion)) return 0;
+  if (!is_above_roundoff(swimmer, motion)) return 0;
   const double s = small_driving(swimmer, motion);
-  CollinearSwimmer gentle = swimmer;
-  for (double& amplitude : gentle.amplitude) amplitude *= s;
-  const double velocity = periodic_motion(gentle, rest, near_rest).velocity;
+  CollinearSwimmer weakly_driven = swimmer;
+  for (double& amplitude : weakly_driven.amplitude) amplitude *= s;
+  const double velocity = periodic_motion(weakly_driven, rest, near_rest).velocity;
   return (velocity / (s * s * motion.velocity) - 1) / (s * s);
 }
 

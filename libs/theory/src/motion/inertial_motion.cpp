@@ -16,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
-/// m - m_f of the three beads [mass].
+/// Returns m - m_f of the three beads [mass].
 Eigen::Vector3d excess_masses(const InertialScene& scene) {
   Eigen::Vector3d excess;
   for (int i = 0; i < 3; ++i) {
@@ -26,8 +26,9 @@ Eigen::Vector3d excess_masses(const InertialScene& scene) {
   return excess;
 }
 
-/// a^2 of a bead whose unsteady force makes a steady flow: a^2 times the mean, by the shares of surface and
-/// volume in that force, of 1 and 3/5.
+/// Returns the effective a^2 of a bead in the steady flow of its unsteady induced force. The force acts on
+/// the surface, where the mean of r^2 is a^2, and in the volume, where it is 3/5 a^2; the result is the
+/// weighted mean.
 Complex steady_size(double radius, Complex kappa) {
   return radius * radius * (1.0 + kappa + kappa * kappa / 5.0) / induced_force_factor(kappa);
 }
@@ -35,8 +36,10 @@ Complex steady_size(double radius, Complex kappa) {
 }  // namespace
 
 InertialScene unbounded_scene(const Question& question) {
-  return {question.swimmer, question.fluid_density, LineFlow(question.swimmer.viscosity),
-          rest_positions(question.swimmer)};
+  return {.swimmer = question.swimmer,
+          .fluid_density = question.fluid_density,
+          .flow = LineFlow(question.swimmer.viscosity),
+          .positions = rest_positions(question.swimmer)};
 }
 
 InertialScene inertial_scene(const Question& question) {
@@ -56,11 +59,11 @@ Eigen::Matrix3cd induced_mobility(const InertialScene& scene) {
     const SizeFactor size_i = sphere_factor(alpha * swimmer.radius[i]);
     mobility(i, i) = self_mobility(swimmer.radius[i], swimmer.viscosity) /
                          induced_force_factor(alpha * swimmer.radius[i]) +
-                     combined(scene.flow.unsteady_images(alpha, scene.positions[i]), size_i * size_i).value;
+                     total_flow(scene.flow.unsteady_images(alpha, scene.positions[i]), size_i * size_i).value;
     for (int j = i + 1; j < 3; ++j) {
       const SizeFactor sizes = size_i * sphere_factor(alpha * swimmer.radius[j]);
       const UnsteadyFlow flow = scene.flow.unsteady(alpha, scene.positions[i], scene.positions[j]);
-      mobility(i, j) = mobility(j, i) = combined(flow, sizes).value;
+      mobility(i, j) = mobility(j, i) = total_flow(flow, sizes).value;
     }
   }
   return mobility;
@@ -85,7 +88,7 @@ DriftForm drift_form(const InertialScene& scene) {
   const CollinearSwimmer& swimmer = scene.swimmer;
   const Complex alpha = inverse_penetration_depth(swimmer, scene.fluid_density);
   DriftForm form;
-  form.towing = rigid_force_distribution(rotne_prager_in(scene.flow, swimmer, scene.positions).value);
+  form.towing = rigid_force_distribution(rotne_prager_mobility(scene.flow, swimmer, scene.positions).value);
   for (int j = 0; j < 3; ++j) {
     const double x_j = scene.positions[j], a_j = swimmer.radius[j];
     for (int i = 0; i < 3; ++i) {
@@ -95,7 +98,7 @@ DriftForm drift_form(const InertialScene& scene) {
           i == j ? scene.flow.unsteady_images(alpha, x_j) : scene.flow.unsteady(alpha, x_j, x_i);
       const SteadyFlow steady = i == j ? scene.flow.steady_images(x_j) : scene.flow.steady(x_j, x_i);
       // clang-format off
-      form.by_receiver(j, i) = combined(unsteady, surface_mean_factor(alpha * a_j) * sphere_factor(kappa_i)).by_receiver;
+      form.by_receiver(j, i) = total_flow(unsteady, surface_mean_factor(alpha * a_j) * sphere_factor(kappa_i)).by_receiver;
       form.by_source(j, i)   = steady.oseen.by_source
                              + (a_j * a_j + steady_size(swimmer.radius[i], kappa_i)) * steady.laplacian.by_source;
       // clang-format on

@@ -6,7 +6,7 @@
 #include <numbers>
 
 // clang-format off
-// Flow of one sphere that is pushed along x, in cylindrical coordinates (x, s) about its centre, s the distance from the axis.
+// Flow around one sphere with a force along x, in cylindrical coordinates (x, s) about its centre. s is the distance from the axis.
 //
 //   oscillating   u = (f/eta) [ W H e_x + grad d/dx Psi ]     outside,     u = f e_x / (6 pi eta a D)   inside
 //   steady        u = (h/eta) [ phi e_x + grad d/dx B ]       outside,     u = h e_x / (6 pi eta a)     inside
@@ -20,13 +20,13 @@
 // For a function q(r) with q_n = ((1/r) d/dr)^n q:   grad d/dx q = (q_1 + x^2 q_2) e_x + x s q_2 e_s
 // clang-format on
 //
-// Both are divergence-free and uniform on the sphere. References: Landau and Lifshitz, Fluid Mechanics,
+// Both flows are divergence-free and uniform on the sphere. Reference: Landau and Lifshitz, Fluid Mechanics,
 // sections 20 and 24. Page: docs/method/inertia.md.
 
 namespace beadswim {
 
-/// Flow per unit force of a sphere oscillating with exp(i omega t), Re alpha > 0: along the axis and away
-/// from it [time/mass].
+/// Returns the flow per unit force of a sphere that oscillates with exp(i omega t): components along x and
+/// along s [time/mass]. Requires Re alpha > 0.
 inline Eigen::RowVector2cd oscillating_sphere_flow(double radius, double viscosity,
                                                    std::complex<double> alpha, double x, double s) {
   using std::numbers::pi;
@@ -42,8 +42,8 @@ inline Eigen::RowVector2cd oscillating_sphere_flow(double radius, double viscosi
   return {(WH + Psi_1 + x * x * Psi_2) / viscosity, x * s * Psi_2 / viscosity};
 }
 
-/// Gradient of the steady flow of a towed sphere per unit force: row the direction of the derivative, column
-/// the component of the flow [time/(mass length)].
+/// Returns the gradient of the steady flow per unit force of a towed sphere [time/(mass length)]. Rows:
+/// direction of the derivative. Columns: component of the flow.
 inline Eigen::Matrix2d towed_sphere_gradient(double radius, double viscosity, double x, double s) {
   using std::numbers::pi;
   const double r2 = x * x + s * s, a2 = radius * radius;

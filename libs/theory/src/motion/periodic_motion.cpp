@@ -25,12 +25,11 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// The motion at the nodes (columns): change of arm 1, displacement of bead 2, change of arm 2 [length].
-/// Arms as unknowns, as a stiff spring's tension would lose its digits in the difference of its beads'
-/// places.
+/// Motion at the nodes (columns): change of arm 1, displacement of bead 2, change of arm 2 [length]. The arms
+/// are unknowns, because a stiff spring's tension would lose significance in a difference of bead positions.
 using NodalMotion = NodalValues;
 
-/// Displacements of the three beads from a column of NodalMotion.
+/// Returns the matrix that maps a column of NodalMotion to the displacements of the three beads.
 Matrix3d beads_from_motion() {
   Matrix3d beads;
   // clang-format off
@@ -41,23 +40,25 @@ Matrix3d beads_from_motion() {
   return beads;
 }
 
-/// The motion of beads that are displaced so.
+/// Returns the column of NodalMotion for bead displacements p.
 Vector3d motion_of_beads(const Vector3d& p) {
   return {p[1] - p[0], p[1], p[2] - p[1]};
 }
 
-/// The equations of motion of one swimmer on one set of nodes; velocities are over omega, lengths.
+/// Equations of motion of one swimmer on one set of nodes. At each node,
 ///
-/// With q the arms' changes and Z = (D mu D^T)^-1 they read, at each node,
+///   omega Z dq + K q + omega C dq = g,    sum_k w_k (dp_k + V/omega) = 0
 ///
-///   omega Z dq + K q + omega C dq = g,    sum_k w_k (dp_k + V/omega) = 0,
+///   Z   = (D mu D^T)^-1
+///   g   tensions of the driving, F = D^T g
+///   q   changes of the two arms [length]
+///   d   derivative with respect to omega t, so that rates and V/omega are lengths
 ///
-/// d the derivative by omega t and F = D^T g: the tensions first, so that those of a stiff spring and of a
-/// soft one keep their own digits.
+/// Each equation balances the tensions of one arm, so that a stiff and a soft spring do not share roundoff.
 class HarmonicBalance {
  public:
-  HarmonicBalance(const CollinearSwimmer& swimmer, const LinePositions& rest, const MobilityAt& mobility,
-                  int nodes)
+  HarmonicBalance(const CollinearSwimmer& swimmer, const LinePositions& rest,
+                  const MobilityFunction& mobility, int nodes)
       : mobility_(mobility),
         rest_(Eigen::Map<const Vector3d>(rest.data())),
         nodes_(nodes),
@@ -79,7 +80,7 @@ class HarmonicBalance {
 
   NodalMotion rates(const NodalMotion& motion) const { return motion * derivative_.transpose(); }
 
-  /// Newton's step (-d motion, -dV/omega) with the driving scaled by `driving`.
+  /// Returns the negative Newton step of (motion, V/omega), with the driving multiplied by `driving`.
   VectorXd newton_step(const NodalMotion& motion, double velocity, double driving) const {
     const int unknowns = 3 * nodes_ + 1;
     const NodalMotion rate = rates(motion);
@@ -91,14 +92,14 @@ class HarmonicBalance {
       for (int m = 0; m < nodes_; ++m) jacobian.block<3, 3>(3 * n, 3 * m) = derivative_(n, m) * node.by_rate;
       jacobian.block<3, 3>(3 * n, 3 * n) += node.by_motion;
       jacobian(3 * n + 2, unknowns - 1) = 1;
-      // The last equation: the centre is at rest in the mean.
+      // The last equation fixes the mean of the displacement over beads and nodes at zero.
       jacobian.block<1, 3>(unknowns - 1, 3 * n) = beads_.colwise().sum() / nodes_;
     }
     residual[unknowns - 1] = (beads_ * motion).sum() / nodes_;
     return jacobian.partialPivLu().solve(residual);
   }
 
-  /// V by the force distribution of the rigid swimmer.
+  /// Returns V by the force distribution of the rigid swimmer (periodic_motion.hpp) [length/time].
   double drift_velocity(const NodalMotion& motion) const {
     const Vector3d at_rest = rigid_force_distribution(mobility_({rest_[0], rest_[1], rest_[2]}).value);
     const NodalMotion rate = beads_ * rates(motion);
@@ -111,8 +112,8 @@ class HarmonicBalance {
   }
 
  private:
-  /// The three equations of a node and their derivatives by its motion and rate. Those by the motion leave
-  /// out what vanishes with the residual.
+  /// Residuals of the three equations at a node, and their derivatives with respect to the rate and the
+  /// motion at the node. The derivatives with respect to the motion omit terms that vanish with the residual.
   struct NodeEquations {
     Vector3d residual;
     Matrix3d by_rate, by_motion;
@@ -128,7 +129,8 @@ class HarmonicBalance {
     const Eigen::Vector2d tension = driving - stiffness_.cwiseProduct(q) - damping_.cwiseProduct(dq);
     const Eigen::Matrix2d scale = row_scale_.asDiagonal();
 
-    NodeEquations node_equations{Vector3d::Zero(), Matrix3d::Zero(), Matrix3d::Zero()};
+    NodeEquations node_equations{
+        .residual = Vector3d::Zero(), .by_rate = Matrix3d::Zero(), .by_motion = Matrix3d::Zero()};
     node_equations.residual << scale * (impedance * dq - tension), w.dot(beads_ * rate.col(node)) + velocity;
     const Eigen::Matrix2d by_arm_rate = scale * (impedance + Eigen::Matrix2d(damping_.asDiagonal()));
     for (int arm = 0; arm < 2; ++arm) {
@@ -145,12 +147,12 @@ class HarmonicBalance {
     return node_equations;
   }
 
-  /// g: the driving's tension on the two arms.
+  /// Returns g, the tensions of the driving in the two arms at a node.
   Eigen::Vector2d driving_tension(int node) const {
     return (driving_ * std::polar(1.0, node_phase(node, nodes_))).real();
   }
 
-  const MobilityAt& mobility_;
+  const MobilityFunction& mobility_;
   Vector3d rest_;
   int nodes_;
   double omega_;
@@ -158,13 +160,13 @@ class HarmonicBalance {
   Matrix3d beads_ = beads_from_motion();
   Eigen::Vector2d stiffness_, damping_;  ///< k_i, omega c_i
   Eigen::Vector2cd driving_;
-  Eigen::Vector2d row_scale_;  ///< brings the equations of both arms to one size
+  Eigen::Vector2d row_scale_;  ///< scales the equations of both arms to the same magnitude
 };
 
-/// A motion and its drift over omega, as Newton's method goes.
+/// Unknowns of Newton's method.
 struct State {
   NodalMotion motion;
-  double velocity = 0;
+  double velocity = 0;  ///< V/omega [length]
 };
 
 double smallest_gap_of(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
@@ -175,22 +177,23 @@ double smallest_gap_of(const CollinearSwimmer& swimmer, const HarmonicBalance& b
   return smallest;
 }
 
-/// Newton's method from `state`, steps halved where beads would meet. None if it does not converge.
-std::optional<State> solved(const CollinearSwimmer& swimmer, const HarmonicBalance& balance, State state,
-                            double driving, double least_gap) {
-  constexpr int most_steps = 40, most_halvings = 12;
-  constexpr double last_step = 1e-8;  // relative: the error is its square once the step is taken
+/// Solves the equations by Newton's method with the initial guess `state`. A step is halved while it would
+/// bring gaps below `min_gap`. Returns nullopt if the method does not converge.
+std::optional<State> solve_newton(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
+                                  State state, double driving, double min_gap) {
+  constexpr int max_steps = 40, max_halvings = 12;
+  constexpr double last_step = 1e-8;  // relative; after the step, the error is its square
   const int nodes = static_cast<int>(state.motion.cols());
-  if (!(smallest_gap_of(swimmer, balance, state.motion) > least_gap)) state.motion.setZero();
-  for (int step = 0; step < most_steps; ++step) {
+  if (!(smallest_gap_of(swimmer, balance, state.motion) > min_gap)) state.motion.setZero();
+  for (int step = 0; step < max_steps; ++step) {
     const VectorXd full = balance.newton_step(state.motion, state.velocity, driving);
     if (!full.allFinite()) return std::nullopt;
     const Eigen::Map<const NodalMotion> change(full.data(), 3, nodes);
     double part = 1;
     for (int halving = 0;; ++halving, part /= 2) {
-      if (halving == most_halvings) return std::nullopt;
+      if (halving == max_halvings) return std::nullopt;
       const NodalMotion trial = state.motion - part * change;
-      if (smallest_gap_of(swimmer, balance, trial) > least_gap) break;
+      if (smallest_gap_of(swimmer, balance, trial) > min_gap) break;
     }
     state.motion -= part * change;
     state.velocity -= part * full[full.size() - 1];
@@ -200,9 +203,9 @@ std::optional<State> solved(const CollinearSwimmer& swimmer, const HarmonicBalan
   return std::nullopt;
 }
 
-/// The first-order motion, as a start for Newton's method.
+/// Returns the first-order motion, the initial guess of Newton's method.
 State first_order_state(const CollinearSwimmer& swimmer, const LinePositions& rest,
-                        const MobilityAt& mobility, int nodes) {
+                        const MobilityFunction& mobility, int nodes) {
   const LinearResponse response = linear_response(swimmer, mobility(rest).value);
   State state{.motion = NodalMotion(3, nodes)};
   for (int n = 0; n < nodes; ++n) {
@@ -212,18 +215,19 @@ State first_order_state(const CollinearSwimmer& swimmer, const LinePositions& re
   return state;
 }
 
-std::string contact_message(double reached, double least_gap) {
+std::string contact_message(double reached, double min_gap) {
   return fmt::format(
       "no periodic motion without contact was found: the driving can be turned up to about {:.2g} of its "
       "amplitude before beads come nearer than {:.3g} to each other or a soft spring gives way; lower "
       "{}, or raise {}, {} or {}",
-      reached, least_gap, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
+      reached, min_gap, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
 }
 
-/// The motion under the full driving, from a first guess of it; the driving is turned up in steps where the
-/// motion cannot be had at once.
-State turned_up(const CollinearSwimmer& swimmer, const HarmonicBalance& balance, const State& start,
-                double least_gap) {
+/// Returns the motion under the full driving, with the initial guess `start`. If Newton's method does not
+/// converge, the driving increases from zero in smaller steps (continuation). Throws InputError if the steps
+/// become too small.
+State continue_to_full_driving(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
+                               const State& start, double min_gap) {
   constexpr double smallest_step = 1.0 / 64;
   State reached{.motion = NodalMotion::Zero(3, start.motion.cols())};
   double driving = 0, step = 1;
@@ -231,18 +235,18 @@ State turned_up(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
     const double next = std::min(driving + step, 1.0);
     State guess = reached;
     if (driving == 0) guess.motion = next * start.motion;
-    if (auto found = solved(swimmer, balance, guess, next, least_gap)) {
+    if (auto found = solve_newton(swimmer, balance, guess, next, min_gap)) {
       reached = *found;
       driving = next;
     } else if ((step /= 2) < smallest_step) {
-      throw InputError("stroke", contact_message(driving, least_gap));
+      throw InputError("stroke", contact_message(driving, min_gap));
     }
   }
   return reached;
 }
 
-PeriodicMotion described(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
-                         const NodalMotion& nodal) {
+PeriodicMotion motion_result(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
+                             const NodalMotion& nodal) {
   PeriodicMotion motion;
   motion.velocity = balance.drift_velocity(nodal);
   motion.arm_means = {swimmer.arm[0] + nodal.row(0).mean(), swimmer.arm[1] + nodal.row(2).mean()};
@@ -260,21 +264,21 @@ double smallest_gap(const CollinearSwimmer& swimmer, const LinePositions& x) {
 }
 
 PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositions& rest,
-                               const MobilityAt& mobility, double least_gap) {
-  constexpr int fewest_nodes = 25, most_nodes = 401;
-  constexpr double resolved = 1e-12;  // relative
-  State state = first_order_state(swimmer, rest, mobility, fewest_nodes);
+                               const MobilityFunction& mobility, double min_gap) {
+  constexpr int min_nodes = 25, max_nodes = 401;
+  constexpr double resolved = 1e-12;  // amplitude of the highest harmonics relative to the motion
+  State state = first_order_state(swimmer, rest, mobility, min_nodes);
   const bool driven = state.motion.cwiseAbs().maxCoeff() > 0;
-  for (int nodes = fewest_nodes; nodes <= most_nodes; nodes = 2 * nodes - 1) {
+  for (int nodes = min_nodes; nodes <= max_nodes; nodes = 2 * nodes - 1) {
     const HarmonicBalance balance(swimmer, rest, mobility, nodes);
-    if (!driven) return described(swimmer, balance, state.motion);
-    if (nodes > fewest_nodes) state.motion = interpolated(state.motion, nodes);
-    state = turned_up(swimmer, balance, state, least_gap);
-    if (unresolved_part(state.motion) < resolved) return described(swimmer, balance, state.motion);
+    if (!driven) return motion_result(swimmer, balance, state.motion);
+    if (nodes > min_nodes) state.motion = interpolated(state.motion, nodes);
+    state = continue_to_full_driving(swimmer, balance, state, min_gap);
+    if (unresolved_part(state.motion) < resolved) return motion_result(swimmer, balance, state.motion);
   }
   throw InputError("stroke", fmt::format("its motion has more than {} harmonics; lower {}, so that "
                                          "beads come less near to each other",
-                                         most_nodes / 2, Setting::amplitude));
+                                         max_nodes / 2, Setting::amplitude));
 }
 
 }  // namespace beadswim

@@ -16,7 +16,7 @@ struct QuadratureNode {
   double place, weight;
 };
 
-/// Gauss-Legendre nodes on [0, 1], by Newton's method on the Legendre polynomial.
+/// Returns Gauss-Legendre nodes and weights on [0, 1]. Newton's method finds the nodes.
 std::vector<QuadratureNode> gauss_legendre(int count) {
   using namespace boost::math::policies;
   const auto polynomial = [](int degree, double x) {
@@ -35,7 +35,7 @@ std::vector<QuadratureNode> gauss_legendre(int count) {
   return nodes;
 }
 
-/// The integrand of Q at one point of the half-plane (x, s), from the flows of the three spheres.
+/// Integrand of Q on the half-plane (x, s), from the flows of the three spheres.
 class ReynoldsStress {
  public:
   ReynoldsStress(const CollinearSwimmer& swimmer, double fluid_density, const Eigen::Vector3d& towing)
@@ -46,9 +46,9 @@ class ReynoldsStress {
 
   const LinePositions& center() const { return center_; }
 
-  /// u_i u_j* : grad u^ at (x, s).
-  Eigen::Matrix3cd at(double x, double s) const {
-    Eigen::Matrix<std::complex<double>, 3, 2> flow;  // a row a sphere: along the axis and away from it
+  /// Returns u_i u_j* : grad u^ at (x, s).
+  Eigen::Matrix3cd integrand(double x, double s) const {
+    Eigen::Matrix<std::complex<double>, 3, 2> flow;  // row: sphere; column: component along x, along s
     Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
     for (int i = 0; i < 3; ++i) {
       const double dx = x - center_[i];
@@ -66,28 +66,30 @@ class ReynoldsStress {
   Eigen::Vector3d towing_;
 };
 
-/// Integral over a cone's share of one bead's surroundings: from its centre in direction `cosine`, inside the
-/// bead and from its surface outwards to `farthest` in r = a/q^2, which also resolves deep penetration.
+/// Integrates r^2 times the integrand along a ray from the centre of a bead, at the angle with cosine
+/// `cosine` to x. The ray ends at the distance `farthest` [length]. Outside the bead, the variable is q with
+/// r = a/q^2, which also resolves large penetration depths.
 ReynoldsForm radial_integral(const ReynoldsStress& stress, int bead, double radius, double cosine,
                              double farthest, const std::vector<QuadratureNode>& nodes) {
   const double sine = std::sqrt(1 - cosine * cosine), center = stress.center()[bead];
-  const double q_end = std::sqrt(radius / farthest);  // 0 if nothing ends the cone
+  const double q_end = std::sqrt(radius / farthest);  // 0 for an infinite ray
   Eigen::Matrix3cd within = Eigen::Matrix3cd::Zero(), beyond = Eigen::Matrix3cd::Zero();
   for (const auto& [place, weight] : nodes) {
     const double r_in = radius * place;
-    within += weight * radius * r_in * r_in * stress.at(center + r_in * cosine, r_in * sine);
+    within += weight * radius * r_in * r_in * stress.integrand(center + r_in * cosine, r_in * sine);
     const double q = q_end + (1 - q_end) * place, r = radius / (q * q);
-    beyond += weight * (1 - q_end) * 2 * r * r * r / q * stress.at(center + r * cosine, r * sine);
+    beyond += weight * (1 - q_end) * 2 * r * r * r / q * stress.integrand(center + r * cosine, r * sine);
   }
-  return {.whole = within + beyond, .inside = within};
+  return {.total = within + beyond, .inside = within};
 }
 
-/// All space, as the surroundings of each bead up to planes midway in the gaps: smooth in polar coordinates.
+/// Integrates over all space with `count` nodes per coordinate. Planes in the middle of the gaps divide space
+/// into one region per bead, in which the integrand is smooth in polar coordinates about the bead.
 ReynoldsForm space_integral(const ReynoldsStress& stress, const CollinearSwimmer& swimmer, int count) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const std::vector<QuadratureNode> nodes = gauss_legendre(count);
   const std::array<double, 2> gaps = gaps_at_rest(swimmer);
-  ReynoldsForm sum{.whole = Eigen::Matrix3cd::Zero(), .inside = Eigen::Matrix3cd::Zero()};
+  ReynoldsForm sum{.total = Eigen::Matrix3cd::Zero(), .inside = Eigen::Matrix3cd::Zero()};
   for (int bead = 0; bead < 3; ++bead) {
     const double radius = swimmer.radius[bead];
     for (const int side : {-1, 1}) {
@@ -96,7 +98,7 @@ ReynoldsForm space_integral(const ReynoldsStress& stress, const CollinearSwimmer
       for (const auto& [cosine, weight] : nodes) {
         const double ring = 2 * std::numbers::pi * weight;
         const ReynoldsForm ray = radial_integral(stress, bead, radius, side * cosine, plane / cosine, nodes);
-        sum.whole += ring * ray.whole;
+        sum.total += ring * ray.total;
         sum.inside += ring * ray.inside;
       }
     }
@@ -108,17 +110,18 @@ ReynoldsForm space_integral(const ReynoldsStress& stress, const CollinearSwimmer
 
 ReynoldsForm reynolds_stress_form(const CollinearSwimmer& swimmer, double fluid_density,
                                   const Eigen::Vector3d& towing) {
-  constexpr double converged = 3e-5;  // between two rules: the finer one is three times better or more
-  constexpr int fewest = 16, most = 128;
+  // Relative difference of two successive rules. The error of the finer rule is at most a third of it.
+  constexpr double converged = 3e-5;
+  constexpr int min_count = 16, max_count = 128;
   const ReynoldsStress stress(swimmer, fluid_density, towing);
-  ReynoldsForm before = space_integral(stress, swimmer, fewest), now = before;
-  for (int count = 3 * fewest / 2; count <= most; count = 3 * count / 2) {
+  ReynoldsForm before = space_integral(stress, swimmer, min_count), now = before;
+  for (int count = 3 * min_count / 2; count <= max_count; count = 3 * count / 2) {
     now = space_integral(stress, swimmer, count);
-    const double change = (now.whole - before.whole).cwiseAbs().maxCoeff();
-    if (change <= converged * now.whole.cwiseAbs().maxCoeff()) break;
+    const double change = (now.total - before.total).cwiseAbs().maxCoeff();
+    if (change <= converged * now.total.cwiseAbs().maxCoeff()) break;
     before = now;
   }
-  return {.whole = fluid_density * now.whole, .inside = fluid_density * now.inside};
+  return {.total = fluid_density * now.total, .inside = fluid_density * now.inside};
 }
 
 double reynolds_stress_velocity(const Eigen::Matrix3cd& form, const Eigen::Vector3cd& induced_force) {

@@ -8,9 +8,9 @@ namespace beadswim {
 namespace {
 
 double phase_of(const std::complex<double>& x) {
-  if (std::abs(x) == 0) return 0;  // std::arg of a signed zero may be pi
+  if (std::abs(x) == 0) return 0;  // std::arg(-0.0) is pi
   const double phase = std::arg(x);
-  return phase > -std::numbers::pi ? phase : std::numbers::pi;  // -pi comes from an imaginary part of -0
+  return phase > -std::numbers::pi ? phase : std::numbers::pi;  // std::arg may return -pi
 }
 
 }  // namespace

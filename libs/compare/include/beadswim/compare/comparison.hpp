@@ -9,31 +9,33 @@
 #include "beadswim/compare/swimming.hpp"
 #include "beadswim/core/fields.hpp"
 
-// Runs held against references, and the verdict.
+// Comparison of runs with references, and the verdict.
 
 namespace beadswim {
 
 /// One swimmer of a run.
 struct RunSwimmer {
-  std::string source;  ///< the run's file
+  std::string source;  ///< file of the run
   int id = 0;
-  Swimming swimming;  ///< knows all quantities
+  ComparedValues swimming;  ///< contains all compared quantities
 };
 
-/// One method's answer for a swimmer: a prediction's method, or "run" for another run.
+/// Quantities of one swimmer that a run is compared with.
 struct Reference {
-  std::string source;  ///< the reference's file
-  std::string method;
-  bool usable = true;  ///< false: shown, never decides
-  Swimming swimming;
+  std::string source;  ///< file of the reference
+  std::string method;  ///< method of a prediction, or "run" for another run
+  bool usable = true;  ///< false: the comparison is shown but does not affect the verdict
+  ComparedValues swimming;
 };
 
+/// Determines which comparisons decide on the verdict.
 struct Criterion {
   std::vector<ComparedQuantity> quantities;
   double tolerance = 0;      ///< largest |relative error| that passes
-  std::size_t deciding = 0;  ///< position of the reference whose rows decide
+  std::size_t deciding = 0;  ///< index of the reference whose rows decide on the verdict
 };
 
+/// Comparison of one number of a run with the same number of a reference.
 struct ComparisonRow {
   ComparedQuantity quantity{};
   std::optional<int> arm;  ///< 1 or 2 for arm amplitudes
@@ -64,23 +66,25 @@ struct ComparisonRow {
   }
 };
 
-/// (run - reference)/|reference|; 0 if both are zero, infinite if the reference alone is.
+/// Returns (run - reference)/|reference|. Returns 0 if both numbers are zero, and infinity with the sign of
+/// `run` if only the reference is zero.
 double relative_error(double run, double reference);
 
-/// Root of the mean square of values, of which there is one at least.
+/// Returns the root of the mean square of at least one value.
 double root_mean_square(std::span<const double> values);
 
-/// Position of the best usable reference that knows all quantities: inertia-corrected, else multipole-ode,
-/// rpy-ode, rpy-perturbation, else the first; none if there is none.
+/// Returns the index of the best reference that is usable and contains all quantities; nullopt if there is
+/// none. The order of preference of the methods is inertia-corrected, multipole-ode, rpy-ode,
+/// rpy-perturbation, then all others. Among references of equal preference, the first is returned.
 std::optional<std::size_t> best_reference(std::span<const Reference> references,
                                           std::span<const ComparedQuantity> quantities);
 
-/// A row for each number that the run and a reference both have: by quantity, arm, then reference.
-/// Only rows of the deciding reference decide, and only if it is usable.
+/// Returns one row per number that both the run and a reference contain, ordered by quantity, arm and
+/// reference. The rows of the deciding reference decide on the verdict if this reference is usable.
 std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
                                            const Criterion& criterion);
 
-/// True if some row decides and all that decide pass.
+/// Returns true if at least one row decides and all deciding rows pass.
 bool verdict(std::span<const ComparisonRow> rows);
 
 }  // namespace beadswim

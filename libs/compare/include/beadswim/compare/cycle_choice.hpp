@@ -7,7 +7,7 @@
 
 namespace beadswim {
 
-/// Which of a swimmer's cycles to look at.
+/// Selection of cycles of a swimmer.
 struct CycleChoice {
   enum class Kind {
     last,   ///< the last `number` cycles
@@ -17,11 +17,13 @@ struct CycleChoice {
   int number = 1;
 };
 
-/// "last", "N" (the Nth cycle) or "mean:N" (the last N). Throws InputError of Setting::cycle.
+/// Parses "last" (the last cycle), "N" (the cycle with index N) or "mean:N" (the last N cycles). Throws
+/// InputError for Setting::cycle if the text is none of these.
 CycleChoice parse_cycle_choice(const std::string& text);
 
-/// `cycles` are in order of their index. Throws InputError naming `source` and the cycles there are.
-std::span<const CycleStatistics> chosen_cycles(std::span<const CycleStatistics> cycles,
+/// Returns the selected cycles. `cycles` are in increasing order of their index. Throws InputError if a
+/// selected cycle does not exist; the message names `source` and the available cycles.
+std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> cycles,
                                                const CycleChoice& choice, const std::string& source);
 
 }  // namespace beadswim

@@ -6,15 +6,15 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// What one swimmer did in one cycle of its driving. See docs/method/stroke-fit.md.
+// Motion of one swimmer in one cycle of its driving. See docs/method/stroke-fit.md.
 
 namespace beadswim {
 
-/// One swimmer at one time.
+/// State of one swimmer at one time.
 struct SwimmerSample {
-  double time = 0;
+  double time = 0;                     ///< [time]
   std::array<Vec3, 3> bead_positions;  ///< centres of beads 1, 2, 3, unwrapped [length]
-  Vec3 mean_flow = Vec3::Zero();       ///< volume-mean velocity of fluid and beads [length/time]
+  Vec3 mean_flow = Vec3::Zero();       ///< volume average of the velocity of fluid and beads [length/time]
 
   static void visit_fields(auto&& visit, auto& sample) {
     visit("time", sample.time);
@@ -23,15 +23,16 @@ struct SwimmerSample {
   }
 };
 
-/// Means and stroke over one period, in the samples' units and in the frame of the box.
+/// Mean quantities and stroke of one period, in the units of the samples and in the frame of the box.
 struct CycleStatistics {
-  int index = 0;                  ///< 1 for the first cycle
-  Vec3 velocity = Vec3::Zero();   ///< displacement of the mean bead position over the period / period
-  Vec3 axis = Vec3::UnitX();      ///< unit vector: mean direction from bead 1 to bead 3
-  double speed_along_axis = 0;    ///< velocity . axis
-  Vec3 mean_flow = Vec3::Zero();  ///< time average over the period
+  int index = 0;  ///< 1 for the first cycle
+  Vec3 velocity =
+      Vec3::Zero();           ///< displacement of the mean bead position, divided by the period [length/time]
+  Vec3 axis = Vec3::UnitX();  ///< unit vector of the time average of the direction from bead 1 to bead 3
+  double speed_along_axis = 0;             ///< velocity . axis [length/time]
+  Vec3 mean_flow = Vec3::Zero();           ///< time average over the period [length/time]
   std::array<double, 2> arm_amplitudes{};  ///< d1, d2 of (4.1) [length]
-  std::array<double, 2> arm_phases{};      ///< delta1, delta2 of (4.1), in (-pi, pi]
+  std::array<double, 2> arm_phases{};      ///< delta1, delta2 of (4.1), in (-pi, pi] [rad]
   std::array<double, 2> arm_means{};       ///< mean arm lengths [length]
 
   static void visit_fields(auto&& visit, auto& cycle) {
@@ -46,9 +47,13 @@ struct CycleStatistics {
   }
 };
 
-/// Statistics of the cycle whose samples are given: in order of time, the first and the last exactly one
-/// period apart, at least 4. Time averages are trapezoids over both ends; the stroke is fitted without the
-/// last sample, so that the rest tile the period. Throws InputError if the samples are not such a cycle.
+/// Evaluates the statistics of one cycle from its samples.
+///   index    number of the cycle, 1 for the first
+///   samples  at least 4, in order of time; the last sample is one period after the first
+///   period   [time]
+/// Time averages use the trapezoidal rule over all samples. The stroke is fitted without the last sample,
+/// because the first sample already represents this phase. Throws InputError if the samples do not satisfy
+/// the conditions.
 CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, double period);
 
 }  // namespace beadswim

@@ -7,35 +7,37 @@
 
 #include "beadswim/compare/swimming.hpp"
 
-// Errors of runs against their costs: runs of one setting, in order of their resolution.
+// Errors and costs of runs, grouped by setting and sorted by resolution.
 
 namespace beadswim {
 
-/// A run, its cost, and how its swimmers swim.
+/// A run with its cost and the compared quantities of its swimmers.
 struct CostedRun {
-  std::string source;
-  std::string setting;    ///< all that sets runs apart, but for the resolution
-  double resolution = 0;  ///< cells per bead radius; 0 without a lattice
+  std::string source;     ///< file of the run
+  std::string setting;    ///< everything that distinguishes runs, except the resolution
+  double resolution = 0;  ///< cells per bead radius; 0 for models without a lattice
   double cost = 0;        ///< [s]
-  std::vector<Swimming> swimmers;
+  std::vector<ComparedValues> swimmers;
 };
 
-/// Errors of runs of one setting at one resolution.
+/// Errors of all runs that share a setting and a resolution.
 struct ErrorsAtResolution {
-  double resolution = 0;
-  std::string source;                         ///< of the first run
-  double cost = 0;                            ///< median of the runs' [s]
-  std::map<ComparedQuantity, double> errors;  ///< root mean square over runs and swimmers, relative
+  double resolution = 0;  ///< cells per bead radius
+  std::string source;     ///< file of the first run
+  double cost = 0;        ///< median cost of the runs [s]
+  std::map<ComparedQuantity, double>
+      errors;  ///< root mean square of the relative errors of runs and swimmers
 };
 
+/// Errors of all runs that share a setting.
 struct ErrorsOfSetting {
   std::string setting;
-  std::vector<ErrorsAtResolution> resolutions;  ///< in increasing order
+  std::vector<ErrorsAtResolution> resolutions;  ///< in order of increasing resolution
 };
 
-/// Errors in the quantities that the reference knows, by setting in order of its first run. `reference` has
-/// one entry for all swimmers, or one for each.
+/// Returns the errors in those quantities that the reference contains. Settings are in the order of their
+/// first run. `reference` has one entry for all swimmers or one entry per swimmer.
 std::vector<ErrorsOfSetting> errors_by_setting(std::span<const CostedRun> runs,
-                                               std::span<const Swimming> reference);
+                                               std::span<const ComparedValues> reference);
 
 }  // namespace beadswim

@@ -9,12 +9,13 @@
 
 namespace beadswim {
 
-/// Distance from each point to its nearest neighbour [length], in the order of the points. Neighbours are all
-/// other points and, along periodic axes, the periodic images of all points, the point's own too: so a unit
-/// cell has the distances of the lattice that it stands for. Infinite where there is no neighbour; NaN for
-/// all points if one is not finite.
-///   points  anywhere, any number of periods outside of the box too
-///   box     of lengths > 0 along periodic axes; its other axes are not used; none: open space
+/// Returns the distance from each point to its nearest neighbour [length], in the order of the points.
+/// Neighbours are all other points and, along periodic axes, the periodic images of all points. The images of
+/// the point itself are also neighbours, so that the unit cell of a crystal yields the distances in the
+/// crystal. A distance is infinite if there is no neighbour. All distances are NaN if any point is
+/// non-finite.
+///   points  may be outside the box by any number of periods [length]
+///   box     with positive lengths along periodic axes [length]; other axes are ignored; nullopt: open space
 std::vector<double> nearest_neighbour_distances(std::span<const Vec3> points, const std::optional<Box>& box);
 
 }  // namespace beadswim

@@ -2,7 +2,7 @@
 
 #include <span>
 
-// The stroke of one arm (4.1). See docs/method/stroke-fit.md.
+// Least-squares fit of the stroke of one arm, equation (4.1) of the paper. See docs/method/stroke-fit.md.
 
 namespace beadswim {
 
@@ -10,13 +10,16 @@ namespace beadswim {
 struct StrokeFit {
   double mean = 0;       ///< [length]
   double amplitude = 0;  ///< d >= 0 [length]
-  double phase = 0;      ///< delta in (-pi, pi]; 0 if the amplitude vanishes [radian]
+  double phase = 0;      ///< delta in (-pi, pi] [rad]; 0 if the amplitude is zero
 };
 
-/// Least squares of (4.1) over samples lengths[i] at times[i], equally weighted; angular_frequency is w = 2
-/// pi/T. Samples should tile one period (both ends would count the seam twice); at n >= 4 uniform samples the
-/// fit is blind to every harmonic that n resolves. Throws InputError for fewer than 3 samples, unequal sizes,
-/// or times that do not determine the three unknowns (for instance all at multiples of half a period).
+/// Fits L(t) to equally weighted samples lengths[i] [length] at times[i] [time]. `angular_frequency` is w = 2
+/// pi/T [rad/time]. The samples should cover one period and include only one of its two ends, because the
+/// ends have the same phase. For n >= 4 samples at equal intervals, other harmonics that n samples resolve do
+/// not affect the fit. Throws InputError in these cases:
+///   - there are fewer than 3 samples
+///   - times and lengths have different sizes
+///   - the times do not determine the three unknowns, for example if all are multiples of half a period
 StrokeFit fit_stroke(std::span<const double> times, std::span<const double> lengths,
                      double angular_frequency);
 

@@ -8,23 +8,23 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// How a swarm swims and stands at the end of a base cycle. See docs/method/swarm-statistics.md.
+// Motion and order of a swarm at the end of a base cycle. See docs/method/swarm-statistics.md.
 
 namespace beadswim {
 
-/// One swimmer of a swarm at one time.
+/// State of one swimmer of a swarm at one time.
 struct SwarmMember {
-  Vec3 centre = Vec3::Zero();                 ///< mean of its bead centres, unwrapped [length]
+  Vec3 centre = Vec3::Zero();                 ///< mean position of the bead centres, unwrapped [length]
   Vec3 axis = Vec3::UnitX();                  ///< unit vector from bead 1 to bead 3
-  Vec3 initial_axis = Vec3::UnitX();          ///< the same at the start of the run
-  double kinetic_energy = 0;                  ///< of its beads [energy]
-  std::optional<CycleStatistics> last_cycle;  ///< last whole cycle of its own driving; none before one ended
+  Vec3 initial_axis = Vec3::UnitX();          ///< axis at the start of the run
+  double kinetic_energy = 0;                  ///< kinetic energy of the beads [energy]
+  std::optional<CycleStatistics> last_cycle;  ///< last complete cycle of its own driving, if there is one
 };
 
-/// How one quantity is spread over swimmers that count alike, in the quantity's unit.
+/// Distribution of one quantity over swimmers with equal weights, in the unit of the quantity.
 struct Spread {
   double mean = 0;
-  double deviation = 0;  ///< root of the mean squared difference from the mean (divided by N, not N - 1)
+  double deviation = 0;  ///< standard deviation: root of the mean squared difference from the mean (1/N)
   double smallest = 0, largest = 0;
 
   static void visit_fields(auto&& visit, auto& spread) {
@@ -35,16 +35,16 @@ struct Spread {
   }
 };
 
-/// How swimmers swam, each in its last cycle.
+/// Motion of the swimmers of a swarm, each in its last complete cycle.
 struct SwarmSwimming {
-  int swimmers = 0;                         ///< that have a cycle, at least 1
-  Vec3 velocity = Vec3::Zero();             ///< mean, in the frame of the box [length/time]
-  Vec3 velocity_deviation = Vec3::Zero();   ///< of each component, as Spread::deviation [length/time]
-  Spread speed_along_axis;                  ///< each along its own axis [length/time]
-  Vec3 mean_flow = Vec3::Zero();            ///< mean over swimmers of that in their cycles [length/time]
-  std::array<Spread, 2> arm_amplitudes{};   ///< d1, d2 of (4.1) [length]
-  std::array<Spread, 2> arm_means{};        ///< mean arm lengths [length]
-  std::array<double, 2> arm_phase_order{};  ///< Kuramoto |<exp(i delta)>| of delta1, delta2; 1: all in step
+  int swimmers = 0;                        ///< number of swimmers with a complete cycle, at least 1
+  Vec3 velocity = Vec3::Zero();            ///< mean velocity in the frame of the box [length/time]
+  Vec3 velocity_deviation = Vec3::Zero();  ///< standard deviation of each velocity component [length/time]
+  Spread speed_along_axis;                 ///< velocity of each swimmer along its own axis [length/time]
+  Vec3 mean_flow = Vec3::Zero();           ///< mean of CycleStatistics::mean_flow over swimmers [length/time]
+  std::array<Spread, 2> arm_amplitudes{};  ///< d1, d2 of (4.1) [length]
+  std::array<Spread, 2> arm_means{};       ///< mean arm lengths [length]
+  std::array<double, 2> arm_phase_order{};  ///< Kuramoto |<exp(i delta)>| of delta1, delta2; 1: equal phases
 
   static void visit_fields(auto&& visit, auto& swimming) {
     visit("swimmers", swimming.swimmers);
@@ -58,18 +58,18 @@ struct SwarmSwimming {
   }
 };
 
-/// A swarm at the end of a base cycle.
+/// State of a swarm at the end of a base cycle.
 struct SwarmStatistics {
-  int index = 0;                          ///< 1 for the first base cycle
-  int swimmers = 0;                       ///< all members, with a cycle or without
-  std::optional<SwarmSwimming> swimming;  ///< none before a swimmer has ended a cycle
-  Vec3 mean_axis = Vec3::Zero();          ///< <axis>; its direction is that of polar order
-  double polar_order = 0;                 ///< |<axis>|; 1: all point the same way
+  int index = 0;                          ///< number of the base cycle, 1 for the first
+  int swimmers = 0;                       ///< number of all swimmers
+  std::optional<SwarmSwimming> swimming;  ///< empty until a swimmer has completed a cycle
+  Vec3 mean_axis = Vec3::Zero();          ///< <axis>, the direction of polar order
+  double polar_order = 0;                 ///< |<axis>|; 1: all axes are equal
   double nematic_order = 0;               ///< S, largest eigenvalue of <(3 axis axis - 1)/2>; 1: all parallel
-  Vec3 director = Vec3::Zero();           ///< its unit eigenvector, of either sign: largest component > 0
-  Spread rotation;                        ///< angle between axis and initial axis, in [0, pi]
-  std::optional<Spread> nearest_neighbour;  ///< distance to it [length]; none for one swimmer without images
-  double kinetic_energy = 0;                ///< of all beads [energy]
+  Vec3 director = Vec3::Zero();           ///< unit eigenvector to S, with its largest component > 0
+  Spread rotation;                        ///< angle between axis and initial axis, in [0, pi] [rad]
+  std::optional<Spread> nearest_neighbour;  ///< distance [length]; empty for one swimmer without images
+  double kinetic_energy = 0;                ///< kinetic energy of all beads [energy]
 
   static void visit_fields(auto&& visit, auto& swarm) {
     visit("index", swarm.index);
@@ -85,9 +85,10 @@ struct SwarmStatistics {
   }
 };
 
-/// Statistics of a swarm at the end of base cycle `index`. Nearest neighbours are between centres and count
-/// periodic images as nearest_neighbours.hpp has it. All swimmers count
-/// alike, so that the order of members matters to roundoff only. Without members everything is zero or none.
+/// Evaluates the statistics of a swarm at the end of base cycle `index`. Nearest neighbours are those of
+/// swimmer centres, periodic images included (nearest_neighbours.hpp). All swimmers have equal weight, so
+/// that the order of `members` affects the result only by roundoff. Without members, all results are zero or
+/// empty.
 SwarmStatistics swarm_statistics(int index, std::span<const SwarmMember> members,
                                  const std::optional<Box>& box);
 

@@ -9,7 +9,7 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/names.hpp"
 
-// What runs and predictions are compared by.
+// Quantities in which runs and predictions are compared.
 
 namespace beadswim {
 
@@ -21,19 +21,22 @@ inline constexpr auto name_table<ComparedQuantity> =
                                                  {ComparedQuantity::arm_amplitudes, "arm_amplitudes"},
                                                  {ComparedQuantity::sin_phase_shift, "sin_phase_shift"}});
 
-/// How a swimmer swims, whatever says so; a source may know only some of the quantities.
+/// Compared quantities of one swimmer, from a run or a prediction. A source may provide only some of them.
 ///   velocity         { v }       along the swimmer's axis, in the frame of zero volume flux [length/time]
 ///   arm_amplitudes   { d1, d2 }  of (4.1) [length]
 ///   sin_phase_shift  { sin beta }, beta = delta1 - delta2
-using Swimming = std::map<ComparedQuantity, std::vector<double>>;
+using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
 
-/// velocity - mean_flow along the periodic axes, projected on the swimmer's axis. Across a wall-bounded axis
-/// the walls fix the frame, and the mean flow stays in.
-double velocity_against_fluid(const CycleStatistics& cycle, const std::optional<Box>& box);
+/// Returns the swimmer's velocity relative to the fluid, projected onto the swimmer's axis [length/time]. The
+/// mean flow is subtracted along periodic axes only: along other axes the walls define the frame of
+/// reference.
+double velocity_relative_to_fluid(const CycleStatistics& cycle, const std::optional<Box>& box);
 
-Swimming swimming_in(const CycleStatistics& cycle, const std::optional<Box>& box);
+/// Returns the compared quantities of one cycle, all of which are present.
+ComparedValues evaluate_compared_values(const CycleStatistics& cycle, const std::optional<Box>& box);
 
-/// Arithmetic mean of each quantity over cycles that hold the same quantities; `cycles` is not empty.
-Swimming mean_swimming(std::span<const Swimming> cycles);
+/// Returns the arithmetic mean of each quantity over at least one cycle. All cycles contain the same
+/// quantities.
+ComparedValues average_compared_values(std::span<const ComparedValues> cycles);
 
 }  // namespace beadswim

@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-/// The smallest box along the axes that holds some places, one at least.
+/// Smallest axis-aligned box that contains all given points. There must be at least one point.
 struct Bounds {
   Vec3 low, high;
 

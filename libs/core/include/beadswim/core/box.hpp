@@ -8,18 +8,19 @@
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// The box that holds fluid and swimmers, and its periodic and mirror images. Any coherent unit system.
+// The box that contains fluid and swimmers, with its periodic and mirror images. Any coherent unit system.
 //
 //   L_a  length of the box along axis a
-//   x_a  coordinate of a position; n_a = floor(x_a / L_a) numbers the periodic image that holds it
+//   x_a  coordinate of a position
+//   n_a  index of the periodic image that contains the position, floor(x_a / L_a)
 
 namespace beadswim {
 
-/// What closes the box at both ends of an axis.
+/// Boundary condition at both ends of an axis of the box.
 enum class Boundary {
   periodic,
-  free_slip,  ///< wall: no flow through it, no shear stress on it; acts as a mirror
-  no_slip,    ///< wall: the fluid at it is at rest
+  free_slip,  ///< wall without normal flow and without shear stress; it acts as a mirror
+  no_slip,    ///< wall at which the fluid is at rest
 };
 
 template <>
@@ -29,7 +30,7 @@ inline constexpr auto name_table<Boundary> = std::to_array<NamedValue<Boundary>>
 /// A rectangular box from the origin to `lengths`.
 struct Box {
   Vec3 lengths = Vec3::Zero();         ///< along x, y, z [length]
-  std::array<Boundary, 3> boundary{};  ///< of each axis
+  std::array<Boundary, 3> boundary{};  ///< boundary condition of each axis
 
   bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
   bool has_mirrors(int axis) const { return boundary[axis] == Boundary::free_slip; }
@@ -42,7 +43,7 @@ struct Box {
   }
 };
 
-/// Returns n_a along periodic axes, 0 along others.
+/// Returns n_a along periodic axes and 0 along the others.
 inline Vec3 image_number(const Vec3& position, const Box& box) {
   Vec3 image = Vec3::Zero();
   for (int a = 0; a < 3; ++a)
@@ -50,8 +51,8 @@ inline Vec3 image_number(const Vec3& position, const Box& box) {
   return image;
 }
 
-/// Wraps the periodic coordinates of a position into the box, x_a - L_a n_a. Leaves the others unchanged, and
-/// all in open space (no box).
+/// Wraps the periodic coordinates of a position into the box: x_a - L_a n_a. Other coordinates are unchanged.
+/// In open space (no box), all coordinates are unchanged.
 inline Vec3 wrapped(const Vec3& position, const std::optional<Box>& box) {
   return box ? Vec3(position - box->lengths.cwiseProduct(image_number(position, *box))) : position;
 }
@@ -67,16 +68,16 @@ inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::opti
   return separation;
 }
 
-/// Returns the lengths of the periodic box that holds the box and its mirror images: 2 L_a across free-slip
-/// walls, L_a along periodic axes; 0 in open space.
+/// Returns the lengths of the periodic box that consists of the box and its mirror images [length]: 2 L_a
+/// along axes with free-slip walls and L_a along periodic axes. In open space all lengths are 0.
 inline Vec3 mirrored_lengths(const std::optional<Box>& box) {
   Vec3 lengths = Vec3::Zero();
   for (int a = 0; a < 3 && box; ++a) lengths[a] = box->lengths[a] * (box->has_mirrors(a) ? 2 : 1);
   return lengths;
 }
 
-/// Appends the mirror images of positions, or of other vectors. Each free-slip axis in turn doubles the
-/// vectors: the images have the component along that axis reversed.
+/// Appends the mirror images of positions or of other vectors. Each free-slip axis doubles the number of
+/// vectors: the component along that axis changes sign in the image.
 inline void add_mirror_images(const std::optional<Box>& box, std::vector<Vec3>& vectors) {
   for (int a = 0; a < 3 && box; ++a) {
     if (!box->has_mirrors(a)) continue;

@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-/// Starts MPI for as long as it lives. One in a program, in main.
+/// Initialises MPI in the constructor and finalises it in the destructor. A program has one, in main.
 class MpiSession {
  public:
   MpiSession(int* argc, char*** argv);
@@ -34,10 +34,12 @@ class Communicator {
   int size_ = 1;
 };
 
-/// All ranks' bytes, rank after rank, on rank 0; empty elsewhere. At most 2 GiB in all. Collective.
+/// Gathers the bytes of all ranks on rank 0, in the order of the ranks. Returns an empty vector on other
+/// ranks. Throws SolverError on rank 0 if the total exceeds 2 GiB. Collective.
 std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator& communicator);
 
-/// Ranks of the communicator that share this rank's memory. Collective.
-int ranks_on_this_node(const Communicator& communicator);
+/// Returns the number of ranks of the communicator that share memory with this rank, itself included.
+/// Collective.
+int count_ranks_on_node(const Communicator& communicator);
 
 }  // namespace beadswim

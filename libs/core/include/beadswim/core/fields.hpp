@@ -6,7 +6,7 @@
 #include <type_traits>
 #include <vector>
 
-// A record lists its fields once, in a static member function beside them:
+// A record is a struct that lists its fields once, in a static member function:
 //
 //   struct Load {
 //     Vec3 force = Vec3::Zero();   ///< [mass length/time^2]
@@ -18,9 +18,9 @@
 //     }
 //   };
 //
-// A visitor takes the name of a field, a reference to it, and marks (below) that it may ignore. Names and
-// order are those of the keys in JSON. The list serves messages between ranks, hashes and checkpoints
-// (core/message.hpp), JSON (io/fields_json.hpp) and columns in HDF5 (io/columns.hpp).
+// A visitor takes the name of a field, a reference to the field, and marks (below), which it may ignore. The
+// names are the keys in JSON, in the same order. The list is used for messages between ranks, hashes and
+// checkpoints (core/message.hpp), for JSON (io/fields_json.hpp) and for columns in HDF5 (io/columns.hpp).
 
 namespace beadswim {
 
@@ -28,7 +28,7 @@ struct IgnoreField {
   void operator()(const char*, auto&, auto...) const {}
 };
 
-/// A struct, const or not, that lists its fields.
+/// A struct that lists its fields; T may be const.
 template <class T>
 concept HasFields = requires(T& record) {
   std::remove_const_t<T>::visit_fields(IgnoreField{}, record);
@@ -39,20 +39,20 @@ void visit_fields(auto&& visit, Record& record) {
   std::remove_const_t<Record>::visit_fields(visit, record);
 }
 
-/// Mark of a field whose key is missing in JSON where an optional has no value, or a list or text is empty.
-/// Without it the key of an optional is null.
+/// Mark of a field that JSON omits if it is an optional without value, an empty list or an empty text.
+/// Without this mark, an optional without value is written as null.
 struct OmittedIfNone {};
 inline constexpr OmittedIfNone omitted_if_none;
 
-/// Mark of a number whose key is missing in JSON where it is 0.
+/// Mark of a number that JSON omits if it is 0.
 struct OmittedIfZero {};
 inline constexpr OmittedIfZero omitted_if_zero;
 
-/// Mark of a number that is null in JSON where it is infinite.
+/// Mark of a number that is written as null in JSON if it is infinite.
 struct NullIfInfinite {};
 inline constexpr NullIfInfinite null_if_infinite;
 
-/// Mark of a field that is no column in HDF5.
+/// Mark of a field that is not written as a column in HDF5.
 struct NotAColumn {};
 inline constexpr NotAColumn not_a_column;
 
@@ -69,7 +69,7 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// Whether values of the type take different numbers of bytes.
+/// True if the number of bytes of a value in a message depends on the value.
 template <class T>
 inline constexpr bool varies_in_size = is_optional<T>;
 template <class T>

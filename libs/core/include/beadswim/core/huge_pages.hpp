@@ -4,8 +4,9 @@
 
 namespace beadswim {
 
-/// Zeroed memory, to be freed by std::free, on the large pages of the processor where the system grants them:
-/// many streams at once exhaust the table of small ones. Throws std::bad_alloc.
-void* zeros_on_huge_pages(std::size_t bytes);
+/// Allocates zeroed memory, on huge pages if the system provides them. A kernel that streams through many
+/// arrays at once would exceed the translation lookaside buffer for small pages. Free the memory with
+/// std::free. Throws std::bad_alloc.
+void* allocate_zeros_on_huge_pages(std::size_t bytes);
 
 }  // namespace beadswim

@@ -1,7 +1,7 @@
 #pragma once
 
-// The instruction sets for which kernels are compiled (beadswim_kernels in cmake/BeadswimTargets.cmake), and
-// the choice between them at run time.
+// Instruction sets for which kernels are compiled (beadswim_kernels in cmake/BeadswimTargets.cmake), and
+// their selection at run time.
 
 namespace beadswim::instruction_set_name {
 
@@ -9,8 +9,9 @@ constexpr const char *baseline = "baseline", *x86_64_v3 = "x86-64-v3", *x86_64_v
 
 }  // namespace beadswim::instruction_set_name
 
-/// kernels_of(instruction_set), for the best set that this processor can run; kernels_of: a macro.
-#if defined(__x86_64__) && !defined(__clang__)  // clang 14 knows no such names
+/// Evaluates kernels_of(instruction_set) for the best instruction set that this processor supports.
+/// `kernels_of` is a macro.
+#if defined(__x86_64__) && !defined(__clang__)  // clang 14 does not know these names
 #define BEADSWIM_BEST_KERNELS(kernels_of)                        \
   (__builtin_cpu_supports("x86-64-v4")   ? kernels_of(x86_64_v4) \
    : __builtin_cpu_supports("x86-64-v3") ? kernels_of(x86_64_v3) \

@@ -4,7 +4,8 @@
 
 namespace beadswim {
 
-/// Of an even number of values the mean of the middle two. `values` is not empty.
+/// Returns the median. For an even number of values it is the mean of the middle two. `values` must not be
+/// empty.
 double median(std::vector<double> values);
 
 }  // namespace beadswim

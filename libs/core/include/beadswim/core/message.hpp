@@ -10,16 +10,20 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Messages of plain values and of records (core/fields.hpp), between ranks of one machine and in its files.
-// Both kinds are called with a list of values, so that one function serves both directions.
+// Messages that contain plain values and records (core/fields.hpp). They are exchanged between ranks or
+// stored in files, and are valid only on machines with the same representation of numbers. OutgoingMessage
+// and IncomingMessage are called with a list of values, so that one function can serve both directions.
 
 namespace beadswim {
 
-/// Calls transfer(field) for the fields of a record, in the order that they have in messages and checkpoints:
-/// first plain values, then nested records, then arrays of records element by element, last fields that vary
-/// in size; each in the order of the record's list.
+/// Calls transfer(field) for each field of a record, in the order of messages and checkpoints:
+///   1. plain values
+///   2. nested records
+///   3. arrays of records: element 0 of all arrays, then element 1, ...
+///   4. fields that vary in size
+/// Within each group the order is that of the record's list of fields.
 template <HasFields Record>
-void for_each_in_message(Record& record, auto&& transfer) {
+void for_each_message_field(Record& record, auto&& transfer) {
   std::size_t longest = 0;
   visit_fields(
       [&]<class Field>(const char*, Field& field, auto...) {
@@ -56,6 +60,7 @@ template <class T>
 concept PlainValue =
     std::is_trivially_copyable_v<T> && !HasFields<T> && !is_record_array<T> && !varies_in_size<T>;
 
+/// Collects values in a sequence of bytes.
 class OutgoingMessage {
  public:
   template <class... T>
@@ -78,7 +83,7 @@ class OutgoingMessage {
   }
   template <HasFields Record>
   void put(const Record& record) {
-    for_each_in_message(record, [this](const auto& field) { put(field); });
+    for_each_message_field(record, [this](const auto& field) { put(field); });
   }
   void put(const Vec3& v) {
     for (int a = 0; a < 3; ++a) put(v[a]);
@@ -101,6 +106,7 @@ class OutgoingMessage {
   std::vector<char> bytes_;
 };
 
+/// Reads values from a sequence of bytes. Throws SolverError if the bytes are too few or damaged.
 class IncomingMessage {
  public:
   explicit IncomingMessage(std::vector<char> bytes) : bytes_(std::move(bytes)) {}
@@ -122,7 +128,7 @@ class IncomingMessage {
   }
   template <HasFields Record>
   void get(Record& record) {
-    for_each_in_message(record, [this](auto& field) { get(field); });
+    for_each_message_field(record, [this](auto& field) { get(field); });
   }
   void get(Vec3& v) {
     for (int a = 0; a < 3; ++a) get(v[a]);

@@ -11,14 +11,14 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 
-// The names of an enumeration's values, as flags and documents have them. An enumeration has one table, which
-// stands next to it:
+// Names of the values of an enumeration, as used in flags and documents. Each enumeration has one table,
+// which is defined next to it:
 //
 //   template <>
 //   inline constexpr auto name_table<Precision> =
 //       std::to_array<NamedValue<Precision>>({{Precision::fp64, "double"}, {Precision::fp32, "single"}});
 //
-// JSON documents (io/json.hpp) and command lines (tools/named_flags.hpp) take it from there.
+// JSON documents (io/json.hpp) and command lines (tools/named_flags.hpp) use this table.
 
 namespace beadswim {
 
@@ -28,14 +28,15 @@ struct NamedValue {
   std::string_view name;
 };
 
-/// All values of an enumeration with their names, in the order in which help lists them.
+/// All values of an enumeration with their names, in the order in which the help text lists them.
 template <typename Enum>
 inline constexpr std::array<NamedValue<Enum>, 0> name_table{};
 
 template <typename Enum>
-concept NamedEnum = std::is_enum_v<Enum> && name_table<Enum>.size() > 0;
+concept NamedEnum = std::is_enum_v<Enum> && name_table<Enum>
+.size() > 0;
 
-/// All values, in the order of the table.
+/// All values of an enumeration, in the order of its table.
 template <NamedEnum Enum>
 inline constexpr auto all_values = [] {
   std::array<Enum, name_table<Enum>.size()> values{};
@@ -56,18 +57,18 @@ std::string to_text(Enum value) {
   return std::string(row->name);
 }
 
-/// The value of that name, if there is one.
+/// Returns the value with this name, or nullopt if there is none.
 template <NamedEnum Enum>
 std::optional<Enum> value_named(std::string_view name) {
   const auto row = std::ranges::find(name_table<Enum>, name, &NamedValue<Enum>::name);
   return row == name_table<Enum>.end() ? std::nullopt : std::optional(row->value);
 }
 
-/// The value of that name. Throws InputError that lists all names if there is none.
+/// Returns the value with this name. Throws InputError with a list of all names if there is none.
 template <NamedEnum Enum>
 Enum from_text(const std::string& name) {
   if (const auto value = value_named<Enum>(name)) return *value;
-  throw InputError(unknown_name(name, all_names<Enum>()));
+  throw InputError(format_unknown_name(name, all_names<Enum>()));
 }
 
 }  // namespace beadswim

@@ -5,15 +5,17 @@
 
 namespace beadswim {
 
-/// The candidate that was probably meant by `name`, or empty if none is near. Near is what can be made of
-/// `name` by few insertions, deletions, substitutions and swaps of neighbours, as a whole or as a part of the
-/// candidate ("viscosty" of "kinematic_viscosity"). Of several, the one with the fewest.
+/// Returns the candidate that a misspelt `name` probably stands for, or an empty text if there is none. A
+/// candidate qualifies if few insertions, deletions, substitutions and swaps of adjacent letters turn `name`
+/// into the candidate or into a part of it ("viscosty" and "kinematic_viscosity"). If several candidates
+/// qualify, returns the one with the fewest such changes.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
-/// How a message about an unknown name goes on: "; did you mean \"NEAREST\"?", or "." if none is near.
-std::string guess_at(const std::string& name, const std::vector<std::string>& candidates);
+/// Returns the end of a message about an unknown name: "; did you mean \"NEAREST\"?", or "." if
+/// nearest_name() finds no candidate.
+std::string format_suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
-/// "unknown \"NAME\"", the nearest of `allowed` if there is one, and all of them.
-std::string unknown_name(const std::string& name, const std::vector<std::string>& allowed);
+/// Returns the message "unknown \"NAME\"", followed by the suggestion, if any, and by all `allowed` names.
+std::string format_unknown_name(const std::string& name, const std::vector<std::string>& allowed);
 
 }  // namespace beadswim

@@ -2,18 +2,19 @@
 
 #include "beadswim/core/kernel.hpp"
 
-// The cut of OrderFreeSum in plain doubles, for loops that are to run in lanes.
+// Splits terms of an OrderFreeSum into a coarse and a fine part, in double precision, for vectorised loops.
 //
-// Adding 3/2 x 2^22 to a number below 2^21 and taking it away again rounds the number to a whole multiple of
-// 2^-30, ties to even, as OrderFreeSum does. 4096 such multiples below 2^10 add up exactly, in any order. The
-// remainders likewise, in units of 2^-62.
+// Adding and then subtracting 3/2 x 2^22 rounds a number x with |x| < 2^21 to a multiple of 2^-30, ties to
+// even, as OrderFreeSum does. This multiple is the coarse part. The fine part is the remainder, rounded in
+// the same way to a multiple of 2^-62. Up to 4096 coarse parts below 2^10 have an exact sum in double
+// precision, in any order, and so have their fine parts.
 
 namespace beadswim::order_free {
 
-constexpr double largest_term = 0x1p10;  ///< terms are smaller
-constexpr int most_terms = 4096;         ///< that may be added up in doubles
+constexpr double largest_term = 0x1p10;  ///< exclusive upper bound of |term|
+constexpr int max_terms = 4096;          ///< maximum number of terms whose parts are summed in doubles
 
-// Value: double, or a vector of doubles.
+// `Value` is double or a vector of doubles.
 
 template <class Value>
 BEADSWIM_KERNEL Value coarse_part(Value x) {

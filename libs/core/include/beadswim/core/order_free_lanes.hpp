@@ -8,23 +8,24 @@
 
 namespace beadswim {
 
-/// N order-free sums side by side, each in 8 lanes, which kernels feed with terms that they have cut
-/// (order_free_cut.hpp).
+/// N order-free sums, each with 8 partial sums (lanes). Kernels add terms that are split into coarse and fine
+/// parts (order_free_cut.hpp).
 template <int N>
 struct OrderFreeLanes {
   static constexpr int lanes = 8;
 
   double coarse[N][lanes] = {}, fine[N][lanes] = {};
-  int terms = 0;  ///< in each lane, at most order_free::most_terms
+  int terms = 0;  ///< number of terms in each lane, at most order_free::max_terms
   std::array<OrderFreeSum, N> sums;
 
-  /// Makes room for so many terms in each lane.
-  void make_room(int more) {
-    if (terms + more > order_free::most_terms) gather();
+  /// Prepares each lane for `more` further terms: moves the lanes into the sums if they would exceed the
+  /// maximum.
+  void reserve_terms(int more) {
+    if (terms + more > order_free::max_terms) gather();
     terms += more;
   }
 
-  /// The sums so far, which start anew.
+  /// Returns the sums and resets them to zero.
   std::array<OrderFreeSum, N> take() {
     gather();
     return std::exchange(sums, {});
@@ -34,7 +35,7 @@ struct OrderFreeLanes {
   void gather() {
     for (int n = 0; n < N; ++n) {
       for (int lane = 0; lane < lanes; ++lane) {
-        sums[n].add_cut(coarse[n][lane], fine[n][lane]);
+        sums[n].add_split(coarse[n][lane], fine[n][lane]);
         coarse[n][lane] = fine[n][lane] = 0;
       }
     }

@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-/// The processor's name as the system has it; "unknown" where it has none.
+/// Returns the processor's model name as the operating system reports it, or "unknown".
 std::string processor_name();
 
 }  // namespace beadswim

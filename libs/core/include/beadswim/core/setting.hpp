@@ -6,7 +6,7 @@
 
 #include "beadswim/core/names.hpp"
 
-// What callers of the libraries choose, as messages name it: in words, or by the flags of a program.
+// Settings that callers of the libraries choose. Messages name them in words or by the flags of a program.
 
 namespace beadswim {
 
@@ -72,11 +72,12 @@ inline constexpr auto name_table<Setting> =
                                         {Setting::unbounded, "unbounded fluid"},
                                         {Setting::viscosity, "the viscosity"}});
 
-/// What messages call a setting: its words, unless the program has put flags in their place.
+/// Returns the name of a setting in messages: words, unless the program has replaced them by flags.
 std::string name_of(Setting setting);
 
-/// Lets all later messages name settings by `name`. A program calls it once, before it calls a library.
-void name_settings_by(std::string (*name)(Setting));
+/// Makes all later messages name settings by `name`. A program calls this function once, before it uses a
+/// library.
+void set_setting_names(std::string (*name)(Setting));
 
 }  // namespace beadswim
 

@@ -6,19 +6,19 @@
 
 namespace beadswim {
 
-/// SHA-256 of a stream of bytes.
+/// Computes the SHA-256 hash of a stream of bytes.
 class Sha256 {
  public:
   Sha256();
 
   void update(std::span<const std::byte> bytes);
-  std::string hexadecimal();  ///< 64 digits; ends the stream
+  std::string hexadecimal();  ///< ends the stream and returns the hash as 64 hexadecimal digits
 
  private:
-  struct Free {
+  struct FreeContext {
     void operator()(void* context) const;
   };
-  std::unique_ptr<void, Free> context_;
+  std::unique_ptr<void, FreeContext> context_;
 };
 
 }  // namespace beadswim

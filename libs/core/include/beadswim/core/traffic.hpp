@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-/// What one rank has sent to others.
+/// Number and total size of the messages that one rank has sent to other ranks.
 struct Traffic {
   std::int64_t messages = 0;
   std::int64_t bytes = 0;

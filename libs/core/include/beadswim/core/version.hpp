@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-std::string version();   ///< "0.1.0"
-std::string revision();  ///< git revision at build time, or "unknown"
+std::string version();   ///< returns the version, for example "0.1.0"
+std::string revision();  ///< returns the git revision at build time, or "unknown"
 
 }  // namespace beadswim

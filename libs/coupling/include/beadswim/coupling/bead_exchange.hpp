@@ -15,45 +15,48 @@
 
 namespace beadswim {
 
-/// Gap between a bead and a wall below which the first cells along the wall would be covered [cell].
-constexpr double nearest_to_wall = 0.5;
+/// Smallest permitted gap between a bead and a wall [cell]. With a smaller gap a bead can cover the cells
+/// next to the wall.
+constexpr double min_wall_gap = 0.5;
 
-/// An arm longer than this many rest lengths is torn.
-constexpr double longest_stretch = 2;
+/// Largest permitted length of an arm [rest length]. A longer arm counts as torn.
+constexpr double max_stretch = 2;
 
-/// Messages between the rank that owns a swimmer and those whose cells its beads touch.
+/// Exchanges messages between the rank that owns a swimmer and the ranks whose cells its beads touch.
 ///
-/// The rank whose block holds bead 2 owns the swimmer. Each step it tells the ranks near its beads where they
-/// are (publish), and these return what their cells handed to the beads (collect). Ranks talk to a fixed set
-/// of peers, those within the reach of a swimmer's arms; nothing is global.
+/// The rank whose block contains bead 2 owns the swimmer. In each step the owner sends the beads to the ranks
+/// near them (publish), and these ranks return the impulses that their cells have transferred to the beads
+/// (collect). A rank communicates with a fixed set of peers: the ranks that the beads of its swimmers can
+/// touch. There is no global communication.
 class BeadExchange {
  public:
   BeadExchange(const Communicator& communicator, const Decomposition& decomposition,
                const CoupledScene& scene);
 
-  /// Rank whose block holds a point given in unwrapped coordinates.
+  /// Returns the rank whose block contains `position` (unwrapped coordinates [cell]).
   int owner_of(const Vec3& position) const;
 
-  /// What forbids to publish a swimmer: an arm longer than longest_stretch times its rest length, as its
-  /// owner would no longer reach the ranks that its beads touch, or a bead nearer than nearest_to_wall to
-  /// one. The fault's step is not set.
-  std::optional<Fault> out_of_reach(const SwimmerState& swimmer) const;
+  /// Returns the fault that forbids the publication of a swimmer, if there is one: an arm longer than
+  /// max_stretch, whose beads may touch ranks that are no peers of the owner, or a bead nearer to a wall than
+  /// min_wall_gap. The step of the fault is not set.
+  std::optional<Fault> position_fault(const SwimmerState& swimmer) const;
 
-  /// Hands swimmers whose bead 2 has left the block to their new owners, and returns the beads near this
-  /// block, in order of their names.
+  /// Moves swimmers whose bead 2 has left the block from `owned` to their new owners. Returns the beads near
+  /// this block, sorted by name.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
-  /// Sent so far.
+  /// Returns the messages that have been sent so far.
   const Traffic& traffic() const { return traffic_; }
 
-  /// Ranks that it talks to, itself among them.
+  /// Returns the ranks that this rank communicates with, including itself.
   const std::vector<int>& peers() const { return peers_; }
 
-  /// Returns this rank's impulses to the owners; the totals of owned swimmers' beads come back.
+  /// Sends the impulses of `beads` to their owners. Returns the total impulses on the beads of owned
+  /// swimmers.
   std::map<BeadName, Impulse> collect(std::span<const BeadOnLattice> beads);
 
  private:
-  using Buffers = std::vector<std::vector<char>>;  ///< one a peer
+  using Buffers = std::vector<std::vector<char>>;  ///< one per peer
 
   std::vector<char> announcement(const std::vector<SwimmerState>& owned, int peer) const;
   Buffers exchange(const Buffers& to_peers, int tag);
@@ -61,11 +64,11 @@ class BeadExchange {
   MPI_Comm comm_;
   int rank_;
   Decomposition decomposition_;
-  std::vector<BlockInLattice> blocks_;  ///< of all ranks
+  std::vector<BlockInLattice> blocks_;  ///< blocks of all ranks
   std::vector<int> peers_;
   Traffic traffic_;
   const std::vector<SwimmerType>& types_;
-  std::vector<std::array<double, 3>> radii_;  ///< on the lattice, of each type
+  std::vector<std::array<double, 3>> radii_;  ///< of each type, as the fluid sees the beads [cell]
 };
 
 }  // namespace beadswim

@@ -7,23 +7,23 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/block.hpp"
 
-// Where a bead, whose coordinates are never wrapped, meets a block of a lattice that may be periodic.
+// Images of a bead in a block of a lattice that may be periodic. The coordinates of a bead are never wrapped.
 
 namespace beadswim {
 
-/// Cells [low, high) of a block, in local coordinates (-margin to size + margin), that an image of a bead may
-/// cover. Cell p of the block is cell p + shift in the bead's own unwrapped coordinates.
+/// Cells [low, high) of a block that an image of a bead may cover, in local coordinates (-margin to size +
+/// margin). Cell p of the block is cell p + shift in the unwrapped coordinates of the bead.
 struct BeadImage {
   Index3 low, high;
   Index3 shift;
 };
 
-/// Whether cells of one box may be within `distance` cells of cells of the other.
+/// Returns true if the boxes of two images are at most `distance` cells apart along every axis.
 inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
   return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
 }
 
-/// The lattice as seen by beads: its size, what closes it, and one block of it.
+/// A block, and the size and boundaries of the lattice that contains it.
 struct BlockInLattice {
   Block block;
   Index3 cells;
@@ -37,40 +37,43 @@ BlockInLattice block_in_lattice(const Decomposition& decomposition, int rank,
 
 namespace detail {
 
+/// Local cells [low, high); cell + shift is the cell in unwrapped coordinates.
 struct Interval {
   int low, high, shift;
 };
 
-/// Calls visit(Interval) for each periodic image of the unwrapped cells [low, high) on a block's axis that
-/// meets its cells [-margin, size + margin).
+/// Calls visit(Interval) for each periodic image of the unwrapped cells [low, high) that overlaps the cells
+/// [-margin, size + margin) of a block along `axis`.
 template <class Visit>
-void for_each_image_on_axis(const BlockInLattice& at, int axis, int margin, int low, int high,
+void for_each_image_on_axis(const BlockInLattice& lattice_block, int axis, int margin, int low, int high,
                             Visit&& visit) {
-  const int offset = at.block.offset[axis], size = at.block.size[axis], period = at.cells[axis];
-  const auto visit_if_met = [&](int shift) {  // unwrapped = local + shift
+  const int offset = lattice_block.block.offset[axis], size = lattice_block.block.size[axis],
+            period = lattice_block.cells[axis];
+  const auto visit_if_overlapping = [&](int shift) {  // unwrapped = local + shift
     const int first = std::max(low - shift, -margin), end = std::min(high - shift, size + margin);
-    if (first < end) visit(Interval{first, end, shift});
+    if (first < end) visit(Interval{.low = first, .high = end, .shift = shift});
   };
-  if (!at.is_periodic(axis)) return visit_if_met(offset);
+  if (!lattice_block.is_periodic(axis)) return visit_if_overlapping(offset);
   const int lowest = low - (size + margin) - offset, highest = high + margin - offset;
   const auto floor_division = [](int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); };
-  for (int k = floor_division(lowest, period); k * period <= highest; ++k) visit_if_met(offset + k * period);
+  for (int k = floor_division(lowest, period); k * period <= highest; ++k)
+    visit_if_overlapping(offset + k * period);
 }
 
 }  // namespace detail
 
-/// Calls visit(BeadImage) for every image of a bead that may cover cells of the block or of `margin` cells
-/// around it.
+/// Calls visit(BeadImage) for every image of a bead that may cover cells of the block or of the `margin`
+/// layers of cells around it.
 template <class Visit>
-void for_each_image(const BlockInLattice& at, int margin, const Vec3& position, double radius,
+void for_each_image(const BlockInLattice& lattice_block, int margin, const Vec3& position, double radius,
                     Visit&& visit) {
   // Cell i has its centre at i + 1/2.
   const Index3 low = (position.array() - (radius + 0.5)).ceil().cast<int>();
   const Index3 high = (position.array() + (radius - 0.5)).floor().cast<int>() + 1;
   using detail::Interval;
-  detail::for_each_image_on_axis(at, 2, margin, low[2], high[2], [&](const Interval& z) {
-    detail::for_each_image_on_axis(at, 1, margin, low[1], high[1], [&](const Interval& y) {
-      detail::for_each_image_on_axis(at, 0, margin, low[0], high[0], [&](const Interval& x) {
+  detail::for_each_image_on_axis(lattice_block, 2, margin, low[2], high[2], [&](const Interval& z) {
+    detail::for_each_image_on_axis(lattice_block, 1, margin, low[1], high[1], [&](const Interval& y) {
+      detail::for_each_image_on_axis(lattice_block, 0, margin, low[0], high[0], [&](const Interval& x) {
         visit(BeadImage{.low = {x.low, y.low, z.low},
                         .high = {x.high, y.high, z.high},
                         .shift = {x.shift, y.shift, z.shift}});
@@ -79,7 +82,8 @@ void for_each_image(const BlockInLattice& at, int margin, const Vec3& position, 
   });
 }
 
-/// Whether any image of the bead may cover a cell of the block or of `margin` cells around it.
-bool touches(const BlockInLattice& at, int margin, const Vec3& position, double radius);
+/// Returns true if an image of the bead may cover a cell of the block or of the `margin` layers of cells
+/// around it.
+bool touches(const BlockInLattice& lattice_block, int margin, const Vec3& position, double radius);
 
 }  // namespace beadswim

@@ -8,7 +8,7 @@
 
 namespace beadswim {
 
-/// Name of a bead in the whole scene.
+/// Identifies a bead in the scene.
 struct BeadName {
   int swimmer = 0;  ///< id
   int bead = 0;     ///< 0, 1, 2
@@ -16,15 +16,14 @@ struct BeadName {
   auto operator<=>(const BeadName&) const = default;
 };
 
-/// What the fluid and close beads hand to a bead, in sums without order.
+/// Impulses that the fluid and close beads transfer to a bead, as order-free sums.
 struct Impulse {
   std::array<OrderFreeSum, 3> linear, angular;  ///< momentum, and angular momentum about the centre
-  OrderFreeSum mass;                            ///< of fluid, over that of as many cells at density 1
-  OrderFreeSum link_weight;                     ///< sum of w_i over the bead's links
-  std::array<OrderFreeSum, 3> inner_linear,
-      inner_angular;  ///< what fluid within the bead has, where there is
-  std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< from beads that are close
-  OrderFreeSum firmness;                                    ///< PairImpulse::firmness of these pairs
+  OrderFreeSum mass;         ///< fluid mass, minus the mass of the same number of cells at density 1
+  OrderFreeSum link_weight;  ///< sum of w_i over the links of the bead
+  std::array<OrderFreeSum, 3> inner_linear, inner_angular;  ///< of the fluid within the bead (psm)
+  std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< impulses from close beads
+  OrderFreeSum removed_fraction;  ///< sum of PairImpulse::removed_fraction over the close pairs
 
   static void visit_fields(auto&& visit, auto&... impulses) {
     visit("linear", impulses.linear...);
@@ -35,10 +34,10 @@ struct Impulse {
     visit("inner_angular", impulses.inner_angular...);
     visit("close_linear", impulses.close_linear...);
     visit("close_angular", impulses.close_angular...);
-    visit("firmness", impulses.firmness...);
+    visit("removed_fraction", impulses.removed_fraction...);
   }
 
-  /// Adds the momentum p handed over at `from_centre`.
+  /// Adds the momentum p, transferred at the point `from_centre` relative to the centre of the bead.
   void add(const Vec3& p, const Vec3& from_centre) {
     const Vec3 l = from_centre.cross(p);
     for (int a = 0; a < 3; ++a) {
@@ -63,7 +62,7 @@ struct Impulse {
   }
 };
 
-/// Of a rigid bead.
+/// Velocity and angular velocity of a rigid bead.
 struct BeadVelocity {
   Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();
 
@@ -73,31 +72,31 @@ struct BeadVelocity {
   }
 };
 
-/// A bead as the ranks see whose cells it touches.
+/// A bead as stored by the ranks whose cells it touches, in lattice units.
 struct BeadOnLattice {
   BeadName name;
   int owner = 0;      ///< rank that advances it and gathers its impulses
-  double radius = 0;  ///< with which the fluid meets it
+  double radius = 0;  ///< radius for the fluid [cell]
   BeadMotion motion;
-  Bead body{};               ///< with which other beads meet it
-  BeadVelocity predicted{};  ///< at the end of the coming step, if no other bead were close
-  double firmness = 0;       ///< of its close pairs in the last step
-  double mass_source = 0;    ///< fluid mass that each link returns in this step, over its weight w_i
-  Impulse impulse;           ///< from this rank's cells, since the last time the owner collected
+  Bead body{};                  ///< radius and density for the interaction with other beads
+  BeadVelocity predicted{};     ///< velocities at the end of the next step if no other bead were close
+  double removed_fraction = 0;  ///< sum over its close pairs in the last step
+  double mass_source = 0;  ///< returned mass: fluid mass that each link returns in this step, divided by w_i
+  Impulse impulse;         ///< from the cells of this rank since the last collection by the owner
 
-  /// Visits what the owner tells other ranks, which is all but the impulse.
+  /// Visits the fields that the owner sends to other ranks: all fields except the impulse.
   static void visit_fields(auto&& visit, auto& bead) {
     visit("name", bead.name);
     visit("owner", bead.owner);
     visit("radius", bead.radius);
     visit("mass_source", bead.mass_source);
     visit("body", bead.body);
-    visit("firmness", bead.firmness);
+    visit("removed_fraction", bead.removed_fraction);
     visit("predicted", bead.predicted);
     visit("motion", bead.motion);
   }
 
-  /// Velocity of the rigid bead at a point relative to its centre.
+  /// Returns the velocity of the rigid bead at a point relative to its centre.
   Vec3 velocity_at(const Vec3& from_centre) const {
     return motion.velocity + motion.angular_velocity.cross(from_centre);
   }

@@ -4,15 +4,15 @@
 
 namespace beadswim {
 
-/// How fluid and beads meet: what returns to the fluid along a link that ends in a bead, or no links at all.
+/// Scheme of the no-slip condition on beads.
 enum class BeadScheme {
-  staircase,  ///< bounce-back half-way: the bead is a staircase of cells
-  cli,        ///< central linear interpolation: the surface is where it is along each link
-  mr,         ///< multireflection: the same for flows that are parabolic along the link
-  psm,        ///< no links: fluid fills beads too, and partially saturated cells hold it to their motion
+  staircase,  ///< half-way bounce-back on links; the surface is a staircase of cells
+  cli,        ///< central linear interpolation: uses the position of the surface on each link
+  mr,         ///< multireflection: exact also for flows that are parabolic along the link
+  psm,        ///< partially saturated cells: no links; fluid within beads is forced to move with them
 };
 
-/// What users can choose and tests/verification measures.
+/// Schemes that users can choose and that tests/verification measures.
 template <>
 inline constexpr auto name_table<BeadScheme> =
     std::to_array<NamedValue<BeadScheme>>({{BeadScheme::staircase, "staircase"},
@@ -20,11 +20,12 @@ inline constexpr auto name_table<BeadScheme> =
                                            {BeadScheme::mr, "mr"},
                                            {BeadScheme::psm, "psm"}});
 
+/// Returns false for psm, which couples by forces in cells.
 constexpr bool has_links(BeadScheme scheme) {
   return scheme != BeadScheme::psm;
 }
 
-/// How many fluid cells behind its own a link reads.
+/// Returns the number of fluid cells behind its own fluid cell that a link reads.
 constexpr int cells_behind(BeadScheme scheme) {
   switch (scheme) {
     case BeadScheme::cli:

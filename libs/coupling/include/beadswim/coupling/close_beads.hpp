@@ -11,40 +11,43 @@
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
 
-// The loop over beads that are close to each other or to periodic images; the law is in
-// swimmers/near_contact.hpp. It works on one rank's block.
+// Loop over pairs of close beads, including periodic images, on the block of one rank. The law of one pair is
+// in swimmers/near_contact.hpp.
 
 namespace beadswim {
 
-/// Cut-offs below which the lattice lacks resistance of the film between two beads [cell]: where the
-/// resistance that it has, the same at all smaller gaps, is the exact one (docs/verification.md). Beads are
-/// rough by a thousandth of the smallest one's radius.
+/// Returns the cutoffs below which the lattice lacks resistance of the film between two beads [cell]. Below
+/// some gap the resistance of the lattice is constant; the cutoff is the gap at which this constant equals
+/// the exact resistance (docs/verification.md). The smallest gap, which models roughness, is a thousandth of
+/// smallest_radius.
 LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius);
 
-/// The scene's law, in lattice units.
+/// Returns the near-contact law of the scene, in lattice units.
 NearContactLaw near_contact_law(const CoupledScene& scene);
 
-/// Beads deeper in each other than this part of the smaller one's radius are at fault.
-constexpr double deepest_overlap = 0.2;
+/// Largest permitted overlap of two beads [radius of the smaller bead].
+constexpr double max_overlap = 0.2;
 
-/// The fault, its step not set, if beads are deeper in each other than that.
+/// Returns a fault if the overlap -gap exceeds max_overlap. The step of the fault is not set.
 std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
                                 double smaller_radius);
 
+/// Result of add_contact_impulses().
 struct CloseBeads {
-  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of those within the law's reach [cell]
-  std::optional<Fault> overlap;                                   ///< the first, if any
+  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of pairs within the cutoff [cell]
+  std::optional<Fault> overlap;  ///< the first overlap that exceeds max_overlap
 };
 
-/// Adds what close beads hand each other in the coming step to their impulses, but for beads of the same
-/// swimmer as they are joined: these are its owner's (push_chain). Each pair of images belongs to the block
-/// in which the middle of its gap lies.
-CloseBeads push_close_beads(const NearContactLaw& law, const Coverage& coverage,
-                            std::span<BeadOnLattice> beads);
+/// Adds the impulses of close pairs in the next step to the beads. Skips pairs within one swimmer, unless one
+/// bead is a periodic image: the owner of the swimmer evaluates them (add_swimmer_contact_impulses). Each
+/// pair is evaluated in the block that contains the middle of its gap.
+CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& coverage,
+                                std::span<BeadOnLattice> beads);
 
-/// The same among a swimmer's own beads, where they are at the start of a step: adds to `impulses` what
-/// others hand them, and to swimmer.firmness.
-void push_chain(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
-                SwimmerLoads& impulses);
+/// Adds to `impulses` the impulses of close pairs within one swimmer, at the positions of the start of the
+/// step. Before the call, `impulses` must contain the impulses from the beads of other swimmers. Also adds to
+/// swimmer.removed_fraction.
+void add_swimmer_contact_impulses(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
+                                  SwimmerLoads& impulses);
 
 }  // namespace beadswim

@@ -7,12 +7,12 @@
 
 namespace beadswim {
 
-/// Sums over the whole scene, in lattice units.
+/// Totals of the complete scene, in lattice units.
 struct SceneTotals {
-  Vec3 momentum = Vec3::Zero();   ///< of fluid and beads, and of impulses under way between them
-  Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity, covered cells moving with their bead
-  /// Mass of the fluid, and of what beads hold of it, beyond density 1, relative to the mass of a box of
-  /// fluid.
+  Vec3 momentum = Vec3::Zero();   ///< of fluid and beads, including pending impulses
+  Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity; covered cells move with their bead
+  /// Sum of (density - 1) over the fluid, plus the fluid mass that beads hold, divided by the number of
+  /// cells.
   double mass_excess = 0;
 
   static void visit_fields(auto&& visit, auto& totals) {
@@ -22,10 +22,11 @@ struct SceneTotals {
   }
 };
 
-/// Whether mass, or momentum in a periodic box, has changed by more than roundoff explains, or is no number;
-/// momentum relative to that of all beads at `bead_speed`, the largest so far [cell/step]. Six cycles of the
-/// paper's swimmer at 2 cells a radius lost 2e-15 of momentum and no mass in double precision, 4e-7 and 2e-11
-/// in single; the limits are far beyond. The fault's step is not set.
+/// Returns a fault if the mass, or in a periodic box the momentum, has changed by more than roundoff explains
+/// or is non-finite. The change of momentum is divided by the momentum of all beads at `bead_speed`, the
+/// largest speed so far [cell/step]. Six cycles of the paper's swimmer at 2 cells per radius lost 2e-15 of
+/// the momentum and no mass in double precision, and 4e-7 and 2e-11 in single precision. The limits are far
+/// larger. The step of the fault is not set.
 std::optional<Fault> conservation_fault(const CoupledScene& scene, const SceneTotals& first,
                                         const SceneTotals& now, double bead_speed);
 

@@ -25,21 +25,21 @@
 
 namespace beadswim {
 
-/// What a checkpoint keeps of a system beside its populations and swimmers.
-struct SystemMoment {
+/// State of a system besides populations and swimmers, for checkpoints.
+struct SystemProgress {
   long steps_done = 0;
-  double largest_bead_speed = 0;  ///< so far
-  double smallest_gap = 0;        ///< so far
+  double largest_bead_speed = 0;  ///< so far [cell/step]
+  double smallest_gap = 0;        ///< so far [cell]
 
-  /// Visits the extremes so far.
-  static void visit_fields(auto&& visit, auto& moment) {
-    visit("largest_bead_speed", moment.largest_bead_speed);
-    visit("smallest_gap", moment.smallest_gap);
+  /// Visits the extremes, but not the number of steps.
+  static void visit_fields(auto&& visit, auto& progress) {
+    visit("largest_bead_speed", progress.largest_bead_speed);
+    visit("smallest_gap", progress.smallest_gap);
   }
 };
 
-/// Fluid and swimmers on one lattice, advanced together. Lattice units throughout; all ranks of the
-/// communicator construct it and call its functions together.
+/// Fluid and swimmers on one lattice, advanced together, in lattice units. All ranks of the communicator
+/// construct the system together. They must call its collective functions and step() together.
 class CoupledSystem {
  public:
   /// Fluid and beads start at rest.
@@ -48,9 +48,9 @@ class CoupledSystem {
   CoupledSystem(const CoupledSystem&) = delete;
   CoupledSystem& operator=(const CoupledSystem&) = delete;
 
-  /// Advances everything by one step (coupled_step.cpp). If something becomes unphysical it goes on, so that
-  /// no rank waits for another: swimmers at fault stay where they are, and a rank whose numbers are none any
-  /// more leaves beads alone. fault() tells.
+  /// Advances fluid and swimmers by one step (coupled_step.cpp). A fault does not end the step, so that no
+  /// rank waits for another: a swimmer with a fault keeps its position, and a rank whose state has become
+  /// non-finite stops updating its beads. fault() reports the fault. Collective.
   void step();
 
   long steps_done() const { return steps_done_; }
@@ -59,85 +59,96 @@ class CoupledSystem {
   const Populations& populations() const { return populations_; }
   const Decomposition& decomposition() const { return decomposition_; }
   const Coverage& coverage() const { return coverage_; }
-  /// Beads that touch this rank's block; covered cells name them by their place in this list.
+  /// Returns the beads that touch the block of this rank. Covered cells refer to them by their index in this
+  /// list.
   const std::vector<BeadOnLattice>& beads_here() const { return beads_; }
 
-  /// The first of what has gone wrong on any rank, if anything has; among it a bead whose surface moves by
-  /// more than 1/2 cell a step (the paper's stop rule). Collective.
+  /// Returns the first fault on any rank, if there is one. One kind of fault is a bead whose surface moves by
+  /// more than 1/2 cell per step (stop rule of the paper). Collective.
   std::optional<Fault> fault() const { return first_fault(fault_, communicator_); }
 
-  /// Largest speed that any bead had at the end of any step [cell/step]. Collective.
+  /// Returns the largest speed of any bead at the end of any step [cell/step]. Collective.
   double largest_bead_speed() const;
 
-  /// Smallest gap between two beads, or a bead and its own image, at the end of any step [cell]; infinite if
-  /// none came within a cell. Collective.
+  /// Returns the smallest gap between two beads, or between a bead and its own image, at the end of any step
+  /// [cell]. Infinite if no pair came within one cell. Collective.
   double smallest_gap() const;
 
-  /// All swimmers in order of their id, on rank 0; empty elsewhere. Collective.
+  /// Returns all swimmers in order of their id on rank 0, and an empty list on other ranks. Collective.
   std::vector<SwimmerState> gather_swimmers() const;
 
-  /// All swimmers in order of their id with what is under way to them, on rank 0; empty elsewhere. With the
-  /// populations' outgoing numbers and the moment it is all that the future depends on. Collective.
+  /// Returns all swimmers in order of their id, with their pending impulses, on rank 0, and an empty list on
+  /// other ranks. These snapshots, the outgoing populations and progress() determine all later steps.
+  /// Collective.
   std::vector<SwimmerSnapshot> gather_snapshots();
 
-  /// What this rank has sent to others since the system was made.
+  /// Returns the messages that this rank has sent since the construction of the system.
   Traffic traffic() const;
 
-  /// Other ranks that this one talks to.
+  /// Returns the number of other ranks that this rank communicates with.
   int neighbours() const;
 
-  /// Collective.
-  SystemMoment moment() const { return {steps_done_, largest_bead_speed(), smallest_gap()}; }
+  /// Returns the number of steps and the extremes so far. Collective.
+  SystemProgress progress() const {
+    return {.steps_done = steps_done_,
+            .largest_bead_speed = largest_bead_speed(),
+            .smallest_gap = smallest_gap()};
+  }
 
-  /// Whether this rank moves a swimmer that is where the state says.
+  /// Returns true if this rank owns a swimmer with the position in `swimmer`.
   bool owns(const SwimmerState& swimmer) const {
     return exchange_.owner_of(swimmer.motion[1].position) == communicator_.rank();
   }
 
-  /// Goes on from a state of the same scene that was reached on any number of ranks. `swimmers`: at least
-  /// those that this rank owns. `fill` sets outgoing numbers of all own cells of the block. Collective.
-  void restore(const SystemMoment& moment, std::span<const SwimmerSnapshot> swimmers,
+  /// Restores a state of the same scene, which may have been computed on any number of ranks. `swimmers` must
+  /// include all swimmers that this rank owns. `fill` must set the outgoing populations of all cells of the
+  /// block. Collective.
+  void restore(const SystemProgress& progress, std::span<const SwimmerSnapshot> swimmers,
                const std::function<void(Populations&)>& fill);
 
-  /// Collective. If the fluid is no longer finite what it returns means nothing, and fault() tells.
+  /// Returns the totals of the scene. They are meaningless if the state of a rank is non-finite; fault()
+  /// reports this. Collective.
   SceneTotals totals();
 
  private:
   void step_fluid_with_links();
   void step_fluid_with_saturated_cells();
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
-  /// Where beads meet the fluid, and other swimmers' beads, for the coming step.
-  void meet();
-  void find_surfaces();
-  void add_under_way(std::map<BeadName, Impulse>& impulses);
-  /// What forbids a swimmer to move on; notes the largest speed.
+  /// Finds the links or saturated cells, and adds the impulses of close beads of different swimmers, for the
+  /// next step.
+  void find_links_and_contacts();
+  void find_links_or_saturated_cells();
+  void add_pending_impulses(std::map<BeadName, Impulse>& impulses);
+  /// Returns the fault of a swimmer, if there is one. Updates the largest speed and the smallest gap.
   std::optional<Fault> fault_of(const SwimmerState& swimmer);
-  void note(Fault fault);
-  /// Calls a function that may throw on this rank alone, and notes what it throws.
+  void record_fault(Fault fault);
+  /// Calls a function that may throw on this rank only. Records an exception as a fault; the state then
+  /// counts as non-finite.
   template <class Function>
-  void noting_faults(Function&& function) {
+  void record_faults(Function&& function) {
     try {
       function();
     } catch (const FaultError& error) {
-      note(error.fault);
-      is_broken_ = true;
+      record_fault(error.fault);
+      state_is_finite_ = false;
     } catch (const SolverError&) {
-      note({.kind = FaultKind::not_finite});
-      is_broken_ = true;
+      record_fault({.kind = FaultKind::not_finite});
+      state_is_finite_ = false;
     }
   }
-  /// The same, but where numbers are none any more it does not call it.
+  /// Calls record_faults(function) unless the state of this rank is non-finite.
   template <class Function>
-  void unless_broken(Function&& function) {
-    if (!is_broken_) noting_faults(function);
+  void if_state_is_finite(Function&& function) {
+    if (state_is_finite_) record_faults(function);
   }
-  /// This rank's parts of everything, and of all cells with beads moving in theirs.
+  /// Sets `everything` to the part of this rank in the totals of fluid, beads and pending impulses. Sets
+  /// `all_cells` to its part in the totals of all cells, in which the beads move with their own velocity.
   void add_totals(FluidTotals& everything, FluidTotals& all_cells) const;
-  /// Takes what covered cells have, which is no fluid, out of the fluid's totals; returns their momentum when
-  /// they move with their beads.
+  /// Subtracts the covered cells, which contain no fluid, from the totals of the fluid. Returns the momentum
+  /// of the covered cells if they move with their beads.
   FluidTotals exchange_covered_cells(FluidTotals& fluid) const;
-  /// Takes what fluid within owned swimmers' beads has out of the totals; returns the momentum of the beads'
-  /// volumes when they move with their beads.
+  /// Subtracts the fluid within the beads of owned swimmers from the totals of the fluid. Returns the
+  /// momentum of the volumes of the beads if they move with their beads.
   FluidTotals exchange_inner_fluid(FluidTotals& fluid) const;
 
   const Communicator& communicator_;
@@ -148,19 +159,19 @@ class CoupledSystem {
   Halo halo_;
   BeadExchange exchange_;
   NearContactLaw near_contact_;
-  std::vector<int> substeps_;  ///< of each type
+  std::vector<int> substeps_;  ///< substeps of each type
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_;
-  BeadLinks links_;                            ///< empty in a scene of saturated cells
-  SaturatedCells saturated_cells_;             ///< empty in a scene of links
-  std::vector<LinkSums> link_sums_;            ///< of beads_, empty between steps
-  std::vector<SaturatedSums> saturated_sums_;  ///< likewise
-  std::map<BeadName, Impulse> under_way_;      ///< to owned swimmers, from before the state was restored
-  std::optional<Fault> fault_;                 ///< the first that this rank came upon
-  bool is_broken_ = false;                     ///< this rank's numbers are none any more
-  double largest_bead_speed_ = 0;              ///< of owned swimmers
-  double smallest_gap_;                        ///< of this block's close beads
+  BeadLinks links_;                               ///< empty for psm
+  SaturatedCells saturated_cells_;                ///< empty for schemes with links
+  std::vector<LinkSums> link_sums_;               ///< one per bead of beads_; zero between steps
+  std::vector<SaturatedSums> saturated_sums_;     ///< one per bead of beads_; zero between steps
+  std::map<BeadName, Impulse> pending_impulses_;  ///< on owned swimmers, from a restored state
+  std::optional<Fault> fault_;                    ///< the first fault on this rank
+  bool state_is_finite_ = true;                   ///< false after a non-finite number on this rank
+  double largest_bead_speed_ = 0;                 ///< of owned swimmers [cell/step]
+  double smallest_gap_;                           ///< of the close beads of this block [cell]
   long steps_done_ = 0;
 };
 

@@ -8,25 +8,26 @@
 
 namespace beadswim {
 
-/// What may go wrong in a run; of two things in one step the first here is told.
+/// Kind of a fault, with the unit of Fault::value in brackets. Of several faults in one step, the first kind
+/// in this order is reported.
 enum class FaultKind {
-  not_finite,  ///< no number any more, or far too large a one
-  speed,       ///< a bead's surface over the paper's limit [cell/step]
-  torn_arm,    ///< an arm over twice its rest length [rest length]
-  wall,        ///< a bead at a wall, or beyond it [cell from its surface]
-  overlap,     ///< beads too deep in each other [smaller radius]
-  mass,        ///< of fluid and beads, lost [of all]
-  momentum,    ///< likewise, in a periodic box [of the beads' at their largest speed]
+  not_finite,  ///< a number is non-finite or far too large
+  speed,       ///< the surface of a bead moves faster than speed_limit [cell/step]
+  torn_arm,    ///< an arm is longer than max_stretch [rest length]
+  wall,        ///< the gap between a bead and a wall is smaller than min_wall_gap [cell]
+  overlap,     ///< two beads overlap by more than max_overlap [smaller radius]
+  mass,        ///< the mass of fluid and beads has changed [mass of the fluid]
+  momentum,    ///< the momentum in a periodic box has changed [momentum of the beads at their largest speed]
 };
 
-/// Something that went wrong. In lattice units.
+/// An unphysical state that ends a run, in lattice units.
 struct Fault {
   FaultKind kind = FaultKind::not_finite;
   long step = 0;
-  BeadName bead{.swimmer = -1, .bead = 0};  ///< swimmer < 0: not known
+  BeadName bead{.swimmer = -1, .bead = 0};  ///< swimmer < 0: unknown
   BeadName other{.swimmer = -1, .bead = 0};
   Vec3 position = Vec3::Zero();  ///< of the bead
-  double value = 0;              ///< as the kind says
+  double value = 0;              ///< quantity and unit: FaultKind
 
   static void visit_fields(auto&& visit, auto& fault) {
     visit("kind", fault.kind);
@@ -40,14 +41,16 @@ struct Fault {
   bool names_bead() const { return bead.swimmer >= 0; }
 };
 
-/// Whether `a` is the one to tell: by step, kind, bead, other bead, and size.
+/// Returns true if `a` is reported in preference to `b`: compares step, kind, bead, other bead, and value
+/// (the larger value comes first).
 bool comes_before(const Fault& a, const Fault& b);
 
-/// The first of the ranks' faults, the same on all ranks. On any number of them, too, but for the bead that
-/// meets what is no number, and for what such a bead drags along in the same step. Collective.
+/// Returns the first fault of all ranks, the same on all ranks. The result does not depend on the number of
+/// ranks, with one exception: a non-finite number can be attributed to another bead, and its consequences in
+/// the same step can differ. Collective.
 std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communicator& communicator);
 
-/// A number of a bead that is none any more; for the one rank that comes upon it.
+/// Thrown on the rank that finds a non-finite number of a bead.
 class FaultError : public SolverError {
  public:
   explicit FaultError(const Fault& fault) : SolverError("a fault of the run"), fault(fault) {}

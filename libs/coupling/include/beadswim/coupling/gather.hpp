@@ -7,18 +7,20 @@
 
 #include "beadswim/coupling/coupled_system.hpp"
 
-// The whole lattice, plane by plane, on rank 0.
+// Data of the complete lattice on rank 0, gathered plane by plane.
 
 namespace beadswim {
 
-/// Collects one plane z of the lattice on rank 0: `components` doubles a cell, components slowest, then y, x.
-/// value(component, cell) is asked for the block's own cells. Empty on other ranks. Collective.
+/// Gathers one plane z of the lattice on rank 0: `components` doubles per cell, in the order component
+/// (slowest), y, x (fastest). Calls value(component, cell) for the cells of the block of each rank. Returns
+/// an empty vector on other ranks. Collective.
 std::vector<double> gather_plane(const CoupledSystem& system, const Communicator& communicator, int z,
                                  int components,
                                  const std::function<double(int component, std::ptrdiff_t cell)>& value);
 
-/// Hash of the populations in global order and of all swimmers' motion in order of their id: the same for any
-/// number of ranks. On rank 0; empty elsewhere. Collective.
+/// Returns the SHA-256 hash of the populations in global order and of the states of all beads in the order of
+/// the ids of their swimmers. It does not depend on the number of ranks. Returns an empty string on ranks
+/// other than 0. Collective.
 std::string state_sha256(const CoupledSystem& system, const Communicator& communicator);
 
 }  // namespace beadswim

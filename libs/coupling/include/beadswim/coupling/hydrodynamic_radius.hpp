@@ -2,17 +2,17 @@
 
 #include "beadswim/coupling/bead_scheme.hpp"
 
-// The radius that a bead on the lattice seems to have, by its drag in slow flow: measured for fixed spheres
-// in a cubic array, as a mean over places within a cell. It depends on the scheme and on the radius in cells,
-// not on the relaxation time (docs/verification.md).
+// Hydrodynamic radius of a bead on the lattice: the radius of the sphere that has the same drag in slow flow.
+// It was measured for fixed spheres in a cubic array and averaged over positions within a cell. It depends on
+// the scheme and on the radius in cells, but not on the relaxation time (docs/verification.md).
 
 namespace beadswim {
 
-/// Hydrodynamic radius less the radius that the bead was given [cell]. Between the radii of the calibration
-/// by linear interpolation; below the smallest and above the largest of them as there.
+/// Returns the hydrodynamic radius minus `radius` [cell]. The result is interpolated linearly between the
+/// calibrated radii and constant outside their range.
 double excess_radius(BeadScheme scheme, double radius);
 
-/// The radius to give a bead so that its hydrodynamic radius is `radius` [cell].
+/// Returns the radius for which the hydrodynamic radius of a bead is `radius` [cell].
 double corrected_radius(BeadScheme scheme, double radius);
 
 }  // namespace beadswim

@@ -5,16 +5,16 @@
 
 namespace beadswim {
 
-/// Of all beads [cell^2].
+/// Returns the surface area of all beads [cell^2].
 double bead_surface(const CoupledScene& scene);
 
-/// Bytes that the whole lattice takes: populations, which cells are covered, and links at beads.
+/// Returns the memory of the complete lattice on all ranks [byte]: populations, coverage, and links.
 double lattice_bytes(const CoupledScene& scene);
 
-/// Of this machine [byte].
+/// Returns the memory of this machine [byte].
 double installed_bytes();
 
-/// Throws InputError on all ranks if a node's ranks need more memory than the node has. Collective.
+/// Throws InputError on all ranks if the ranks on a node need more memory than the node has. Collective.
 void require_memory(const CoupledScene& scene, const Communicator& communicator);
 
 }  // namespace beadswim

@@ -3,14 +3,16 @@
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
-// Between a layout's units and lattice units (cell = step = mean fluid density = 1; names end in _lu).
+// Conversion between the units of a layout and lattice units (cell = step = mean fluid density = 1; suffix
+// _lu).
 
 namespace beadswim {
 
+/// Units of the lattice in the units of the layout.
 struct LatticeScales {
   double cell = 1;     ///< edge of a cell [length]
   double step = 1;     ///< time step [time]
-  double density = 1;  ///< of the fluid [mass/length^3]
+  double density = 1;  ///< density of the fluid [mass/length^3]
 
   double velocity() const { return cell / step; }
   double mass() const { return density * cell * cell * cell; }
@@ -21,18 +23,19 @@ struct LatticeScales {
   double energy() const { return mass() * velocity() * velocity(); }
 };
 
-/// How a scene is discretised.
+/// Discretisation of a scene.
 struct LatticeChoice {
   LatticeScales scales;
-  double relaxation_time = 1;  ///< as used [step]
+  double relaxation_time = 1;  ///< tau as used [step]
   long steps_per_period = 0;
 };
 
-/// Cell and step for a fluid of kinematic viscosity nu: cell = radius / cells_per_radius, step = nu_lu cell^2
-/// / nu with nu_lu = (tau - 1/2)/3, and then the nearest step that divides `period` into whole steps, and its
-/// tau.
+/// Returns cell, step and relaxation time for a fluid of kinematic viscosity nu. cell =
+/// radius/cells_per_radius. step = nu_lu cell^2/nu with nu_lu = (tau - 1/2)/3, rounded such that `period` is
+/// an integer number of steps. The relaxation time is then adapted to this step.
 LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period);
 
+/// Returns a type in lattice units.
 SwimmerType in_lattice_units(const SwimmerType& type, const LatticeScales& scales);
 
 }  // namespace beadswim

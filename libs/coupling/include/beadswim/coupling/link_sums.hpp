@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-/// What a link hands to its bead: impulse (3), angular impulse (3), mass, and the link's weight.
+/// Terms that a link contributes to its bead: impulse (3), angular impulse (3), mass, weight of the link.
 constexpr int link_terms = 8;
 
 /// Sums over the links of one bead in a step.

@@ -3,7 +3,7 @@
 #include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/trt.hpp"
 
-// Bounce-back off a moving wall at its place along the link, by multireflection (MR1).
+// Bounce-back at a moving wall at its position on the link, by multireflection (MR1).
 //
 // clang-format off
 //   f_ibar(x, t+1) = f_i*(x) + k1 (f_i*(x -   c_i) - f_ibar*(x))
@@ -15,13 +15,14 @@
 //
 //   f_i, f_i*   population before and after the collision, less w_i;  ibar opposite to i
 //   i           points from the fluid cell x into the bead;  w_i, c_i weight and velocity (d3q19.hpp)
-//   q           share of the link from x to the bead's surface, 0 <= q <= 1
+//   q           fraction of the link between x and the surface of the bead, 0 <= q <= 1
 //   u_w         velocity of the bead at its surface [cell/step]
 //   t           = 1/w-, the antisymmetric relaxation time [step];  L = t - 1/2 (trt.hpp)
 //
-// Exact for steady flows whose velocity is parabolic and whose pressure is linear along the link, at any q and viscosity.
-// The term L g_i, g_i being what a collision adds to the antisymmetric part, takes out the slip that interpolation leaves.
-// At t = 1 the populations after collision no longer hold g_i.
+// Exact for steady flows with parabolic velocity and linear pressure along the link, for any q and viscosity.
+// g_i is the change of the antisymmetric part in a collision. The term L g_i removes the slip that
+// remains after interpolation.
+// At t = 1 the populations after collision do not contain g_i, and the scheme is undefined.
 // clang-format on
 //
 // Ginzburg & d'Humieres, Phys. Rev. E 68 (2003) 066614, MR1; Ginzburg, Verhaeghe & d'Humieres, Commun.
@@ -29,7 +30,7 @@
 
 namespace beadswim {
 
-/// What a multireflection link reads; for i as above.
+/// Values that a multireflection link reads; i as above.
 struct MultireflectionLink {
   double outgoing;        ///< f_i*(x)
   double arrived;         ///< f_ibar*(x)
@@ -39,13 +40,13 @@ struct MultireflectionLink {
   double speed;           ///< c_i.u(x)
 };
 
-/// L/(1 - t)
+/// Returns L/(1 - t). Undefined at t = 1.
 constexpr double multireflection_slip(const RelaxationRates& rates) {
   const double t = 1 / rates.antisymmetric;
   return (t - 0.5) / (1 - t);
 }
 
-/// What comes back along a direction of this weight; slip = L/(1 - t), approach_speed = c_i.u_w.
+/// Returns f_ibar(x, t+1) for a direction of this weight; slip = L/(1 - t), approach_speed = c_i.u_w.
 BEADSWIM_KERNEL double bounced_multireflection(double weight, double q, double slip,
                                                const MultireflectionLink& f, double approach_speed) {
   // clang-format off

@@ -8,24 +8,25 @@
 // The populations of a cell that a bead has just uncovered, by Grad's thirteen moments.
 //
 //   f_i* = e_i(r, u) + 9/2 w_i (c_i.Q c_i - tr Q / 3) (1 - w+)
-//   Q    = sum c_i c_i (f_i - e_i) over pairs i, ibar, with the mean of those of the pair that are known
+//   Q    = sum c_i c_i (f_i - e_i)        each pair i, ibar contributes twice the mean of its known values
 //
-// r, u: the density around the cell and the bead's velocity there. f_i: what has streamed into the cell out
-// of the fluid around it: about half of the populations, but of nearly every pair, and the stress Q is even
-// in c. Exact in a linear shear flow, if one of each pair is known; plain equilibrium, Q = 0, is not.
+// r: mean density deviation of the fluid around the cell; u: velocity of the bead at the cell. f_i:
+// populations that have streamed into the cell from the surrounding fluid. About half of the populations are
+// known, but at least one of nearly every pair. One per pair suffices, because Q is even in c. The refill is
+// exact in a linear shear flow if one population of each pair is known. The equilibrium, Q = 0, is not exact.
 //
 // Grad, Commun. Pure Appl. Math. 2 (1949) 331; as a refill: Dorschner, Chikatamarla, Boesch & Karlin, J.
 // Comput. Phys. 295 (2015) 340. Lattice units, mean density 1; f_i: deviations from w_i.
 
 namespace beadswim {
 
-/// What has streamed into an uncovered cell.
+/// Populations that have streamed into an uncovered cell.
 struct Arrivals {
   std::array<double, d3q19::directions> population;
   std::array<bool, d3q19::directions> is_known{};
 };
 
-/// Q
+/// Returns Q.
 inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviation, const Vec3& velocity) {
   Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
   for (int i = 1; i < d3q19::directions; i += 2) {
@@ -44,7 +45,7 @@ inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviat
   return stress;
 }
 
-/// f_i*; decay = 1 - w+
+/// Returns f_i*; decay = 1 - w+.
 inline double refilled(int i, double density_deviation, const Vec3& velocity, const Eigen::Matrix3d& stress,
                        double decay) {
   const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);

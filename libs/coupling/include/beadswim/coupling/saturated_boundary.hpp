@@ -10,21 +10,22 @@
 
 namespace beadswim {
 
-/// The loop over partially saturated cells in one step of the fluid; the law of one is in saturated_cell.hpp.
-/// Works on one rank's block.
+/// Loop over the partially saturated cells of the block of one rank in one step of the fluid. The law of one
+/// cell is in saturated_cell.hpp.
 struct SaturatedBoundary {
   const SaturatedCells& cells;
   std::span<const BeadOnLattice> beads;
-  std::vector<SaturatedSums>& sums;  ///< one a bead
-  double viscosity;                  ///< of the fluid [cell^2/step]
+  std::vector<SaturatedSums>& sums;  ///< one per bead
+  double viscosity;                  ///< kinematic, of the fluid [cell^2/step]
 
-  /// Pushes what streams into the cells of row (y, z) of the block towards the motion of the beads that touch
-  /// them, and adds up what the lattice gives up, and what it then holds within the beads. For step_fluid()
-  /// to call before each row: nothing is read or written that another row's cells receive.
-  void push_before_row(Populations& populations, int y, int z);
+  /// Applies the forces of beads on the fluid in the cells of row (y, z) of the block, by changing the
+  /// incoming populations of these cells. Adds to `sums` the impulses on the beads and the momentum that the
+  /// fluid within the beads then has. step_fluid() must call it before each row. It uses no incoming
+  /// populations of other rows.
+  void apply_forces_before_row(Populations& populations, int y, int z);
 };
 
-/// Adds the sums over a step to the beads' impulses, and starts them anew.
-void hand_over_impulses(std::span<SaturatedSums> sums, std::span<BeadOnLattice> beads);
+/// Adds the sums over a step to the impulses of the beads and resets the sums.
+void transfer_impulses(std::span<SaturatedSums> sums, std::span<BeadOnLattice> beads);
 
 }  // namespace beadswim

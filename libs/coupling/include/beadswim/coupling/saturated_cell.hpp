@@ -3,21 +3,21 @@
 #include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
-// Partially saturated cells: the force between fluid and beads in one cell, of which a bead fills a fraction.
+// Partially saturated cells: the force between fluid and bead in a cell of which the bead fills a fraction.
 //
 //   F      = sigma (u_b - v),   v = u + F/2              so that  F = s (u_b - u),  s = sigma/(1 + sigma/2)
 //   sigma  = 3 nu k(eps),       k(eps) = 11/2 eps/(11/10 - eps)
 //   f_i   += e_i(u + F) - e_i(u)
 //
-// u: momentum that streams into the cell; v: its mean over the step; u_b: velocity of the bead there; eps:
-// fraction of the cell that it fills; e_i: equilibrium (trt.hpp). 0 <= s < 2.
+// u: momentum that streams into the cell; v: its mean over the step; u_b: velocity of the bead at the cell;
+// eps: fraction of the cell that the bead fills; e_i: equilibrium (trt.hpp). 0 <= s < 2.
 //
-// What a steady slow flow does depends on 3 nu = tau - 1/2 and on sigma only through sigma/(3 nu), if the
-// product of the relaxation times is fixed: k depends on eps alone, and drag is the same at every viscosity.
-// The two numbers in k were chosen by the drag of spheres (docs/method/saturated-cells.md).
+// If the product of the relaxation times is fixed, a steady slow flow depends on 3 nu = tau - 1/2 and sigma
+// only through sigma/(3 nu). Because k depends on eps alone, the drag is the same at every viscosity. The two
+// constants in k were fitted to the drag of spheres (docs/method/saturated-cells.md).
 //
-// Adding e_i(u + F) - e_i(u) before the collision or after it is the same, as it moves f_i and equilibrium
-// alike: the collision is that of the fluid.
+// The term e_i(u + F) - e_i(u) may be added before or after the collision with the same result, because it
+// changes f_i and the equilibrium equally. The collision itself is that of the fluid.
 //
 // Noble & Torczynski, Int. J. Mod. Phys. C 9 (1998) 1189 (superposition of the collision with a solid one,
 // weight B; here s, from another law); Kupershtokh, Medvedev & Karpov, Comput. Math. Appl. 58 (2009) 965 (the
@@ -25,22 +25,22 @@
 
 namespace beadswim {
 
-// Value: double, or a vector of doubles, one a cell.
+// Value: double, or a vector of doubles with one lane per cell.
 
-/// k
+/// Returns k(eps).
 template <class Value>
 BEADSWIM_KERNEL Value resistance(Value solid_fraction) {
   constexpr double strength = 11.0 / 2, sharpness = 11.0 / 10;
   return strength * solid_fraction / (sharpness - solid_fraction);
 }
 
-/// s
+/// Returns s.
 template <class Value>
 BEADSWIM_KERNEL Value forcing_rate(Value sigma) {
   return sigma / (1 + sigma / 2);
 }
 
-/// e_i(u_new) - e_i(u_old) of direction i; squares = u_new^2 - u_old^2
+/// Returns e_i(u_new) - e_i(u_old) of direction i; squares = u_new^2 - u_old^2.
 template <class Value>
 BEADSWIM_KERNEL Value equilibrium_change(int i, const Value (&u_old)[3], const Value (&u_new)[3],
                                          Value squares) {
@@ -54,7 +54,7 @@ BEADSWIM_KERNEL Value equilibrium_change(int i, const Value (&u_old)[3], const V
   return d3q19::weight(i) * ((cu_new - cu_old) * (3 + 4.5 * (cu_new + cu_old)) - 1.5 * squares);
 }
 
-/// Difference of the squares of two vectors.
+/// Returns u_new^2 - u_old^2.
 template <class Value>
 BEADSWIM_KERNEL Value squares_difference(const Value (&u_old)[3], const Value (&u_new)[3]) {
   Value sum{};

@@ -4,8 +4,8 @@
 
 namespace beadswim {
 
-/// What a cell hands to a bead: impulse (3), angular impulse (3), and the momentum (3) and angular momentum
-/// (3) of the fluid within the bead.
+/// Terms that a cell contributes to a bead: impulse (3), angular impulse (3), and momentum (3) and angular
+/// momentum (3) of the fluid within the bead.
 constexpr int saturated_terms = 12;
 
 /// Sums over the cells of one bead in a step.

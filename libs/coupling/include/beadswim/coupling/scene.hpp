@@ -12,7 +12,8 @@
 
 namespace beadswim {
 
-/// No bead's surface may move faster: it must not cross half a cell in a step (the paper's rule) [cell/step].
+/// Largest permitted speed of the surface of a bead: half a cell per step (stop rule of the paper)
+/// [cell/step].
 constexpr double speed_limit = 0.5;
 
 /// A scene in lattice units: cell = step = mean fluid density = 1. Cell (i,j,k) is the cube from (i,j,k) to
@@ -20,14 +21,14 @@ constexpr double speed_limit = 0.5;
 struct CoupledScene : Swarm {
   Index3 cells = Index3::Zero();
   std::array<Boundary, 3> boundary{};
-  double relaxation_time = 1;
-  Precision precision = Precision::fp64;  ///< of the populations
+  double relaxation_time = 1;             ///< tau [step]
+  Precision precision = Precision::fp64;  ///< floating-point precision of the populations
   BeadScheme bead_boundary = BeadScheme::staircase;
-  bool corrects_radii = false;  ///< gives beads the radii for which their hydrodynamic radii are the types'
+  bool corrects_radii = false;  ///< sets radii for which the hydrodynamic radii are those of the types
   bool lubrication = true;  ///< adds the resistance of films between beads that the lattice does not resolve
-  double friction = 0;      ///< Coulomb's coefficient, of beads in contact
+  double friction = 0;      ///< Coulomb's friction coefficient between beads in contact
 
-  /// Radius of a bead of a type as the fluid meets it [cell].
+  /// Returns the radius of a bead for the fluid [cell].
   double radius_on_lattice(const Bead& bead) const {
     return corrects_radii ? corrected_radius(bead_boundary, bead.radius) : bead.radius;
   }

@@ -9,41 +9,43 @@
 
 namespace beadswim {
 
-/// Beads of less density on the lattice may be too light for the explicit coupling [density of the fluid].
-constexpr double light_bead = 0.65;
+/// Density below which a bead may be too light for the explicit coupling [density of the fluid].
+constexpr double min_stable_density = 0.65;
 
-/// Below this relaxation time links into beads become unstable, and viscosity hardly damps what cells do not
-/// resolve.
-constexpr double least_viscous = 0.52;
+/// Relaxation time below which links become unstable and viscosity hardly damps flow on the scale of a cell
+/// [step].
+constexpr double min_stable_relaxation_time = 0.52;
 
-/// From this Mach number on the fluid's compressibility shows.
-constexpr double fast_bead = 0.3;
+/// Mach number above which compressibility of the fluid affects the results.
+constexpr double max_incompressible_mach = 0.3;
 
-/// A layout's scene on the lattice that the settings, the layout's hint or the defaults ask for.
+/// The scene of a layout on the lattice, and the lattice that follows from the settings, the resolution in
+/// the layout or the defaults.
 struct SceneOnLattice {
   LatticeChoice lattice;
-  Resolution resolution;    ///< as requested: relaxation time before the period was fitted to whole steps
-  double period = 0;        ///< base period: the swimmers', else that of the first one's type [time]
+  Resolution resolution;    ///< as requested, that is before the relaxation time was adapted to the period
+  double period = 0;        ///< base period: common to all swimmers, otherwise that of the first type [time]
   double smallest_gap = 0;  ///< at the start, between beads, images and walls [cell]
   bool corrects_delay = false;
-  bool damps_springs = false;  ///< some, which vibrate faster than steps resolve (with_steady_vibrations)
-  double angular_softening =
-      1;  ///< stiffness of the angular spring most softened over the layout's (likewise)
+  bool damps_springs = false;  ///< true if springs vibrate too fast for the step (with_resolved_vibrations)
+  /// Smallest ratio of an angular stiffness to that of the layout (with_resolved_vibrations).
+  double angular_softening = 1;
   CoupledScene scene;
 
-  /// Least density with which a bead moves [density of the fluid].
+  /// Returns the smallest density of a bead on the lattice [density of the fluid].
   double density_on_lattice() const;
 
-  /// With which the fluid meets the smallest bead [cell].
+  /// Returns the radius of the smallest bead for the fluid [cell].
   double radius_on_lattice() const {
     const double radius = resolution.cells_per_radius;
     return scene.corrects_radii ? corrected_radius(scene.bead_boundary, radius) : radius;
   }
 };
 
-/// Throws InputError, `source` naming the layout, if the layout cannot be run on a lattice: no box, edges
-/// that are not whole numbers of cells, beads at walls, steps too long beside the shortest period, too little
-/// viscosity for links.
+/// Converts a layout to a scene on the lattice. Throws InputError, with `source` as the name of the layout,
+/// in these cases: the layout has no box, an edge of the box is not an integer number of cells, a bead is too
+/// near to a wall or smaller than a cell, the step is too long for the shortest period, or the relaxation
+/// time is unsuitable for the links.
 SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& settings,
                               const std::string& source);
 

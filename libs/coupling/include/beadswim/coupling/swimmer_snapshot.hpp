@@ -8,24 +8,25 @@
 
 namespace beadswim {
 
-/// A swimmer between two steps, whole.
+/// Complete state of a swimmer between two steps.
 struct SwimmerSnapshot {
   SwimmerState state;
-  std::array<Impulse, 3> under_way;  ///< handed over to its beads by all ranks, not collected yet
+  std::array<Impulse, 3> pending_impulses;  ///< on its beads, from all ranks, not collected yet
 
   static void visit_fields(auto&& visit, auto& snapshot) {
     visit("state", snapshot.state);
-    visit("under_way", snapshot.under_way);
+    visit("pending_impulses", snapshot.pending_impulses);
   }
 };
 
-/// As many bytes for each swimmer, the same on machines of one kind.
+/// Returns the snapshots as bytes, snapshot_size() bytes per swimmer. Only machines of the same kind can read
+/// them.
 std::vector<char> bytes_of(const std::vector<SwimmerSnapshot>& snapshots);
 
-/// Throws SolverError if these are no such bytes.
+/// Inverse of bytes_of(). Throws SolverError if the bytes are not valid.
 std::vector<SwimmerSnapshot> snapshots_from_bytes(std::vector<char> bytes);
 
-/// Bytes of one snapshot.
+/// Returns the size of one snapshot [byte].
 std::size_t snapshot_size();
 
 }  // namespace beadswim

@@ -7,11 +7,11 @@
 #include "beadswim/core/names.hpp"
 #include "beadswim/figure/figure.hpp"
 
-// Series of a panel from numbers: measured points, predicted curves, and levels.
+// Makes the series of a panel from numbers: measured points, predicted curves and constant levels.
 
 namespace beadswim {
 
-/// Points of one label.
+/// Points with a common label.
 struct PointGroup {
   std::string label;
   std::vector<double> x{}, y{};
@@ -19,36 +19,38 @@ struct PointGroup {
 
 struct CurvePoint {
   double x = 0, y = 0;
-  bool usable = true;
+  bool usable = true;  ///< false: the point is drawn faintly
 };
 
-/// Points of one label that a line joins, in order of x.
+/// Points with a common label that are connected by a line, in order of x.
 struct Curve {
   std::string label;
   std::vector<CurvePoint> points{};
 };
 
-/// A value that holds for all x.
+/// A value that does not depend on x.
 struct Level {
   std::string label;
   double y = 0;
 };
 
-/// Appends groups as filled points, then curves as lines, with open points where there are few. Stretches
-/// that are not usable are faint. All have the same colour, or each its own if none is given.
+/// Appends groups as filled markers, then curves as lines. A curve with few points also has open markers.
+/// Parts of curves that are not usable are faint. All series have the given colour; without it, each has its
+/// own.
 void append_points_and_curves(const std::vector<PointGroup>& groups, const std::vector<Curve>& curves,
                               std::optional<int> colour, Panel& panel);
 
-/// Appends level lines, told apart by their dashes.
+/// Appends horizontal lines between x = `from` and x = `to`, each with its own dash pattern.
 void append_levels(const std::vector<Level>& levels, double from, double to, int colour, Panel& panel);
 
-/// Makes lines of curves, which come by swimmer, then by bead. Colours tell swimmers apart and dashes their
-/// beads; beads of one swimmer alone have colours, and swimmers of one bead each have dashes too, so that no
-/// curve hides another.
+/// Sets the line styles of bead curves, which are sorted by swimmer and then by bead. The colour identifies
+/// the swimmer and the dash pattern the bead. If there is only one swimmer, colours identify its beads. If
+/// there is one bead per swimmer, each swimmer also has its own dash pattern, so that coinciding curves
+/// remain visible.
 void style_bead_curves(int num_beads, std::vector<Series>& curves);
 
 enum class Axes {
-  automatic,  ///< logarithmic where plain values are positive and span over two decades, else linear
+  automatic,  ///< logarithmic if the plain y values are positive and span more than two decades, else linear
   linear,
   log_y,
   log_log,
@@ -60,11 +62,11 @@ inline constexpr auto name_table<Axes> = std::to_array<NamedValue<Axes>>({{Axes:
                                                                           {Axes::log_y, "log-y"},
                                                                           {Axes::log_log, "log-log"}});
 
-/// Sets the scales of a panel that has its series. `over_decades` is what automatic axes are, where they are
-/// logarithmic.
-void set_axes(Axes axes, Axes over_decades, Panel& panel);
+/// Sets the scales of a panel whose series are complete. `logarithmic_axes` is the kind of axes that
+/// Axes::automatic selects if the values span more than two decades.
+void set_axes(Axes axes, Axes logarithmic_axes, Panel& panel);
 
-/// Whether the y axis is logarithmic, so that values which are not positive are not drawn.
-bool leaves_out_values(const Panel& panel);
+/// Returns true if the y axis is logarithmic and some y values are not positive. These values are not drawn.
+bool has_omitted_values(const Panel& panel);
 
 }  // namespace beadswim

@@ -8,15 +8,15 @@
 
 namespace beadswim {
 
-/// An error and what it cost.
+/// Error and cost of a run.
 struct ErrorPoint {
-  std::string name;    ///< in notes
-  std::string source;  ///< in error messages
+  std::string name;    ///< name of the run in notes
+  std::string source;  ///< file of the run, for error messages
   double cost = 0;     ///< [s]
-  double error = 0;    ///< relative
+  double error = 0;    ///< relative error
 };
 
-/// Points that a line joins, in this order.
+/// Points that are connected by a line in this order.
 struct ErrorSeries {
   std::string label;
   std::vector<ErrorPoint> points;
@@ -26,12 +26,14 @@ struct ErrorSeries {
 struct QuantityErrors {
   std::string quantity;
   std::vector<ErrorSeries> series;
-  std::optional<double> uncertainty{};  ///< of the reference, relative
+  std::optional<double> uncertainty{};  ///< relative uncertainty of the reference
 };
 
-/// A panel for each quantity: its errors in percent against their costs, both logarithmic. A faint line joins
-/// the points for which no other is both cheaper and more exact (Pareto's front), and a note names them; the
-/// uncertainty is a level. `notes` come first. Throws InputError for a point that no logarithmic axis holds.
+/// Returns a figure with one panel per quantity, which shows errors in percent as a function of their costs,
+/// on logarithmic axes. A faint line connects the Pareto front: points for which no other point is both
+/// cheaper and more accurate. A note names these points. The uncertainty of the reference is a horizontal
+/// line. `cost` is the label of the cost axis, and `notes` precede the notes of the panels. Throws InputError
+/// if a cost or an error is not positive and finite.
 Figure error_figure(const std::vector<QuantityErrors>& quantities, const std::string& cost,
                     std::vector<std::string> notes);
 

@@ -5,7 +5,8 @@
 
 #include "beadswim/figure/axis_scale.hpp"
 
-// Figures as SVG. The same figure gives the same bytes: fixed palette, fixed number formats, no date.
+// Figures as SVG documents. Equal figures have equal bytes: palette and number formats are fixed, and no date
+// is written.
 
 namespace beadswim {
 
@@ -13,22 +14,22 @@ enum class Mark { points, line, line_and_points };
 
 enum class Emphasis {
   plain,
-  faint,  ///< thin and pale; has no say in where the y axis ends, and is cut off there
+  faint,  ///< thin and pale; ignored for the range of the y axis, and clipped at its ends
 };
 
-/// Points (x[i], y[i]). Those that are not finite, or not positive on a logarithmic axis, are left out, and
-/// a line breaks there.
+/// Points (x[i], y[i]). Points that are non-finite, or not positive on a logarithmic axis, are omitted. A
+/// line is interrupted at such points.
 struct Series {
-  std::string label;  ///< its line in the legend; none if empty
+  std::string label;  ///< text in the legend; if empty, the series is not in the legend
   std::vector<double> x{}, y{};
   Mark mark = Mark::points;
-  int colour = 0;  ///< position in the palette of Okabe and Ito; wraps round
-  int shape = 0;   ///< of the points: filled circle, square, triangle, diamond, then open ones; wraps round
-  int dash = 0;    ///< of the line: solid, dashed, dotted, dash-dotted, long, dash-dot-dotted; wraps round
+  int colour = 0;  ///< index in the palette of Okabe and Ito, modulo its size
+  int shape = 0;   ///< 0 to 3: filled circle, square, triangle, diamond; 4 to 7: open; modulo 8
+  int dash = 0;    ///< 0 to 5: solid, dashed, dotted, dash-dotted, long, dash-dot-dotted; modulo 6
   Emphasis emphasis = Emphasis::plain;
 };
 
-/// "quantity (unit)" or, without unit, "quantity".
+/// Label of an axis: "quantity (unit)", or "quantity" if the unit is empty.
 struct AxisLabel {
   std::string quantity;
   std::string unit{};
@@ -41,14 +42,15 @@ struct Panel {
   ScaleKind x_scale = ScaleKind::linear, y_scale = ScaleKind::linear;
 };
 
-/// Panels one above the other, each with its legend at the right; notes (parameters, sources) below.
+/// Panels in one column, each with its legend to the right, and notes (parameters, sources) below the panels.
 struct Figure {
   std::string title;
   std::vector<Panel> panels;
   std::vector<std::string> notes{};
 };
 
-/// A whole SVG document. Throws InputError if a panel holds no point that can be drawn.
+/// Returns the figure as a complete SVG document. Throws InputError if a panel has no point that can be
+/// drawn.
 std::string figure_to_svg(const Figure& figure);
 
 }  // namespace beadswim

@@ -7,41 +7,41 @@
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// A swarm in its box as SVG, seen in perspective: x to the right, y away, z up. The same picture gives the
-// same bytes.
+// Perspective picture of a swarm in its box as SVG: x points to the right, y away from the viewer and z up.
+// Equal pictures have equal bytes.
 
 namespace beadswim {
 
 struct PicturedSwimmer {
   std::array<Vec3, 3> beads;      ///< centres [length]
   std::array<double, 3> radii{};  ///< [length]
-  int colour = 0;                 ///< position in the palette of Okabe and Ito; wraps round
-  std::array<int, 3> layer{};     ///< number of the layer in which it stands, along each axis
+  int colour = 0;                 ///< index in the palette of Okabe and Ito, modulo its size
+  std::array<int, 3> layer{};     ///< index of the swimmer's layer along each axis
 };
 
-/// Key to a colour.
+/// Legend entry of a colour.
 struct PictureKey {
   std::string label;
   int colour = 0;
 };
 
-/// A name at a bead.
+/// A text above a bead.
 struct PictureMark {
   std::string name;
   Vec3 bead = Vec3::Zero();  ///< centre [length]
   double radius = 0;         ///< [length]
 };
 
-/// A labelled double arrow beside two beads.
+/// A labelled double arrow that shows the distance of two beads.
 struct PictureDistance {
-  std::string label;                            ///< "_" puts the next character below the line: "D_x = 56"
+  std::string label;                            ///< "_" makes the next character a subscript: "D_x = 56"
   Vec3 from = Vec3::Zero(), to = Vec3::Zero();  ///< centres of the beads [length]
-  Vec3 aside = Vec3::Zero();                    ///< from there to the arrow [length]
+  Vec3 arrow_offset = Vec3::Zero();             ///< displacement of the arrow from the beads [length]
 };
 
 struct SwarmPicture {
   std::string title;
-  Vec3 box = Vec3::Zero();  ///< its edges are drawn, from the origin [length]
+  Vec3 box = Vec3::Zero();  ///< lengths of the box, which starts at the origin; its edges are drawn [length]
   std::vector<PicturedSwimmer> swimmers{};
   std::vector<PictureKey> keys{};
   std::vector<PictureMark> marks{};
@@ -49,20 +49,24 @@ struct SwarmPicture {
   std::vector<std::string> notes{};
 };
 
-/// A whole SVG document: beads as shaded discs and arms as lines, the far ones behind the near; some 70 bytes
-/// a bead. Throws InputError if there is no swimmer.
+/// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and arms are lines. Near
+/// ones hide far ones. Throws InputError if there is no swimmer.
 std::string swarm_picture_to_svg(const SwarmPicture& picture);
 
-/// Moves each swimmer by multiples of the box so that its middle bead is in the box.
+/// Moves each swimmer by multiples of the box lengths along periodic axes, so that its middle bead is in the
+/// box.
 void wrap_swimmers(std::vector<PicturedSwimmer>& swimmers, const Box& box);
 
-/// Moves swimmers in open space into a box around them that begins at the origin. Returns the box's lengths.
+/// Moves all swimmers by one displacement, such that a box around them starts at the origin. Returns the
+/// lengths of this box [length]. For swimmers in open space.
 Vec3 enclose_swimmers(std::vector<PicturedSwimmer>& swimmers);
 
-/// The distances of the paper's figure 4, each drawn once at the swarm's outline: C from a swimmer to the
-/// next of its block, D to that of the next block; across y and z between the beads furthest along x, along x
-/// between the end beads that face each other. `block_swimmers` are the swimmers of a block along each axis.
-/// Empty if no swimmer has a neighbour along an axis.
+/// Returns the distances of figure 4 of the paper, each at the outline of the swarm:
+///   C  between neighbours in the same block of swimmers
+///   D  between neighbours in adjacent blocks
+/// Along x, a distance is between the end beads that face each other. Along y and z, it is between the beads
+/// with the largest x. `block_swimmers` is the number of swimmers in a block along each axis. Returns an
+/// empty list if no swimmer has a neighbour along any axis.
 std::vector<PictureDistance> swarm_distances(const std::vector<PicturedSwimmer>& swimmers,
                                              const std::vector<int>& block_swimmers);
 

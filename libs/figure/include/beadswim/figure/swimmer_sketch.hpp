@@ -4,22 +4,23 @@
 #include <string>
 #include <vector>
 
-// One swimmer as a labelled sketch, to scale: the paper's figure 1. The same sketch gives the same bytes.
+// Labelled sketch of one swimmer, to scale, as in figure 1 of the paper. Equal sketches have equal bytes.
 
 namespace beadswim {
 
-/// Seen from the side, bead 1 at the left.
+/// Data of a sketch. The swimmer is seen from the side, with bead 1 at the left. An arm whose dashpot label
+/// is empty has no dashpot.
 struct SwimmerSketch {
   std::string title;
   std::array<double, 3> radii{};         ///< [length]
   std::array<double, 2> rest_lengths{};  ///< [length]
   std::array<std::string, 3> radius_labels{}, force_labels{};
-  std::array<std::string, 2> length_labels{}, spring_labels{}, dashpot_labels{};  ///< no dashpot where empty
+  std::array<std::string, 2> length_labels{}, spring_labels{}, dashpot_labels{};
   double force_angle = 0;  ///< from the swimmer's axis to the forces on beads 1 and 3, counterclockwise [rad]
   std::vector<std::string> notes{};
 };
 
-/// A whole SVG document: beads, springs and dashpots, forces above them, lengths below.
+/// Returns a complete SVG document with beads, springs and dashpots, forces above them and lengths below.
 std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch);
 
 }  // namespace beadswim

@@ -6,17 +6,17 @@
 
 namespace beadswim {
 
-/// The bytes of numbers as they lie in memory.
+/// Returns a view of the bytes of numbers in memory.
 template <class T>
 std::span<const char> bytes_of(std::span<const T> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-/// Base64 (RFC 4648) of bytes, without line breaks. Texts of pieces join if the pieces have multiples of 3
-/// bytes.
+/// Encodes bytes in Base64 (RFC 4648), without line breaks. The codes of consecutive pieces of a stream can
+/// be concatenated if the size of each piece except the last is a multiple of 3 bytes.
 std::string base64(std::span<const char> bytes);
 
-/// Base64 of numbers as they lie in memory.
+/// Encodes the bytes of numbers in memory in Base64.
 template <class T>
 std::string base64(const std::vector<T>& values) {
   return base64(bytes_of(std::span(values)));

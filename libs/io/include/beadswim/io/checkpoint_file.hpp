@@ -12,43 +12,49 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/hdf5.hpp"
 
-// Checkpoints: HDF5 files of named byte sections, which rank 0 has, and of numbers on a lattice, of which
-// each rank has a box (docs/formats/checkpoint.md). A hash of all contents, the same for any number of ranks,
-// tells a whole file from a damaged one. All ranks call everything together.
+// Checkpoint files in HDF5 (docs/formats/checkpoint.md). A checkpoint contains named sections of bytes, which
+// rank 0 provides, and numbers on a lattice, of which each rank provides a box of cells. A hash of the
+// contents detects damaged files. It does not depend on the number of ranks. All functions are collective
+// unless stated otherwise.
 
 namespace beadswim {
 
-/// A box of cells [offset, offset + size) of a lattice of `cells`.
+/// Box of cells [offset, offset + size) of a lattice. `cells` is the number of cells of the complete lattice
+/// along each axis.
 struct LatticePart {
   Index3 cells, offset, size;
 };
 
-/// Hash of numbers on a lattice that adds up over parts in any order. Against damage, not against malice.
+/// Hash of numbers on a lattice. The hash of a lattice is the sum of the hashes of its parts, in any order.
+/// It detects damage but is not cryptographic.
 class LatticeHash {
  public:
+  /// Adds the bits of the number at index `place` of the lattice.
   void add(std::uint64_t place, std::uint64_t bits);
   std::uint64_t value = 0;
 };
 
+/// Writes a checkpoint. All functions throw SolverError if the file cannot be written. The error may occur on
+/// one rank only, which must then stop the others.
 class CheckpointWriter {
  public:
-  /// Begins PATH.part. Throws SolverError, as everything here, if it cannot be written; maybe on one rank
-  /// alone, which must then stop the others.
+  /// Creates the temporary file PATH.part.
   CheckpointWriter(const std::string& path, const Communicator& communicator);
   ~CheckpointWriter();
   CheckpointWriter(const CheckpointWriter&) = delete;
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
 
-  /// Rank 0's bytes.
+  /// Adds a section with the bytes of rank 0. The argument `bytes` of other ranks is ignored.
   void add(const std::string& section, std::span<const char> bytes);
-  /// The contents of rank 0's file.
+  /// Adds a section with the contents of a file that rank 0 reads.
   void add_file(const std::string& section, const std::string& path);
-  /// Real: float or double. fill(c, numbers) writes component c of the part's cells, x fastest.
+  /// Adds numbers of the type Real, float or double, on the lattice. fill(c, numbers) stores component c of
+  /// the cells of this rank's part in `numbers`, with x as the fastest index.
   template <class Real>
   void add_lattice(const LatticePart& part, int components,
                    const std::function<void(int, std::span<Real>)>& fill);
 
-  /// Puts the file on the disk, whole, and gives it its name, in place of an older one.
+  /// Completes the file, flushes it to the disk and renames it to its final name. Replaces an older file.
   void finish();
 
  private:
@@ -64,9 +70,11 @@ class CheckpointWriter {
   bool is_finished_ = false;
 };
 
+/// Reads a checkpoint.
 class CheckpointReader {
  public:
-  /// Throws InputError, alike on all ranks, if the file is no checkpoint or not what was written.
+  /// Opens a checkpoint and verifies its hash. Throws the same InputError on all ranks if the file is not a
+  /// checkpoint or is damaged.
   CheckpointReader(const std::string& path, const Communicator& communicator);
   ~CheckpointReader();
   CheckpointReader(const CheckpointReader&) = delete;
@@ -74,25 +82,30 @@ class CheckpointReader {
 
   const std::string& path() const { return path_; }
 
+  /// Returns the size of a section [byte].
   std::uint64_t size(const std::string& section) const;
-  /// Bytes [first, first + count) of a section, on every rank.
+  /// Returns the bytes [first, first + count) of a section, on every rank. Throws SolverError if the section
+  /// ends before that.
   std::vector<char> bytes(const std::string& section, std::uint64_t first, std::uint64_t count) const;
   std::string text(const std::string& section) const;
-  /// Writes a section to rank 0's open file, from its start.
+  /// Replaces the contents of a file that is open on rank 0 by a section. Other ranks do nothing.
   void copy_to(const std::string& section, int descriptor) const;
-  /// take(c, numbers) gets component c of the part's cells, x fastest.
+  /// Reads the lattice. Calls take(c, numbers) with component c of the cells of this rank's part, with x as
+  /// the fastest index. Throws SolverError if the lattice in the file has another size.
   template <class Real>
   void read_lattice(const LatticePart& part, int components,
                     const std::function<void(int, std::span<const Real>)>& take) const;
 
  private:
-  void require_sound() const;
+  void require_undamaged() const;
   void add_sections(Sha256& hash) const;
-  std::uint64_t hash_of_part() const;  ///< of some planes, one after the other on all ranks
+  /// Returns the hash of this rank's share of the lattice: consecutive planes z = const, divided among all
+  /// ranks.
+  std::uint64_t hash_lattice_part() const;
 
   std::string path_;
   const Communicator& communicator_;
-  int exceptions_ = std::uncaught_exceptions();  ///< under way when it was opened
+  int exceptions_ = std::uncaught_exceptions();  ///< number of active exceptions at construction
   H5Handle file_;
 };
 

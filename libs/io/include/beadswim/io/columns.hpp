@@ -12,16 +12,16 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Records that list their fields (core/fields.hpp) as columns of numbers. A column is a double, a Vec3 or an
-// array of doubles; other fields have the mark not_a_column.
+// Conversion between records (core/fields.hpp) and columns of numbers. A field that becomes a column is a
+// double, a Vec3 or an array of doubles. Other fields must have the mark not_a_column.
 
 namespace beadswim {
 
-/// One field of several records.
+/// Values of one field of several records.
 struct Column {
   std::string name;
-  std::vector<hsize_t> shape;   ///< of one record's field: {} or {components}
-  std::vector<double> numbers;  ///< record after record
+  std::vector<hsize_t> shape;   ///< shape of the field in one record: {} or {components}
+  std::vector<double> numbers;  ///< values of all components of record 0, then of record 1, ...
 };
 
 template <class Number>
@@ -46,6 +46,7 @@ void visit_columns(auto&& handle, Record& record) {
       record);
 }
 
+/// Converts records to columns. Without records, returns columns without numbers.
 template <HasFields Record>
 std::vector<Column> columns_of(std::vector<Record> records) {
   std::vector<Column> columns;
@@ -69,7 +70,7 @@ std::vector<Column> columns_of(std::vector<Record> records) {
   return columns;
 }
 
-/// The records whose columns these are. Fields that are no columns keep their defaults.
+/// Converts columns to `count` records. Fields with the mark not_a_column keep their default values.
 template <HasFields Record>
 std::vector<Record> records_of(const std::vector<Column>& columns, std::size_t count) {
   std::vector<Record> records(count);
@@ -85,7 +86,7 @@ std::vector<Record> records_of(const std::vector<Column>& columns, std::size_t c
   return records;
 }
 
-/// A record whose columns are NaN.
+/// Returns a record in which all numbers that become columns are NaN.
 template <HasFields Record>
 Record record_of_nan() {
   Record record;

@@ -5,14 +5,14 @@
 
 namespace beadswim {
 
-/// One thing wrong in a document.
+/// An invalid value in a document.
 struct DocumentFault {
-  std::string pointer;  ///< JSON pointer (RFC 6901) to the place; "" is the whole document
-  std::string message;  ///< the value, what is allowed, the remedy
+  std::string pointer;  ///< JSON pointer (RFC 6901) to the value; "" refers to the complete document
+  std::string message;  ///< the value, the allowed values and the remedy
 };
 
-/// Throws InputError with one line "source:/pointer: message" a fault, the first twenty. Returns if there is
-/// none.
-void refuse_faulty(const std::string& source, const std::vector<DocumentFault>& faults);
+/// Throws InputError if there are faults. The message has one line "source:/pointer: message" per fault, for
+/// at most twenty faults.
+void throw_if_faulty(const std::string& source, const std::vector<DocumentFault>& faults);
 
 }  // namespace beadswim

@@ -8,8 +8,8 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/json.hpp"
 
-// Records that list their fields (core/fields.hpp), and what they are made of, as JSON: assign a record to a
-// Json, and read it by json.get<Record>(). Readers take JSON that a schema has let through.
+// Conversion between records (core/fields.hpp) and JSON. To write a record, assign it to a Json. To read it,
+// call json.get<Record>(). The JSON must have been validated against its schema before it is read.
 
 namespace beadswim {
 
@@ -22,7 +22,7 @@ bool has_value(const T& field) {
   }
 }
 
-/// Adds the record's keys after those that the object has.
+/// Appends the fields of a record to a JSON object.
 template <HasFields Record>
 void add_fields(Json& json, const Record& record) {
   visit_fields(
@@ -47,8 +47,8 @@ void to_json(Json& json, const Record& record) {
   add_fields(json, record);
 }
 
-/// Keys of optional fields, and of fields marked omitted_if_none or omitted_if_zero, may be missing. The
-/// field then keeps its value.
+/// Reads a record. Keys may be missing if their field is optional or has the mark omitted_if_none or
+/// omitted_if_zero. The field then keeps its previous value.
 template <HasFields Record>
 void from_json(const Json& json, Record& record) {
   visit_fields(

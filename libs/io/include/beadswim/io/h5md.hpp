@@ -15,50 +15,53 @@
 #include "beadswim/io/columns.hpp"
 #include "beadswim/io/hdf5.hpp"
 
-// Bead trajectories in H5MD 1.1 (de Buyl, Colberg & Hofling, Comput. Phys. Commun. 185 (2014) 1546), in the
-// subset that MDAnalysis and h5py read: docs/formats/h5md.md. Quantities are in the layout's units.
+// Bead trajectories in the subset of H5MD 1.1 that h5py and MDAnalysis read (docs/formats/h5md.md). See de
+// Buyl, Colberg & Hofling, Comput. Phys. Commun. 185 (2014) 1546. All quantities are in the units of the
+// layout.
 
 namespace beadswim {
 
-/// What does not change in a trajectory.
+/// Data of a trajectory that do not depend on time.
 struct TrajectoryHeader {
-  std::optional<Box> box{};    ///< none: open space
+  std::optional<Box> box{};    ///< empty in open space
   std::vector<int> swimmer;    ///< id of the swimmer of each bead
-  std::vector<int> bead;       ///< 1, 2 or 3 within the swimmer, of each bead
-  std::vector<double> radius;  ///< of each bead
+  std::vector<int> bead;       ///< number of each bead in its swimmer: 1, 2 or 3
+  std::vector<double> radius;  ///< radius of each bead [length]
   std::string creator_version;
-  std::map<std::string, std::string> parameters;  ///< texts for /parameters: layout, units, ...
-  std::vector<Column> cycle_columns{};  ///< of what is known of each swimmer's cycles; without numbers
+  std::map<std::string, std::string> parameters;  ///< texts of the group /parameters: layout, units, ...
+  std::vector<Column>
+      cycle_columns{};  ///< names and shapes of the columns of TrajectoryCycle, without numbers
 };
 
-/// One frame. Beads in the order of the header; rank 0 alone need fill their lists.
+/// One frame of a trajectory, with the beads in the order of the header. Other ranks than rank 0 may leave
+/// positions and velocities empty.
 struct TrajectoryFrame {
   std::int64_t step = 0;
-  double time = 0;
-  std::vector<Vec3> positions;  ///< unwrapped
-  std::vector<Vec3> velocities;
-  Vec3 mean_flow = Vec3::Zero();  ///< volume mean of the velocity of fluid and beads
-  Vec3 momentum = Vec3::Zero();   ///< of fluid and beads
+  double time = 0;                ///< [time]
+  std::vector<Vec3> positions;    ///< unwrapped [length]
+  std::vector<Vec3> velocities;   ///< [length/time]
+  Vec3 mean_flow = Vec3::Zero();  ///< volume average of the velocity of fluid and beads [length/time]
+  Vec3 momentum = Vec3::Zero();   ///< total momentum of fluid and beads [mass length/time]
 };
 
-/// What each swimmer did in its last whole cycle; NaN for one that has ended none yet. A record per swimmer,
-/// in the order of the beads.
+/// Quantities of the last complete cycle of each swimmer, in the order of the beads. They are NaN for a
+/// swimmer that has not completed a cycle.
 struct TrajectoryCycle {
   std::int64_t step = 0;
-  double time = 0;
-  std::vector<Column> columns;  ///< those of the header; rank 0 alone need fill them
+  double time = 0;              ///< [time]
+  std::vector<Column> columns;  ///< the columns of the header; may be empty on other ranks than rank 0
 };
 
-/// x, y, z of each vector, in single precision.
+/// Returns the components x, y, z of all vectors in single precision.
 std::vector<float> flattened(const std::vector<Vec3>& vectors);
 
-/// Writes a trajectory frame by frame. All ranks construct it and call its functions together. While it is
-/// being written the file is called PATH.part; each frame is flushed, so that a killed run leaves whole
-/// frames there. The same frames give the same bytes, on any number of ranks.
+/// Writes a trajectory frame by frame. All functions are collective and throw SolverError if the file cannot
+/// be written. The file is named PATH.part until finish(). Each frame is flushed, so that the file of a
+/// killed run contains only complete frames. The bytes of the file do not depend on the number of ranks.
 class TrajectoryWriter {
  public:
-  /// Throws InputError if the file cannot be created, or another process is writing it. With a checkpoint it
-  /// begins with the frames that this holds.
+  /// Creates PATH.part. With a checkpoint, the file starts with the frames that the checkpoint contains.
+  /// Throws InputError if the file cannot be created or another process is writing it.
   TrajectoryWriter(const std::string& path, const TrajectoryHeader& header, const Communicator& communicator,
                    const CheckpointReader* checkpoint = nullptr);
   ~TrajectoryWriter();
@@ -68,27 +71,28 @@ class TrajectoryWriter {
   void append(const TrajectoryFrame& frame);
   void append(const TrajectoryCycle& cycle);
 
-  /// Puts all frames so far into the checkpoint.
+  /// Stores all frames written so far in a checkpoint.
   void add_to(CheckpointWriter& checkpoint) const;
 
-  /// Gives the file its name, in place of an older one.
+  /// Completes the file and renames it to its final name. Replaces an older file.
   void finish();
 
  private:
-  /// A dataset that grows row by row.
+  /// A dataset to which rows are appended.
   struct Series {
     H5Handle dataset;
     std::vector<hsize_t> row;  ///< shape of one row
-    hid_t type;                ///< in memory
+    hid_t type;                ///< type of the numbers in memory
     hsize_t rows = 0;
   };
 
-  /// Time-dependent quantities that are sampled together: one step and one time, under every name.
+  /// Common datasets of time-dependent quantities that are sampled at the same times. The groups of these
+  /// quantities contain links to the same datasets.
   struct Sampling {
-    std::string step_name, time_name;  ///< in the file
+    std::string step_name, time_name;  ///< paths of the datasets of steps and times in the file
   };
 
-  /// A file descriptor with a lock on the file, on rank 0.
+  /// File descriptor of rank 0 that locks the file until the object is destroyed.
   struct Lock {
     explicit Lock(int locked) : descriptor(locked) {}
     ~Lock();
@@ -99,14 +103,14 @@ class TrajectoryWriter {
 
   void write_metadata(const TrajectoryHeader& header);
   void create_groups(const TrajectoryHeader& header);
-  /// The series of a name: created, or as it is in a file that a checkpoint holds.
+  /// Adds a series to series_: creates its dataset, or opens the dataset of a file from a checkpoint.
   void add_series(const std::string& name, hid_t type, std::vector<hsize_t> row);
   H5Handle create_series(const std::string& name, hid_t type, const std::vector<hsize_t>& row);
-  /// Group of a time-dependent quantity: datasets value, step and time.
+  /// Adds the group of a time-dependent quantity (an H5MD element), with the datasets value, step and time.
   void add_element(Sampling& sampling, const std::string& name, hid_t type, std::vector<hsize_t> row);
   void append_row(const std::string& name, const void* data);
   void flush() const;
-  /// Throws SolverError if HDF5 says that it failed.
+  /// Throws SolverError if `status` indicates a failure of HDF5.
   void require_written(herr_t status) const;
 
   std::string path_;
@@ -114,11 +118,11 @@ class TrajectoryWriter {
   MPI_Comm comm_;
   std::optional<Box> box_;
   std::size_t beads_;
-  bool goes_on_;  ///< with a file that a checkpoint held
+  bool continues_checkpoint_;  ///< true if the file comes from a checkpoint
   Lock lock_;
-  int exceptions_ = std::uncaught_exceptions();  ///< under way when it was opened
+  int exceptions_ = std::uncaught_exceptions();  ///< number of active exceptions at construction
   H5Handle file_;
-  std::map<std::string, Series> series_;  ///< by path in the file
+  std::map<std::string, Series> series_;  ///< keys: paths in the file
   Sampling frames_, cycles_;
 };
 

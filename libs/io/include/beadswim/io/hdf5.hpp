@@ -5,16 +5,16 @@
 #include <span>
 #include <string>
 
-// HDF5's C handles, closed with their scope, and its status codes as exceptions.
+// Wrappers of the C interface of HDF5: handles are closed at the end of their scope, and failures throw.
 
 namespace beadswim {
 
-/// Owns one HDF5 identifier.
+/// Owns an HDF5 identifier and closes it in the destructor.
 class H5Handle {
  public:
   using Close = herr_t (*)(hid_t);
 
-  /// Throws SolverError "what: ..." if id is negative.
+  /// Throws SolverError if `id` is negative. `what` names the object in the message.
   H5Handle(hid_t id, Close close, const std::string& what);
   ~H5Handle();
   H5Handle(H5Handle&& other) noexcept;
@@ -24,10 +24,12 @@ class H5Handle {
 
   operator hid_t() const { return id_; }
 
-  /// Closes before the end of the scope. Throws SolverError if what was left to write could not be.
+  /// Closes the identifier. Throws SolverError if closing fails, for example because buffered data cannot be
+  /// written.
   void close_checked(const std::string& what);
 
-  /// Forgets it without closing: to close a file of several ranks takes all of them.
+  /// Releases the identifier without closing it. Needed after an error on one rank, because closing a
+  /// parallel file is collective.
   void leave_open() { id_ = H5I_INVALID_HID; }
 
  private:
@@ -37,24 +39,24 @@ class H5Handle {
   Close close_ = nullptr;
 };
 
-/// Throws SolverError "what: HDF5 failed" if status is negative.
+/// Throws SolverError if `status` is negative. `what` names the object in the message.
 void check_hdf5(herr_t status, const std::string& what);
 
-/// Whether the file stores as many bytes as a dataset of these extents claims: what is compressed may claim a
-/// thousand times the file. To be asked before memory is taken for it; and HDF5 itself reads beyond what is
-/// stored.
-bool stores_all(hid_t dataset, std::span<const hsize_t> extents);
+/// Returns true if the file can store as many bytes as a dataset of these extents declares. Data that may be
+/// compressed can be up to 1032 times larger than the file. Call this function before memory for a dataset is
+/// allocated and before it is read: a damaged file may declare any extents, and HDF5 does not detect this.
+bool has_plausible_extents(hid_t dataset, std::span<const hsize_t> extents);
 
-/// Group that forgets when it was made, so that the same contents give the same bytes.
+/// Creates a group without a time stamp, so that the bytes of the file depend only on its contents.
 H5Handle create_group(hid_t parent, const std::string& name);
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, int value);
 void write_attribute(hid_t object, const std::string& name, std::span<const int> values);
-/// One fixed-length string an element, padded with zeros.
+/// Writes an array of strings of fixed length, padded with zeros.
 void write_attribute(hid_t object, const std::string& name, std::span<const std::string> texts);
 
-/// Small datasets that every rank holds alike: the first rank of the file's communicator writes.
+/// Write small datasets whose contents are equal on all ranks. Collective.
 void write_dataset(hid_t parent, const std::string& name, const std::string& text);
 void write_dataset(hid_t parent, const std::string& name, std::span<const int> values);
 void write_dataset(hid_t parent, const std::string& name, std::span<const double> values);

@@ -5,14 +5,15 @@
 
 #include "beadswim/core/names.hpp"
 
-// Strict JSON in, finite JSON out.
+// Reading of strict JSON, and writing of JSON whose numbers are all finite.
 
 namespace beadswim {
 
-/// Keeps keys in the order of writing, so that documents read as their specification does.
+/// JSON value whose keys stay in the order of insertion, so that documents have the order of their
+/// specification.
 using Json = nlohmann::ordered_json;
 
-/// An enumeration with a table of names stands in JSON by name.
+/// Convert between JSON and an enumeration with a table of names (core/names.hpp). JSON contains the name.
 template <NamedEnum Enum>
 void to_json(Json& json, Enum value) {
   json = to_text(value);
@@ -22,22 +23,26 @@ void from_json(const Json& json, Enum& value) {
   value = from_text<Enum>(json.get<std::string>());
 }
 
-/// The whole text of a file, or of stdin for "-". Throws InputError naming the path.
+/// Returns the text of a file, or of stdin if `path` is "-". Throws InputError if it cannot be read.
 std::string read_text(const std::string& path);
 
-/// Parses strict JSON: no duplicate keys, no NaN or infinity, no comments, nothing after the document,
-/// at most 200 levels.
-/// Throws InputError "source: line L, column C: ...", or "source:/json/pointer: ..." for a duplicate key.
+/// Parses strict JSON: no duplicate keys, no NaN or infinity, no comments, no text after the document, at
+/// most 200 levels of nesting. Throws InputError "source: line L, column C: ...", or "source:/json/pointer:
+/// ..." for a duplicate key.
 Json parse_json(const std::string& text, const std::string& source);
 
-/// Text of a document, ending in a newline; doubles round-trip. Throws SolverError "source:/json/pointer"
-/// if a number in it is not finite (nlohmann-json would write null).
+/// Returns the text of a document, which ends with a newline. Doubles are written with enough digits to be
+/// read back unchanged. Throws SolverError with the JSON pointer of a number that is non-finite;
+/// nlohmann-json would write null.
 std::string dump_json(const Json& document);
 
-/// The same on one line, for streams of one document a line.
+/// Returns the text of a document on one line, for streams with one document per line. Errors as for
+/// dump_json.
 std::string dump_json_line(const Json& document);
 
-/// Writes text whole or not at all: a temporary file beside `path`, fsync, rename. "-" is stdout.
+/// Writes a text file completely or not at all: writes a temporary file in the same folder, flushes it to the
+/// disk and renames it. Writes to stdout if `path` is "-". Throws InputError if the file cannot be created,
+/// and SolverError if it cannot be written.
 void write_text(const std::string& path, const std::string& text);
 
 }  // namespace beadswim

@@ -4,32 +4,32 @@
 
 namespace beadswim {
 
-/// Reads a trajectory that TrajectoryWriter wrote, by one process and without MPI. FILE.part of a run that
-/// goes on or was killed can be read too; its frames are those that are whole. H5MD does not record the kind
-/// of a wall: walls are read as free-slip.
+/// Reads a trajectory that TrajectoryWriter wrote. Needs only one process and no MPI. The file FILE.part of
+/// an active or killed run can also be read; it provides the complete frames. H5MD does not distinguish
+/// free-slip and no-slip walls: all walls are read as free-slip. All functions throw InputError with file,
+/// place in the file and remedy if the contents are invalid.
 class TrajectoryReader {
  public:
-  /// Throws InputError naming file, place in it and remedy, as all of it does, for what cannot be read, is no
-  /// trajectory, or holds no frame.
+  /// Opens a trajectory. Throws InputError if it cannot be read, is not a trajectory or contains no frame.
   explicit TrajectoryReader(const std::string& path);
 
   const TrajectoryHeader& header() const { return header_; }
   std::size_t frames() const { return frames_; }
 
-  /// Of all frames [time].
+  /// Returns the times of all frames [time].
   std::vector<double> times() const;
 
-  /// Frame `index` < frames(), positions unwrapped.
+  /// Returns frame `index` < frames(), with unwrapped positions.
   TrajectoryFrame frame(std::size_t index) const;
 
-  /// What each swimmer did, base cycle by base cycle, in columns of these names and shapes; none for files
-  /// from before they held it.
+  /// Returns the cycle quantities of all swimmers at the end of each base cycle. `columns` contains the names
+  /// and shapes of the columns. Returns an empty list for files of older versions without these quantities.
   std::vector<TrajectoryCycle> cycles(const std::vector<Column>& columns) const;
 
  private:
-  /// A dataset of numbers, a row a frame or a bead.
+  /// A dataset of numbers with one row per frame or per bead.
   struct Table {
-    std::string place;  ///< FILE:/NAME
+    std::string place;  ///< "FILE:/NAME", for messages
     H5Handle dataset;
     std::vector<hsize_t> extents;
   };
@@ -48,7 +48,7 @@ class TrajectoryReader {
   std::array<Boundary, 3> boundary() const;
   std::optional<Box> box(std::size_t frame) const;
   void read_header();
-  void require_whole_swimmers() const;
+  void require_complete_swimmers() const;
 
   std::string path_;
   H5Handle file_;

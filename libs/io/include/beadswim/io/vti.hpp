@@ -7,20 +7,24 @@
 
 #include "beadswim/core/vec3.hpp"
 
-// Flow fields for ParaView and OVITO: VTK image data (.vti) with cell data, and time series of them (.pvd).
+// Flow fields for ParaView and OVITO: VTK image data (.vti) with cell data, and time series of such files
+// (.pvd).
 
 namespace beadswim {
 
-/// One field on cells, handed over plane by plane (x fastest, components innermost), so that no file's worth
-/// of it need be in memory.
+/// One field on the cells of a lattice. It is provided plane by plane, so that the complete field need not be
+/// in memory.
 struct VtiField {
   std::string name;
   int components = 1;
-  std::function<std::vector<float>(int z)> plane;  ///< called for z = 0, 1, ... in turn
+  /// Returns the numbers of plane z: all components of one cell, then of the next cell along x, then along y.
+  /// Called for z = 0, 1, ... in this order.
+  std::function<std::vector<float>(int z)> plane;
 };
 
-/// Writes cells of edge `spacing` from the origin, whole or not at all. Inline base64, one piece: the form
-/// that all readers take. Throws SolverError if the file cannot be written.
+/// Writes fields on cells with edge `spacing` [length] and one corner of the lattice at the origin. The file
+/// is written completely or not at all. Data are inline Base64 in one piece, which all readers support.
+/// Throws SolverError if the file cannot be written.
 void write_vti(const std::string& path, const Index3& cells, double spacing,
                const std::vector<VtiField>& fields);
 
@@ -30,6 +34,7 @@ struct PvdEntry {
   std::string file;
 };
 
+/// Writes the index of a time series. Throws as write_text does.
 void write_pvd(const std::string& path, const std::vector<PvdEntry>& entries);
 
 }  // namespace beadswim

@@ -2,18 +2,18 @@
 
 #include <string>
 
-// A trajectory for ParaView, which does not know H5MD: an index in XDMF 2 that says where in the file the
-// numbers of each frame are.
+// Index of a trajectory in XDMF 2, which tells ParaView where the data of each frame are in the H5MD file.
+// ParaView cannot read H5MD itself.
 
 namespace beadswim {
 
-/// The index of a trajectory. ParaView gives files with this ending, and not those that end in .xdmf, to the
-/// one of its XDMF readers that can take a frame out of a dataset of all frames.
+/// Returns the file name of the index of a trajectory. It ends in .xdmf2: for this ending ParaView uses the
+/// XDMF reader that can select one frame of a dataset. For .xdmf it uses another reader, which cannot.
 std::string xdmf_name(const std::string& trajectory);
 
-/// Writes the index of a finished trajectory beside it, whole or not at all: for each frame its time, beads
-/// as points, and radius, species, swimmer, velocity and image of each. By one process. Throws as
-/// write_text does if it cannot be written.
+/// Writes the index of a finished trajectory to the same folder, completely or not at all. The index
+/// contains, for each frame, the time, the beads as points, and the radius, species, swimmer, velocity and
+/// image of each bead. To be called on one rank. Throws as TrajectoryReader and write_text do.
 void write_xdmf(const std::string& trajectory);
 
 }  // namespace beadswim

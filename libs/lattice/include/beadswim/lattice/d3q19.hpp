@@ -4,8 +4,9 @@
 
 // The D3Q19 lattice: velocities c_i and weights w_i, with c_s^2 = 1/3 (Qian, d'Humieres & Lallemand 1992).
 //
-// Direction 0 rests; directions 2k-1 and 2k are opposite, so that a two-relaxation-time collision works on
-// neighbours in memory. Everything is in lattice units: cell = 1, step = 1, mean density = 1.
+// Direction 0 is the direction of rest. Directions 2k-1 and 2k are opposite, so that the two-relaxation-time
+// collision reads them next to each other. All quantities are in lattice units: cell = 1, step = 1, mean
+// density = 1.
 
 namespace beadswim::d3q19 {
 
@@ -33,7 +34,7 @@ constexpr int opposite(int i) {
   return i == 0 ? 0 : ((i - 1) ^ 1) + 1;
 }
 
-/// Direction with the given velocity, or -1.
+/// Returns the direction with velocity (cx, cy, cz), or -1 if the lattice has no such direction.
 constexpr int direction_of(int cx, int cy, int cz) {
   for (int i = 0; i < directions; ++i) {
     if (velocity[i][0] == cx && velocity[i][1] == cy && velocity[i][2] == cz) return i;
@@ -41,7 +42,7 @@ constexpr int direction_of(int cx, int cy, int cz) {
   return -1;
 }
 
-/// Direction i seen in a mirror across `axis` (0, 1, 2): c_axis changes sign.
+/// Returns the mirror image of direction i: component `axis` (0, 1, 2) of c_i changes its sign.
 constexpr int mirrored(int i, int axis) {
   std::array<int, 3> c = velocity[i];
   c[axis] = -c[axis];
@@ -54,7 +55,7 @@ constexpr bool near(double a, double b) {
   return a - b < 1e-15 && b - a < 1e-15;
 }
 
-/// Sum over directions of w_i c_ia^p c_ib^q.
+/// Returns the lattice moment sum_i w_i c_ia^p c_ib^q.
 constexpr double moment(int a, int p, int b, int q) {
   double sum = 0;
   for (int i = 0; i < directions; ++i) {

@@ -7,22 +7,24 @@
 
 namespace beadswim {
 
-/// The order in which a step comes to the planes of a block across z: 2, 3, ..., planes - 1, 0, 1. Messages
-/// for the halo may be under way until the outermost two on either side: rows of these, or links of beads
-/// next to them, read it.
+/// Returns the coordinate z of the plane that a step sweeps as number n: 2, 3, ..., planes - 1, 0, 1. The two
+/// outermost planes on each side come last, because only their rows, and bead links next to these rows, read
+/// the halo across z. Messages for this halo may be in transit while the other planes are swept.
 constexpr int plane_in_order(int n, int planes) {
   return (n + 2) % planes;
 }
-constexpr int place_in_order(int z, int planes) {
+/// Inverse of plane_in_order(): returns the number n of the plane at z.
+constexpr int order_of_plane(int z, int planes) {
   return (z + 2 * planes - 2) % planes;
 }
-/// The place in this order from which on all of the halo is filled.
+/// Returns the number n of the first plane that needs the complete halo.
 constexpr int first_outer_plane(int planes) {
   return planes > 4 ? planes - 4 : 0;
 }
 
-/// One step of the fluid in a block. Calls before_row(y, z) before each row is swept, with the halo filled
-/// that the row reads: there, bounce back along links between this row and rows not yet swept.
+/// Advances the fluid of a block by one time step. Calls before_row(y, z) before it sweeps the row (y, z). At
+/// this time the halo cells that the row reads are filled. before_row must apply the boundary condition on
+/// the links between this row and rows that have not been swept yet.
 template <class BeforeRow>
 void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, BeforeRow&& before_row) {
   halo.start(populations);

@@ -3,13 +3,14 @@
 #include "beadswim/core/kernel.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
-// Moments of the populations of one cell, always in the same order of additions.
+// Moments of the populations of one cell. The order of the additions is fixed, so that the bits are
+// reproducible.
 //
 //   r = sum f_i (density minus 1),   u = sum c_i f_i (momentum)
 
 namespace beadswim {
 
-/// Value: double, or a vector of doubles, one a cell.
+/// Evaluates r and u. Value: double, or a vector of doubles with one lane per cell.
 template <class Value>
 BEADSWIM_KERNEL void moments_of(const Value (&f)[d3q19::directions], Value& r, Value (&u)[3]) {
   r = f[0];

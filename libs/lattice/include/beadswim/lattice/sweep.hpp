@@ -8,20 +8,22 @@
 
 namespace beadswim {
 
-/// One step of the fluid in a block, row by row in any order: every own cell reads its 19 incoming
-/// populations, collides them and puts its outgoing ones in their places. Branch-free: beads and walls have
-/// set the incoming populations of a row's links before. The halo beside a row must have been filled before
-/// it is swept (`row_ends` says what of the next one is filled here: Halo::row_ends()).
+/// Advances the fluid of a block by one step, row by row. The rows may be swept in any order. Each cell of
+/// the block reads its 19 incoming populations, collides them and writes its 19 outgoing populations. The
+/// loop has no branches. Before a row is swept, the boundary conditions must have set the incoming
+/// populations of its links, and the halo cells that it reads must have been filled. `row_ends` selects the
+/// halo cells of the next step that the sweep fills itself (Halo::row_ends()).
 ///
-/// The same bits on every instruction set and for every shape of block.
+/// The results have the same bits for every instruction set and every shape of block.
 class BlockSweep {
  public:
   BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends);
   ~BlockSweep();
 
+  /// Sweeps the row (y, z).
   void row(int y, int z);
 
-  /// All rows are swept: advances the populations.
+  /// Changes the parity of the populations. Call it after all rows have been swept.
   void finish();
 
  private:
@@ -35,11 +37,12 @@ class BlockSweep {
   std::unique_ptr<Rows> rows_;
 };
 
-/// All rows.
+/// Sweeps all rows of a block.
 void stream_and_collide(Populations& populations, const RelaxationRates& rates,
                         RowEnds row_ends = RowEnds::left_to_halo);
 
-/// The instruction set chosen on this processor: "x86-64-v4", "x86-64-v3" or "baseline".
+/// Returns the instruction set that the kernels use on this processor: "x86-64-v4", "x86-64-v3" or
+/// "baseline".
 std::string sweep_instruction_set();
 
 }  // namespace beadswim

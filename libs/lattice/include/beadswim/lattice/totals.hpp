@@ -8,12 +8,12 @@
 
 namespace beadswim {
 
-/// Mass and momentum of a set of cells, the same bits for every decomposition of the set.
+/// Total mass and momentum of a set of cells. The bits do not depend on the decomposition of the lattice.
 struct FluidTotals {
   OrderFreeSum density_deviation;        ///< sum of (density - 1)
   std::array<OrderFreeSum, 3> momentum;  ///< sum of c_i f_i
 
-  /// Throws SolverError if a moment is not finite.
+  /// Adds one cell. Throws SolverError if a moment is non-finite or too large for OrderFreeSum.
   void add(const CellMoments& moments);
   void add(const FluidTotals& other);
   void subtract(const FluidTotals& other);
@@ -21,10 +21,10 @@ struct FluidTotals {
   Vec3 momentum_value() const { return {momentum[0].value(), momentum[1].value(), momentum[2].value()}; }
 };
 
-/// Totals over all own cells of a block.
+/// Returns the totals over all cells of a block except the halo.
 FluidTotals block_totals(const Populations& populations);
 
-/// Adds up the ranks' totals; every rank gets the sum.
+/// Returns the sum of the totals of all ranks, on every rank. Collective.
 FluidTotals sum_over_ranks(const FluidTotals& totals, const Communicator& communicator);
 
 }  // namespace beadswim

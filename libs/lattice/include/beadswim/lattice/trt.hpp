@@ -15,39 +15,42 @@
 //   e_i+  =   w_i (r + 9/2 (c_i.u)^2 - 3/2 u^2)
 //   e_i-  = 3 w_i c_i.u
 //
-//   f_i     deviation of the population from w_i, which keeps digits at low speed;  f_i* after the collision
+//   f_i     deviation of the population from w_i (less roundoff at low speed);  f_i* after the collision
 //   ibar    the direction opposite to i;  w_i, c_i weight and velocity (d3q19.hpp)
 //   r       = sum f_i, the density minus 1;  u = sum c_i f_i, the momentum (the mean density is 1)
 //   w+, w-  rates of the symmetric and antisymmetric parts [1/step]
 //
-// w+ = 1/tau sets the kinematic viscosity nu = (tau - 1/2)/3; w- = 8 (2 - w+)/(8 - w+) makes the product
-// (1/w+ - 1/2)(1/w- - 1/2) = 3/16, for which a straight bounce-back wall sits half-way between cells, at every viscosity.
+// w+ = 1/tau sets the kinematic viscosity nu = (tau - 1/2)/3. w- = 8 (2 - w+)/(8 - w+) makes the product
+// (1/w+ - 1/2)(1/w- - 1/2) = 3/16. A plane bounce-back wall then lies half-way between cells at any viscosity.
 // clang-format on
 //
 // Ginzburg, Verhaeghe & d'Humieres, Commun. Comput. Phys. 3 (2008) 427; incompressible equilibrium: He & Luo,
-// J. Stat. Phys. 88 (1997) 927. Holds for |u| << c_s = 0.577 (error u^2).
+// J. Stat. Phys. 88 (1997) 927. Valid for |u| << c_s = 0.577, with an error of order u^2.
 
 namespace beadswim {
 
+/// Rates of the two-relaxation-time collision [1/step].
 struct RelaxationRates {
   double symmetric = 0;      ///< w+
   double antisymmetric = 0;  ///< w-
 };
 
+/// Returns w+ = 1/tau and w- = 8 (2 - w+)/(8 - w+). relaxation_time: tau [step].
 constexpr RelaxationRates relaxation_rates(double relaxation_time) {
   const double symmetric = 1 / relaxation_time;
   return {symmetric, 8 * (2 - symmetric) / (8 - symmetric)};
 }
 
-/// nu [cell^2/step]
+/// Returns nu = (tau - 1/2)/3 [cell^2/step].
 constexpr double lattice_viscosity(double relaxation_time) {
   return (relaxation_time - 0.5) / 3;
 }
+/// Returns tau = 3 nu + 1/2 [step].
 constexpr double relaxation_time_of(double lattice_viscosity) {
   return 3 * lattice_viscosity + 0.5;
 }
 
-/// Equilibrium deviation e_i = e_i+ + e_i- at density 1 + r and velocity (ux, uy, uz).
+/// Evaluates the equilibrium e_i = e_i+ + e_i- at density 1 + r and velocity (ux, uy, uz).
 template <class Real>
 BEADSWIM_KERNEL Real equilibrium(int i, Real r, Real ux, Real uy, Real uz) {
   const auto& c = d3q19::velocity[i];
@@ -56,20 +59,21 @@ BEADSWIM_KERNEL Real equilibrium(int i, Real r, Real ux, Real uy, Real uz) {
   return Real(d3q19::weight(i)) * (r + 3 * cu + Real(4.5) * cu * cu - Real(1.5) * uu);
 }
 
-/// The rates as the kernel multiplies with them: w+ / 18 and w- / 6, shortened by five binary digits. Weights
-/// and rates then enter as whole multiples without rounding (18, 9, 6, 9/2, 1/2 and 6, 3, 1/2 times), so that
-/// a collision conserves mass and momentum but for the rounding of the populations themselves, which has no
-/// preferred sign (over 20,000 steps in double precision 2e-16 of the momentum, with rounded weights 7e-14).
-/// Changes the rates by 2^-19 of themselves in single precision, 2^-48 in double.
+/// The factors w+ / 18 and w- / 6 of the kernel, rounded to five binary digits less than Real has. The
+/// products of rates and weights are exact multiples of these factors (18, 9, 6, 9/2, 1/2 and 6, 3, 1/2
+/// times). A collision therefore conserves mass and momentum except for the rounding of the populations,
+/// which has no preferred sign. Over 20,000 steps in double precision, the momentum changed by 2e-16 of
+/// itself; with rounded weights it changed by 7e-14. The relative change of the rates is 2^-19 in single and
+/// 2^-48 in double precision.
 template <class Real>
 struct CollisionRates {
   Real plus_axis, minus_axis;
 };
 
 namespace detail {
-/// x without the last five binary digits that Real has.
+/// Returns x rounded to five binary digits less than Real has.
 template <class Real>
-Real shortened(double x) {
+Real round_mantissa(double x) {
   int exponent = 0;
   const double mantissa = std::frexp(x, &exponent);
   constexpr int digits = std::numeric_limits<Real>::digits - 5;
@@ -79,7 +83,8 @@ Real shortened(double x) {
 
 template <class Real>
 CollisionRates<Real> collision_rates(const RelaxationRates& rates) {
-  return {detail::shortened<Real>(rates.symmetric / 18), detail::shortened<Real>(rates.antisymmetric / 6)};
+  return {detail::round_mantissa<Real>(rates.symmetric / 18),
+          detail::round_mantissa<Real>(rates.antisymmetric / 6)};
 }
 
 /// Collides the 19 populations of one cell in place.

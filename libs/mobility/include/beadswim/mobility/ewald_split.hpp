@@ -6,17 +6,19 @@
 #include "beadswim/mobility/rotne_prager_tensor.hpp"
 
 // clang-format off
-// Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part, gone beyond some 4/xi, and a far part that
-// is smooth, as the sum of images in a periodic box and as the work between particles and mesh need it.
+// Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part, negligible beyond about 4/xi,
+// and a smooth far part. Ewald sums in a periodic box and the mesh method in open space use it.
 //
 //   far    (I - kk/k^2)/(eta k^2) s(k) (1 - A k^2/6),   s(k) = (1 + k^2/(4 xi^2)) exp(-k^2/(4 xi^2)),   A = a_i^2 + a_j^2
-//   near   what is left
+//   near   full tensor minus the far part
 //
-// Isotropic tensors without divergence come of a scalar chi(r), of transform -8 pi s(k)/k^4 for the Oseen part:
+// An isotropic tensor without divergence follows from a scalar chi(r); its transform is -8 pi s(k)/k^4 for
+// the Oseen part:
 //
 //   (I laplacian - grad grad) chi / (8 pi eta) = [ (chi'' + chi'/r) I + (chi'/r - chi'') rr/r^2 ] / (8 pi eta)
 //
-// and the laplacian of the tensor of psi = laplacian chi. Near: chi' = erfc(xi r), for r itself without splitting:
+// The laplacian of the tensor follows in the same way from psi = laplacian chi. For the near part
+// chi' = erfc(xi r):
 //
 //   8 pi eta oseen     = (s - g) I + (s + g) rr/r^2
 //   8 pi eta laplacian = [ c + g xi^2 (8 - 4 xi^2 r^2) ] I - [ 3 c + g xi^2 (4 - 4 xi^2 r^2) ] rr/r^2
@@ -24,17 +26,18 @@
 //   s = erfc(xi r)/r,   g = 2 xi exp(-xi^2 r^2)/sqrt(pi),   c = (2 s + 2 g)/r^2
 //   xi splitting [1/length], r distance of the centres, a_i, a_j radii [length], eta dynamic viscosity [mass/(length time)]
 //
-// References: Hasimoto, J. Fluid Mech. 5, 317 (1959); af Klinteberg, Shamshirgar and Tornberg, Res. Math. Sci. 4, 1 (2017)
-// for open space. Page: docs/method/mobility-product.md.
+// References: Hasimoto, J. Fluid Mech. 5, 317 (1959); af Klinteberg, Shamshirgar and Tornberg, Res. Math.
+// Sci. 4, 1 (2017) for open space. Page: docs/method/mobility-product.md.
 // clang-format on
 
 namespace beadswim {
 
-/// A pair tensor in parts: spheres of radii a_i, a_j have oseen + (a_i^2 + a_j^2)/6 laplacian.
+/// Pair tensor in two parts: spheres of radii a_i, a_j have oseen + (a_i^2 + a_j^2)/6 laplacian.
 struct SplitTensor {
   PairTensor oseen, laplacian;
 
-  PairTensor of_spheres(double squared_radii) const {
+  /// Returns the tensor of two spheres with a_i^2 + a_j^2 = squared_radii [length^2]; 0 gives point forces.
+  PairTensor sphere_tensor(double squared_radii) const {
     const double size = squared_radii / 6;
     return {.isotropic = oseen.isotropic + size * laplacian.isotropic,
             .axial = oseen.axial + size * laplacian.axial};
@@ -42,7 +45,7 @@ struct SplitTensor {
 };
 
 // clang-format off
-/// The near part at r > 0.
+/// Evaluates the near part at r > 0.
 inline SplitTensor near_tensor(double xi, double r, double eta) {
   const double unit = 1 / (8 * std::numbers::pi * eta);
   const double x2 = xi * xi, r2 = r * r;
@@ -56,24 +59,24 @@ inline SplitTensor near_tensor(double xi, double r, double eta) {
 }
 // clang-format on
 
-/// What the far part does to a sphere by its own force: to be taken off where the far part is summed over all
-/// pairs.
+/// Returns the self-interaction of a sphere that is contained in the far part [time/mass]. It is subtracted
+/// where the far part is summed over all pairs of spheres, including i = j.
 inline double far_self_mobility(double xi, double squared_radius, double viscosity) {
   const double root = std::sqrt(std::numbers::pi);
   return (4 * xi / root - 40.0 / 9 * squared_radius * xi * xi * xi / root) /
          (8 * std::numbers::pi * viscosity);
 }
 
-/// (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2), k > 0. `exponent`: what windows leave of the far part's
-/// Gaussian, k^2/(4 xi^2) where there are none.
+/// Evaluates (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2) for k > 0. `exponent` is k^2/(4 xi^2) less the part
+/// that the windows take over.
 inline double far_spectrum(double xi, double k2, double exponent, double viscosity) {
   return (1 + k2 / (4 * xi * xi)) * std::exp(-exponent) / (viscosity * k2);
 }
 
 // clang-format off
-/// The far part in open space when windows take the share `share` of its Gaussian: transform
-/// (I - kk/k^2)/(eta k^2) (1 + k^2/(4 xi^2)) exp(-(1 - share) k^2/(4 xi^2)). With X^2 = xi^2/(1 - share), E = erf(X r)
-/// and G = exp(-X^2 r^2):
+/// Evaluates the far part in open space, where windows take over the fraction `share` of its Gaussian. Its
+/// transform is (I - kk/k^2)/(eta k^2) (1 + k^2/(4 xi^2)) exp(-(1 - share) k^2/(4 xi^2)). With X^2 = xi^2/(1
+/// - share), E = erf(X r) and G = exp(-X^2 r^2):
 ///
 ///   chi     = r E + G/(sqrt(pi) X) - w E/r,     w = share/(2 xi^2)
 ///   chi_lap = 2 E/r + p G,                      p = 2 X^3/(sqrt(pi) xi^2)

@@ -6,36 +6,39 @@
 #include <optional>
 #include <vector>
 
-// Tables of line_map.hpp's S of two and of three spheres, exact mobilities by multipole_mobility.hpp.
+// Tables of the map S of line_map.hpp for two and for three spheres. Exact mobilities are evaluated by
+// multipole_mobility.hpp.
 //
-// Lattice: u = log(gap/mean radius of the two), 0.125 apart, one axis a gap; between its nodes polynomials of
-// degree 5 on the 6 nearest. A node is computed when it is first asked for, and is a function of its place
-// alone: what is asked before, or by another rank, changes nothing.
+// Each axis of a table is one gap, in the coordinate u = log(gap/mean radius of the two spheres), with nodes
+// 0.125 apart. Values between the nodes are interpolated by polynomials of degree 5 through the 6 nearest
+// nodes. A node is computed when it is first needed. Its value depends only on its position, so results do
+// not depend on earlier calls or on the rank.
 //
-// Gaps are held at the ends: above at 64 mean radii, where S - I is 1e-7; below where films are as thin as
-// 0.02 radii of equal spheres, and unequal ones as near as takes no more multipoles: the larger one's
-// bispherical coordinate xi has cosh xi - 1 = 0.01. Three spheres: 0.04 and 0.02.
+// Gaps beyond the ends of a table are replaced by the gaps at the ends. The upper end is at 64 mean radii,
+// where S - I is 1e-7. The lower end is where the bispherical coordinate xi of the larger sphere has cosh xi
+// - 1 = 0.01, or 0.02 for three spheres. For equal spheres this gap is 0.02 radii, or 0.04 radii for three
+// spheres.
 //
 // Page: docs/method/near-field.md.
 
 namespace beadswim {
 
-/// A smooth function of a few variables on a lattice that is filled as it is asked for.
+/// Interpolates a smooth function of a few variables. Function values at the nodes are computed on demand.
 template <int axes, int values>
-class FilledLattice {
+class LazyTable {
  public:
   using Place = std::array<double, axes>;
   using Values = std::array<double, values>;
   struct Axis {
-    double first = 0;
-    int nodes = 0;
+    double first = 0;  ///< coordinate of the first node
+    int nodes = 0;     ///< number of nodes
   };
   static constexpr double spacing = 0.125;
-  static constexpr int stencil = 6;
+  static constexpr int stencil = 6;  ///< nodes per interpolation and axis
 
-  FilledLattice(const std::array<Axis, axes>& extent, std::function<Values(const Place&)> law);
+  LazyTable(const std::array<Axis, axes>& extent, std::function<Values(const Place&)> law);
 
-  /// Places off the lattice are held at its ends; no number is the lower end.
+  /// Interpolates. A coordinate outside the table is replaced by the nearest end, NaN by the lower end.
   Values at(const Place& place) const;
 
  private:
@@ -46,32 +49,34 @@ class FilledLattice {
   mutable std::vector<std::optional<Values>> nodes_;
 };
 
-/// log S of two spheres. Any unit of length.
+/// Table of log S for two spheres. Any unit of length.
 class PairMapTable {
  public:
   explicit PairMapTable(const std::array<double, 2>& radii);
 
-  /// First row; the second is its opposite.
+  /// Returns the first row of log S at a gap. The second row is its negative.
   Eigen::RowVector2d log_map(double gap) const;
 
  private:
   double mean_radius_;
-  FilledLattice<1, 2> lattice_;
+  LazyTable<1, 2> table_;
 };
 
-/// S - I of three spheres, 1 to 3 in their order along the line.
+/// Table of S - I for three spheres, numbered in their order along the line. Any unit of length.
 class TripletMapTable {
  public:
   explicit TripletMapTable(const std::array<double, 3>& radii);
 
+  /// Returns S - I at the gaps of spheres 1 and 2 and of spheres 2 and 3.
   Eigen::Matrix3d change(const std::array<double, 2>& gaps) const;
 
  private:
   std::array<double, 2> mean_radii_;
-  FilledLattice<2, 6> lattice_;
+  LazyTable<2, 6> table_;
 };
 
-/// The thinnest film between two spheres of which cosh xi - 1 is at least `excess`.
-double thinnest_film(double radius_i, double radius_j, double excess);
+/// Returns the gap of two spheres at which the bispherical coordinate xi of the larger one has
+/// cosh xi - 1 = excess [length].
+double min_tabulated_gap(double radius_i, double radius_j, double excess);
 
 }  // namespace beadswim

@@ -11,19 +11,23 @@
 #include "beadswim/mobility/ewald_plan.hpp"
 #include "beadswim/mobility/mobility_model.hpp"
 
-// Velocities of many spheres by forces on them, in Stokes flow: v_i = sum_j mu_ij f_j, with mu_ii = I/(6 pi
-// eta a_i) and
+// Velocities of many spheres from the forces on them in Stokes flow:
 //
-//   Oseen         mu_ij of point forces (rotne_prager_tensor.hpp: oseen_tensor)
-//   Rotne-Prager  mu_ij of spheres apart or overlapping, positive definite for any places
-//   near          S^T mu S, mu Rotne and Prager's, S a local map of forces by which near spheres answer
-//                 exactly along their lines (near_field.hpp); as definite, at hardly more cost
+//   v_i = sum_j mu_ij f_j,   mu_ii = I/(6 pi eta a_i)
 //
-// in open space, or in a box with all images of all spheres: of periodic axes, and of axes with free-slip
-// walls, which are mirrors. The images' sum leaves out k = 0: volume flux is zero. It is meant for forces
-// that sum to zero. Few spheres in open space are summed pair by pair, exactly; all else by Ewald's sum,
-// pairs for what is near and a mesh for the rest (ewald_split.hpp, particle_mesh.hpp), at a cost of N log N
-// and memory of N.
+//   oseen     mu_ij of point forces (rotne_prager_tensor.hpp: oseen_tensor)
+//   rpy       Rotne-Prager-Yamakawa tensor of spheres; positive definite for any positions, overlaps included
+//   rpy+near  S^T mu S with mu as in rpy; S is a local map of the forces that makes the mobility of close
+//   spheres
+//             exact along their lines (near_field.hpp); also positive definite, at little additional cost
+//
+// The spheres are in open space, or in a box with all images of all spheres. Each axis of the box is periodic
+// or has free-slip walls, which act as mirrors. The sum over images leaves out k = 0, so the volume flux is
+// zero. The sum is intended for forces that sum to zero.
+//
+// Few spheres in open space are summed pair by pair, without approximation. Otherwise an Ewald sum is used:
+// the near part is a sum over pairs, the far part is evaluated on a mesh (ewald_split.hpp,
+// particle_mesh.hpp). Its cost is N log N, its memory N.
 //
 // Page: docs/method/mobility-product.md.
 
@@ -33,25 +37,27 @@ struct MobilityScene {
   MobilityModel model = MobilityModel::rpy;
   double viscosity = 0;       ///< dynamic, eta [mass/(length time)]
   std::optional<Box> box;     ///< none: open space
-  std::vector<double> radii;  ///< of each sphere [length]
-  double tolerance = 1e-4;    ///< error of velocities over their root mean square
+  std::vector<double> radii;  ///< one per sphere [length]
+  double tolerance = 1e-4;    ///< error of velocities, relative to their root mean square
 };
 
 class MobilityProduct {
  public:
-  /// `positions`: where spheres are about, by which work is shared between pairs and mesh; the same product
-  /// follows from any. Throws InputError if there is no sphere, or a radius, the viscosity, a length or the
-  /// tolerance is not what it should be, or spheres are left over from swimmers of three. Collective.
+  /// `positions` [length] are approximate positions of the spheres. They determine the division of the work
+  /// between pairs and mesh, and change results only within the tolerance. Throws InputError if there is no
+  /// sphere; if a radius, the viscosity, a length or the tolerance is invalid; or if the model is rpy_near
+  /// and the number of spheres is not a multiple of three. Collective.
   MobilityProduct(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
   ~MobilityProduct();
   MobilityProduct(const MobilityProduct&) = delete;
   MobilityProduct& operator=(const MobilityProduct&) = delete;
 
-  /// velocities[i] of sphere i. All arrays have all spheres, the same on all ranks. The same bits for the
-  /// same numbers on the same number of ranks; on another number they agree to roundoff. Collective.
+  /// Sets velocities[i] of each sphere i. All arrays hold all spheres and are equal on all ranks. On the same
+  /// number of ranks equal arguments give the same bits; on different numbers of ranks results agree to
+  /// roundoff. Collective.
   void apply(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities) const;
 
-  /// None where all pairs are summed.
+  /// Returns the parameters of the Ewald sum, or nothing if all pairs are summed.
   const std::optional<EwaldPlan>& plan() const;
 
  private:

@@ -22,10 +22,11 @@
 //   eta       dynamic viscosity [mass/(length time)]
 //   mu        velocity of one sphere per force on the other [time/mass]
 //
-// The longitudinal part of the Oseen tensor averaged over the surfaces of both spheres; value and slope are continuous
-// where the branches meet. Apart, the average is Faxen's correction, A / (24 pi eta r^3) (I - 3 rr/r^2), with an error of
-// order (a/r)^4 relative to the Stokes mobility of a lone sphere; self-mobilities stay those of lone spheres. For
-// overlapping spheres the law is no flow between spheres, but keeps dissipation positive.
+// mu is the longitudinal component of the Oseen tensor, averaged over the surfaces of both spheres. Value and
+// slope are continuous where the branches meet. For spheres that do not overlap, the average is Faxen's
+// correction, A / (24 pi eta r^3) (I - 3 rr/r^2). Its error is of order (a/r)^4 relative to the Stokes
+// mobility of a lone sphere. Self-mobilities are those of lone spheres. For overlapping spheres the law does
+// not describe a flow between two spheres, but it keeps the dissipation positive.
 // clang-format on
 //
 // References: Rotne and Prager, J. Chem. Phys. 50, 4831 (1969), and Yamakawa, J. Chem. Phys. 53, 436 (1970),
@@ -36,7 +37,7 @@
 namespace beadswim {
 
 // clang-format off
-/// Spheres apart.
+/// Evaluates the mobility of spheres that do not overlap.
 inline PairMobility rotne_prager_apart(double a_i, double a_j, double r, double eta) {
   const double oseen = 1 / (4 * std::numbers::pi * eta * r);
   const double size  = (a_i * a_i + a_j * a_j) / (r * r);  // A/r^2
@@ -44,7 +45,7 @@ inline PairMobility rotne_prager_apart(double a_i, double a_j, double r, double 
           .slope = -oseen / r * (1 - size)};
 }
 
-/// Surfaces that cut each other.
+/// Evaluates the mobility of spheres whose surfaces intersect.
 inline PairMobility rotne_prager_overlapping(double a_i, double a_j, double r, double eta) {
   const double unit = 1 / (6 * std::numbers::pi * eta * a_i * a_j);
   const double D_r  = (a_i - a_j) / r;  // D/r
@@ -53,6 +54,7 @@ inline PairMobility rotne_prager_overlapping(double a_i, double a_j, double r, d
           .slope = -unit * 3 * (1 - d2) * (1 - d2) / 16};
 }
 
+/// Evaluates the mobility at any distance.
 inline PairMobility rotne_prager(double a_i, double a_j, double r, double eta) {
   if (r >= a_i + a_j)          return rotne_prager_apart(a_i, a_j, r, eta);
   if (r > std::abs(a_i - a_j)) return rotne_prager_overlapping(a_i, a_j, r, eta);

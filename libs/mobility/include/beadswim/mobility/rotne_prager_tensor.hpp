@@ -20,22 +20,23 @@
 //   eta       dynamic viscosity [mass/(length time)]
 //   mu        velocity of one sphere per force on the other [time/mass]
 //
-// The Oseen tensor averaged over both surfaces: any number of spheres, wherever
-// they are, has a positive definite mobility. Along the line of centres it is rotne_prager.hpp's.
+// mu is the Oseen tensor averaged over both surfaces. The mobility of any number of spheres at any positions
+// is positive definite. Its component along the line of centres is the law of rotne_prager.hpp.
 //
-// Reference: Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014). Page: docs/method/rotne-prager.md.
+// Reference: Zuk, Wajnryb, Mizerski and Szymczak, J. Fluid Mech. 741, R5 (2014). Page:
+// docs/method/rotne-prager.md.
 // clang-format on
 
 namespace beadswim {
 
-/// mu = isotropic I + axial n n^T, n along the line of centres [time/mass].
+/// Tensor isotropic I + axial n n^T, where n is the unit vector along the line of centres [time/mass].
 struct PairTensor {
   double isotropic = 0, axial = 0;
 
   PairTensor operator-(const PairTensor& other) const {
     return {isotropic - other.isotropic, axial - other.axial};
   }
-  /// Velocity by a force, `separation` of length `distance` between the centres.
+  /// Returns the velocity by a force. `separation` is the vector between the centres, `distance` its length.
   Vec3 apply(const Vec3& separation, double distance, const Vec3& force) const {
     if (distance == 0) return isotropic * force;
     return isotropic * force + (axial * separation.dot(force) / (distance * distance)) * separation;
@@ -43,13 +44,14 @@ struct PairTensor {
 };
 
 // clang-format off
-/// What two point forces do: (I + rr/r^2) / (8 pi eta r).
+/// Evaluates the tensor of two point forces, (I + rr/r^2) / (8 pi eta r).
 inline PairTensor oseen_tensor(double r, double eta) {
   const double oseen = 1 / (8 * std::numbers::pi * eta * r);
   return {.isotropic = oseen, .axial = oseen};
 }
 
-/// The form for spheres apart, wherever they are; radii squared alone enter.
+/// Evaluates the form for spheres that do not overlap, at any distance. It depends only on A,
+/// `squared_radii`.
 inline PairTensor rotne_prager_tensor_apart(double squared_radii, double r, double eta) {
   const double oseen = 1 / (8 * std::numbers::pi * eta * r);
   const double size  = squared_radii / (r * r);  // A/r^2
@@ -57,6 +59,7 @@ inline PairTensor rotne_prager_tensor_apart(double squared_radii, double r, doub
           .axial     = oseen * (1 - size)};
 }
 
+/// Evaluates the tensor at any distance.
 inline PairTensor rotne_prager_tensor(double a_i, double a_j, double r, double eta) {
   if (r >= a_i + a_j)           return rotne_prager_tensor_apart(a_i * a_i + a_j * a_j, r, eta);
   if (r <= std::abs(a_i - a_j)) return {.isotropic = self_mobility(std::max(a_i, a_j), eta), .axial = 0};

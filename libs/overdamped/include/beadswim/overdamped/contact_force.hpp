@@ -1,28 +1,30 @@
 #pragma once
 
-// Repulsion that keeps beads apart where nothing else would: point models know no film between surfaces.
+// Repulsion that keeps beads apart in models that do not resolve the lubrication film between surfaces.
 //
-//   F = strength (reach/gap - 1)    for gap < reach, else 0
+//   F = strength (cutoff/gap - 1)    for gap < cutoff, else 0
 //
-// gap       between surfaces [length]
-// reach     a fifth of the mean radius [length]
-// strength  largest driving force in the scene: with it at half the reach beads bear their driving
+//   gap       distance between the surfaces [length]
+//   cutoff    a fifth of the mean radius [length]
+//   strength  largest driving force in the scene [force]; at half the cutoff F equals this force
 //
-// Straight below a twentieth of the reach, so that beads that do overlap part again. A model, not physics:
-// where contacts decide, ask a resolved run. Page: docs/method/contact-repulsion.md.
+// Below a twentieth of the cutoff, F continues linearly with the gap, so that beads that overlap separate
+// again. This is a numerical model without physical parameters. Where contacts determine the result, use a
+// resolved run. Page: docs/method/contact-repulsion.md.
 
 namespace beadswim {
 
 struct ContactForce {
-  double force = 0;      ///< repulsion
-  double stiffness = 0;  ///< -dF/dgap
+  double force = 0;      ///< F, repulsion [force]
+  double stiffness = 0;  ///< -dF/dgap [force/length]
 };
 
-inline ContactForce contact_force(double gap, double reach, double strength) {
-  if (gap >= reach) return {};
-  const double above = gap > reach / 20 ? gap : reach / 20;
-  const double stiffness = strength * reach / (above * above);
-  return {.force = strength * (reach / above - 1) + stiffness * (above - gap), .stiffness = stiffness};
+/// Evaluates F and -dF/dgap.
+inline ContactForce contact_force(double gap, double cutoff, double strength) {
+  if (gap >= cutoff) return {};
+  const double above = gap > cutoff / 20 ? gap : cutoff / 20;
+  const double stiffness = strength * cutoff / (above * above);
+  return {.force = strength * (cutoff / above - 1) + stiffness * (above - gap), .stiffness = stiffness};
 }
 
 }  // namespace beadswim

@@ -12,19 +12,27 @@
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
-// Swimmers whose beads have no inertia: each moves at once as the forces on all beads have it,
+// Swimmers whose beads have no inertia. The velocity of each bead follows from the present forces on all
+// beads:
 //
-//   dx/dt = v,   v = mu(x) F(x, v, t),   F of springs, dashpots, angular springs, driving and contacts
+//   dx/dt = v,   v = mu(x) F(x, v, t)
 //
-// Steps are backward differences of third order, of which forces are taken at the step's end,
+//   F  forces by springs, dashpots, angular springs, driving and contacts
+//
+// A time step is a backward difference formula of third order (BDF3), with linearised forces at its end:
 //
 //   11/6 x' - 3 x + 3/2 x_1 - 1/3 x_2 = h v',   v' = mu(x*) [ F(x*) - K (x' - x*) - C v' ]
 //
-// x* is carried forward from the steps before, and is found anew where a step ends far from it. K is the
-// stiffness of springs, angular springs and contacts, C that of dashpots: what is stiff is solved for, of all
-// swimmers together, so that steps need not resolve it however near they are. A product mu F a step suffices
-// where flow changes smoothly, and a few more are taken where it does not (implicit_step.hpp). Two steps of
-// Euler's, extrapolated to third order, begin.
+//   x'      positions at the end of the step; x, x_1, x_2 positions now and one and two steps ago
+//   x*      expansion point: extrapolated from earlier steps, and updated if the step ends far from it
+//   K       stiffness of springs, angular springs and contacts
+//   C       damping of the dashpots
+//   h       time step
+//
+// The stiff forces of all swimmers are solved for together, so that the time step need not resolve their
+// relaxation, even for close swimmers. One product mu F per step suffices where the flow changes smoothly. A
+// few more products are evaluated elsewhere (implicit_step.hpp). The first two steps are implicit Euler
+// steps, extrapolated to third order.
 //
 // References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
 // Page: docs/method/mobility-swarms.md.
@@ -32,39 +40,41 @@
 namespace beadswim {
 
 enum class OverdampedFaultKind {
-  not_finite,  ///< no number any more
-  speed,       ///< a bead moved by more than its radius in a step [radius]
-  torn_arm,    ///< an arm over twice its rest length [rest length]
-  wall,        ///< the centre of a bead beyond a wall [length]
-  unsolved,    ///< velocities and forces that go together were not found; of no one bead
+  not_finite,     ///< a position is non-finite
+  speed,          ///< a bead moved by more than its radius in one step; value: displacement [radius]
+  torn_arm,       ///< an arm exceeds twice its rest length; value: length [rest length]
+  wall,           ///< the centre of a bead is beyond a wall; value: distance [length]
+  not_converged,  ///< the solver did not converge; concerns no single bead
 };
 
 struct OverdampedFault {
   OverdampedFaultKind kind = OverdampedFaultKind::not_finite;
-  long step = 0;
-  int swimmer = 0;  ///< its id
-  int bead = 0;     ///< 1 to 3, or the arm, 1 or 2
-  Vec3 position = Vec3::Zero();
-  double value = 0;  ///< as the kind says
+  long step = 0;                 ///< steps done, the faulty one included
+  int swimmer = 0;               ///< id
+  int bead = 0;                  ///< number of the bead, 1 to 3, or of the arm, 1 or 2
+  Vec3 position = Vec3::Zero();  ///< position of the bead before the step [length]
+  double value = 0;              ///< quantity in the unit that the kind states
 };
 
-/// All that the future depends on, and what is told of the past.
+/// State of the beads, from which a run continues, and statistics of the steps done.
 struct OverdampedState {
   long steps_done = 0;
-  long products = 0;
-  double largest_speed = 0;
-  double smallest_gap = std::numeric_limits<double>::infinity();  ///< of beads that repelled each other
-  std::array<Beads, 3> positions;   ///< of all beads, now and one and two steps ago
-  std::array<Beads, 2> velocities;  ///< now and a step ago
-  std::array<Beads, 3> distant;     ///< velocities by all but the own swimmer, as positions
+  long products = 0;         ///< mobility products evaluated
+  double largest_speed = 0;  ///< maximum over beads and steps [length/time]
+  double smallest_gap =
+      std::numeric_limits<double>::infinity();  ///< between beads that repelled each other [length]
+  std::array<Beads, 3> positions;               ///< now, one step ago and two steps ago [length]
+  std::array<Beads, 2> velocities;              ///< now and one step ago [length/time]
+  std::array<Beads, 3>
+      distant;  ///< velocities by all other swimmers; now, one and two steps ago [length/time]
 
-  /// Visits what is told of the past.
+  /// Visits the statistics.
   static void visit_fields(auto&& visit, auto& state) {
     visit("products", state.products);
     visit("largest_speed", state.largest_speed);
     visit("smallest_gap", state.smallest_gap);
   }
-  /// Visits what the future depends on.
+  /// Visits the fields that determine all later steps.
   static void visit_bead_fields(auto&& visit, auto& state) {
     visit("positions", state.positions);
     visit("velocities", state.velocities);
@@ -78,11 +88,12 @@ struct StepRule;
 
 class OverdampedSystem {
  public:
-  /// Beads at rest positions at time 0. Throws InputError as MobilityProduct does. Collective.
+  /// Places the beads at their rest positions at time 0. Throws InputError as MobilityProduct does.
+  /// Collective.
   OverdampedSystem(OverdampedScene scene, const Communicator& communicator);
   ~OverdampedSystem();
 
-  /// Advances by one step; after a fault beads stay where they are. Collective.
+  /// Advances by one step. After a fault, beads keep their positions. Collective.
   void step();
 
   long steps_done() const { return state_.steps_done; }
@@ -91,16 +102,16 @@ class OverdampedSystem {
   const OverdampedState& state() const { return state_; }
   const MobilityProduct& mobility() const { return mobility_; }
 
-  /// Of all beads, three a swimmer, in order of the swimmers.
+  /// One vector per bead, three beads per swimmer, in order of the swimmers.
   std::span<const Vec3> positions() const { return state_.positions[0]; }
   std::span<const Vec3> velocities() const { return state_.velocities[0]; }
 
-  /// First and end of the swimmers that this rank moves.
+  /// Returns the range [first, end) of the swimmers that this rank advances.
   std::pair<std::size_t, std::size_t> own_swimmers() const;
 
   const std::optional<OverdampedFault>& fault() const { return fault_; }
 
-  /// Goes on from a state of the same scene. Throws SolverError if it is of another number of beads.
+  /// Continues from a state of the same scene. Throws SolverError if the number of beads differs.
   void restore(OverdampedState state);
 
  private:
@@ -108,22 +119,22 @@ class OverdampedSystem {
     Beads displacements, velocities, distant;
   };
 
-  ImplicitStepResult solved(const StepRule& rule, const Beads& from, const Beads& guess,
-                            const Beads& distant);
-  void find_velocities();
-  Step euler(int parts);
-  void first_step();
-  void multistep();
+  ImplicitStepResult solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
+                                const Beads& distant);
+  void solve_initial_velocities();
+  Step take_euler_steps(int parts);
+  void take_first_step();
+  void take_bdf_step();
   void accept(Step step);
-  void look_for_faults();
+  void check_faults();
 
   OverdampedScene scene_;
   const Communicator& communicator_;
-  std::vector<double> radii_;  ///< of all beads
+  std::vector<double> radii_;  ///< one per bead [length]
   MobilityProduct mobility_;
   std::unique_ptr<ImplicitStep> implicit_step_;
   OverdampedState state_;
-  bool is_solved_ = true;  ///< by all steps so far
+  bool is_converged_ = true;  ///< all steps so far converged
   std::optional<OverdampedFault> fault_;
 };
 

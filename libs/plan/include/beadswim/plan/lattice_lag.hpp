@@ -8,48 +8,54 @@
 #include "beadswim/theory/inertial_motion.hpp"
 #include "beadswim/theory/question.hpp"
 
-// What finite steps do to a swimmer in a lattice-Boltzmann fluid, however fine its cells: answers come late,
-// and pressure goes by sound. To first order in the step, by the theory of motion with inertia
-// (inertial_motion.hpp) with
+// Errors that finite time steps cause in a lattice-Boltzmann run, even on arbitrarily fine cells. Stress and
+// bead forces are delayed, and pressure propagates with the speed of sound. The errors are evaluated to first
+// order in the time step by the theory of motion with inertia (inertial_motion.hpp), with these replacements:
 //
-//   eta(omega) = eta (1 - i omega t_s)      stress follows strain after t_s = nu/c^2 = (tau - 1/2) steps
+//   eta(omega) = eta (1 - i omega t_s)      stress lags strain by t_s = nu/c^2 = (tau - 1/2) steps
 //   M -> M(eta(omega)) + sound_flow         c = cell/(sqrt(3) step)
 //   F = e^{-i omega step} (M^-1 - i omega m_f) U + i omega (m + zeta t_d) U
 //
-// m_f: fluid that a bead displaces; links answer a step late; t_d = 3/2 t_s + step: what delay correction
-// adds to beads, zeta = 6 pi eta a. Page: docs/method/lattice-lag.md.
+//   c     speed of sound of the lattice [length/time]
+//   step  time step [time]: forces by links act one step late, hence e^{-i omega step}
+//   M     induced mobility;  F, U force on a bead and its velocity;  m, m_f mass of bead and displaced fluid
+//   t_d   = 3/2 t_s + step, delay that the delay correction compensates by the added mass zeta t_d [time]
+//   zeta  = 6 pi eta a [mass/time]
+//
+// Page: docs/method/lattice-lag.md.
 
 namespace beadswim {
 
-/// The steps of a run.
+/// Time step and speed of sound of a lattice run.
 struct LatticeTiming {
-  double step = 0;         ///< [time]
-  double sound_speed = 0;  ///< cell/(sqrt(3) step) [length/time]
-  bool corrects_delay = true;
+  double step = 0;             ///< time step [time]
+  double sound_speed = 0;      ///< cell/(sqrt(3) step) [length/time]
+  bool corrects_delay = true;  ///< whether the delay correction adds mass to beads
 };
 
-/// Errors by steps of finite length.
+/// Relative errors by finite time steps.
 struct LagErrors {
-  std::array<double, 2> arm_amplitudes{};  ///< relative, with their signs
-  double velocity = 0;  ///< relative: those of drift and of Reynolds stress, not set off against each other
+  std::array<double, 2> arm_amplitudes{};  ///< with their signs
+  double velocity = 0;                     ///< sum of the absolute errors of drift and Reynolds stress
 };
 
-/// What does not depend on the steps, of one swimmer: in the question's box, or in open space, where beads
-/// feel no sound of each other.
+/// Evaluates the errors of one swimmer for any time step. The constructor computes all quantities that do not
+/// depend on the step. In open space, sound is taken into account for each bead alone, not between beads.
 class LatticeLag {
  public:
   explicit LatticeLag(const Question& question);
 
+  /// Returns the errors of a run with these time steps.
   LagErrors errors(const LatticeTiming& timing) const;
 
  private:
-  /// What a flow that is a function of omega rho/eta, over eta, is with frequencies a little lower and
-  /// higher.
-  struct Neighbours {
+  /// Matrix that depends on omega rho/eta and is proportional to 1/eta, at the driving frequency and at a
+  /// slightly lower and a slightly higher frequency.
+  struct FrequencySamples {
     Eigen::Matrix3cd at, below, above;
 
-    /// With eta (1 - eps) in place of eta.
-    Eigen::Matrix3cd with_late_stress(std::complex<double> eps) const;
+    /// Returns the matrix with eta (1 - eps) in place of eta, to first order in eps.
+    Eigen::Matrix3cd with_delayed_stress(std::complex<double> eps) const;
   };
   struct Motion {
     Eigen::Vector2cd arm;
@@ -57,14 +63,14 @@ class LatticeLag {
   };
 
   template <class Flow>
-  Neighbours neighbours(const Flow& flow) const;
+  FrequencySamples frequency_samples(const Flow& flow) const;
   Motion motion(const Eigen::Matrix3cd& mobility, const Eigen::Matrix3cd& induced,
                 const DriftForm& form) const;
-  Eigen::Matrix3cd with_late_links(const Eigen::Matrix3cd& induced, const LatticeTiming& timing) const;
+  Eigen::Matrix3cd with_delayed_links(const Eigen::Matrix3cd& induced, const LatticeTiming& timing) const;
 
   InertialScene scene_;
   std::optional<BoxPlace> box_;
-  Neighbours induced_, slopes_;
+  FrequencySamples induced_, slopes_;
   DriftForm form_;
   Eigen::Matrix3cd reynolds_;
   Motion exact_;

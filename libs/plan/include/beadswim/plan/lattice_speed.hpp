@@ -7,10 +7,10 @@
 
 namespace beadswim {
 
-/// Cost of lattice steps in one precision.
+/// Cost of lattice steps in one floating-point precision.
 struct PrecisionCost {
   std::vector<double> cells;             ///< cells per rank, ascending
-  std::vector<double> seconds_per_cell;  ///< core-seconds per cell and step with so many cells per rank [s]
+  std::vector<double> seconds_per_cell;  ///< core-seconds per cell and step for each entry of `cells` [s]
   std::vector<double> seconds_per_area;  ///< core-seconds per step and cell^2 of bead surface, by scheme [s]
 
   static void visit_fields(auto&& visit, auto& cost) {
@@ -23,15 +23,15 @@ struct PrecisionCost {
 /// Cost of a lattice step on this machine with a number of ranks.
 class LatticeSpeed {
  public:
-  /// `precisions` is in the order of Precision. Throws InputError if its lists have other lengths than
-  /// measured() gives, or hold values that no machine has.
+  /// `precisions` is in the order of Precision. Throws InputError if the lengths of the lists differ from
+  /// those of measured(), or if a cost is negative or above one second.
   LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions);
 
   /// Measures the cost of steps, which takes some seconds. Collective.
   static LatticeSpeed measured(const Communicator& communicator);
 
-  /// Returns the core-seconds of a step: those of its cells, by their number per rank, and those of the
-  /// surface of its beads.
+  /// Returns the core-seconds of one step: the cost of all cells, which depends on the number of cells per
+  /// rank, plus the cost of the surfaces of all beads.
   double step(const CoupledScene& scene) const;
 
   int ranks() const { return ranks_; }

@@ -10,56 +10,60 @@
 #include "beadswim/plan/lattice_lag.hpp"
 #include "beadswim/theory/question.hpp"
 
-// How wrong a run of each model would be, before it is run: relative errors of a swimmer's velocity and of
-// its arms' amplitudes, by what theory knows. Page: docs/method/expected-errors.md.
+// Expected errors of a run with each model, before it is made: relative errors of a swimmer's velocity and
+// arm amplitudes, estimated by theory and by measured errors of the lattice. Page:
+// docs/method/expected-errors.md.
 
 namespace beadswim {
 
+/// Expected relative errors of velocity and arm amplitudes.
 struct ErrorEstimate {
   double velocity = 0;
   std::array<double, 2> arm_amplitudes{};
 
-  double largest() const;
+  double largest() const;  ///< maximum of all errors
 
   static void visit_fields(auto&& visit, auto& error) {
-    visit("velocity", error.velocity, omitted_if_zero);  // nothing swims
+    visit("velocity", error.velocity, omitted_if_zero);  // zero if nothing swims
     visit("arm_amplitudes", error.arm_amplitudes);
   }
 };
 
-/// A swimmer's velocity and arms' amplitudes by the best theory, and what is unknown of them.
-struct BestKnown {
+/// Velocity and arm amplitudes by the most accurate method of theory, with their uncertainty.
+struct BestPrediction {
   double velocity = 0;                     ///< [length/time]
   std::array<double, 2> arm_amplitudes{};  ///< [length]
   ErrorEstimate uncertainty;
-  /// How far parts of the velocity cancel: what the same stroke would make in open space without inertia,
-  /// over the velocity, times 1 + uncertainty of that; at least 1.
+  /// Measure of the cancellation of contributions to the velocity: the velocity of the same stroke in open
+  /// space without inertia, divided by the velocity, times (1 + uncertainty of the velocity). At least 1.
   double cancellation = 1;
-  bool swims = true;   ///< false: the velocity is zero by symmetry, and has no relative error
-  double nearest = 0;  ///< gap to which an arm's beads come in the stroke [length]
+  bool is_swimming = true;  ///< false: the velocity is zero by symmetry, so a relative error is undefined
+  double smallest_stroke_gap = 0;  ///< smallest gap of neighbouring beads in the stroke [length]
 };
 
-/// `inertia-corrected`. Throws InputError where theory has no answer: beads that meet, or overlap.
-BestKnown best_known(const Question& question);
+/// Returns the prediction of the method inertia-corrected. Throws InputError if the method cannot treat the
+/// question, for example because beads touch or overlap.
+BestPrediction best_prediction(const Question& question);
 
-/// Of a run without inertia: its distance from the best theory, what that does not know, and what steps
-/// leave. Throws InputError where the model's own motion is none, as beads meet.
-ErrorEstimate mobility_error(const Question& question, const BestKnown& best, MobilityModel model,
+/// Returns the expected error of a run with a mobility model: the difference from `best`, the uncertainty of
+/// `best`, and the error of the time steps. Throws InputError if the model has no periodic motion because
+/// beads touch.
+ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              int steps_per_cycle);
 
-/// How a lattice resolves a scene.
+/// Resolution of a scene on a lattice.
 struct ResolvedRun {
-  double cells_per_radius = 0;  ///< of the smallest bead
+  double cells_per_radius = 0;  ///< cells per radius of the smallest bead
   BeadScheme scheme = BeadScheme::mr;
-  double smallest_gap = 0;  ///< that surfaces have at rest, of beads, images and walls [cell]
-  double cell = 0;          ///< [length]
-  double mach = 0;          ///< of the fastest bead
+  double smallest_gap = 0;  ///< smallest gap at rest of beads, images and walls [cell]
+  double cell = 0;          ///< edge of a cell [length]
+  double mach = 0;          ///< Mach number of the fastest bead
   LatticeTiming timing;
 };
 
-/// Of a resolved run: by lag of its steps, and by its cells, as measured. Without a best theory beads are
-/// taken to touch in their stroke.
-ErrorEstimate lattice_error(const LatticeLag& lag, const std::optional<BestKnown>& best,
+/// Returns the expected error of a resolved run: the error of the time steps by theory and the error of the
+/// cells by measurement. If `best` is not known, the estimate assumes that beads touch in their stroke.
+ErrorEstimate lattice_error(const LatticeLag& lag, const std::optional<BestPrediction>& best,
                             const ResolvedRun& run);
 
 }  // namespace beadswim

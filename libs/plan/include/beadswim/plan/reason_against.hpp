@@ -6,11 +6,11 @@
 
 namespace beadswim {
 
-/// Does `what`, and says why it cannot be done where it throws InputError or SolverError; empty if it can.
-template <class What>
-std::string reason_against(const What& what) {
+/// Calls `action`. Returns the message of the InputError or SolverError that it throws, or an empty string.
+template <class Action>
+std::string reason_against(const Action& action) {
   try {
-    what();
+    action();
     return {};
   } catch (const InputError& error) {
     return error.what();

@@ -8,19 +8,20 @@
 
 namespace beadswim {
 
-/// A swimmer that stands for those like it, as theory is asked about it.
+/// A swimmer that represents all swimmers of the same type and driving, with its question to theory.
 struct Representative {
-  int swimmer = 0;   ///< its id
-  SwimmerType type;  ///< with its own driving
+  int swimmer = 0;   ///< id of the swimmer
+  SwimmerType type;  ///< its type, with its own driving
   Question question;
-  /// What theory cannot know of it, and what stands in its place; empty if nothing.
+  /// Text on the approximation of neighbours, box or driving in `question`; empty if there is none.
   std::string approximation;
-  bool is_slanted = false;  ///< driven across its line too
+  bool is_slanted = false;  ///< whether driving forces act perpendicular to its axis too
 };
 
-/// One for each type and driving (whatever its phase offset); of more than eight drivings of a type the
-/// first, those of the largest and smallest force and of the longest and shortest period. `cell`: a scene's
-/// smallest cell. Throws InputError where a swimmer is none to theory, without springs for one.
+/// Returns one representative for each type and driving; drivings that differ only in phase offset count as
+/// one. For a type with more than eight drivings, it returns up to five: the first one, and those with the
+/// largest and smallest force and the longest and shortest period. `cell`: the smallest cell that the scene
+/// repeats (scene/reduce.hpp). Throws InputError for swimmers without springs.
 std::vector<Representative> representatives(const Layout& cell);
 
 }  // namespace beadswim

@@ -2,10 +2,10 @@
 
 namespace beadswim {
 
-/// Steps of a whole run of so many cycles. Throws InputError if there are too many.
+/// Returns the number of time steps of a run of `cycles` base cycles. Throws InputError above 10^15 steps.
 long total_steps(double cycles, long steps_per_cycle);
 
-/// Steps between flow fields, or checkpoints, each so many cycles.
+/// Returns the number of time steps between outputs that are `cycles` base cycles apart.
 long steps_between(double cycles, long steps_per_cycle);
 
 }  // namespace beadswim

@@ -11,55 +11,57 @@
 #include "beadswim/plan/run_settings.hpp"
 #include "beadswim/scene/layout.hpp"
 
-// What a run would be by each model and resolution: its error, from theory and from what lattices were
-// measured to be wrong by, and its cost on this machine. Page: docs/choosing-a-model.md.
+// Comparison of possible runs: expected error and cost on this machine for each model and resolution. The
+// errors come from theory and from measured errors of lattices. Page: docs/choosing-a-model.md.
 
 namespace beadswim {
 
-/// Which runs a plan weighs.
+/// Restrictions on the candidates of a plan.
 struct PlanRequest {
-  /// Settings that all runs share. The plan chooses model and tolerance of the mobility anew, and the
-  /// lattice's cells per radius and relaxation time where they are none.
+  /// Settings that all candidates share. The plan ignores the model and the tolerance of the mobility here.
+  /// It varies cells per radius and relaxation time of the lattice where they are not set.
   RunSettings settings;
-  std::optional<RunModel> model;       ///< the only model to weigh; none: all
-  std::optional<Precision> precision;  ///< the only precision to weigh; none: both
-  std::optional<double> tolerance;     ///< largest relative error of velocity and arms' amplitudes; none: 3 %
-  bool has_advice = false;             ///< names hard cases and proposes smaller scenes
+  std::optional<RunModel> model;       ///< nullopt: all models
+  std::optional<Precision> precision;  ///< nullopt: both precisions
+  std::optional<double> tolerance;     ///< relative, of velocity and arm amplitudes; nullopt: 3 %
+  bool has_advice = false;             ///< whether to fill RunPlan::hard and proposals
 
-  /// Throws InputError if the user has chosen what a run with these settings does not have.
+  /// Throws InputError if the user has set an option that a run with these settings does not use.
   std::function<void(const RunSettings&)> require_choices_apply;
   /// Returns the cost of lattice steps. Called at most once, for the first lattice that can run. Collective.
   std::function<LatticeSpeed()> lattice_speed;
 };
 
-/// A candidate: a run that could be.
+/// A candidate: a possible run.
 struct PlannedRun {
   RunSettings settings;
-  std::string refused;  ///< why it cannot be, or is wrong in kind; empty if it can
+  std::string refused;  ///< why it cannot be made or its result would be wrong; empty if neither
   ErrorEstimate error;
-  double core_seconds = 0;  ///< on as many ranks as this
+  double core_seconds = 0;  ///< cost on the ranks of this program
   double memory_bytes = 0;
-  double output_bytes = 0;  ///< trajectory, flow and checkpoints
+  double output_bytes = 0;  ///< disk space of trajectory, flow fields and checkpoints
 };
 
-/// A smaller scene that would do: the one swimmer alone in this periodic box, or the cell that the scene
-/// repeats.
+/// A smaller scene that would give the same result: the swimmer in a smaller periodic box, or the cell that
+/// the scene repeats.
 struct Proposal {
   std::string what;
-  std::optional<Vec3> box = std::nullopt;  ///< edges [length]; none: the cell
+  std::optional<Vec3> box = std::nullopt;  ///< edges of the box [length]; nullopt: the repeated cell
 };
 
+/// All candidates, the chosen one, and advice.
 struct RunPlan {
-  double tolerance = 0;  ///< asked for: largest relative error of velocity and arms' amplitudes
+  double tolerance = 0;  ///< requested: largest relative error of velocity and arm amplitudes
   std::vector<PlannedRun> runs;
-  std::optional<std::size_t> choice;  ///< the cheapest within the tolerance; none if none is
-  std::optional<std::size_t> best;    ///< the smallest error; none if all are refused
-  std::vector<std::string> hard;      ///< what is hard about the scene, each a line; with advice
-  std::vector<Proposal> proposals;    ///< with advice
+  std::optional<std::size_t> choice;  ///< cheapest run within the tolerance; nullopt if there is none
+  std::optional<std::size_t> best;    ///< run with the smallest error; nullopt if all are refused
+  std::vector<std::string> hard;      ///< difficulties of the scene, one line each; filled if has_advice
+  std::vector<Proposal> proposals;    ///< filled if has_advice
 };
 
-/// Plans a run of the layout, which `source` names, by all models and resolutions that the request leaves
-/// open. Throws InputError as runs of unsound layouts do. Collective; the same on all ranks.
+/// Plans a run of the layout: evaluates all models and resolutions that the request leaves open. `source`:
+/// name of the layout in messages. Throws InputError if the layout is invalid for all models, for example if
+/// a swimmer has no springs. Collective; returns the same plan on all ranks.
 RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::string& source,
                  const Communicator& communicator);
 

@@ -7,13 +7,13 @@
 
 namespace beadswim {
 
-/// What moves the beads: the fluid of a lattice, or a mobility.
+/// Model that moves the beads: a lattice-Boltzmann fluid, or a mobility.
 enum class RunModel {
   lbm,
   rpy,
   rpy_near,
   oseen,
-  automatic,  ///< the cheapest that a plan finds
+  automatic,  ///< the cheapest model within the tolerance of a plan
 };
 
 template <>
@@ -24,7 +24,7 @@ inline constexpr auto name_table<RunModel> =
                                          {RunModel::oseen, "oseen"},
                                          {RunModel::automatic, "auto"}});
 
-/// A mobility has one name, as a model of runs and by itself.
+// A mobility model has the same name in both enumerations.
 inline RunModel run_model(MobilityModel model) {
   return from_text<RunModel>(to_text(model));
 }
@@ -32,15 +32,15 @@ inline std::optional<MobilityModel> mobility_model(RunModel model) {
   return value_named<MobilityModel>(to_text(model));
 }
 
-/// The settings that fix the results, the cost and the files of a run of a layout.
+/// Settings that determine the results, the cost and the files of a run of a layout.
 struct RunSettings {
   RunModel model = RunModel::lbm;
-  LatticeSettings lattice;                 ///< of lbm
-  MobilitySettings mobility;               ///< of the other models
+  LatticeSettings lattice;                 ///< used by lbm
+  MobilitySettings mobility;               ///< used by the other models
   double cycles = 6;                       ///< length of the run [base period]
-  int frames_per_cycle = 40;               ///< of the trajectory
-  std::optional<double> checkpoint_every;  ///< none: only when the run is stopped [cycle]
-  std::optional<double> flow_every;        ///< none: no flow fields [cycle]
+  int frames_per_cycle = 40;               ///< frames of the trajectory per base cycle
+  std::optional<double> checkpoint_every;  ///< nullopt: only if the run is stopped [cycle]
+  std::optional<double> flow_every;        ///< nullopt: no flow fields [cycle]
 };
 
 }  // namespace beadswim

@@ -5,23 +5,28 @@
 #include "beadswim/theory/inertial_motion.hpp"
 #include "beadswim/theory/question.hpp"
 
-// What sound adds to the flow between three beads on a line, exp(i omega t), in a fluid that is a little
-// compressible. Forces along x also push the fluid along its gradients:
+// Contribution of sound to the flow around three beads on a line, in a slightly compressible fluid. Forces f
+// along x that vary as exp(i omega t) cause a longitudinal flow in addition to the incompressible one:
 //
-//   u(k) = (k_x/k)^2 i omega / (rho (c^2 k^2 - omega^2 + 2 i omega nu k^2)) f(k)      c: speed of sound
+//   u(k) = (k_x/k)^2 i omega / (rho (c^2 k^2 - omega^2 + 2 i omega nu k^2)) f(k)
 //
-// summed over the waves of the box, the beads seen as shells, sin(ka)/(ka). Free-slip walls are mirrors.
-// As c grows it vanishes, like 1/c^2. Page: docs/method/lattice-lag.md.
+//   k        wavevector of the box [1/length];  k_x its component along the swimmer
+//   c        speed of sound [length/time];  rho, nu density and kinematic viscosity of the fluid
+//
+// Beads are spherical shells of radius a with the form factor sin(ka)/(ka). Free-slip walls are mirrors. The
+// flow vanishes as 1/c^2 for large c. Page: docs/method/lattice-lag.md.
 
 namespace beadswim {
 
+/// Flow by sound per force, and its derivative with respect to the position of the receiving bead.
 struct SoundFlow {
-  Eigen::Matrix3cd value;  ///< velocity of bead j by a force on bead i, (j, i), own flow too [time/mass]
-  Eigen::Matrix3cd by_receiver;  ///< its slope in the place of bead j [time/(mass length)]
+  Eigen::Matrix3cd value;        ///< (j, i): velocity of bead j per force on bead i [time/mass]
+  Eigen::Matrix3cd by_receiver;  ///< derivative with respect to x_j [time/(mass length)]
 };
 
-/// In the box of the scene; zero off the diagonal in open space. Waves with k over 6 by the smallest radius
-/// are left out, and all but the longest 2 10^5, except of a bead's own flow.
+/// Returns the flow in the box `place`, or in open space if `place` is nullopt; then elements off the
+/// diagonal are zero. The sum includes k up to 6/(smallest radius), and at most the 2 10^5 longest waves. The
+/// diagonal elements are corrected for the omitted waves.
 SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& place, double sound_speed);
 
 }  // namespace beadswim

@@ -4,13 +4,16 @@
 
 namespace beadswim {
 
-/// Estimated error by roundoff of the swimmers' velocity in a run of `steps`, relative to the velocity, for
-/// the type that fares worst. The velocity is that to second order in the driving. Single precision: from a
-/// measured error relative to the speed of the fastest bead (docs/method/single-precision.md), infinite for a
-/// type that is driven but does not swim. Double: from that of the way in a period, for types that swim.
+/// Returns the estimated relative error of the swimmers' velocity by roundoff in a run of `steps` time steps:
+/// the largest of all types. The velocity is evaluated to second order in the driving.
+///
+/// Single precision: the estimate is a measured error relative to the speed of the fastest bead
+/// (docs/method/single-precision.md). It is infinite for a type that is driven but does not swim.
+/// Double precision: the estimate is the roundoff of the displacement in one period. Types that do not swim
+/// are ignored.
 double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long steps);
 
-/// Above this a run warns.
+/// Relative error by roundoff above which a run prints a warning.
 constexpr double tolerated_roundoff = 0.002;
 
 }  // namespace beadswim

@@ -7,8 +7,8 @@
 #include "beadswim/core/cell_list.hpp"
 #include "beadswim/scene/layout.hpp"
 
-// Distances between the beads of a scene at rest, periodic images included. Cell lists: the cost grows as the
-// number of beads.
+// Distances between the beads of a scene at rest. Periodic images are included. Cell lists make the cost
+// proportional to the number of beads.
 
 namespace beadswim {
 
@@ -20,33 +20,37 @@ struct PlacedBead {
   int bead = 0;             ///< 0, 1 or 2
 };
 
-/// Three beads a swimmer, in order. Every swimmer's type must exist.
+/// Returns the beads of all swimmers, three per swimmer, in order of the swimmers. The type of every swimmer
+/// must exist in the layout.
 std::vector<PlacedBead> placed_beads(const Layout& layout);
 
-/// Two beads, or one and its own periodic image (first == second).
+/// A pair of beads, or a bead and its own periodic image (first == second).
 struct BeadPair {
   std::size_t first = 0;   ///< index in the list of beads
   std::size_t second = 0;  ///< not greater than `first`
-  double distance = 0;     ///< between centres of the nearest images [length]
+  double distance = 0;     ///< between the centres of the nearest images [length]
 };
 
 /// Returns the radius of the largest bead [length].
 double largest_radius(const std::vector<PlacedBead>& beads);
 
-/// Sorts the centres of the beads, one at least, into cells that find what is within `reach` of a point
-/// [length]. Walls are crossed as periodic faces are, so it may find more.
-CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double reach);
+/// Sorts the centres of the beads (at least one) into cells that find all centres within `cutoff` [length] of
+/// a point. The cells treat walls as periodic faces, so the search may find more centres.
+CellList bead_cells(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff);
 
-/// Calls visit(pair) for each pair of beads, and maybe some more, whose nearest images have centres within
-/// `reach` [length], until visit returns false. Pairs come in ascending order of `first`, then of `second`.
-void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double reach,
+/// Calls visit(pair) for each pair of beads whose nearest images have centres within `cutoff` [length], until
+/// visit returns false. May also visit pairs beyond the cutoff. Pairs come in ascending order of `first`,
+/// then of `second`.
+void visit_close_pairs(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain, double cutoff,
                        const std::function<bool(const BeadPair&)>& visit);
 
-/// Pairs whose surfaces touch or cross, at most `most` of them.
+/// Returns the pairs whose surfaces touch or intersect, at most `max_pairs` pairs. Pairs of a bead and its
+/// own periodic image are included.
 std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
-                                        const std::optional<Box>& domain, std::size_t most);
+                                        const std::optional<Box>& domain, std::size_t max_pairs);
 
-/// Smallest distance between two surfaces: beads, their periodic images, and walls [length].
+/// Returns the smallest distance between two surfaces of beads, their periodic images and walls [length].
+/// Negative if surfaces overlap.
 double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain);
 
 }  // namespace beadswim

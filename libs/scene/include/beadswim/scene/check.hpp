@@ -7,19 +7,20 @@
 
 namespace beadswim {
 
-/// One thing wrong with a layout.
+/// An error in a layout.
 struct LayoutFault {
-  std::string place;    ///< where in layout.json, as a JSON pointer: "/swimmers/3/position"
-  std::string message;  ///< the value, what is allowed, the remedy
+  std::string place;    ///< JSON pointer to the place in layout.json, for example "/swimmers/3/position"
+  std::string message;  ///< value found, values allowed, remedy
 };
 
-/// What a schema cannot say: units that contradict their names, arms shorter than their beads, unknown types,
-/// ids given twice, axes that are not unit vectors, swimmers outside the box, beads across walls, beads that
-/// overlap (periodic images included). Empty if all is well. Beads are looked at only when the rest is sound,
-/// and a swimmer's first fault is told for all of its beads.
+/// Returns the errors that a JSON schema cannot detect: units that contradict their names, arms shorter than
+/// the sum of the radii of their beads, unknown types, repeated ids, axes that are not unit vectors, swimmers
+/// outside the box, beads that cut walls, and beads that overlap (periodic images included). Returns an empty
+/// list for a valid layout. Walls and overlaps of beads are checked only if all other checks pass. For each
+/// swimmer the first error of its beads is returned.
 std::vector<LayoutFault> check_layout(const Layout& layout);
 
-/// Makes axes that are unit vectors to 1e-6 unit vectors to roundoff, and leaves others as they are.
+/// Normalises the axes whose length differs from 1 by at most 1e-6. Leaves all other axes unchanged.
 void normalise_axes(Layout& layout);
 
 }  // namespace beadswim

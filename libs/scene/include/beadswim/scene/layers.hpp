@@ -8,18 +8,20 @@
 
 namespace beadswim {
 
-/// Which layer along x, y and z, from 0.
+/// Indices of a layer along x, y and z, from 0.
 using Layer = std::array<int, 3>;
 
-/// The layers in which the swimmers' middle beads stand, in the layout's order. Along an axis, coordinates
-/// less than a smallest radius from one another are of one layer.
+/// Returns the layer of each swimmer's middle bead, in the order of the layout. Along each axis the
+/// coordinates are sorted; successive coordinates that differ by at most the smallest radius belong to the
+/// same layer.
 std::vector<Layer> swimmer_layers(const Layout& layout);
 
-/// How many layers there are along each axis.
+/// Returns the number of layers along each axis.
 Layer layer_count(std::span<const Layer> layers);
 
-/// The block that a swimmer is of, as colours show it. `block_swimmers` are the swimmers of a block along
-/// each axis: blocks are then 0 and 1 in a checkerboard. Or it is one number N: block id / N.
+/// Returns the number of the block that a swimmer belongs to, used to colour it. `block_swimmers` holds three
+/// numbers or one. Three numbers are the swimmers per block along x, y, z; block numbers are then 0 and 1 in
+/// a checkerboard pattern. One number N gives block id / N.
 int block_number(int id, const Layer& layer, std::span<const int> block_swimmers);
 
 }  // namespace beadswim

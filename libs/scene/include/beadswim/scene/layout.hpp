@@ -10,16 +10,16 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
-// A scene: fluid, domain, types of swimmer and the swimmers, in one coherent unit system. The in-memory
-// twin of layout.json (schemas/layout.schema.json); it knows nothing of JSON, cells or time steps.
+// A scene in one coherent unit system: fluid, box, types and swimmers. Layout has the content of layout.json
+// (schemas/layout.schema.json). It does not depend on JSON, cells or time steps.
 
 namespace beadswim {
 
-/// "lattice" (all factors 1), or named units with their size in SI.
+/// Unit system: "lattice" (all factors 1), or named units with their size in SI.
 struct Units {
   struct Unit {
     std::string name;
-    double si_factor = 1;  ///< how many metres, seconds or kilograms one unit is
+    double si_factor = 1;  ///< size of the unit in metres, seconds or kilograms
 
     static void visit_fields(auto&& visit, auto& unit) {
       visit("name", unit.name);
@@ -42,7 +42,7 @@ struct Fluid {
   }
 };
 
-/// One swimmer: its type, where it is, and its own driving (its type's unless overridden).
+/// One swimmer. Without own driving it has the driving of its type.
 struct Swimmer {
   int id = 0;
   std::string type;
@@ -51,10 +51,10 @@ struct Swimmer {
   std::optional<Driving> driving{};
 };
 
-/// How a resolved run should discretise the scene; a hint only.
+/// Proposed discretisation of a resolved run. Programs may choose another one.
 struct Resolution {
-  double cells_per_radius = 0;
-  double relaxation_time = 0;
+  double cells_per_radius = 0;  ///< smallest bead radius, divided by the cell
+  double relaxation_time = 0;   ///< tau [step]
 
   static void visit_fields(auto&& visit, auto& resolution) {
     visit("cells_per_radius", resolution.cells_per_radius);
@@ -65,19 +65,19 @@ struct Resolution {
 struct Layout {
   Units units;
   Fluid fluid;
-  std::optional<Box> domain;  ///< none: unbounded fluid
+  std::optional<Box> domain;  ///< none: open space
   std::map<std::string, SwimmerType> types;
   std::vector<Swimmer> swimmers;
   std::optional<Resolution> resolution;
 
-  /// The swimmer's type with the swimmer's own driving in place.
+  /// Returns the type of a swimmer, with the swimmer's own driving if it has one.
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 };
 
-/// Of all beads that the layout's swimmers have [length].
+/// Returns the smallest radius of all beads of the layout's swimmers [length].
 double smallest_radius(const Layout& layout);
 
-/// Returns the period that all swimmers share, else that of the first one's type [time].
+/// Returns the period that all swimmers share, otherwise the period of the first swimmer's type [time].
 double base_period(const Layout& layout);
 
 /// Returns the shortest period of any swimmer's driving [time].

@@ -7,7 +7,7 @@
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
-// Swimmers as all models place them. Any coherent unit system.
+// Swimmers in the form that all models use. Any coherent unit system.
 
 namespace beadswim {
 
@@ -22,20 +22,21 @@ struct PlacedSwimmer {
 /// Swimmers and the types that they share.
 struct Swarm {
   std::vector<SwimmerType> types;
-  std::vector<PlacedSwimmer> swimmers;  ///< in order of their ids
+  std::vector<PlacedSwimmer> swimmers;  ///< sorted by id
 
   const SwimmerType& type_of(const PlacedSwimmer& swimmer) const { return types[swimmer.type]; }
 };
 
-/// Returns the layout's swimmers. A swimmer with driving of its own has a type of its own.
+/// Returns the layout's swimmers, sorted by id. Swimmers with their own driving get their own type.
 Swarm placed_swimmers(const Layout& layout);
 
 /// Returns the centres of all beads at rest, three per swimmer, in order of the swimmers.
 std::vector<Vec3> rest_positions(const Swarm& swarm);
 
-/// Returns the radii of all beads in the same order.
+/// Returns the radii of all beads [length], in the order of rest_positions.
 std::vector<double> bead_radii(const Swarm& swarm);
 
+/// Returns the largest radius of all beads of the types [length].
 double largest_radius(std::span<const SwimmerType> types);
 
 }  // namespace beadswim

@@ -5,17 +5,19 @@
 
 namespace beadswim {
 
-/// The smallest cell that a periodic scene is made of.
+/// The smallest box whose periodic repetition gives a scene.
 struct ReducedCell {
-  Layout layout;             ///< one cell; of swimmers that are alike, the one that came first
-  Index3 cells{1, 1, 1};     ///< how often it stands in the scene along x, y, z
-  double largest_shift = 0;  ///< by which a swimmer is off its place in the repeated cell [length]
+  Layout layout;          ///< one cell; of equivalent swimmers it contains the first one
+  Index3 cells{1, 1, 1};  ///< number of repetitions along x, y, z
+  double largest_shift =
+      0;  ///< largest distance of a swimmer from its position in the repeated cell [length]
 };
 
-/// Finds the shortest box, edges parallel to the scene's, that repeats to the same scene along its periodic
-/// axes: swimmers of equal type, driving and axis (to 1e-9) at places equal within `tolerance` [length]. Such
-/// a scene stays periodic as it moves, so that one cell does for all. Walls are not repeated. Throws
-/// InputError if the fluid is unbounded.
+/// Finds the smallest box, with edges parallel to the scene's box, that gives the scene when it is repeated
+/// along the periodic axes. Two swimmers are equivalent if they have the same type and driving, the same axis
+/// to 1e-9, and positions that agree within `tolerance` [length]. Such a scene stays periodic while it moves,
+/// so a simulation of one cell suffices. Axes with walls are not divided. Throws InputError if the fluid is
+/// unbounded or if the tolerance is so large that different swimmers are taken as equivalent.
 ReducedCell reduce(const Layout& layout, double tolerance);
 
 }  // namespace beadswim

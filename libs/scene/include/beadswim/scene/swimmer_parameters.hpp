@@ -5,18 +5,19 @@
 
 #include "beadswim/scene/layout.hpp"
 
-// Parameters of swimmers in words, as figures note them.
+// Parameters of swimmers as text for figures.
 
 namespace beadswim {
 
-/// "λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048": beads and springs; dashpots where there are any.
-/// Lists of different values are joined by commas.
+/// Returns the parameters of beads and springs: "λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048". Non-zero
+/// damping is included. Values that differ between beads or arms are separated by commas.
 std::string body_parameters(const SwimmerType& type);
 
-/// "A = B = 2, α = 1.571 rad, T = 2000, along x": the driving forces.
+/// Returns the parameters of the driving: "A = B = 2, α = 1.571 rad, T = 2000, along x".
 std::string driving_parameters(const Driving& driving);
 
-/// A line on each type of the layout's swimmers, at most so many.
+/// Returns one line per type of the layout, with the number of swimmers that have their own driving. At most
+/// four lines.
 std::vector<std::string> type_notes(const Layout& layout);
 
 }  // namespace beadswim

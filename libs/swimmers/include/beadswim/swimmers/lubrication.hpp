@@ -5,8 +5,8 @@
 #include <numbers>
 
 // clang-format off
-// Two spheres whose surfaces are a small gap h apart resist relative motion by the film between them, to leading orders in h
-// (Jeffrey & Onishi, J. Fluid Mech. 139 (1984) 261; Kim & Karrila, section 11.2.2):
+// Lubrication: the film in a small gap h between two spheres resists their relative motion. To leading orders
+// in h (Jeffrey & Onishi, J. Fluid Mech. 139 (1984) 261; Kim & Karrila, section 11.2.2):
 //
 //   squeezing   F    = [ 6 pi eta R^2/h + 6 pi eta R (a^2 + 7 a b + b^2)/(5 (a + b)^2) ln(1/h) + ... ] dh/dt
 //
@@ -20,32 +20,38 @@
 //   w_a, w_b    angular velocities across the line of centres, relative to that line as it turns [1/time]
 // clang-format on
 //
-// Forces across the line are those that balance the torques, n x (T_a + T_b)/r with
-// r the distance of the centres, so that a rigid turn of the pair meets no resistance, and the logarithms of
-// all of Jeffrey & Onishi's Y^A, Y^B, Y^C follow. Turning about the line itself meets none that grows.
+// The forces perpendicular to the line of centres balance the torques. They are n x (T_a + T_b)/r, where n is
+// the unit vector along the line and r the distance of the centres. A rigid rotation of the pair therefore
+// meets no resistance, and the logarithms of all of Jeffrey & Onishi's functions Y^A, Y^B, Y^C follow. The
+// resistance to rotation about the line of centres stays finite as h -> 0 and is left out.
 //
-// A lattice resolves gaps down to some cut-off h_c; below, it lacks the difference between the resistance at
-// h and that at h_c, in which what is not singular cancels. Any coherent units.
+// A lattice resolves gaps down to a cutoff h_c. Below h_c it lacks the difference between the resistance at h
+// and the resistance at h_c, in which the non-singular terms cancel. The functions below return this
+// difference. Any coherent units.
 
 namespace beadswim {
 
-/// Gaps between which the film is added [length]. Below `smallest` it resists as there: surfaces are rough.
+/// Range of gaps in which the resistance of the film is added [length]. Below `smallest` the resistance keeps
+/// its value at `smallest`, because real surfaces are rough.
 struct LubricationRange {
-  double normal = 0;      ///< h_c of squeezing; 0: none
-  double tangential = 0;  ///< h_c of sliding; 0: none
-  double smallest = 0;    ///< greater than 0 where there is a range
+  double normal = 0;      ///< cutoff h_c of squeezing; 0: nothing is added
+  double tangential = 0;  ///< cutoff h_c of sliding; 0: nothing is added
+  double smallest = 0;    ///< must be positive if a cutoff is
 };
 
+/// Returns R = a b/(a + b).
 inline double reduced_radius(double a, double b) {
   return a * b / (a + b);
 }
 
-/// Resistance to squeezing beyond that at the cut-off, at a gap below it [force time/length], and its
-/// integral over the gap from the cut-off [force time]: what momentum the film takes from spheres that come
-/// as near, negative; straight below the smallest gap.
+/// Correction of the squeezing resistance at the gap h. `resistance`: resistance at h minus resistance at the
+/// cutoff [force time/length]. `momentum`: integral of `resistance` over the gap from the cutoff to h [force
+/// time]. It is negative; its absolute value is the momentum that the film removes from spheres that approach
+/// to h. Below the smallest gap it is linear in h.
 struct Squeezing {
   double resistance = 0, momentum = 0;
 };
+/// Returns zero for gaps h above the cutoff. viscosity: dynamic.
 inline Squeezing squeezing(double a, double b, double viscosity, const LubricationRange& range, double h) {
   if (range.normal == 0 || h >= range.normal) return {};
   // clang-format off
@@ -60,14 +66,15 @@ inline Squeezing squeezing(double a, double b, double viscosity, const Lubricati
   return {.resistance = slope, .momentum = integral + slope * (h - above)};
 }
 
-/// c_aa, c_ab, c_bb beyond those at the cut-off [force length time].
+/// c_aa, c_ab and c_bb at the gap h, minus their values at the cutoff [force length time].
 struct Sliding {
   double aa = 0, ab = 0, bb = 0;
 };
+/// Returns zero for gaps h above the cutoff. viscosity: dynamic.
 inline Sliding sliding(double a, double b, double viscosity, const LubricationRange& range, double h) {
   if (range.tangential == 0 || h >= range.tangential) return {};
   // clang-format off
-  // ln(1/xi), and xi ln(1/xi)/(125 (a + b)), beyond those at the cut-off
+  // ln(1/xi) and xi ln(1/xi)/(125 (a + b)), minus their values at the cutoff
   const double xi     = 2 * std::max(h, range.smallest) / (a + b);
   const double xi_c   = 2 * range.tangential            / (a + b);
   const double log    = std::log(xi_c / xi);

@@ -7,7 +7,8 @@
 
 namespace beadswim {
 
-/// Centres of beads 1, 2, 3 at rest; `middle`: of bead 2, `axis`: unit vector from bead 1 to bead 3.
+/// Returns the centres of beads 1, 2, 3 at rest. middle: centre of bead 2; axis: unit vector from bead 1 to
+/// bead 3.
 inline std::array<Vec3, 3> rest_positions(const SwimmerType& type, const Vec3& middle, const Vec3& axis) {
   return {middle - type.springs[0].rest_length * axis, middle, middle + type.springs[1].rest_length * axis};
 }

@@ -6,13 +6,13 @@
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
-// Newton's equations of the three beads of one swimmer, in any coherent unit system.
+// Newton's equations of motion for the three beads of one swimmer, in any coherent unit system.
 
 namespace beadswim {
 
-/// Motion of a sphere; its orientation has no effect on anything and is not kept.
+/// Motion of a spherical bead. Its orientation is not stored, because nothing depends on it.
 struct BeadMotion {
-  Vec3 position = Vec3::Zero();  ///< unwrapped
+  Vec3 position = Vec3::Zero();  ///< of the centre, unwrapped [length]
   Vec3 velocity = Vec3::Zero();
   Vec3 angular_velocity = Vec3::Zero();
 
@@ -23,7 +23,7 @@ struct BeadMotion {
   }
 };
 
-/// Force and torque about the centre.
+/// Force, and torque about the centre of the bead.
 struct Load {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
@@ -37,25 +37,28 @@ struct Load {
 using SwimmerMotion = std::array<BeadMotion, 3>;
 using SwimmerLoads = std::array<Load, 3>;
 
-double mass(const Bead& bead);               ///< 4/3 pi R^3 rho
-double moment_of_inertia(const Bead& bead);  ///< 2/5 m R^2
+double mass(const Bead& bead);               ///< returns 4/3 pi R^3 rho [mass]
+double moment_of_inertia(const Bead& bead);  ///< returns 2/5 m R^2 [mass length^2]
 
-/// Sub-steps that resolve the swimmer's fastest vibration (of springs, dashpots and angular spring, with the
-/// arms at rest length) within `step`: |eigenvalue| x sub-step <= 1/4, a tenth of what the integrator bears.
-/// Throws InputError if that takes more than 10000.
+/// Returns the number of substeps that resolve the fastest vibration of the swimmer (springs, dashpots and
+/// angular spring, arms at rest length) within `step`. Criterion: |eigenvalue| x substep <= 1/4, a tenth of
+/// the stability limit of the integrator. Throws InputError if more than 10000 substeps are needed.
 int substeps_for(const SwimmerType& type, double step);
 
-/// The type for steps in which loads are constant: vibrations that such a step does not resolve would be
-/// driven by loads that answer to them a step late.
-/// - Springs with omega step > 1/2, omega^2 = 3/2 k (1/m + 1/m') (of both arms together), get a dashpot of at
-///   least k step/2, half of critical at most. Slower motion at w lags by w step/2 at most in the spring.
-/// - An angular spring with omega step > 3/4, omega that of bending, is softened to that: under a load that
-///   would accelerate the beads by a the swimmer bends by some 2 a step^2, more than the stiffer one lets it.
-///   (A dashpot of inner forces alone cannot damp bending that goes round the axis.)
-SwimmerType with_steady_vibrations(SwimmerType type, double step);
+/// Returns the type with vibrations that a step of constant loads can follow. The loads respond to a
+/// vibration one step late and would drive vibrations that the step does not resolve.
+/// - A spring with omega step > 1/2, where omega^2 = 3/2 k (1/m + 1/m') (both arms together), gets a dashpot
+///   of at least k step/2, but at most half of the critical damping. A slower motion at angular frequency w
+///   lags in this spring by a phase of at most w step/2.
+/// - An angular spring with omega step > 3/4, where omega is the frequency of bending, is softened to omega
+///   step = 3/4. Under a load that would accelerate the beads by a, the swimmer bends by about 2 a step^2,
+///   which is more than with the original spring. Damping is no alternative: a dashpot of internal forces
+///   cannot damp a bending direction that rotates about the axis.
+SwimmerType with_resolved_vibrations(SwimmerType type, double step);
 
-/// Advances the beads from `time` to `time + step` under their inner and driving forces, and `loads` held
-/// constant meanwhile. Classical Runge-Kutta: error O(sub-step^4).
+/// Advances the beads from `time` to `time + step` under internal forces, driving forces and `loads`. The
+/// loads are constant during the step. Classical Runge-Kutta method with `substeps` substeps: error
+/// O(substep^4).
 void advance_swimmer(SwimmerMotion& motion, const SwimmerType& type, const Vec3& initial_axis,
                      const SwimmerLoads& loads, double time, double step, int substeps);
 

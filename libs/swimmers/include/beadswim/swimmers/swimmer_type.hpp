@@ -5,16 +5,16 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/names.hpp"
 
-// What a three-bead swimmer is made of (paper, section 2). Any coherent unit system: a layout's own in
-// theory and layouts, lattice units inside a resolved run.
+// Parameters of a three-bead swimmer (paper, section 2). Any coherent unit system: the units of the layout in
+// layouts and theory, lattice units inside a resolved run.
 
 namespace beadswim {
 
 /// Direction of the driving forces (2.1).
 enum class DrivingFrame {
-  lab,           ///< the external field's own direction, x, whatever the swimmer's orientation
-  initial_axis,  ///< each swimmer's own axis at the start
-  body,          ///< along the arms as they are: free of force and of torque
+  lab,           ///< direction x of the external field, for every orientation of the swimmer
+  initial_axis,  ///< axis of each swimmer at the start of the run
+  body,          ///< along the present directions of the arms; total force and total torque vanish
 };
 
 template <>
@@ -33,8 +33,8 @@ struct Bead {
 
 struct Spring {
   double stiffness = 0;    ///< k [mass/time^2]
-  double rest_length = 0;  ///< l, between bead centres [length]
-  double damping = 0;      ///< c of the dashpot beside the spring [mass/time]; 0: none
+  double rest_length = 0;  ///< l, distance of the bead centres [length]
+  double damping = 0;      ///< c of the dashpot parallel to the spring [mass/time]; 0: no dashpot
 
   static void visit_fields(auto&& visit, auto& spring) {
     visit("stiffness", spring.stiffness);
@@ -44,7 +44,7 @@ struct Spring {
 };
 
 /// Driving forces (2.1): F1 = A sin(w t + phi), F3 = B sin(w t + alpha + phi), F2 = -(F1 + F3); phi is 0 in
-/// the paper, and sets swimmers of a swarm apart.
+/// the paper. In a swarm it can differ between swimmers.
 struct Driving {
   std::array<double, 2> amplitude{};  ///< A on bead 1, B on bead 3 [mass length/time^2]
   double phase = 0;                   ///< alpha [radian]
@@ -67,7 +67,7 @@ struct Driving {
 struct SwimmerType {
   std::array<Bead, 3> beads;
   std::array<Spring, 2> springs;
-  double angular_stiffness = 0;  ///< K_A of U = K_A theta^2 / 2, theta between the arms [energy]
+  double angular_stiffness = 0;  ///< K_A of U = K_A theta^2/2, theta: angle between the arms [energy]
   Driving driving;
 
   static void visit_fields(auto&& visit, auto& type) {

@@ -3,17 +3,17 @@
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
 
-// What second order in amplitude leaves out: the next order, as a number.
+// Leading correction to the velocity V_2 of second order in the driving amplitude.
 //
-//   V = V_2 (1 + c s^2 + ..)   for driving forces s A, s B,   c = lim (V/V_2 - 1)/s^2
+//   V = V_2 (1 + c s^2 + ..)   for driving forces s A, s B,   c = lim_{s -> 0} (V/V_2 - 1)/s^2
 //
-// by the periodic motion at a small s, the mobility taken from a few places of the beads about their rest.
-// Page: docs/method/harmonic-balance.md.
+// c is evaluated from the periodic motion at a small s. The mobility is interpolated between a few bead
+// configurations close to rest. Page: docs/method/harmonic-balance.md.
 
 namespace beadswim {
 
-/// c: relative change of the velocity at finite amplitude, to leading order, in open space. 0 where nothing
-/// moves but by roundoff, NaN for beads that overlap at rest.
-double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityAt& mobility);
+/// Returns c, the leading relative change of the velocity at finite amplitude, in open space. Returns 0 if
+/// V_2 is zero within roundoff, and NaN if beads touch or overlap at rest.
+double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityFunction& mobility);
 
 }  // namespace beadswim

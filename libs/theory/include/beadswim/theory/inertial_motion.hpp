@@ -7,61 +7,74 @@
 #include "beadswim/theory/question.hpp"
 #include "beadswim/theory/reynolds_stress.hpp"
 
-// Motion with inertia of fluid and beads, to second order in amplitude; pairs interact by the unsteady Faxen
-// theorem, which is Rotne-Prager without inertia.
+// Motion with inertia of fluid and beads, to second order in amplitude. Pairs of beads interact by the
+// unsteady Faxen theorem, whose limit without inertia is the Rotne-Prager mobility.
 //
-// First order: with fluid thought to fill the beads, each pushes it with f = F - i omega (m - m_f) U, m_f its
-// displaced mass, and U = M f, M the pairs' unsteady mobility. So U = (1 + i omega M (m - m_f))^-1 M F.
+// First order. The interior of the beads is treated as fluid. A bead then exerts the induced force f on the
+// fluid:
 //
-// Second order, with w the force distribution of the rigid swimmer in steady flow:
+//   f = F - i omega (m - m_f) U,    U = M f    =>    U = (1 + i omega M (m - m_f))^-1 M F
+//
+//   F, U    force on a bead [mass length/time^2] and its velocity [length/time], complex amplitudes
+//   m, m_f  mass of the bead, mass of the fluid that it displaces [mass]
+//   M       induced mobility: unsteady mobility of the pairs [time/mass]
+//
+// Second order, with the force distribution w of the rigid swimmer in steady flow:
 //
 //   V = sum_ji w_j 1/2 Re [ xi_j* (dR_ji/dx_j) f_i + xi_i* (dS_ji/dx_i) f_i ] + V_R
 //
-//   R_ji  unsteady flow of bead i, its mean over the surface of bead j: the beads move in each other's flow
-//   S_ji  steady flow at bead j of the mean force dipole that a moving force leaves
-//   V_R   by the mean Reynolds stress (reynolds_stress.hpp)
+//   xi_i  displacement of bead i [length]
+//   R_ji  mean of the unsteady flow of bead i over the surface of bead j: bead j moves in the flow of bead i
+//   S_ji  steady flow at bead j due to the mean force dipole of the oscillating force f_i
+//   V_R   velocity by the mean Reynolds stress (reynolds_stress.hpp)
 //
-// Without inertia R = S = mu, V_R = 0 and V is second-order Rotne-Prager theory.
+// Without inertia R = S = mu and V_R = 0, and V is the velocity of second-order Rotne-Prager theory.
 //
 // Page: docs/method/inertia.md.
 
 namespace beadswim {
 
-/// Where a swimmer moves in inertial theory.
+/// A swimmer and its surroundings, for the theory with inertia.
 struct InertialScene {
   CollinearSwimmer swimmer;
   double fluid_density = 0;   ///< rho [mass/length^3]
-  LineFlow flow;              ///< of the surroundings
-  LinePositions positions{};  ///< of the beads at rest in it [length]
+  LineFlow flow;              ///< flow of point forces in the surroundings
+  LinePositions positions{};  ///< bead positions at rest, in the coordinate of `flow` [length]
 };
 
-/// The question's scene: in its box, or unbounded.
+/// Returns the scene in the question's box, or in open space if the question has no box.
 InertialScene inertial_scene(const Question& question);
+
+/// Returns the scene in open space, whether or not the question has a box.
 InertialScene unbounded_scene(const Question& question);
 
-/// M of U = M f at the driving's frequency, f what the beads push the fluid with [time/mass].
+/// Returns M of U = M f at the driving frequency, where f are the induced forces [time/mass].
 Eigen::Matrix3cd induced_mobility(const InertialScene& scene);
 
-/// U = M F of the beads at the driving's frequency, F the forces on them [time/mass].
+/// Returns the mobility (1 + i omega M (m - m_f))^-1 M, which relates bead velocities to the forces F on the
+/// beads at the driving frequency [time/mass].
 Eigen::Matrix3cd unsteady_mobility(const InertialScene& scene);
 
-/// What the beads push the fluid with, where they move as in `response`.
+/// Returns the induced forces f of beads that move as in `response` [mass length/time^2].
 Eigen::Vector3cd induced_forces(const InertialScene& scene, const LinearResponse& response);
 
-/// w, dR_ji/dx_j and dS_ji/dx_i of the first sum of V.
+/// Coefficients of the first sum of V.
 struct DriftForm {
-  Eigen::Vector3d towing;
-  Eigen::Matrix3cd by_receiver;  ///< [1/(mass/time length)]
-  Eigen::Matrix3cd by_source;    ///< [1/(mass/time length)]
+  Eigen::Vector3d towing;        ///< w, sum 1
+  Eigen::Matrix3cd by_receiver;  ///< dR_ji/dx_j in element (j, i) [time/(mass length)]
+  Eigen::Matrix3cd by_source;    ///< dS_ji/dx_i in element (j, i) [time/(mass length)]
 };
+
+/// Evaluates the coefficients at the driving frequency.
 DriftForm drift_form(const InertialScene& scene);
 
-/// The first sum of V: by the beads' and forces' own displacement [length/time].
+/// Returns the first sum of V, the drift due to the displacement of beads and forces [length/time]. `force`:
+/// the induced forces f.
 double lagrangian_drift(const DriftForm& form, const Eigen::Vector3cd& displacement,
                         const Eigen::Vector3cd& force);
 double lagrangian_drift(const InertialScene& scene, const LinearResponse& response);
 
-/// Q of V_R (reynolds_stress.hpp) for the swimmer in open space.
+/// Returns Q of V_R (reynolds_stress.hpp) for the swimmer in open space.
 ReynoldsForm reynolds_form(const InertialScene& scene);
 
 }  // namespace beadswim

@@ -5,55 +5,57 @@
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// First order in the driving amplitude: the periodic motion of the beads about their places at rest.
+// Periodic motion of the beads about their positions at rest, to first order in the driving amplitude.
 //
-// With D = [[-1, 1, 0], [0, -1, 1]] (arm rates from bead velocities), mu the mobility at rest, and every
-// quantity Re(q exp(i omega t)), the springs and dashpots pull with -D^T K x, K = diag(k_i + i omega c_i),
-// and the arms answer
+// Every quantity q varies as Re(q exp(i omega t)). The arm amplitudes x solve
 //
 //   (i omega Z + K) x = g,   Z = (D mu D^T)^-1,   D^T g = F = (-iA, iA + iB exp(i alpha), -iB exp(i alpha)).
 //
-// The forces on the beads sum to zero, so they are those that this motion takes,
+//   D    [[-1, 1, 0], [0, -1, 1]], arm rates from bead velocities
+//   mu   mobility at rest [time/mass]: real without inertia of the fluid, complex with it
+//   K    diag(k_i + i omega c_i): springs and dashpots exert the forces -D^T K x [mass/time^2]
 //
-//   f = D^T Z i omega x,   beads displaced by xi = mu f / (i omega),
+// The forces f on the beads sum to zero and follow from the motion, as do the bead displacements xi:
 //
-// a form that keeps its digits for slow driving too, where driving and springs all but cancel.
-// mu is real without inertia of the fluid, complex with it.
+//   f = D^T Z i omega x,   xi = mu f / (i omega).
 //
-// Holds for any radii, arms, stiffnesses, dashpots, A, B, alpha, without truncation in radius/arm.
+// This form avoids loss of significance for slow driving, where driving and spring forces nearly cancel.
+//
+// It holds for any radii, arms, stiffnesses, dashpots, A, B and alpha, without truncation in radius/arm.
 // Page: docs/method/linear-response.md.
 
 namespace beadswim {
 
-/// Complex amplitudes of the periodic motion to first order.
+/// Complex amplitudes of the periodic motion, to first order.
 struct LinearResponse {
   Eigen::Vector2cd arm;           ///< x_i, change of arm i: Re(x_i exp(i omega t)) [length]
   Eigen::Vector3cd displacement;  ///< xi_i, displacement of bead i [length]
-  Eigen::Vector3cd force;  ///< driving, springs and dashpots together, on beads 1, 2, 3 [mass length/time^2]
+  Eigen::Vector3cd force;  ///< f: sum of driving, spring and dashpot forces on each bead [mass length/time^2]
 };
 
-/// D: the rates of the two arms are D times the velocities of the three beads.
+/// Returns D: the rates of the two arms are D times the velocities of the three beads.
 Eigen::Matrix<double, 2, 3> arm_rates();
 
-/// g: (2.1) as complex amplitudes of tensions on the two arms, F = D^T g; A sin(omega t) = Re(-iA exp(i omega
-/// t)).
+/// Returns g: the driving (2.1) as complex tensions of the two arms, F = D^T g [mass length/time^2].
+/// A sin(omega t) = Re(-iA exp(i omega t)).
 Eigen::Vector2cd driving_tensions(const CollinearSwimmer& swimmer);
 
-/// Z: tensions on the two arms over their rates [mass/time].
+/// Returns Z, which relates the tensions of the two arms to their rates [mass/time].
 Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility);
 
-/// x: the arms' answer to the driving against this impedance, springs and dashpots.
+/// Returns the arm amplitudes x by the equation above, with Z = `impedance` [length].
 Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance);
 
-/// How the beads move, and the forces on them, when the arms change by `arm` at `angular_frequency`.
+/// Returns displacements and forces of the beads if the arms change by `arm` [length] at `angular_frequency`
+/// [rad/time].
 LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
                                   double angular_frequency);
 
-/// The swimmer's answer to its driving.
+/// Returns the linear response of the swimmer to its driving.
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3cd& mobility);
 LinearResponse linear_response(const CollinearSwimmer& swimmer, const Eigen::Matrix3d& mobility);
 
-/// The stroke to first order, with pairs that interact by `law` (oseen, rotne_prager).
+/// Returns the stroke in open space to first order, with the pair mobility `law` (oseen, rotne_prager).
 Stroke first_order_stroke(const CollinearSwimmer& swimmer, PairLaw law);
 
 }  // namespace beadswim

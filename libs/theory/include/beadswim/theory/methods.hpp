@@ -9,27 +9,28 @@
 
 namespace beadswim {
 
-/// A method of prediction: a row of the table below.
+/// A method of prediction: a row of the table that methods() returns.
 struct Method {
   std::string name;
-  /// What it takes beside the swimmer: the driving, a measured stroke, or the driving in a box.
+  /// Input that the method uses in addition to the swimmer.
   enum class Input { driving, driving_or_stroke, stroke, driving_in_box } input;
-  /// Why the method cannot treat the question, and what could; none if it can.
+  /// Returns why the method cannot treat the question, and the remedy; nullopt if it can.
   std::optional<std::string> (*obstacle)(const Question& question);
-  /// Needs a question without obstacle. Throws InputError where it turns out on the way that it cannot.
+  /// Returns the prediction. Requires a question without obstacle. Throws InputError on failure.
   Prediction (*predict)(const Question& question);
 
-  /// Whether it makes use of a measured stroke.
+  /// Returns whether the method uses a measured stroke.
   bool uses_stroke() const { return input == Input::stroke || input == Input::driving_or_stroke; }
 };
 
-/// All methods, in the order in which they are shown.
+/// Returns all methods, in the order in which they are listed for users.
 const std::vector<Method>& methods();
 
-/// The method of that name. Throws InputError naming the nearest name and all names.
+/// Returns the method of that name. Throws InputError, which names the most similar name and all names.
 const Method& find_method(const std::string& name);
 
-/// What the method predicts. Throws InputError with the reason if it cannot treat the question.
+/// Returns the method's prediction. Throws InputError with the reason if the method cannot treat the question
+/// or if its result is not finite.
 Prediction predict(const Method& method, const Question& question);
 
 }  // namespace beadswim

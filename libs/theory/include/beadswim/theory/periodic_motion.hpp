@@ -7,41 +7,50 @@
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// The periodic motion at finite amplitude, by harmonic balance.
+// Periodic motion at finite amplitude, computed by harmonic balance.
 //
 //   dx/dt = mu(x) f,   f = F(t) - D^T [K (D x - l) + C D dx/dt],   x_k(t) = X_k + p_k(t) + V t
 //
-// p has the driving's period. It is known at M equidistant times (M odd), its rate by the derivative of the
-// trigonometric polynomial through them, and the equations of motion at these times are solved by Newton's
-// method for p and V. As the forces sum to zero, sum_k w_k(x) dx_k/dt = 0 at every time, w the force
-// distribution of a rigid swimmer, so
+//   x_k, X_k   position of bead k and its position at rest [length]
+//   p_k        periodic displacement with the period of the driving, mean over beads and time zero [length]
+//   V          velocity of the swimmer [length/time]
+//   K, C       diagonal matrices of stiffness k_i and damping c_i;  D: linear_response.hpp
 //
-//   V = - < sum_k (w_k(x) - w_k(X)) dp_k/dt >,
+// Discretisation: p is represented by its values at M equidistant times (nodes), M odd. Its rate is the
+// derivative of the trigonometric polynomial through these values. Newton's method solves the equations of
+// motion at the nodes for p and V. M increases until the highest quarter of the harmonics is negligible.
 //
-// which keeps its digits for small strokes. M grows until the highest quarter of the harmonics has died out.
+// Velocity: the forces sum to zero, hence sum_k w_k(x) dx_k/dt = 0 at every time, where w is the force
+// distribution of a rigid swimmer (perturbation.hpp). Therefore
+//
+//   V = - < sum_k (w_k(x) - w_k(X)) dp_k/dt >,    < > mean over a period.
+//
+// This form avoids loss of significance for small strokes.
 //
 // Page: docs/method/harmonic-balance.md.
 
 namespace beadswim {
 
-/// The mobility of the three beads wherever they are.
-using MobilityAt = std::function<CollinearMobility(const LinePositions&)>;
+/// Returns the mobility of the three beads for given bead positions.
+using MobilityFunction = std::function<CollinearMobility(const LinePositions&)>;
 
+/// Velocity and stroke of the periodic motion.
 struct PeriodicMotion {
-  double velocity = 0;                ///< V, towards bead 3 if positive [length/time]
+  double velocity = 0;                ///< V, positive towards bead 3 [length/time]
   std::array<double, 2> arm_means{};  ///< <L_i> [length]
-  Stroke stroke;                      ///< first harmonic of the arms: their least-squares fit (4.1)
-  double smallest_gap = 0;            ///< between surfaces of neighbouring beads, over the cycle [length]
-  int nodes = 0;                      ///< M
+  Stroke stroke;                      ///< first harmonic of the arm lengths, as in (4.1)
+  double smallest_gap = 0;            ///< minimum over the cycle of the gaps of neighbouring beads [length]
+  int nodes = 0;                      ///< M, number of nodes per period
 };
 
-/// The periodic motion about `rest`, places of the beads where the springs are relaxed. Neighbouring beads
-/// must stay farther apart than `least_gap`, surface to surface [length].
-/// Throws InputError, saying how far the driving can be turned up, where no such motion is found.
+/// Returns the periodic motion about the bead positions `rest`, where the springs are relaxed. The gaps of
+/// neighbouring beads must stay above `min_gap` [length].
+/// Throws InputError if no such motion is found. The message states which fraction of the driving is
+/// possible.
 PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositions& rest,
-                               const MobilityAt& mobility, double least_gap = 0);
+                               const MobilityFunction& mobility, double min_gap = 0);
 
-/// Smallest gap between surfaces of neighbouring beads at these places [length].
+/// Returns the smallest gap of neighbouring beads at `positions` [length].
 double smallest_gap(const CollinearSwimmer& swimmer, const LinePositions& positions);
 
 }  // namespace beadswim

@@ -11,10 +11,10 @@
 
 namespace beadswim {
 
-/// Estimated errors of a stroke.
+/// Estimated errors of a predicted stroke.
 struct StrokeUncertainty {
-  std::array<double, 2> arm_amplitudes{};  ///< relative, of d_1 and d_2
-  double sin_phase_shift = 0;              ///< absolute
+  std::array<double, 2> arm_amplitudes{};  ///< relative errors of d_1 and d_2
+  double sin_phase_shift = 0;              ///< absolute error
 
   static void visit_fields(auto&& visit, auto& uncertainty) {
     visit("arm_amplitudes", uncertainty.arm_amplitudes);
@@ -22,22 +22,22 @@ struct StrokeUncertainty {
   }
 };
 
-/// What a method says of a swimmer, and how far to trust it. Units are those of the swimmer.
+/// Velocity and stroke of a swimmer by one method, with their uncertainty, in the units of the swimmer.
 struct Prediction {
   std::string method;
-  bool usable = true;    ///< false: shown, but never to be judged by
-  std::string validity;  ///< where the method holds and how large its known errors are
-  double velocity = 0;   ///< mean over a period, towards bead 3 if positive [length/time]
-  /// Estimated relative error of the velocity: against exact Stokes flow at finite amplitude, and of methods
-  /// with inertia against the Navier-Stokes flow; none if unknown.
+  bool usable = true;    ///< false: shown to users, but never a reference
+  std::string validity;  ///< range of validity and known errors, as text
+  double velocity = 0;   ///< mean over a period, positive towards bead 3 [length/time]
+  /// Estimated relative error of the velocity; nullopt if unknown. The error is relative to exact Stokes flow
+  /// at finite amplitude, or to Navier-Stokes flow for methods with inertia.
   std::optional<double> uncertainty;
   Stroke stroke;
-  std::optional<StrokeUncertainty> stroke_uncertainty;  ///< none if unknown
+  std::optional<StrokeUncertainty> stroke_uncertainty;  ///< nullopt if unknown
   double sin_phase_shift = 0;                           ///< sin(delta_1 - delta_2)
-  std::optional<std::array<double, 2>> arm_means;       ///< l_i + mean change [length]; none if not predicted
+  std::optional<std::array<double, 2>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
-  std::vector<Setting> settings;  ///< what the method assumed, and its parts, by name
+  std::vector<Setting> settings;  ///< assumptions and contributions, by name
 
   static void visit_fields(auto&& visit, auto& prediction) {
     visit("method", prediction.method);

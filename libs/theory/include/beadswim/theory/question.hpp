@@ -12,39 +12,39 @@
 
 namespace beadswim {
 
-/// Where in which box a swimmer lies.
+/// Position of a swimmer in a box.
 struct BoxPlace {
-  Box box;                              ///< its first axis is the swimmer's
-  std::array<double, 3> middle_bead{};  ///< bead 2 at rest, from the box's corner [length]
+  Box box;                              ///< first axis parallel to the swimmer
+  std::array<double, 3> middle_bead{};  ///< position of bead 2 at rest, from the corner of the box [length]
 };
 
-/// The three-sphere solution of Stokes flow in open space, which all methods state their errors against.
+/// Exact Stokes flow of the three spheres in open space: the reference for the errors of all methods.
 struct ExactStokes {
-  CollinearMobility mobility;   ///< at rest
-  SecondOrderMotion motion;     ///< to second order in amplitude
+  CollinearMobility mobility;   ///< mobility at rest
+  SecondOrderMotion motion;     ///< motion to second order in amplitude
   double amplitude_change = 0;  ///< estimated relative change of the velocity at finite amplitude
 };
 
-/// What a method is asked: a swimmer, its surroundings, and the stroke that it was measured to have, if any.
+/// Input of all methods: a swimmer, its surroundings, and its measured stroke if there is one.
 struct Question {
   CollinearSwimmer swimmer;
   double fluid_density = 0;     ///< rho [mass/length^3]
-  std::optional<BoxPlace> box;  ///< none: unbounded, or `box_obstacle` says why not
-  std::string box_obstacle;     ///< why methods for boxes cannot treat its surroundings; empty if they can
+  std::optional<BoxPlace> box;  ///< nullopt: open space, or surroundings that `box_obstacle` explains
+  std::string box_obstacle;     ///< why methods for boxes cannot treat the surroundings; empty if they can
   std::optional<Stroke> measured_stroke;
-  std::optional<ExactStokes> exact;  ///< by `with_exact_reference`; none where it cannot be had
+  std::optional<ExactStokes> exact;  ///< set by with_exact_reference(); nullopt if not available
 };
 
-/// The mobility of the swimmer's beads at these places in open space, numerically exact to `tolerance`.
+/// Returns the exact mobility of the beads at `positions` in open space, to the relative error `tolerance`.
 CollinearMobility exact_mobility(const CollinearSwimmer& swimmer, const LinePositions& positions,
                                  double tolerance = 1e-12);
 
-/// The question with the reference that all methods state their errors against; without it where beads
-/// touch or all but touch.
+/// Returns the question with `exact` set. `exact` stays nullopt if beads touch or nearly touch, because the
+/// multipole series would need too many terms.
 Question with_exact_reference(Question question);
 
-/// What a user must know before believing any method: beads that meet within the stroke, or a driving beyond
-/// small amplitude (second order off by more than `tolerance`, relative).
+/// Returns warnings that concern all methods: beads that touch within the stroke, and a driving so strong
+/// that the relative error of second-order methods exceeds `tolerance`.
 std::vector<std::string> warnings(const Question& question, double tolerance);
 
 }  // namespace beadswim

@@ -8,20 +8,20 @@
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 
-// The dimensionless numbers of a scene, and first-order estimates of what its swimmers will do.
+// Dimensionless numbers of a scene, and first-order estimates of the motion of its swimmers.
 
 namespace beadswim {
 
-/// One type of swimmer, driven as its type is.
+/// Numbers of one swimmer type with the driving of the type.
 struct TypeNumbers {
-  double reynolds = 0;           ///< 2 lambda v / nu of the fastest bead, v the amplitude of its velocity
+  double reynolds = 0;           ///< 2 lambda v / nu of the fastest bead, v its velocity amplitude
   double penetration_depth = 0;  ///< delta = sqrt(2 nu / omega) [length]
-  double radius_over_penetration_depth = 0;  ///< lambda / delta, lambda the largest radius
-  std::array<double, 2> arm_over_radius{};   ///< l_i / lambda, lambda the mean radius of the arm's beads
-  std::array<double, 2> drag_over_spring{};  ///< gamma omega / k_i, gamma = 6 pi eta lambda
-  std::array<double, 2> arm_amplitude{};     ///< d_i to first order in A, B with Rotne-Prager pairs [length]
-  std::array<double, 2> arm_gap{};           ///< between the surfaces of the arm's beads at rest [length]
-  std::optional<std::array<double, 3>> box_over_length;  ///< box edges over the swimmer's length
+  double radius_over_penetration_depth = 0;  ///< lambda / delta with the largest radius lambda
+  std::array<double, 2> arm_over_radius{};   ///< l_i / lambda with the mean radius lambda of the arm's beads
+  std::array<double, 2> drag_over_spring{};  ///< gamma omega / k_i with gamma = 6 pi eta lambda
+  std::array<double, 2> arm_amplitude{};     ///< d_i to first order, Rotne-Prager [length]
+  std::array<double, 2> arm_gap{};           ///< gap of the arm's beads at rest [length]
+  std::optional<std::array<double, 3>> box_over_length;  ///< box edges / swimmer length
 
   static void visit_fields(auto&& visit, auto& numbers) {
     visit("reynolds_bead", numbers.reynolds);
@@ -35,13 +35,13 @@ struct TypeNumbers {
   }
 };
 
-/// What the layout's hint means in a resolved run.
+/// Numbers of a resolved run with the resolution that the layout suggests.
 struct ResolutionNumbers {
-  double cell = 0;                                 ///< [length]
+  double cell = 0;                                 ///< edge of a cell [length]
   double time_step = 0;                            ///< (tau - 1/2)/3 cell^2/nu [time]
-  std::map<std::string, double> steps_per_period;  ///< of each type
+  std::map<std::string, double> steps_per_period;  ///< for each type
   std::optional<double> cells_in_box;
-  double mach = 0;  ///< of the fastest bead of any type: v sqrt(3) time_step / cell
+  double mach = 0;  ///< v sqrt(3) time_step / cell of the fastest bead of all types
 
   static void visit_fields(auto&& visit, auto& numbers) {
     visit("cell", numbers.cell);
@@ -52,9 +52,10 @@ struct ResolutionNumbers {
   }
 };
 
+/// Numbers of all types, and of the scene as a whole.
 struct SceneNumbers {
   std::map<std::string, TypeNumbers> types;
-  double smallest_gap = 0;  ///< between any two surfaces at rest: beads, images, walls [length]
+  double smallest_gap = 0;  ///< smallest gap at rest of beads, images and walls [length]
   std::optional<ResolutionNumbers> resolution;
 
   static void visit_fields(auto&& visit, auto& numbers) {
@@ -64,10 +65,11 @@ struct SceneNumbers {
   }
 };
 
-/// Amplitudes of the three beads' velocities to first order, v = mu F, by Rotne-Prager pairs [length/time].
+/// Returns the velocity amplitudes of the three beads to first order, v = mu F with the Rotne-Prager mobility
+/// [length/time].
 std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer);
 
-/// The numbers of a layout that check_layout finds no fault with.
+/// Returns the numbers of a layout. Requires a layout in which check_layout() finds no fault.
 SceneNumbers scene_numbers(const Layout& layout);
 
 }  // namespace beadswim

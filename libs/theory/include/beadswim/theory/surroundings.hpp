@@ -8,13 +8,15 @@
 
 namespace beadswim {
 
-/// Where a swimmer lies, as theory sees it: in a box whose first axis is the swimmer's, in open space
-/// (neither member set), or in surroundings that theory has no method for.
+/// Surroundings of a swimmer. `box` is set if the swimmer is alone in a box that theory can treat; its first
+/// axis is parallel to the swimmer. `obstacle` is set if methods for boxes cannot treat the surroundings.
+/// Neither is set in open space.
 struct Surroundings {
   std::optional<BoxPlace> box;
   std::string obstacle;
 };
 
+/// Returns the surroundings of one swimmer of the layout.
 Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer);
 
 }  // namespace beadswim

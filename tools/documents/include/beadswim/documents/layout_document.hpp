@@ -7,19 +7,21 @@
 
 namespace beadswim {
 
-/// A layout and the records of the programs that made it.
+/// A layout and its provenance: one record for each program that made or changed it.
 struct LayoutDocument {
   Layout layout;
   Json provenance = Json::array();
 };
 
-/// Validates against the schema, checks across fields (unknown types, duplicate ids, overlaps, beads outside
-/// the box, arms) and converts. `source` names the document in messages. Throws InputError.
+/// Converts a JSON document to a layout. Validates it against the schema, and checks relations between
+/// fields: unknown types, duplicate ids, overlaps, beads outside the box, arms. `source`: name of the
+/// document in messages. Throws InputError with all faults.
 LayoutDocument layout_from_json(const Json& document, const std::string& source);
 
-/// Reads a file, or stdin for "-". Throws InputError.
+/// Reads a layout from a file, or from stdin for "-". Throws InputError.
 LayoutDocument read_layout(const std::string& path);
 
+/// Returns the layout as JSON (schemas/layout.schema.json).
 Json layout_to_json(const LayoutDocument& document);
 
 }  // namespace beadswim

@@ -9,7 +9,7 @@
 
 namespace beadswim {
 
-/// A method of `all` that could not treat the swimmer, and why.
+/// A method that could not treat the swimmer, with the reason.
 struct LeftOutMethod {
   std::string method;
   std::string reason;
@@ -20,22 +20,24 @@ struct LeftOutMethod {
   }
 };
 
-/// What theory says of one swimmer of a layout (schemas/prediction.schema.json).
+/// Predictions for one swimmer of a layout (schemas/prediction.schema.json).
 struct PredictionDocument {
-  Units units;      ///< the layout's; all quantities are in them
+  Units units;      ///< units of the layout and of all quantities here
   int swimmer = 0;  ///< id of the swimmer in the layout
   std::vector<Prediction> predictions;
   std::vector<LeftOutMethod> left_out;
-  std::vector<std::string> warnings;  ///< of contact within the stroke, and of driving beyond small amplitude
-  Json provenance = Json::array();    ///< one record a program
+  std::vector<std::string> warnings;  ///< contact within the stroke, driving beyond small amplitude
+  Json provenance = Json::array();    ///< one record per program
 };
 
+/// Returns the document as JSON.
 Json predictions_to_json(const PredictionDocument& document);
 
-/// Validates against the schema and converts. `source` names the document in messages. Throws InputError.
+/// Converts JSON after validation against the schema. `source`: name of the document in messages. Throws
+/// InputError.
 PredictionDocument predictions_from_json(const Json& document, const std::string& source);
 
-/// Reads a file, or stdin for "-". Throws InputError.
+/// Reads predictions from a file, or from stdin for "-". Throws InputError.
 PredictionDocument read_predictions(const std::string& path);
 
 }  // namespace beadswim

@@ -11,11 +11,12 @@
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/scene/layout.hpp"
 
-// The run record, in memory and as JSON (schemas/run.schema.json, docs/formats/run-record.md). Quantities are
-// in the layout's units.
+// The run record in memory and as JSON (schemas/run.schema.json, docs/formats/run-record.md). All quantities
+// are in the units of the layout.
 
 namespace beadswim {
 
+/// How a run ended.
 enum class RunStatus { finished, stopped_speed, stopped_time, stopped_signal, failed };
 
 template <>
@@ -26,10 +27,11 @@ inline constexpr auto name_table<RunStatus> =
                                           {RunStatus::stopped_signal, "stopped-signal"},
                                           {RunStatus::failed, "failed"}});
 
+/// Statistics of one swimmer.
 struct SwimmerRecord {
   int id = 0;
-  std::vector<CycleStatistics> cycles;  ///< whole cycles, in order
-  std::optional<double> period;         ///< of its driving, if that is not the base period [time]
+  std::vector<CycleStatistics> cycles;  ///< complete cycles, in order
+  std::optional<double> period;         ///< period of its driving if it differs from the base period [time]
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);
@@ -38,10 +40,10 @@ struct SwimmerRecord {
   }
 };
 
-/// A record of more swimmers has statistics of the swarm alone; all swimmers are in the trajectory.
-constexpr std::size_t most_swimmers_listed = 64;
+/// A record of more swimmers contains statistics of the swarm only. The trajectory contains all swimmers.
+constexpr std::size_t max_swimmers_listed = 64;
 
-/// A swarm, and the momentum of fluid and beads, at the end of a base cycle.
+/// Statistics of the swarm, and momentum of fluid and beads, at the end of a base cycle.
 struct SwarmCycle {
   SwarmStatistics statistics;
   Vec3 momentum = Vec3::Zero();
@@ -52,9 +54,9 @@ struct SwarmCycle {
   }
 };
 
-/// The driving forces (2.1). Amplitudes and phase are none where the swimmers' differ.
+/// Driving forces (2.1). Amplitudes and phase are nullopt if they differ between swimmers.
 struct DrivingRecord {
-  double period = 0;  ///< base period, by which cycles of the run are counted [time]
+  double period = 0;                               ///< base period: duration of one cycle of the run [time]
   std::optional<std::array<double, 2>> amplitude;  ///< A, B [mass length/time^2]
   std::optional<double> phase;                     ///< alpha [radian]
 
@@ -67,7 +69,7 @@ struct DrivingRecord {
   bool operator==(const DrivingRecord&) const = default;
 };
 
-/// Of fluid and beads [mass length/time].
+/// Momentum of fluid and beads at the end and at the start of the run [mass length/time].
 struct MomentumRecord {
   Vec3 total = Vec3::Zero();
   Vec3 initial = Vec3::Zero();
@@ -78,6 +80,7 @@ struct MomentumRecord {
   }
 };
 
+/// Dimensionless numbers of the run, with the largest bead speed that occurred.
 struct DimensionlessNumbers {
   double reynolds_bead = 0;                  ///< largest bead speed x diameter / nu
   double penetration_depth_over_radius = 0;  ///< sqrt(2 nu/omega) / smallest bead radius
@@ -90,18 +93,18 @@ struct DimensionlessNumbers {
   }
 };
 
-/// How a lattice run discretised the scene.
+/// Discretisation of the scene in a lattice run.
 struct LatticeResolution {
-  double cells_per_radius = 0;             ///< cells per smallest bead radius
-  double cell_size = 0;                    ///< [length]
-  double time_step = 0;                    ///< [time]
-  double relaxation_time = 0;              ///< as used, in time steps
-  double kinematic_viscosity_lattice = 0;  ///< nu in cells^2/step
-  std::int64_t steps_per_cycle = 0;
+  double cells_per_radius = 0;               ///< cells per smallest bead radius
+  double cell_size = 0;                      ///< edge of a cell [length]
+  double time_step = 0;                      ///< [time]
+  double relaxation_time = 0;                ///< tau, as used in the run [step]
+  double kinematic_viscosity_lattice = 0;    ///< nu [cell^2/step]
+  std::int64_t steps_per_cycle = 0;          ///< time steps per base cycle
   std::string bead_boundary;                 ///< "staircase", "cli", "mr" or "psm"
-  std::optional<double> density_on_lattice;  ///< least of any bead as it moves [fluid density]
-  std::optional<double> radius_on_lattice;   ///< of the smallest bead, as the fluid meets it [cell]
-  std::optional<double> angular_softening;   ///< least stiffness of an angular spring, in its layout's
+  std::optional<double> density_on_lattice;  ///< smallest effective bead density [fluid density]
+  std::optional<double> radius_on_lattice;   ///< hydrodynamic radius of the smallest bead [cell]
+  std::optional<double> angular_softening;   ///< smallest angular stiffness / angular stiffness of the layout
   std::string precision;                     ///< "double" or "single"
 
   static void visit_fields(auto&& visit, auto& resolution) {
@@ -119,13 +122,13 @@ struct LatticeResolution {
   }
 };
 
-/// Beads close to each other, and to periodic images.
+/// Interaction of beads that are close to each other or to periodic images.
 struct NearContactRecord {
-  std::optional<double> smallest_gap;  ///< none: none came within a cell [length]
-  bool lubrication = true;
-  double normal_cut_off = 0;      ///< gap below which squeezing is corrected [length]
-  double tangential_cut_off = 0;  ///< and sliding [length]
-  double friction = 0;            ///< Coulomb's coefficient
+  std::optional<double> smallest_gap;  ///< nullopt if no pair came within one cell [length]
+  bool lubrication = true;             ///< whether the lubrication correction is on
+  double normal_cut_off = 0;           ///< gap below which approach is corrected [length]
+  double tangential_cut_off = 0;       ///< gap below which sliding is corrected [length]
+  double friction = 0;                 ///< coefficient of Coulomb friction
 
   static void visit_fields(auto&& visit, auto& contact) {
     visit("smallest_gap", contact.smallest_gap);
@@ -136,14 +139,14 @@ struct NearContactRecord {
   }
 };
 
-/// How a run without a lattice took its steps and sums.
+/// Discretisation and work of a run with a mobility model.
 struct MobilityRecord {
   double time_step = 0;  ///< [time]
   std::int64_t steps_per_cycle = 0;
-  double tolerance = 0;                         ///< of bead velocities, relative
-  std::int64_t products = 0;                    ///< of mobility and forces
-  std::optional<double> cut_off, mesh_spacing;  ///< of Ewald's sum; none where all pairs are summed [length]
-  std::optional<double> smallest_gap;           ///< of beads that repelled each other [length]
+  double tolerance = 0;                         ///< relative error of bead velocities
+  std::int64_t products = 0;                    ///< number of products of mobility and forces
+  std::optional<double> cut_off, mesh_spacing;  ///< of the Ewald sum; nullopt for a direct sum [length]
+  std::optional<double> smallest_gap;           ///< nullopt if no pair repelled each other [length]
 
   static void visit_fields(auto&& visit, auto& mobility) {
     visit("time_step", mobility.time_step);
@@ -156,9 +159,9 @@ struct MobilityRecord {
   }
 };
 
-/// What the busiest rank sends to others in a step of the fluid.
+/// Communication per lattice step: maxima over all ranks.
 struct CommunicationRecord {
-  int neighbours = 0;  ///< other ranks that it talks to
+  int neighbours = 0;  ///< number of ranks that a rank sends to
   double messages_per_step = 0;
   double bytes_per_step = 0;
 
@@ -169,14 +172,15 @@ struct CommunicationRecord {
   }
 };
 
+/// Cost of a run, including the runs that it continues.
 struct RunCost {
   double wall_seconds = 0;
   double core_seconds = 0;
   int ranks = 1;
   std::optional<std::int64_t> cell_updates;
-  std::optional<double> mlups;  ///< 1e6 cell updates a second
+  std::optional<double> mlups;  ///< 10^6 cell updates per second of wall time
   std::int64_t peak_memory_bytes = 0;
-  std::optional<CommunicationRecord> communication;  ///< none in older records
+  std::optional<CommunicationRecord> communication;  ///< absent in older records
 
   static void visit_fields(auto&& visit, auto& cost) {
     visit("wall_seconds", cost.wall_seconds);
@@ -189,16 +193,17 @@ struct RunCost {
   }
 };
 
-/// Optional members are null in JSON where the model has no such thing; cost and provenance may be absent.
+/// The run record. Optional members are null in JSON if the model does not provide them; cost and provenance
+/// may be absent.
 struct RunRecord {
   std::string model;
   RunStatus status = RunStatus::finished;
-  std::string reason;  ///< why it ended before its time; empty if it did not
+  std::string reason;  ///< why the run stopped early; empty if it finished
   Units units;
-  std::optional<Box> domain;  ///< none: unbounded fluid
+  std::optional<Box> domain;  ///< nullopt: unbounded fluid
   DrivingRecord driving;
-  std::vector<SwimmerRecord> swimmers;           ///< none if there are more than most_swimmers_listed
-  std::optional<std::vector<SwarmCycle>> swarm;  ///< of two swimmers or more
+  std::vector<SwimmerRecord> swimmers;           ///< empty for more than max_swimmers_listed swimmers
+  std::optional<std::vector<SwarmCycle>> swarm;  ///< nullopt for a single swimmer
   std::optional<MomentumRecord> momentum;
   std::optional<double> mass_relative_change;
   DimensionlessNumbers dimensionless;
@@ -206,7 +211,7 @@ struct RunRecord {
   std::optional<MobilityRecord> mobility;
   std::optional<NearContactRecord> near_contact;
   std::optional<RunCost> cost;
-  std::optional<std::string> state_sha256;  ///< none after a fault
+  std::optional<std::string> state_sha256;  ///< nullopt after a fault
   std::optional<Json> provenance;
 
   static void visit_fields(auto&& visit, auto& record) {
@@ -230,15 +235,17 @@ struct RunRecord {
   }
 };
 
-/// Whether to write cost and provenance, which differ from run to run.
+/// Selects whether cost and provenance are written. They differ between identical runs.
 enum class RecordProvenance { written, left_out };
 
-/// Validates against the schema and converts. `source` names the document in messages. Throws InputError.
+/// Converts JSON after validation against the schema. `source`: name of the document in messages. Throws
+/// InputError.
 RunRecord run_record_from_json(const Json& document, const std::string& source);
 
-/// Reads a file, or stdin for "-". Throws InputError.
+/// Reads a run record from a file, or from stdin for "-". Throws InputError.
 RunRecord read_run_record(const std::string& path);
 
+/// Returns the record as JSON.
 Json run_record_to_json(const RunRecord& record, RecordProvenance provenance);
 
 }  // namespace beadswim

@@ -10,11 +10,11 @@
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/fields_json.hpp"
 
-// What a comparison found (schemas/verdict.schema.json).
+// Result of a comparison (schemas/verdict.schema.json).
 
 namespace beadswim {
 
-/// What the compared runs cost together.
+/// Total cost of the compared runs.
 struct VerdictCost {
   double wall_seconds = 0;
   double core_seconds = 0;
@@ -27,19 +27,20 @@ struct VerdictCost {
   }
 };
 
+/// Rows of a comparison, and the method that decides the verdict.
 struct VerdictDocument {
-  std::string decided_by;  ///< the method whose rows decide
+  std::string decided_by;  ///< method whose rows decide the verdict
   std::vector<ComparisonRow> rows;
   std::optional<VerdictCost> cost;
 };
 
-/// The sum over runs; none if a run's record leaves its cost out.
+/// Returns the sum over all runs; nullopt if a record has no cost.
 std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> runs);
 
-/// Throws InputError naming `source` and place.
+/// Converts JSON after validation against the schema. Throws InputError, which names `source` and place.
 VerdictDocument verdict_from_json(const Json& json, const std::string& source);
 
-/// "pass" is the verdict of the rows; an infinite relative error is null.
+/// Returns the document as JSON. "pass" is the verdict of the rows; an infinite relative error becomes null.
 Json verdict_to_json(const VerdictDocument& document);
 
 }  // namespace beadswim
