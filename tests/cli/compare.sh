@@ -20,6 +20,8 @@ edited() { jq "$2" "$1"; } # FILE JQ-EDIT
 accepts beadswim-compare --help
 for flag in reference method quantity tolerance cycle; do out_has "^  --$flag"; done
 accepts beadswim-compare --version
+refuses '--tolerance: "5%": must be a finite number greater than 0; write 5 % as 0.05' \
+  beadswim-compare run.json prediction.json --tolerance 5%
 
 # --- the verdict is the exit status
 judged 0 beadswim-compare run.json prediction.json

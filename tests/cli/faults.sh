@@ -96,6 +96,18 @@ else
   echo "not tried: full and read-only disks, as no mount namespace can be had here"
 fi
 
+# --- too little memory: alone, on all ranks of several, and in a program without a lattice
+swimmer 400,300,300 >large.json
+large="large.json -o large.h5md --cycles 0.001 --progress none"
+needed='out of memory: the lattice needs about 5.7 GB on [12] ranks; take fewer --cells-per-radius'
+fails "$needed" bash -c "ulimit -v 1000000; beadswim-run $large"
+fails "$needed" bash -c "ulimit -v 1000000; mpirun -n 2 beadswim-run $large"
+check "one rank alone reports" test "$(grep -c '^beadswim-run: ' err)" -eq 1
+check "Open MPI reports an abort" test "$(grep -c MPI_ABORT err)" -eq 0
+fails 'out of memory; take fewer swimmers or cells' \
+  bash -c "ulimit -v 400000; beadswim-layout swarm --preset paper-uniform --blocks 40,60,40"
+out_empty
+
 # --- the folder of the output vanishes while a run writes to it
 begun() { # FILE: waits until it has some contents, as the program in the background writes it
   for _ in $(seq 3000); do

@@ -25,8 +25,12 @@ for program in "${programs[@]}"; do
   check "beadswim-$program is installed" test -x "prefix/bin/beadswim-$program"
   if command -v help2man >/dev/null; then
     check "beadswim-$program has a page" grep -q 'SYNOPSIS' "prefix/share/man/man1/beadswim-$program.1"
+    check "the page of beadswim-$program has no examples" test "$(grep -c '(CW\$ ' "prefix/share/man/man1/beadswim-$program.1")" -ge 2
   fi
 done
+if command -v help2man >/dev/null; then
+  check "subcommands have no section" grep -q '^.SH "BEADSWIM-LAYOUT DEFECT VACANCY"' prefix/share/man/man1/beadswim-layout.1
+fi
 check "schemas are" test -s prefix/share/beadswim/schemas/layout.schema.json
 check "documents are" test -s prefix/share/doc/beadswim/docs/tutorial.md -a -x prefix/share/doc/beadswim/examples/figure-2.sh
 run python3 -B "$BEADSWIM_SOURCE/tests/docs/links.py" prefix/share/doc/beadswim

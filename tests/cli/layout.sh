@@ -26,6 +26,14 @@ refuses '--preset: unknown "paper-singel"; did you mean "paper-single"' beadswim
 refuses '--preset: unknown "paper-uniform". There are paper-single; swimmers and swarms have presets of their own' \
   beadswim-layout swimmer --preset paper-uniform
 refuses '--radius: "-4": must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
+refuses '--beads: no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm describe them' \
+  beadswim-layout swimmer --preset paper-single --beads 4
+refuses '--beads: no such flag: a swimmer has three beads' beadswim-layout swarm --preset paper-uniform --num-beads=4
+refuses '--bead: unknown flag; did you mean --bead-density' beadswim-layout swimmer --preset paper-single --bead 4
+refuses '--tolerance: "5%": must be a number from 0 to 0.5; write 5 % as 0.05' \
+  beadswim-layout reduce layout.json --tolerance 5%
+refuses '--amplitude: "5 %": must be a finite number, 0 or greater; write 5 % as 0.05' \
+  beadswim-layout swimmer --preset paper-single --amplitude '5 %'
 refuses '--radius: "4,5": 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5
 refuses '--radius: given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
 refuses '--axis: is needed, and not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json

@@ -4,13 +4,16 @@ source "$(dirname "$0")/harness.sh"
 
 for program in "$(dirname "$(command -v beadswim-run)")"/beadswim-*; do "$program" --help; done >help
 for program in layout plot; do beadswim-$program --help-all; done >>help
-for defect in vacancy interstitial jitter rotation domains phase amplitude frequency spacing mixture; do
-  beadswim-layout defect $defect --help
-done >>help
 flags() { grep -ohE -- '(^|[^-[:alnum:]])--[a-z][a-z-]+' "$@" | grep -oE -- '--[a-z-]+' | sort -u; }
 check "the programs have flags" test "$(flags help | wc -l)" -gt 50
 
 : >err
+lengthy() { # lines beyond 100 columns, and flags with over two lines of text
+  awk 'length > 100 && !/^  [$>] /
+       /^  [^ ]/ { flag = $1; lines = 0 }
+       /^        / { if (++lines == 3) print flag }' help
+}
+check "help is too long: $(lengthy | head -3)" test -z "$(lengthy)"
 flags help >known
 # Of scripts, cmake, srun, mpirun, jq and beadswim-verification.
 printf '%s\n' --build --install --prefix --mpi --signal --oversubscribe --slurpfile --report --with-readers >>known

@@ -13,7 +13,7 @@ drawn() { # NUMBER ELEMENT   how often the element is in out
 # --- what it says of itself
 kinds='stroke velocity-against-period separation speed-against-error trajectories swarm swimmer mobility-products'
 accepts beadswim-plot --help
-check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,$p' out | grep -vc '^$')" -eq 17
+check 'a kind is not listed with one line' test "$(sed -n '/^Subcommands:/,/^$/p' out | grep -vc '^$')" -eq 17
 has_flags() { # KIND FLAG...   these alone, beside those of all kinds
   accepts beadswim-plot "$1" --help
   check "$1 has other flags" test "$(grep -oE '^  (-[a-z],)?--[a-z-]+' out | xargs)" = "$(echo -h,--help -o,--output "${@:2}")"
@@ -50,6 +50,14 @@ jq '.units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor
   run.json >si.json
 accepts beadswim-plot stroke si.json
 out_has '>arm amplitude \(um\)<'
+
+
+# A swarm of over 64 swimmers has none in its record.
+jq 'del(.swimmers) | .swarm = []' run.json >swarm.json
+for kind in stroke velocity-against-period separation; do
+  refuses 'swarm.json: holds statistics of the swarm alone, .* over 64 swimmers do; use .*trajectory .*: beadswim-plot trajectories' \
+    beadswim-plot $kind swarm.json
+done
 
 # --- velocity against period
 files='run.json run_shorter_period.json prediction.json prediction_shorter_period.json'

@@ -131,6 +131,8 @@ accepts beadswim-plot swarm killed.h5md.part
 refuses 'FILES: no file given; name trajectories' beadswim-plot trajectories
 refuses 'FILES: 2 given; a swarm is drawn from one layout, or one trajectory' beadswim-plot swarm cell.h5md eight.h5md
 refuses '^beadswim-plot: no.h5md: cannot be read: No such file or directory; give a trajectory' beadswim-plot swarm no.h5md
+h5copy -i cell.h5md -o foreign.h5md -s /parameters -d /parameters
+refuses 'foreign.h5md: is HDF5, but no trajectory of Beadswim: it has no /h5md; give a trajectory' beadswim-plot trajectories foreign.h5md
 refuses 'cell.record: is no HDF5 file, or a broken one; give a trajectory' beadswim-plot trajectories cell.record
 refuses 'a trajectory cannot be read from standard input; name the file' beadswim-plot trajectories -
 head -c 3000 cell.h5md >cut.h5md

@@ -203,6 +203,12 @@ refuses '--precision: single is not double' beadswim-run --restart kept.h5md --c
 jq '.fluid.density = 1.01' layout.json >other.json
 refuses 'other.json: is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
 refuses '--cycles: 1 are behind this checkpoint' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
+h5copy -i whole.h5md -o foreign.h5md -s /h5md -d /h5md
+cp foreign.h5md foreign.h5md.ckpt.0
+refuses 'foreign.h5md.ckpt.0: is no checkpoint of Beadswim, but another HDF5 file; name FILE.h5md.ckpt.0 or .1' \
+  beadswim-run --restart foreign.h5md.ckpt.0
+rm foreign.h5md.ckpt.0
+refuses 'foreign.h5md has no checkpoint to go on from; .*no file foreign.h5md.ckpt.0 or .1 is there' beadswim-run --restart foreign.h5md
 refuses '--restart: nothing.h5md has no checkpoint to go on from; run with --checkpoint-every' \
   beadswim-run --restart nothing.h5md
 refuses 'nothing.h5md.ckpt.1 does not exist' beadswim-run --restart nothing.h5md.ckpt.1

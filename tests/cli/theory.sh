@@ -125,6 +125,11 @@ refuses 'driving has period 4800.*5000' beadswim-theory --stroke-from run.json s
 refuses 'no method asked for uses a stroke; add one of oseen-stroke-closed' beadswim-theory --method rpy-perturbation --stroke-from run.json paper.json
 refuses 'oseen-stroke-closed: cannot treat .* radii' beadswim-theory --method oseen-stroke-closed --stroke-from run.json unequal.json
 refuses 'units of length' beadswim-theory --stroke-from run.json units.json
+jq 'del(.swimmers) | .swarm = []' run.json >swarm_run.json
+refuses 'swarm_run.json: holds statistics of the swarm alone, .*; run a smaller cell of the scene \(beadswim-layout reduce\)' \
+  beadswim-theory --stroke-from swarm_run.json paper.json
+cat paper.json paper.json >two.json
+refuses 'two.json: line [0-9]+, column 1: a second document begins.*beadswim-theory for streams of layouts' beadswim-theory two.json
 refuses 'does not list swimmer 7' beadswim-theory --swimmer 7 --stroke-from run.json alike.json
 refuses 'paper.json.*another kind' beadswim-theory --stroke-from paper.json paper.json
 sed -E '/"index": 1/,/"index": 2/d; /"arm_amplitudes": \[3/d; s/"cycles": \[$/"cycles": [] }],/' run.json >no_cycle.json

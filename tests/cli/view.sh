@@ -68,6 +68,9 @@ check "the name is not kept" holds '.file == "<b>&.h5md" and .cycle_times == []'
 # --- what cannot be shown
 echo kept >kept.html
 refuses 'absent.h5md: cannot be read' beadswim-view absent.h5md -o kept.html
+h5copy -i swarm.h5md -o foreign.h5md -s /h5md -d /h5md
+refuses 'foreign.h5md: is HDF5, but no trajectory of Beadswim: it has no /particles; give a trajectory as beadswim-run wrote it' \
+  beadswim-view foreign.h5md -o kept.html
 refuses 'swarm.json: is no HDF5 file' beadswim-view swarm.json -o kept.html
 refuses '--output: "page.svg" is no .html; name a file that ends so' beadswim-view swarm.h5md -o page.svg
 refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0

@@ -20,14 +20,14 @@ LOUD = re.compile(r"\bthrow\b|\bInputError\(|\brefuse\w*\(|\bfail\w*\(|\btell\(|
 QUIET = re.compile(r"add_option|add_flag|->check|assert|validity|verdict|settings|notes")
 # Files whose functions return texts that other files throw or print.
 SPEAKING = {
-    "box_methods.cpp", "box_mobility.cpp", "closed_form_methods.cpp", "fault_message.cpp", "h5md.cpp", "inertia_methods.cpp",
+    "absent_features.cpp", "box_methods.cpp", "box_mobility.cpp", "closed_form_methods.cpp", "fault_message.cpp", "h5md.cpp", "inertia_methods.cpp",
     "json_parse.cpp", "flag_values.cpp", "nearest_name.cpp", "overdamped_model.cpp", "plan_flags.cpp", "periodic_motion.cpp", "perturbation_methods.cpp", "planned_lattices.cpp",
     "planned_scene.cpp", "program.cpp", "question.cpp", "run_loop.cpp", "run_plan.cpp", "schema_name.cpp", "surroundings.cpp",
     "trajectory_reader.cpp", "value_fault.cpp", "warnings.cpp", "options.cpp", "flags.cpp",
 }
 # Parts of other messages, places at the beginning of a message, and messages of other libraries.
 SILENT = re.compile(
-    r"^(/|\{|--|beadswim-layout (reduce|swimmer)|beadswim-run: …$|Object |Failed to|Array should|Missing|Value type|Expected|[^ ]*$"
+    r"^(/|\{|--|one of$|or an object|Read more|beadswim-layout (reduce|swimmer)|beadswim-run: …$|Object |Failed to|Array should|Missing|Value type|Expected|[^ ]*$"
     r"|of swimmer|bead … of|… at \(|predicted|\(4\.|exact |the layout's box|greater than$|at least$|less than$|at most$|must be$"
     r"|line …|statistics of cycle|spheres (…|on)|flow on|mobility of near|box edge|no file$|one file$|command line$|RUN\.|open space"
     r"|stroke fit|step … of|… of itself|a fault of the run|temporary file|its length along|the line at|through the periodic)"
@@ -83,7 +83,7 @@ def messages_of(path, flags):
         statement = text[begin:end]
         code = RUN.sub("", statement)
         speaks = LOUD.search(code) or path.name in SPEAKING
-        if not speaks:
+        if not speaks or re.search(r"\b(set_footer|begin_group|add_choice|add_switch|add_word|add_marks)\(", code):
             continue
         for start, words, _ in joined(RUN.finditer(statement), statement, flags):
             words = " ".join(words.split()).strip(" :;,")

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "beadswim/core/communicator.hpp"
+#include "beadswim/core/rank_failure.hpp"
 #include "beadswim/tools/named_flags.hpp"
 #include "bench_groups.hpp"
 
@@ -20,37 +20,41 @@ struct BenchOptions {
 std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
   auto program = make_program(
       "beadswim-bench",
-      "Measures in one run what this machine's memory allows and what the solver makes of it: million cell "
-      "updates a second of the bare sweep, of steps in periodic and walled boxes, and of the paper's swarm, "
-      "as fractions of a yardstick that moves the same bytes without arithmetic. Under mpirun -n N on 1 and "
-      "on N ranks. With --beads, seconds of the mobility models' products. On an otherwise idle machine.");
-  program->add_option("--edge", options.request.edges, "Edges of the cube of cells that each rank has.")
+      "Measures the lattice solver on this machine: million cell updates per second of sweeps, steps and the "
+      "paper's swarm, relative to a copy of the same bytes; or, with --beads, mobility products. Under "
+      "mpirun -n N, on 1 and on N ranks.");
+  begin_group(*program, "Lattice");
+  program->add_option("--edge", options.request.edges, "Edges of the cubic block of each rank [cell]")
       ->delimiter(',')
       ->check(whole_number(32, 4096))
       ->default_str("64,128,256")
       ->type_name("N,...");
-  add_choices(*program, "--precision", options.request.precisions, "double, single or both.");
+  add_choices(*program, "--precision", options.request.precisions, "Precisions of the populations");
   add_choice(*program, "--bead-boundary", options.request.bead_boundary,
-             "Bead boundary of the swarm, as of beadswim-run: staircase, the paper's, cli, mr or psm.")
-      ->type_name("NAME");
-  auto* beads =
-      program
-          ->add_option("--beads", options.products.beads,
-                       "Instead of the lattice: products of a mobility and forces, of so many beads.")
-          ->delimiter(',')
-          ->check(whole_number(2, 100000000))
-          ->default_str("")
-          ->type_name("N,...");
-  program->add_option("--tolerance", options.products.tolerance, "Of these products, as of beadswim-run.")
+             "No-slip scheme on beads of the swarm, as in beadswim-run");
+  begin_group(*program, "Mobility");
+  auto* beads = program
+                    ->add_option("--beads", options.products.beads,
+                                 "Numbers of beads of mobility products, to measure instead of the lattice")
+                    ->delimiter(',')
+                    ->check(whole_number(2, 100000000))
+                    ->default_str("none")
+                    ->type_name("N,...");
+  program->add_option("--tolerance", options.products.tolerance, "Relative error of the products [1]")
+      ->type_name("E")
       ->needs(beads)
       ->check(product_tolerance())
       ->capture_default_str();
+  begin_group(*program, "Options");
   program
-      ->add_option("--rounds", options.request.rounds,
-                   "Rounds over all cases; medians over the rounds are reported.")
+      ->add_option("--rounds", options.request.rounds, "Rounds over all cases, of which medians are printed")
+      ->type_name("N")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  program->add_flag("--json", options.json, "JSON (schema beadswim/bench/1) instead of a table.");
+  program->add_flag("--json", options.json, "Print JSON instead of a table.");
+  set_footer(*program,
+             {"beadswim-bench --edge 32 --rounds 1", "beadswim-bench --beads 99,999 --json >products.json"},
+             "performance.md");
   return program;
 }
 
@@ -83,7 +87,7 @@ int run(int argc, char** argv, const Communicator& world) {
 
 int main(int argc, char** argv) {
   const MpiSession mpi(&argc, &argv);
-  const Communicator world(MPI_COMM_WORLD);
+  const Communicator world(MPI_COMM_WORLD), failures(MPI_COMM_WORLD);
   if (!world.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
   try {
     return run(argc, argv, world);
@@ -91,8 +95,6 @@ int main(int argc, char** argv) {
     return world.is_root() ? report_current_exception("beadswim-bench")
                            : static_cast<int>(ExitStatus::bad_input);
   } catch (...) {
-    const int status = report_current_exception("beadswim-bench");
-    MPI_Abort(world.get(), status);
-    return status;
+    return end_after_failure("beadswim-bench", failures);
   }
 }

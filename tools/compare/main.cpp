@@ -18,35 +18,35 @@ struct Flags {
 void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
   program
       .add_option("FILES", request.files,
-                  "Run records, then the reference: a prediction (its swimmer is compared) or another run "
-                  "record (all its swimmers are). One of the files may be - for standard input.")
+                  "Run records, then the reference: a prediction or another run record. - is standard input.")
       ->type_name("RUN... REFERENCE")
       ->default_str("");
   program
       .add_option("--reference", request.further_references,
-                  "A further reference, shown beside the last of FILES; repeatable. It decides only if "
-                  "--method names a method that it alone has.")
+                  "Further reference to show, repeatable; decides only by a --method that it alone has")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->default_str("none");
-  program
-      .add_option("--method", flags.method,
-                  "The method that decides (\"run\" for a run); the best usable one unless given: "
-                  "inertia-corrected, else multipole-ode, rpy-ode, rpy-perturbation, else the first. All "
-                  "methods are shown.")
-      ->type_name("NAME");
+  program.add_option("--method", flags.method, "Method that decides, or run for a run; all are shown")
+      ->type_name("NAME")
+      ->default_str("inertia-corrected, else multipole-ode, rpy-ode, rpy-perturbation, the first usable");
   request.quantities.assign(all_values<ComparedQuantity>.begin(), all_values<ComparedQuantity>.end());
   add_choices(program, "--quantity", request.quantities,
-              "What to compare, separated by commas: velocity (along the swimmer's axis, against the "
-              "mean flow along periodic axes), arm_amplitudes, sin_phase_shift.");
-  program.add_option("--tolerance", request.tolerance, "Largest relative error that passes, as a fraction.")
+              "Quantities to compare; velocity is along the swimmer's axis, relative to the mean flow along "
+              "periodic axes");
+  program
+      .add_option("--tolerance", request.tolerance, "Largest relative error that passes, 0.05 for 5 % [1]")
+      ->type_name("E")
       ->default_val(0.05)
       ->check(finite_positive());
   program
       .add_option("--cycle", flags.cycle,
-                  "Cycle of each run to compare: last, N (the Nth from the run's start) or mean:N (mean of "
-                  "the last N).")
+                  "Cycle of each run: the last, the Nth from the start, or the mean of the last N")
       ->type_name("last|N|mean:N");
+  set_footer(program,
+             {"beadswim-compare run.json theory.json --method rpy-box-ode >verdict.json",
+              "beadswim-compare lbm.json run.json --quantity velocity --tolerance 0.5"},
+             "reading-results.md");
 }
 
 void apply(const Flags& flags, ComparisonRequest& request) {
@@ -55,10 +55,11 @@ void apply(const Flags& flags, ComparisonRequest& request) {
 }
 
 int run(int argc, const char* const* argv) {
-  const auto program = make_program("beadswim-compare",
-                                    "Holds runs against a prediction or another run: verdict.json on stdout, "
-                                    "a table on stderr. Exit status 0 "
-                                    "if the verdict is positive, 1 if it is negative.");
+  const auto program =
+      make_program("beadswim-compare",
+                   "Compares runs with a prediction or another run. Prints the verdict: JSON "
+                   "on standard output, a table on standard error; exit status 1 if it is "
+                   "negative.");
   ComparisonRequest request;
   Flags flags;
   add_flags(*program, request, flags);

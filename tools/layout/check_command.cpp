@@ -6,6 +6,7 @@
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
+#include "beadswim/tools/program.hpp"
 
 namespace beadswim {
 namespace {
@@ -87,10 +88,14 @@ void warn_of_collisions(const SceneNumbers& numbers) {
 CheckCommand::CheckCommand(CLI::App& program)
     : command_(program.add_subcommand(
           "check",
-          "Check a layout: its form, units, overlaps, arms, box. Prints its dimensionless numbers; a fault "
-          "is named by its JSON pointer, exit status 2.")) {
-  command_->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
-  command_->add_flag("--json", json_, "Print the numbers as JSON.");
+          "Checks a layout and prints its dimensionless numbers; a fault ends with exit status 2 and its "
+          "JSON pointer.")) {
+  command_->add_option("layout", file_, "Layout; - is standard input.")->type_name("FILE");
+  command_->add_flag("--json", json_, "Print JSON instead of a table.");
+  set_footer(*command_,
+             {"beadswim-layout check layout.json",
+              "beadswim-layout swimmer --preset paper-single --unbounded | beadswim-layout check --json"},
+             "formats/layout-check.md");
 }
 
 void CheckCommand::run() const {

@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* needed = "none, one of the two is needed";
+constexpr const char* needed = "none; required without --fraction";
 
 /// The first name "b", "c", ... "z", "a1" ... that the layout has no type of.
 std::string free_type_name(const Layout& layout) {
@@ -57,93 +57,110 @@ void mix_in(Layout& layout, const std::vector<std::size_t>& chosen, const std::s
 DefectCommand::DefectCommand(CLI::App& program)
     : command_(program.add_subcommand(
           "defect",
-          "Filters that disturb a layout: each takes one from a file or standard input and writes it to "
-          "standard output, so that they compose in pipes. The same seed gives the same defects of the same "
-          "layout; give each filter of a pipe a seed of its own.")) {
+          "Filters that disturb a layout from a file or standard input and write it to standard output. The "
+          "same seed gives the same defects; give each filter in a pipe its own.")) {
   command_->require_subcommand(1);
   add_numbers();
   add_places();
   add_drivings();
   add_spacing();
   add_mixture();
+  set_footer(*command_,
+             {"beadswim-layout defect jitter swarm.json --sigma 0.5 --seed 1 >jittered.json",
+              "beadswim-layout defect vacancy swarm.json --fraction 0.25 | \\\n"
+              "beadswim-layout defect phase --random --seed 2 >disturbed.json"},
+             "method/defects.md");
 }
 
 void DefectCommand::add_numbers() {
-  auto& vacancy = add_kind("vacancy", "Take swimmers away; the others keep their ids.",
+  auto& vacancy = add_kind("vacancy", {"--fraction 0.25", "--count 1 --seed 3"},
+                           "Removes swimmers; the others keep their ids.",
                            [this](Layout& layout) { add_vacancies(layout, share_or_count(), seed_); });
-  add_how_many(vacancy, "swimmers to take away", needed);
+  add_how_many(vacancy, "swimmers to remove", needed);
 
   auto& interstitial =
-      add_kind("interstitial", "Add swimmers like the first at random free places, with ids of their own.",
+      add_kind("interstitial", {"--count 2", "--fraction 0.25 --seed 3"},
+               "Adds copies of the first swimmer at random free places, with new ids.",
                [this](Layout& layout) { add_interstitials(layout, share_or_count(), seed_); });
-  add_how_many(interstitial, "swimmers to add; the fraction is of those there are", needed);
+  add_how_many(interstitial, "swimmers to add", needed);
 }
 
 void DefectCommand::add_places() {
-  auto& displaced = add_kind("jitter", "Move swimmers at random.",
-                             [this](Layout& layout) { jitter(layout, chosen(layout), *sigma_, seed_); });
-  add_sigma(displaced, "Standard deviation of each coordinate's change [length].");
+  auto& displaced =
+      add_kind("jitter", {"--sigma 0.5", "--sigma 2 --fraction 0.5 --seed 3"}, "Moves swimmers at random.",
+               [this](Layout& layout) { jitter(layout, chosen(layout), *sigma_, seed_); });
+  add_sigma(displaced, "Standard deviation of the change of each coordinate [length]");
   add_how_many(displaced, "swimmers to move", "all");
 
-  auto& turned = add_kind("rotation", "Turn swimmers about their middle bead.",
+  auto& turned = add_kind("rotation", {"--sigma 0.1", "--random --count 1 --repair"},
+                          "Turns swimmers about their middle bead.",
                           [this](Layout& layout) { rotate(layout, chosen(layout), sigma_, seed_); });
-  add_sigma(turned, "Standard deviation of the angle, about a random line across the axis [radian].");
-  add_random(turned, "Random directions instead, all alike.");
+  add_sigma(turned, "Standard deviation of the angle, about a random line across the axis [rad]");
+  add_random(turned, "Draw directions uniformly instead.");
   add_how_many(turned, "swimmers to turn", "all");
 
   auto& regions = add_kind(
-      "domains",
-      "Part the box by random points, and give the swimmers nearest to each a direction of their own.",
+      "domains", {"--count 1", "--count 2 --repair"},
+      "Divides the box by random points; the swimmers nearest to a point get a common random direction.",
       [this](Layout& layout) { add_domains(layout, *count_, seed_); });
-  regions.add_option("--count", count_, "Number of domains.")
+  regions.add_option("--count", count_, "Number of domains")
       ->required()
       ->check(whole_number(1, 10000))
       ->type_name("N");
 }
 
 void DefectCommand::add_drivings() {
-  auto& phases = add_kind("phase", "Let swimmers' driving run ahead or behind, by phase_offset.",
+  auto& phases = add_kind("phase", {"--sigma 0.3", "--random --seed 3"},
+                          "Shifts the driving phase of swimmers (phase_offset).",
                           [this](Layout& layout) { disorder_phases(layout, chosen(layout), sigma_, seed_); });
-  add_sigma(phases, "Standard deviation of the offset [radian].");
-  add_random(phases, "Offsets from -pi to pi instead, all alike.");
+  add_sigma(phases, "Standard deviation of the shift [rad]");
+  add_random(phases, "Draw shifts uniformly from -pi to pi instead.");
   add_how_many(phases, "swimmers to change", "all");
 
   auto& amplitudes =
-      add_kind("amplitude", "Drive swimmers more or less strongly: A and B times 1 + sigma x.",
+      add_kind("amplitude", {"--sigma 0.1", "--sigma 0.2 --count 2 --seed 3"},
+               "Changes driving amplitudes: A and B times 1 + sigma x, with normal x.",
                [this](Layout& layout) { disorder_amplitudes(layout, chosen(layout), *sigma_, seed_); });
-  add_sigma(amplitudes, "Standard deviation of the amplitudes' relative change, no unit.");
+  add_sigma(amplitudes, "Standard deviation of the relative change [1]");
   add_how_many(amplitudes, "swimmers to change", "all");
 
   auto& frequencies =
-      add_kind("frequency", "Drive swimmers faster or slower: 1/T times 1 + sigma x.",
+      add_kind("frequency", {"--sigma 0.05", "--sigma 0.1 --count 2 --seed 3"},
+               "Changes driving frequencies: 1/T times 1 + sigma x, with normal x.",
                [this](Layout& layout) { disorder_frequencies(layout, chosen(layout), *sigma_, seed_); });
-  add_sigma(frequencies, "Standard deviation of the frequency's relative change, no unit.");
+  add_sigma(frequencies, "Standard deviation of the relative change [1]");
   add_how_many(frequencies, "swimmers to change", "all");
 }
 
-CLI::App& DefectCommand::add_kind(const std::string& name, const std::string& help, Change change) {
+CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std::string>& examples,
+                                  const std::string& help, Change change) {
   CLI::App* const kind = command_->add_subcommand(name, help);
-  kind->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
-  kind->add_option("--seed", seed_, "Of the random numbers, from 0.")
+  begin_group(*kind, "Options");
+  kind->add_option("layout", file_, "Layout; - is standard input.")->type_name("FILE");
+  kind->add_option("--seed", seed_, "Seed of the random numbers, from 0")
       ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
       ->type_name("N")
       ->capture_default_str();
   kind->add_flag(
       "--repair", repair_,
-      "Move swimmers that overlap then apart, until all beads are a twentieth of a radius off each other. "
-      "Default: overlaps are refused.");
+      "Move overlapping swimmers apart, to gaps of a twentieth of a radius; without it, overlaps are an "
+      "error.");
+  std::vector<std::string> commands;
+  for (const std::string& flags : examples)
+    commands.push_back(fmt::format("beadswim-layout defect {0} swarm.json {1} >{0}.json", name, flags));
+  set_footer(*kind, commands, "method/defects.md");
   kinds_.emplace_back(kind, std::move(change));
   return *kind;
 }
 
 void DefectCommand::add_how_many(CLI::App& kind, const std::string& things, const std::string& otherwise) {
   auto* const fraction =
-      kind.add_option("--fraction", fraction_,
-                      fmt::format("Share of {}, from 0 to 1, rounded to whole ones.", things))
+      kind.add_option("--fraction", fraction_, fmt::format("Fraction of {}, from 0 to 1", things))
           ->type_name("F")
           ->check(number_between(0, 1));
-  kind.add_option("--count", count_, fmt::format("Number of {}. Default: {}.", things, otherwise))
+  kind.add_option("--count", count_, fmt::format("Number of {}", things))
       ->type_name("N")
+      ->default_str(otherwise)
       ->check(whole_number(0, 10000000))
       ->excludes(fraction);
 }
@@ -158,32 +175,32 @@ void DefectCommand::add_random(CLI::App& kind, const std::string& help) {
 
 void DefectCommand::add_spacing() {
   auto& layers =
-      add_kind("spacing", "Change the gaps between layers of swimmers, and the box by as much.",
-               [this](Layout& layout) {
+      add_kind("spacing", {"--axis y --sigma 1", "--axis x --sigma 4 --whole 1 --seed 3"},
+               "Changes the gaps between layers of swimmers, and the box with them.", [this](Layout& layout) {
                  const LayerSpacing spacing{.axis = axis_[0] - 'x', .sigma = *sigma_, .whole = whole_};
                  space_layers(layout, spacing, how_many_or_all(), seed_);
                });
-  layers.add_option("--axis", axis_, "Across which the layers lie.")
+  layers.add_option("--axis", axis_, "Normal of the layers")
       ->required()
       ->check(one_of({"x", "y", "z"}))
       ->type_name("x|y|z");
-  add_sigma(layers, "Standard deviation of each gap's change [length].");
+  add_sigma(layers, "Standard deviation of the change of each gap [length]");
   layers
-      .add_option(
-          "--whole", whole_,
-          "Round changes to whole multiples of this, such as a cell of the run to come [length]. Default: "
-          "none.")
+      .add_option("--whole", whole_,
+                  "Round changes to multiples of this length, for example of a lattice cell [length]")
       ->type_name("L")
+      ->default_str("none")
       ->check(finite_positive());
   add_how_many(layers, "gaps to change", "all");
 }
 
 void DefectCommand::add_mixture() {
-  auto& mixture = add_kind("mixture", "Make swimmers ones of another type, which keep their place and axis.",
-                           [this](Layout& layout) {
-                             mix_in(layout, draw_swimmer_indices(layout, share_or_count(), seed_), other_);
-                           });
-  mixture.add_option("--with", other_, "A layout whose first swimmer is of that type.")
+  auto& mixture =
+      add_kind("mixture", {"--with layout.json --count 2", "--with layout.json --fraction 0.5 --seed 3"},
+               "Gives swimmers another type; they keep their place and axis.", [this](Layout& layout) {
+                 mix_in(layout, draw_swimmer_indices(layout, share_or_count(), seed_), other_);
+               });
+  mixture.add_option("--with", other_, "Layout whose first swimmer has that type")
       ->required()
       ->type_name("FILE");
   add_how_many(mixture, "swimmers to change", needed);

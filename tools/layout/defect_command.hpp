@@ -22,8 +22,9 @@ class DefectCommand {
  private:
   using Change = std::function<void(Layout&)>;
 
-  /// A kind of defect with the flags common to all.
-  CLI::App& add_kind(const std::string& name, const std::string& help, Change change);
+  /// Adds a kind of defect with the flags common to all kinds. `examples`: flags of the examples in its help.
+  CLI::App& add_kind(const std::string& name, const std::vector<std::string>& examples,
+                     const std::string& help, Change change);
   void add_how_many(CLI::App& kind, const std::string& things, const std::string& otherwise);
   void add_sigma(CLI::App& kind, const std::string& help);
   void add_random(CLI::App& kind, const std::string& help);

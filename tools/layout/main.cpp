@@ -11,14 +11,18 @@ namespace {
 int run(int argc, char** argv) {
   using namespace beadswim;
   const auto program = make_program("beadswim-layout",
-                                    "Makes and checks layouts: scenes of bead-spring swimmers in a fluid "
-                                    "(layout.json). Layouts and tables go to standard output.");
+                                    "Makes, disturbs, reduces and checks layouts (JSON): scenes of "
+                                    "bead-spring swimmers in a fluid. Results go to standard output.");
   program->require_subcommand(1);
   SwimmerCommand swimmer(*program);
   SwarmCommand swarm(*program);
   DefectCommand defect(*program);
   ReduceCommand reduce(*program);
   CheckCommand check(*program);
+  set_footer(*program,
+             {"beadswim-layout swimmer --preset paper-single --box 72,30,30 --boundary periodic >layout.json",
+              "beadswim-layout check layout.json"},
+             "tutorial.md");
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
 
   if (swimmer.is_chosen()) swimmer.run(*program);

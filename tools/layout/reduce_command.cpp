@@ -11,16 +11,20 @@ namespace beadswim {
 ReduceCommand::ReduceCommand(CLI::App& program)
     : command_(program.add_subcommand(
           "reduce",
-          "The smallest periodic cell that repeats to the same scene, from a file or standard input to "
-          "standard output: a swarm of equal blocks becomes one block, or one swimmer. What was found is "
-          "said on standard error.")) {
-  command_->add_option("layout", file_, "The layout; - is standard input.")->type_name("FILE");
+          "Writes the smallest periodic cell that repeats to the same scene: a swarm of equal blocks becomes "
+          "one block, or one swimmer.")) {
+  command_->add_option("layout", file_, "Layout; - is standard input.")->type_name("FILE");
   command_
-      ->add_option("--tolerance", tolerance_,
-                   "How far a swimmer may be off its place in the repeated cell [smallest bead radius].")
+      ->add_option(
+          "--tolerance", tolerance_,
+          "Largest displacement of a swimmer from its place in the repeated cell [smallest bead radius]")
       ->type_name("E")
       ->check(number_between(0, 0.5))
       ->capture_default_str();
+  set_footer(*command_,
+             {"beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce >cell.json",
+              "beadswim-layout reduce swarm.json --tolerance 0.1 >cell.json"},
+             "swarms.md");
 }
 
 void ReduceCommand::run(const CLI::App& program) const {

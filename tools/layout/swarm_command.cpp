@@ -20,38 +20,38 @@ Index3 index_of(const std::string& text) {
 }  // namespace
 
 SwarmCommand::SwarmCommand(CLI::App& program)
-    : command_(
-          program.add_subcommand("swarm",
-                                 "A layout of many swimmers along x, in equal blocks that fill a periodic "
-                                 "box, as in the paper's figure 4.")),
+    : command_(program.add_subcommand("swarm",
+                                      "Writes a layout of many swimmers along x, in equal blocks that fill a "
+                                      "periodic box (figure 4 of the paper).")),
       flags_(
           *command_, {{"paper-uniform", paper_swarm}, {"paper-defect", paper_swarm}},
-          "both are radius 6, arm 32, stiffness 0.2, no dashpots, amplitude 2, phase pi/2, period 2000, "
-          "viscosity 1/3, densities 1, in blocks of 1,3,3 with the paper's own resolution as a hint; "
-          "paper-uniform has gaps of 32 throughout, paper-defect a core gap of 37 and block gaps of "
-          "56,46,46. The paper gives no stiffness: with its single swimmer's 0.0347 the beads would collide. "
-          "Default: none; then --radius, --arm, --stiffness, --amplitude, --period, --viscosity, --core-gap "
-          "and --block-gap are needed.") {
-  command_
-      ->add_option("--block-swimmers", block_swimmers_, "Swimmers of a block along x, y, z. Default: 1,3,3.")
+          "Swarm to start from: paper-uniform, gaps 32; or paper-defect, core gap 37, block gaps 56,46,46. "
+          "Without it, flags without a default are required") {
+  begin_group(*command_, "Blocks");
+  command_->add_option("--block-swimmers", block_swimmers_, "Swimmers per block along x, y, z")
       ->type_name("NX,NY,NZ")
-      ->check(number_list({3}, whole_positive()));
-  command_->add_option("--blocks", blocks_, "Blocks along x, y, z. Default: 1,1,1.")
+      ->check(number_list({3}, whole_positive()))
+      ->default_str("1,3,3");
+  command_->add_option("--blocks", blocks_, "Blocks along x, y, z")
       ->type_name("BX,BY,BZ")
-      ->check(number_list({3}, whole_positive()));
+      ->check(number_list({3}, whole_positive()))
+      ->default_str("1,1,1");
   command_
       ->add_option("--core-gap", core_gap_,
-                   "C, between neighbours of one block: across x between their lines, along x between the "
-                   "centres of the end beads that face each other; one for all or one each along x, y, z "
-                   "[length]. Default: the preset's.")
+                   "Gap between neighbours of a block: along x between facing end beads (centres), along y "
+                   "and z between axes [length]")
       ->type_name("C|CX,CY,CZ")
       ->check(number_list({1, 3}, finite_positive()));
   command_
       ->add_option("--block-gap", block_gap_,
-                   "D, between neighbours of two blocks, likewise; the outermost swimmers are as far from "
-                   "their periodic images [length]. Default: the preset's.")
+                   "The same gap between neighbours of two blocks, and across the periodic box [length]")
       ->type_name("D|DX,DY,DZ")
       ->check(number_list({1, 3}, finite_positive()));
+  set_footer(
+      *command_,
+      {"beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,2 --blocks 2,1,1 >swarm.json",
+       "beadswim-layout swarm --preset paper-defect | beadswim-layout check"},
+      "swarms.md");
 }
 
 SwarmPlan SwarmCommand::plan() const {

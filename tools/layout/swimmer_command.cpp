@@ -10,18 +10,20 @@ namespace beadswim {
 
 SwimmerCommand::SwimmerCommand(CLI::App& program)
     : command_(program.add_subcommand(
-          "swimmer", "A layout of one swimmer: a preset, changed by any of the flags, or the flags alone.")),
-      flags_(
-          *command_, {{"paper-single", paper_single}},
-          "paper-single is radius 4, arm 20, stiffness 0.0347, no dashpots, amplitude 0.2, phase pi/2, "
-          "period 4800, viscosity 1/3, densities 1, in a free-slip box 1200,800,800, with the paper's own "
-          "resolution as a hint (cells and time steps are the units of length and time). Default: none; then "
-          "--radius, --arm, --stiffness, --amplitude, --period, --viscosity and one of --box and --unbounded "
-          "are needed."),
+          "swimmer", "Writes a layout of one swimmer: a preset with changes, or all by flags.")),
+      flags_(*command_, {{"paper-single", paper_single}},
+             "Scene to start from: paper-single, the paper's swimmer in a box of 1200,800,800. Without it, "
+             "flags "
+             "without a default are required"),
       place_(*command_) {
-  command_->add_flag(
-      "--jsonl", json_lines_,
-      "Write the layout on one line, for streams of one layout a line (beadswim-theory --jsonl).");
+  begin_group(*command_, "Output");
+  command_->add_flag("--jsonl", json_lines_, "Write the layout on one line, for beadswim-theory --jsonl.");
+  set_footer(
+      *command_,
+      {"beadswim-layout swimmer --preset paper-single --box 72,30,30 --boundary periodic >layout.json",
+       "beadswim-layout swimmer --radius 2 --arm 10 --stiffness 0.03 --amplitude 0.1 --period 4000 \\\n"
+       "--viscosity 0.3 --unbounded >open.json"},
+      "formats/layout.md");
 }
 
 void SwimmerCommand::run(const CLI::App& program) const {

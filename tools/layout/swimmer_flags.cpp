@@ -8,10 +8,7 @@ namespace beadswim {
 
 SwimmerFlags::SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help)
     : presets_(std::move(presets)) {
-  command
-      .add_option("--preset", preset_,
-                  "Start from a scene of the paper, and change what other flags give: " + preset_help)
-      ->type_name("NAME");
+  command.add_option("--preset", preset_, preset_help)->type_name("NAME")->default_str("none");
   add_swimmer(command);
   add_driving(command);
   add_fluid(command);
@@ -21,107 +18,93 @@ void SwimmerFlags::add_swimmer(CLI::App& command) {
   const auto positive = [](std::vector<std::size_t> counts) {
     return number_list(counts, finite_positive());
   };
-  command
-      .add_option("--radius", radius_,
-                  "Radius of the beads, one for all or one each [length]. Default: the preset's.")
+  add_absent_flag(command, "--beads,--bead-count,--num-beads,--number-of-beads",
+                  "no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm "
+                  "describe them");
+  begin_group(command, "Beads");
+  command.add_option("--radius", radius_, "Bead radius [length]")
       ->type_name("R|R1,R2,R3")
       ->check(positive({1, 3}));
-  command
-      .add_option("--arm", arm_,
-                  "Rest length of the arms, between bead centres [length]. Default: the preset's.")
+  begin_group(command, "Springs");
+  command.add_option("--arm", arm_, "Rest length of the arms, between bead centres [length]")
       ->type_name("L|L1,L2")
       ->check(positive({1, 2}));
-  command
-      .add_option("--stiffness", stiffness_,
-                  "Stiffness k of the arms' springs [mass/time^2]. Default: the preset's.")
+  command.add_option("--stiffness", stiffness_, "Stiffness k of the springs [mass/time^2]")
       ->type_name("K|K1,K2")
       ->check(positive({1, 2}));
-  command
-      .add_option("--damping", damping_,
-                  "Damping c of the dashpots beside the springs [mass/time]. Default: the preset's, else 0.")
+  command.add_option("--damping", damping_, "Damping c of the dashpots beside the springs [mass/time]")
       ->type_name("C|C1,C2")
-      ->check(number_list({1, 2}, finite_non_negative()));
+      ->check(number_list({1, 2}, finite_non_negative()))
+      ->default_str("the preset's, else 0");
   command
-      .add_option(
-          "--angular-stiffness", angular_stiffness_,
-          "K_A of the angular spring U = K_A theta^2/2 that keeps the swimmer straight "
-          "[mass length^2/time^2]. Default: 10 k l^2 with the arms' mean k and l, so that an end bead "
-          "resists ten times more sideways than along its arm.")
+      .add_option("--angular-stiffness", angular_stiffness_,
+                  "K_A of the spring U = K_A theta^2/2 that keeps the arms in line [mass length^2/time^2]")
       ->type_name("KA")
-      ->check(finite_non_negative());
-  command
-      .add_option("--bead-density", bead_density_,
-                  "Density of the beads [mass/length^3]. Default: the preset's, else the fluid's.")
+      ->check(finite_non_negative())
+      ->default_str("10 k l^2, with mean k and rest length l");
+  begin_group(command, "Beads");
+  command.add_option("--bead-density", bead_density_, "Density of the beads [mass/length^3]")
       ->type_name("RHO")
-      ->check(finite_positive());
+      ->check(finite_positive())
+      ->default_str("the preset's, else the fluid's");
 }
 
 void SwimmerFlags::add_driving(CLI::App& command) {
-  command
-      .add_option(
-          "--amplitude", amplitude_,
-          "Amplitudes A and B of the driving forces F1 = A sin(2 pi t/T), F3 = B sin(2 pi t/T + alpha), "
-          "F2 = -(F1 + F3); one for both or one each [mass length/time^2]. Default: the preset's.")
+  begin_group(command, "Driving: F1 = A sin(2 pi t/T), F3 = B sin(2 pi t/T + alpha), F2 = -(F1 + F3)");
+  command.add_option("--amplitude", amplitude_, "Amplitudes A and B [force]")
       ->type_name("A|A,B")
       ->check(number_list({1, 2}, finite_non_negative()));
-  command
-      .add_option("--phase", phase_,
-                  "Phase alpha [radian]. Default: the preset's, else pi/2. Write --phase=-0.5.")
+  command.add_option("--phase", phase_, "Phase alpha; write negative values as --phase=-0.5 [rad]")
       ->type_name("ALPHA")
-      ->check(finite());
-  command.add_option("--period", period_, "Period T [time]. Default: the preset's.")
-      ->type_name("T")
-      ->check(finite_positive());
+      ->check(finite())
+      ->default_str("the preset's, else pi/2");
+  command.add_option("--period", period_, "Period T [time]")->type_name("T")->check(finite_positive());
   add_choice(command, "--frame", frame_,
-             "Direction of the driving forces: lab (along x, an external field), initial-axis (each "
-             "swimmer's own axis at the start) or body (along the arms: free of force and torque). "
-             "Default: lab.");
+             "Direction of the forces: x (lab), the swimmer's axis at the start, or its arms (body)")
+      ->default_str("lab");
 }
 
 void SwimmerFlags::add_fluid(CLI::App& command) {
-  command
-      .add_option("--viscosity", viscosity_,
-                  "Kinematic viscosity nu of the fluid [length^2/time]. Default: the preset's.")
+  begin_group(command, "Fluid and box");
+  command.add_option("--viscosity", viscosity_, "Kinematic viscosity nu [length^2/time]")
       ->type_name("NU")
       ->check(finite_positive());
-  command.add_option("--density", density_, "Density of the fluid [mass/length^3]. Default: 1.")
+  command.add_option("--density", density_, "Density of the fluid [mass/length^3]")
       ->type_name("RHO")
-      ->check(finite_positive());
+      ->check(finite_positive())
+      ->default_str("1");
   command
-      .add_option(
-          "--units", units_,
-          "What the numbers are in: lattice, or units of length (m, cm, mm, um, nm), time (s, ms, us, ns) "
-          "and mass (kg, g, mg, ug, ng, pg, fg), such as um,s,pg. Default: lattice.")
-      ->type_name("lattice|LENGTH,TIME,MASS");
+      .add_option("--units", units_,
+                  "Units of all numbers: lattice; or length (m, cm, mm, um, nm), time (s, ms, us, ns) and "
+                  "mass (kg, g, mg, ug, ng, pg, fg), as in um,s,pg")
+      ->type_name("lattice|LENGTH,TIME,MASS")
+      ->default_str("lattice");
 }
 
 PlaceFlags::PlaceFlags(CLI::App& command) {
-  auto* const box =
-      command.add_option("--box", box_, "Edges of the box, from the origin [length]. Default: the preset's.")
-          ->type_name("X,Y,Z")
-          ->check(number_list({3}, finite_positive()));
+  begin_group(command, "Fluid and box");
+  auto* const box = command.add_option("--box", box_, "Edges of the box, from the origin [length]")
+                        ->type_name("X,Y,Z")
+                        ->check(number_list({3}, finite_positive()));
   auto* const boundary =
-      command
-          .add_option("--boundary", boundary_,
-                      "What closes the box, one for all or one each along x, y, z: periodic, free-slip or "
-                      "no-slip. Default: the preset's, else periodic.")
+      command.add_option("--boundary", boundary_, "Boundaries of the box: periodic, free-slip or no-slip")
           ->type_name("B|BX,BY,BZ")
-          ->check(number_list({1, 3}, one_of(all_names<Boundary>())));
-  command
-      .add_flag("--unbounded", unbounded_,
-                "No box: unbounded fluid, for theory and mobility models only (a resolved run needs a box).")
+          ->check(number_list({1, 3}, one_of(all_names<Boundary>())))
+          ->default_str("the preset's, else periodic");
+  command.add_flag("--unbounded", unbounded_, "Unbounded fluid, for theory and mobility models only.")
       ->excludes(box)
       ->excludes(boundary);
+  begin_group(command, "Placement");
   command
-      .add_option(
-          "--position", position_,
-          "Centre of bead 2 [length]. Default: the swimmer's middle in the middle of the box; 0,0,0 in "
-          "unbounded fluid. Write --position=-1,0,0.")
+      .add_option("--position", position_,
+                  "Centre of bead 2; write negative values as --position=-1,0,0 [length]")
       ->type_name("X,Y,Z")
-      ->check(number_list({3}, finite()));
-  command.add_option("--axis", axis_, "Direction from bead 1 to bead 3, of any length. Default: 1,0,0.")
+      ->check(number_list({3}, finite()))
+      ->default_str("the swimmer at the centre of the box");
+  command.add_option("--axis", axis_, "Direction from bead 1 to bead 3, of any length")
       ->type_name("X,Y,Z")
-      ->check(number_list({3}, finite()));
+      ->check(number_list({3}, finite()))
+      ->default_str("1,0,0");
 }
 
 }  // namespace beadswim

@@ -30,22 +30,16 @@ SwimmerMark parse_mark(const std::string& text) {
 }  // namespace
 
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
-  command
-      .add_option(
-          "--method", methods,
-          "Methods to draw of each prediction, separated by commas, in this order; all for all; the best "
-          "usable one unless given.")
+  command.add_option("--method", methods, "Methods of each prediction to draw, in this order, or all")
       ->type_name("NAME,...")
       ->delimiter(',')
-      ->default_str("the best");
+      ->default_str("the best usable");
 }
 
 void add_cycle(CLI::App& command, std::string& cycle) {
   command
-      .add_option(
-          "--cycle", cycle,
-          "Cycle of each run, unless drawn against the cycle: last, N (the Nth from the run's start) or "
-          "mean:N (mean of the last N).")
+      .add_option("--cycle", cycle,
+                  "Cycle of each run: the last, the Nth from the start, or the mean of the last N")
       ->type_name("last|N|mean:N");
 }
 
@@ -67,7 +61,7 @@ void add_frame(CLI::App& command, std::optional<std::size_t>& frame) {
             frame.reset();
             if (text != "last") frame = std::stoul(text);
           },
-          "Frame of a trajectory: last, or its number from 0, the start.")
+          "Frame of a trajectory, counted from 0")
       ->type_name("last|N")
       ->check(last_or_frame())
       ->default_str("last");
@@ -80,7 +74,7 @@ void add_marks(CLI::App& command, std::vector<SwimmerMark>& marks) {
           [&marks](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) marks.push_back(parse_mark(text));
           },
-          "Names of swimmers, written at their middle beads, by id.")
+          "Names to write at swimmers, by id.")
       ->type_name("NAME=ID,...")
       ->delimiter(',')
       ->default_str("none");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <span>
 #include <string>
@@ -24,6 +25,7 @@ struct PlotKind {
   const char* description;
   const char* inputs;                       ///< help on the files that the kind reads
   Drawing (*add_flags)(CLI::App& command);  ///< adds the kind's own flags, and returns what draws by them
+  std::array<const char*, 2> examples;      ///< at the end of its help
 };
 
 Drawing add_stroke_flags(CLI::App& command);

@@ -25,18 +25,24 @@ void require_figure_path(const std::string& path) {
 int run(int argc, const char* const* argv) {
   const auto program = make_program(
       "beadswim-plot",
-      "Draws run records, predictions, verdicts, trajectories and layouts as a figure, SVG or PNG. "
-      "\"beadswim-plot KIND --help\" lists the flags of a kind of figure.");
+      "Draws run records, predictions, verdicts, trajectories and layouts as a figure, SVG or PNG.");
   program->require_subcommand(1);
   PlotFiles files;
   std::vector<std::pair<CLI::App*, Drawing>> commands;
   for (const PlotKind& kind : plot_kinds()) {
     CLI::App* command = program->add_subcommand(kind.name, kind.description);
     command->add_option("FILES", files.inputs, kind.inputs)->type_name("FILE...")->default_str("");
-    command->add_option("-o,--output", files.output, "Figure to write: .svg, .png, or - for SVG on stdout.")
+    command
+        ->add_option("-o,--output", files.output,
+                     "Figure to write: .svg, .png, or - for SVG on standard output")
         ->type_name("FILE");
     commands.emplace_back(command, kind.add_flags(*command));
+    set_footer(*command, {kind.examples.begin(), kind.examples.end()}, "figures.md");
   }
+  set_footer(*program,
+             {"beadswim-plot stroke run.json theory.json -o stroke.svg",
+              "beadswim-plot trajectories run.h5md -o trajectory.svg"},
+             "figures.md");
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   require_figure_path(files.output);
   for (const std::string& input : files.inputs) require_other_file(input, files.output);

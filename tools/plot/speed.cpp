@@ -210,10 +210,10 @@ Drawing add_speed_flags(CLI::App& command) {
   add_methods(command, flags->methods);
   add_cycle(command, flags->cycle);
   command
-      .add_option(
-          "--reference", flags->reference,
-          "The prediction or the run record of the same scene from which errors of runs are measured. Of a "
-          "prediction, its best usable method or --method counts. Verdicts have a reference already.")
+      .add_option("--reference", flags->reference,
+                  "Prediction (its best usable method, or --method) or run record of the same scene from "
+                  "which errors "
+                  "of runs are measured; required for runs")
       ->type_name("FILE")
       ->default_str("none");
   return [flags](const PlotFiles& files) {

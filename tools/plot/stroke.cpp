@@ -158,14 +158,13 @@ Drawing add_stroke_flags(CLI::App& command) {
   const auto flags = std::make_shared<Flags>();
   add_methods(command, flags->methods);
   add_cycle(command, flags->cycle);
-  add_word(
-      command, "--against", {"cycle", "amplitude-ratio", "phase"}, "cycle",
-      "What the stroke is drawn against: cycle (predictions are level lines), amplitude-ratio (A/B of the "
-      "driving) or phase (alpha of the driving).",
-      [flags](const std::string& word) {
-        flags->against.reset();
-        if (word != "cycle") flags->against = word == "phase" ? Abscissa::phase : Abscissa::amplitude_ratio;
-      });
+  add_word(command, "--against", {"cycle", "amplitude-ratio", "phase"}, "cycle",
+           "Abscissa: cycle (predictions are level lines), amplitude-ratio A/B or phase alpha of the driving",
+           [flags](const std::string& word) {
+             flags->against.reset();
+             if (word != "cycle")
+               flags->against = word == "phase" ? Abscissa::phase : Abscissa::amplitude_ratio;
+           });
   return [flags](const PlotFiles& files) {
     const CycleChoice cycle = parse_cycle_choice(flags->cycle);
     const PlotInputs inputs = read_plot_inputs(files.inputs, {flags->methods});

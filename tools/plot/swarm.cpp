@@ -189,16 +189,13 @@ SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlag
 Drawing add_swarm_flags(CLI::App& command) {
   const auto options = std::make_shared<SwarmFlags>();
   add_frame(command, options->frame);
-  add_choice(
-      command, "--colours", options->colours,
-      "What the colours of swimmers go by: blocks of --block-swimmers, in a checkerboard; swimmers; or the "
-      "layout's types.");
+  add_choice(command, "--colours", options->colours,
+             "Colours by blocks of --block-swimmers (as a checkerboard), by swimmers, or by types");
   command
       .add_option_function<std::string>(
           "--block-swimmers",
           [options](const std::string& text) { options->block_swimmers = parse_whole_numbers(text); },
-          "Swimmers of a block along each axis, by the layers in which they stand in the layout; or "
-          "one number, the swimmers of a block in order of their ids.")
+          "Swimmers per block along x, y, z by layers of the layout, or in all by ids")
       ->type_name("NX,NY,NZ|N")
       ->check(number_list({1, 3}, whole_positive()))
       ->default_str("1,3,3");
@@ -208,15 +205,13 @@ Drawing add_swarm_flags(CLI::App& command) {
           [options](const std::string& text) {
             std::ranges::copy(parse_whole_numbers(text), options->repeat.begin());
           },
-          "Periodic copies of the box to draw along each axis, as of a reduced cell.")
+          "Periodic copies of the box to draw along x, y, z")
       ->type_name("NX,NY,NZ")
       ->check(number_list({3}, whole_positive()))
       ->default_str("1,1,1");
   add_marks(command, options->marks);
-  command.add_flag(
-      "--distances", options->distances,
-      "Draw, of a layout, the distances C from a swimmer to the next of its block, and D to that of the next "
-      "block, along each axis.");
+  command.add_flag("--distances", options->distances,
+                   "Draw in a layout the distances C between neighbours of a block and D between blocks.");
   return [options](const PlotFiles& files) {
     return swarm_picture_to_svg(swarm_figure(files.inputs, *options));
   };

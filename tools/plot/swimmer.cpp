@@ -93,7 +93,7 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
 
 Drawing add_swimmer_flags(CLI::App& command) {
   const auto ids = std::make_shared<std::vector<int>>();
-  add_whole_numbers(command, "--swimmers", *ids, "the layout's first", "The swimmer that is drawn, by id.")
+  add_whole_numbers(command, "--swimmers", *ids, "the layout's first", "Id of the swimmer to draw")
       ->type_name("ID");
   return [ids](const PlotFiles& files) {
     if (ids->size() > 1)

@@ -126,16 +126,15 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
 
 Drawing add_trajectory_flags(CLI::App& command) {
   const auto options = std::make_shared<TrajectoryFlags>();
-  add_whole_numbers(command, "--swimmers", options->swimmers, "all",
-                    "Swimmers whose trajectories are drawn, by id, separated by commas.");
+  add_whole_numbers(command, "--swimmers", options->swimmers, "all", "Ids of the swimmers to draw");
   command
       .add_option_function<std::string>(
           "--beads", [options](const std::string& text) { options->beads = parse_whole_numbers(text); },
-          "Beads of a swimmer whose trajectories are drawn: 1, 2 and 3 from its end to its head.")
+          "Beads of each swimmer to draw, 1 to 3 along its axis")
       ->type_name("1|2|3,...")
       ->check(number_list({}, one_of({"1", "2", "3"})))
       ->default_str("2");
-  add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate of trajectories, not wrapped into the box.",
+  add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });
   return
       [options](const PlotFiles& files) { return figure_to_svg(trajectory_figure(files.inputs, *options)); };

@@ -127,16 +127,14 @@ Drawing add_velocity_flags(CLI::App& command, Abscissa abscissa) {
   add_methods(command, flags->methods.methods);
   add_cycle(command, flags->cycle);
   command
-      .add_option("--relative-to", flags->methods.relative_to,
-                  "Draw the difference of all velocities from this method's prediction at the same period or "
-                  "separation, in percent.")
+      .add_option(
+          "--relative-to", flags->methods.relative_to,
+          "Draw the relative difference of all velocities from this method's at the same abscissa [%]")
       ->type_name("METHOD")
       ->default_str("none");
-  add_choice(
-      command, "--axes", flags->axes,
-      std::string("Axes of the figure. auto is logarithmic where the velocities are positive and span over "
-                  "two decades (") +
-          (abscissa == Abscissa::separation_ratio ? "log-log" : "log-y") + "), else linear.");
+  add_choice(command, "--axes", flags->axes,
+             std::string("Axes; auto is ") + (abscissa == Abscissa::separation_ratio ? "log-log" : "log-y") +
+                 " where velocities are positive and span over two decades, else linear");
   return [flags, abscissa](const PlotFiles& files) {
     parse_cycle_choice(flags->cycle);
     return figure_to_svg(velocity_figure(read_plot_inputs(files.inputs, flags->methods), abscissa, *flags));

@@ -64,7 +64,9 @@ std::unique_ptr<CheckpointReader> latest_complete_checkpoint(const std::string& 
   if (!last) {
     throw InputError(
         "--restart",
-        fmt::format("{}{} has no checkpoint to go on from; run with --checkpoint-every", faults, trajectory));
+        fmt::format("{0}{1} has no checkpoint to go on from; run with --checkpoint-every (no file {1}.ckpt.0 "
+                    "or .1 is there and sound)",
+                    faults, trajectory));
   }
   if (!faults.empty() && communicator.is_root())
     print_to_stderr(fmt::format("beadswim-run: {}going on from {}\n", faults, last->path()));

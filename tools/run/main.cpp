@@ -1,11 +1,11 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/rank_failure.hpp"
 #include "beadswim/io/xdmf.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "beadswim/tools/program.hpp"
@@ -65,14 +65,6 @@ void print_record(const RunRecord& record, const RunOptions& options) {
   write_text("-", dump_json(run_record_to_json(record, provenance)));
 }
 
-/// Reports the current exception and aborts all ranks. Use it for exceptions that may occur on this rank
-/// only.
-[[noreturn]] void stop_all_ranks(const Communicator& communicator) {
-  report_current_exception(program_name);
-  MPI_Abort(communicator.get(), static_cast<int>(ExitStatus::failed));
-  std::abort();
-}
-
 /// Writes the XDMF index for ParaView. The results are complete without it, so a failure is not fatal.
 void write_paraview_index(const std::string& path) {
   try {
@@ -83,7 +75,8 @@ void write_paraview_index(const std::string& path) {
 }
 
 /// Runs the time loop and prints the run record. Aborts all ranks if an exception is thrown.
-RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document) {
+RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document,
+                          const Communicator& failures) {
   try {
     std::optional<RunHistory> history;
     if (request.checkpoint)
@@ -99,7 +92,7 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
     return outcome;
   } catch (...) {  // aborts here: closing the trajectory would wait for other ranks
     print_restart_flag(parts.checkpoints);
-    stop_all_ranks(parts.communicator);
+    abort_after_failure(program_name, failures);
   }
 }
 
@@ -132,7 +125,7 @@ void apply_plan(const LayoutDocument& document, Request& request, const Communic
 
 /// Runs the program and returns its exit status. All ranks throw InputError if the input is invalid, before
 /// the run begins.
-int run(int argc, char** argv, const Communicator& communicator) {
+int run(int argc, char** argv, const Communicator& communicator, const Communicator& failures) {
   const double start = MPI_Wtime();
   auto read = read_request(argc, argv, communicator);
   if (const int* status = std::get_if<int>(&read)) return *status;
@@ -164,7 +157,7 @@ int run(int argc, char** argv, const Communicator& communicator) {
                        .checkpoints = checkpoints,
                        .progress = progress};
   catch_stop_signals();
-  const RunOutcome outcome = run_and_record(parts, request, document);
+  const RunOutcome outcome = run_and_record(parts, request, document, failures);
   const std::vector<std::string> warnings = model->warnings();
   if (communicator.is_root()) {
     warn(warnings);
@@ -177,8 +170,8 @@ int run(int argc, char** argv, const Communicator& communicator) {
 }
 
 /// Returns the exit status for the current exception. All ranks throw the exceptions for invalid input,
-/// faults and early stops, so only rank 0 reports them. Other exceptions abort all ranks.
-int report_failure(const Communicator& communicator) {
+/// faults and early stops, so only rank 0 reports them. Other exceptions end all ranks.
+int report_failure(const Communicator& communicator, const Communicator& failures) {
   try {
     throw;
   } catch (const InputError&) {
@@ -191,7 +184,7 @@ int report_failure(const Communicator& communicator) {
     return communicator.is_root() ? report_current_exception(program_name)
                                   : static_cast<int>(ExitStatus::stopped_early);
   } catch (...) {
-    stop_all_ranks(communicator);
+    return end_after_failure(program_name, failures);
   }
 }
 
@@ -199,11 +192,11 @@ int report_failure(const Communicator& communicator) {
 
 int main(int argc, char** argv) {
   const MpiSession mpi(&argc, &argv);
-  const Communicator communicator(MPI_COMM_WORLD);
+  const Communicator communicator(MPI_COMM_WORLD), failures(MPI_COMM_WORLD);
   if (!communicator.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
   try {
-    return run(argc, argv, communicator);
+    return run(argc, argv, communicator, failures);
   } catch (...) {
-    return report_failure(communicator);
+    return report_failure(communicator, failures);
   }
 }

@@ -32,38 +32,43 @@ std::string stroke_methods() {
 std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
   auto program = make_program(
       "beadswim-theory",
-      "Predicts velocity and stroke of one swimmer by every formula and method that can treat it, "
-      "each with its limits: from closed forms to exact Stokes flow, in open space or in the layout's "
-      "box, with and without inertia. In the layout's units; JSON on stdout.");
-  program->add_option("LAYOUT", request.layout_path, "Layout file; - is stdin.");
+      "Predicts velocity and stroke of one swimmer, by every method that can treat it: closed forms to exact "
+      "Stokes flow, in open space or the layout's box, with and without inertia. Prints JSON.");
+  program->add_option("LAYOUT", request.layout_path, "Layout; - is standard input.");
+  begin_group(*program, "Methods");
   program
       ->add_option("--method", request.methods,
-                   "Methods, joined by commas: " + method_names() +
-                       ". all leaves out those that cannot treat the swimmer.")
+                   "Methods to use, listed below; all leaves out those that cannot treat the swimmer")
       ->delimiter(',')
       ->allow_extra_args(false)  // or it would swallow the layout's name
       ->default_str("all")
       ->type_name("NAME,...");
+  begin_group(*program, "Input");
   program
-      ->add_option("--swimmer", request.swimmer,
-                   "Predict the swimmer of this id; needed if the swimmers differ.")
+      ->add_option("--swimmer", request.swimmer, "Id of the swimmer to predict; required if swimmers differ")
       ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->type_name("ID");
   program
       ->add_option("--stroke-from", request.stroke_path,
-                   "Run record whose last cycle gives the stroke formulas (" + stroke_methods() +
-                       ") their stroke, of the swimmer of --swimmer or of the first.")
+                   "Run record whose last cycle is the stroke of the methods " + stroke_methods())
       ->type_name("FILE");
+  begin_group(*program, "Methods");
   program
       ->add_option("--tolerance", request.tolerance,
-                   "Warn where second order in amplitude is off by more than this, relative to the velocity.")
+                   "Relative error of second order in amplitude above which to warn [1]")
       ->type_name("E")
       ->check(finite_positive())
       ->capture_default_str();
-  program->add_flag(
-      "--jsonl", request.json_lines,
-      "Read one layout a line, write one prediction document a line; stops at the first line that is "
-      "no layout.");
+  begin_group(*program, "Input");
+  program->add_flag("--jsonl", request.json_lines,
+                    "Read one layout per line and write one prediction per line; stop at an invalid line.");
+  set_footer(*program,
+             {"beadswim-theory layout.json >theory.json",
+              "for T in 2400 4800; do \\\n"
+              "beadswim-layout swimmer --preset paper-single --unbounded --period $T --jsonl; done | \\\n"
+              "beadswim-theory --jsonl >sweep.jsonl"},
+             "theory.md");
+  program->footer("Methods:\n" + wrapped(method_names(), 2) + "\n" + program->get_footer());
   return program;
 }
 

@@ -13,6 +13,13 @@ const SwimmerRecord& swimmer_of(const RunRecord& run, std::optional<int> id, con
   const auto is_asked = [&](const SwimmerRecord& swimmer) { return !id || swimmer.id == *id; };
   const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(), is_asked);
   if (found != run.swimmers.end()) return *found;
+  if (run.swimmers.empty()) {
+    throw InputError(
+        "--stroke-from " + path,
+        fmt::format("holds statistics of the swarm alone, as records of over {} swimmers do; run "
+                    "a smaller cell of the scene (beadswim-layout reduce)",
+                    max_swimmers_listed));
+  }
   const std::string which = id ? fmt::format("swimmer {}", *id) : "swimmers one by one";
   throw InputError(
       "--stroke-from " + path,

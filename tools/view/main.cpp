@@ -23,25 +23,28 @@ struct ViewRequest {
 };
 
 void add_flags(CLI::App& program, ViewRequest& request) {
-  program.add_option("FILE", request.file, "A trajectory as beadswim-run wrote it: .h5md, or .h5md.part.")
+  program
+      .add_option("FILE", request.file,
+                  "Trajectory of beadswim-run: .h5md, or .h5md.part of an unfinished run.")
       ->required()
       ->type_name("RUN.h5md");
-  program.add_option("-o,--output", request.output, "The page to write; - is standard output.")
+  program.add_option("-o,--output", request.output, "Page to write; - is standard output")
       ->required()
       ->type_name("PAGE.html|-");
-  program
-      .add_option("--every", request.every,
-                  "Of so many frames one is shown, and the last, for runs whose page would be too large.")
+  program.add_option("--every", request.every, "Show every Nth frame and the last, to make the page smaller")
       ->type_name("N")
       ->default_val(1)
       ->check(whole_positive());
   program
       .add_option("--block-swimmers", request.block_swimmers,
-                  "Swimmers of a block along each axis, by the layers in which they stand in the layout; or "
-                  "one number, the swimmers of a block in order of their ids. Colours can tell blocks.")
+                  "Swimmers per block along x, y, z by layers of the layout, or in all by ids; colours can "
+                  "distinguish blocks")
       ->type_name("NX,NY,NZ|N")
       ->default_val("1,3,3")
       ->check(number_list({1, 3}, whole_positive()));
+  set_footer(program,
+             {"beadswim-view run.h5md -o run.html", "beadswim-view run.h5md --every 10 -o small.html"},
+             "viewing.md");
 }
 
 void require_page() {
@@ -75,11 +78,10 @@ void require_bearable(const TrajectoryFile& file, const PageOptions& options) {
 }
 
 int run(int argc, const char* const* argv) {
-  const auto program =
-      make_program("beadswim-view",
-                   "Makes a trajectory a web page of one file, to look at in a browser: all beads in three "
-                   "dimensions, played forth and back, with the strokes, paths and turning of swimmers that "
-                   "are picked. It needs no network.");
+  const auto program = make_program(
+      "beadswim-view",
+      "Writes a trajectory as a web page of one file, which needs no network: all beads in three "
+      "dimensions over time, with strokes, paths and turning of chosen swimmers.");
   ViewRequest request;
   add_flags(*program, request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cstdio>
+#include <new>
 
 #include "beadswim/core/setting.hpp"
 
@@ -27,6 +28,12 @@ int report_current_exception(const std::string& program) {
     return say(error, ExitStatus::bad_input);
   } catch (const StoppedEarly& error) {
     return say(error, ExitStatus::stopped_early);
+  } catch (const std::bad_alloc&) {
+    print_to_stderr(
+        fmt::format("{}: out of memory; take fewer swimmers or cells, or a machine, or a limit (ulimit -v), "
+                    "with more memory\n",
+                    program));
+    return static_cast<int>(ExitStatus::failed);
   } catch (const std::exception& error) {
     return say(error, ExitStatus::failed);
   }

@@ -26,12 +26,20 @@ std::optional<double> parse_number(const std::string& text) {
   return error == std::errc::result_out_of_range ? HUGE_VAL : value;
 }
 
+/// Returns the end of a message on a percentage: the number to write instead. Empty for any other text.
+std::string percentage_hint(const std::string& text) {
+  const bool is_percentage = text.ends_with("%");
+  const auto number = parse_number(text.substr(0, text.find_last_not_of(" %") + 1));
+  if (!is_percentage || !number || !std::isfinite(*number)) return "";
+  return fmt::format("; write {:g} % as {:g}", *number, *number / 100);
+}
+
 /// A validator of numbers that meet `condition`, named in messages as `allowed`.
 CLI::Validator number_that(bool (*condition)(double), const std::string& allowed) {
   const auto fault = [condition, allowed](const std::string& text) {
     const std::optional<double> value = parse_number(text);
     const bool fine = value && std::isfinite(*value) && condition(*value);
-    return fine ? std::string{} : fmt::format("\"{}\": must be {}", text, allowed);
+    return fine ? std::string{} : fmt::format("\"{}\": must be {}{}", text, allowed, percentage_hint(text));
   };
   return CLI::Validator(fault, "");
 }
@@ -67,7 +75,9 @@ CLI::Validator number_between(double low, double high) {
   const auto fault = [low, high](const std::string& text) {
     const std::optional<double> value = parse_number(text);
     const bool fine = value && *value >= low && *value <= high;
-    return fine ? std::string{} : fmt::format("\"{}\": must be a number from {} to {}", text, low, high);
+    return fine ? std::string{}
+                : fmt::format("\"{}\": must be a number from {} to {}{}", text, low, high,
+                              percentage_hint(text));
   };
   return CLI::Validator(fault, "");
 }

@@ -1,14 +1,13 @@
 #include "help_formatter.hpp"
 
+#include "beadswim/tools/program.hpp"
+
 #include <sstream>
 
 namespace beadswim {
-namespace {
 
-constexpr std::size_t line_width = 100;
-
-/// Words of `text` in lines of line_width, each after `indent` spaces.
 std::string wrapped(const std::string& text, std::size_t indent) {
+  constexpr std::size_t line_width = 100;
   std::istringstream words(text);
   std::string lines;
   std::string line(indent, ' ');
@@ -24,6 +23,26 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return lines + line + "\n";
 }
 
+namespace {
+
+/// The sentence and the unit of "sentence [unit]".
+std::pair<std::string, std::string> without_unit(const std::string& description) {
+  const std::size_t start = description.rfind(" [");
+  if (!description.ends_with("]") || start == std::string::npos) return {description, ""};
+  return {description.substr(0, start), description.substr(start + 2, description.size() - start - 3)};
+}
+
+/// " [unit; default: value; required]", as far as they apply.
+std::string facts(const CLI::Option& option, const std::string& unit) {
+  std::vector<std::string> parts;
+  if (!unit.empty()) parts.push_back(unit);
+  const bool takes_value = option.get_items_expected_max() != 0;
+  if (takes_value && !option.get_default_str().empty())
+    parts.push_back("default: " + option.get_default_str());
+  if (option.get_required()) parts.emplace_back("required");
+  return parts.empty() ? "" : " [" + CLI::detail::join(parts, "; ") + "]";
+}
+
 }  // namespace
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
@@ -31,12 +50,30 @@ std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positi
   text = text.substr(0, text.find('{'));  // what CLI11 adds to a flag that says no
   const bool takes_value = option->get_items_expected_max() != 0;
   if (takes_value && !is_positional) text += " " + option->get_type_name();
-  std::string meaning = option->get_description();
-  if (takes_value && !option->get_default_str().empty()) {
-    meaning += " (default: " + option->get_default_str() + ")";
+  const auto [sentence, unit] = without_unit(option->get_description());
+  const char* const stop = sentence.ends_with(".") ? "" : ".";
+  return text + "\n" + wrapped(sentence + stop + facts(*option, unit), 8);
+}
+
+std::string HelpFormatter::make_help(const CLI::App* program, std::string name,
+                                     CLI::AppFormatMode mode) const {
+  if (mode == CLI::AppFormatMode::Sub) return make_expanded(program);
+  return make_description(program) + make_usage(program, name) + make_positionals(program) +
+         make_flag_groups(program, mode) + make_subcommands(program, mode) + "\n" + make_footer(program);
+}
+
+std::string HelpFormatter::make_flag_groups(const CLI::App* program, CLI::AppFormatMode mode) const {
+  std::string text;
+  for (const std::string& group : program->get_groups()) {
+    const bool is_whole_page = mode != CLI::AppFormatMode::Sub;
+    const std::vector<const CLI::Option*> options = program->get_options([&](const CLI::Option* option) {
+      const bool is_help = option == program->get_help_ptr() || option == program->get_help_all_ptr();
+      return option->get_group() == group && option->nonpositional() && (is_whole_page || !is_help);
+    });
+    const std::string title = !is_whole_page && group == "Options" ? "Flags" : group;
+    if (!group.empty() && !options.empty()) text += make_group(title, false, options);
   }
-  if (option->get_required()) meaning += " (required)";
-  return text + "\n" + wrapped(meaning, 8);
+  return text;
 }
 
 std::string HelpFormatter::make_description(const CLI::App* program) const {
@@ -45,6 +82,19 @@ std::string HelpFormatter::make_description(const CLI::App* program) const {
 
 std::string HelpFormatter::make_subcommand(const CLI::App* command) const {
   return "  " + command->get_name() + "\n" + wrapped(command->get_description(), 8);
+}
+
+std::string HelpFormatter::make_subcommands(const CLI::App* program, CLI::AppFormatMode mode) const {
+  if (mode != CLI::AppFormatMode::All) return CLI::Formatter::make_subcommands(program, mode);
+  std::string text;
+  for (const CLI::App* command : program->get_subcommands({})) text += make_expanded(command);
+  return text;
+}
+
+std::string HelpFormatter::make_expanded(const CLI::App* command) const {
+  return "\n*" + full_name(*command) + "*\n\n" + make_description(command) + make_positionals(command) +
+         make_flag_groups(command, CLI::AppFormatMode::Sub) +
+         make_subcommands(command, CLI::AppFormatMode::All) + "\n" + make_footer(command);
 }
 
 }  // namespace beadswim

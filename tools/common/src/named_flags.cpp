@@ -15,6 +15,13 @@ CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vec
       ->default_str(initial);
 }
 
+void add_absent_flag(CLI::App& command, const std::string& names, const std::string& explanation) {
+  const std::string first = names.substr(0, names.find(','));
+  const std::function<void(const std::vector<std::string>&)> refuse =
+      [first, explanation](const std::vector<std::string>&) { throw InputError(first, explanation); };
+  command.add_option_function(names, refuse)->expected(0, 1)->group("");
+}
+
 CLI::Option* add_switch(CLI::App& command, const std::string& flag, bool& is_on, const std::string& help) {
   return add_word(command, flag, {"on", "off"}, on_or_off(is_on), help,
                   [&is_on](const std::string& word) { is_on = word == "on"; });

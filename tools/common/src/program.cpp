@@ -21,10 +21,11 @@ const CLI::App& chosen_command(const CLI::App& program) {
   return chosen.empty() ? program : chosen_command(*chosen.back());
 }
 
-/// Of flags, without dashes.
+/// Long names of the flags that help lists, without dashes.
 std::vector<std::string> long_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty()) continue;
     names.insert(names.end(), option->get_lnames().begin(), option->get_lnames().end());
   }
   return names;
@@ -35,12 +36,6 @@ std::vector<std::string> command_names(const CLI::App& program) {
   const auto any = [](const CLI::App*) { return true; };
   for (const CLI::App* command : program.get_subcommands(any)) names.push_back(command->get_name());
   return names;
-}
-
-/// "beadswim-layout swimmer"
-std::string full_name(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
 }
 
 bool looks_like_flag(const std::string& argument) {
@@ -191,6 +186,23 @@ std::unique_ptr<CLI::App> make_program(const std::string& name, const std::strin
                             "Print version and revision and exit.");
   program->option_defaults()->always_capture_default();
   return program;
+}
+
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  return parent ? full_name(*parent) + " " + command.get_name() : command.get_name();
+}
+
+void begin_group(CLI::App& command, const std::string& title) {
+  command.option_defaults()->group(title);
+}
+
+void set_footer(CLI::App& command, const std::vector<std::string>& examples, const std::string& page) {
+  std::string text = "Examples:\n";
+  for (const std::string& example : examples) {
+    text += "  $ " + CLI::detail::find_and_replace(example, "\n", "\n  > ") + "\n";
+  }
+  command.footer(text + "\nRead more: docs/" + page);
 }
 
 std::optional<int> parse_command_line(CLI::App& program, int argc, const char* const* argv) {

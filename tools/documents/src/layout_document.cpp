@@ -1,5 +1,6 @@
 #include "beadswim/documents/layout_document.hpp"
 
+#include "absent_features.hpp"
 #include "beadswim/io/document_fault.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"
@@ -105,6 +106,8 @@ Layout layout_from(const Json& json) {
 }  // namespace
 
 LayoutDocument layout_from_json(const Json& json, const std::string& source) {
+  if (json.is_object() && json.value("schema", Json()) == "beadswim/layout/1")
+    refuse_absent_features(json, source);
   validate_json(json, "layout", source);
 
   LayoutDocument document{layout_from(json), json.value("provenance", Json::array())};

@@ -44,10 +44,10 @@ std::vector<SourceJson> documents_by_line(const std::string& text, const std::st
 
 RunRecord require_swimmers(RunRecord record, const std::string& source) {
   if (!record.swimmers.empty()) return record;
-  throw InputError(source,
-                   fmt::format("holds statistics of a swarm alone, of over {} swimmers; its swimmers are in "
-                               "the trajectory, which beadswim-plot trajectories draws",
-                               max_swimmers_listed));
+  throw InputError(
+      source, fmt::format("holds statistics of the swarm alone, as records of over {} swimmers do; use the "
+                          "run's trajectory (.h5md): beadswim-plot trajectories or swarm, beadswim-view",
+                          max_swimmers_listed));
 }
 
 }  // namespace

@@ -17,136 +17,120 @@ CLI::Validator relaxation_time() {
 }
 
 void add_model(CLI::App& program, RunOptions& options) {
+  begin_group(program, "Model");
   add_choice(
       program, "--model", options.settings.model,
-      "lbm: beads resolved in a lattice-Boltzmann fluid. rpy: beads as points without inertia, by Rotne and "
-      "Prager's mobility of all pairs and images; rpy+near: likewise, and exact along the line of a "
-      "swimmer's beads and of two that are near each other; oseen: by Oseen's. auto: with --tolerance the "
-      "model and resolution that --plan finds cheapest within it; without, lbm.");
-  program.add_flag(
-      "--plan", options.plan,
-      "Run nothing; say of every model and resolution that the flags leave open what error and "
-      "cost to expect, which is the cheapest within --tolerance (3 % if left out), and which "
-      "smaller scene would do: a table on standard error, JSON on standard output. Exit status 2 "
-      "if none is within it.");
+      "What moves the beads: lbm, a lattice-Boltzmann fluid; rpy or oseen, a mobility; rpy+near, with near "
+      "field; auto, the cheapest by --plan, or lbm without --tolerance");
+  program.add_flag("--plan", options.plan,
+                   "Run nothing; print expected error and cost of all possible runs, and the cheapest within "
+                   "--tolerance (default here: 0.03). Exit status 2 if there is none.");
 }
 
 void add_length(CLI::App& program, RunSettings& settings) {
-  program
-      .add_option("--cycles", settings.cycles,
-                  "Length of the run, in periods of the first swimmer's type; fractions allowed.")
+  begin_group(program, "Length and sampling");
+  program.add_option("--cycles", settings.cycles, "Length of the run, fractions allowed [base period]")
+      ->type_name("C")
       ->check(finite_positive());
   program
       .add_option("--frames-per-cycle", settings.frames_per_cycle,
-                  "Frames of the trajectory in a cycle of the base period, at most one a step; strokes are "
-                  "fitted to as many samples "
-                  "of each swimmer's own period.")
+                  "Frames of the trajectory per base period; also samples per period to fit strokes")
+      ->type_name("N")
       ->check(whole_number(4, 1000000));
 }
 
 void add_mobility(CLI::App& program, MobilitySettings& mobility) {
+  begin_group(program, "Model");
   program
-      .add_option(
-          "--tolerance", mobility.tolerance,
-          "auto, and --plan: largest error of velocity and arms' amplitudes that the run may have, relative. "
-          "rpy, rpy+near, oseen: error of bead velocities by the sum over pairs and images, relative to "
-          "their root mean square.")
+      .add_option("--tolerance", mobility.tolerance,
+                  "Largest relative error: with auto or --plan, of velocity and arm amplitudes; with rpy, "
+                  "rpy+near or oseen, of bead velocities (root mean square) [1]")
+      ->type_name("E")
       ->check(finite_positive());
+  begin_group(program, "Length and sampling");
   program
       .add_option("--steps-per-cycle", mobility.steps_per_cycle,
-                  "rpy, rpy+near, oseen: time steps in the shortest period of any swimmer's driving.")
+                  "Time steps per shortest driving period, for models rpy, rpy+near and oseen")
+      ->type_name("N")
       ->check(whole_number(20, 1000000));
 }
 
 void add_resolution(CLI::App& program, LatticeSettings& lattice) {
-  program
-      .add_option("--cells-per-radius", lattice.cells_per_radius,
-                  "Cells per smallest bead radius [default: the layout's, else 4]")
+  begin_group(program, "Lattice (model lbm)");
+  program.add_option("--cells-per-radius", lattice.cells_per_radius, "Cells per smallest bead radius [cell]")
+      ->type_name("N")
       ->check(finite_positive())
-      ->default_str("");
+      ->default_str("the layout's, else 4");
   program
-      .add_option(
-          "--relaxation-time", lattice.relaxation_time,
-          "tau, in time steps; sets the step: nu_lattice = (tau - 1/2)/3. Adjusted so that a period is a "
-          "whole number of steps [default: the layout's, else 1]")
+      .add_option("--relaxation-time", lattice.relaxation_time,
+                  "Relaxation time tau, which sets the time step: nu = (tau - 1/2)/3; adjusted so that a "
+                  "period is a whole number of steps [step]")
+      ->type_name("TAU")
       ->check(relaxation_time())
-      ->default_str("");
+      ->default_str("the layout's, else 1");
 }
 
 void add_beads_in_fluid(CLI::App& program, LatticeSettings& lattice) {
-  add_choice(
-      program, "--bead-boundary", lattice.bead_boundary,
-      "How the fluid meets a bead: staircase, covered cells that bounce back half-way (the "
-      "paper's); cli, its surface where it is along each link, by central linear interpolation; mr, the "
-      "same by multireflection, exact for parabolic flow; psm, no surface but a force in each cell by the "
-      "exact part of it that the bead fills.");
+  add_choice(program, "--bead-boundary", lattice.bead_boundary,
+             "No-slip scheme on beads: staircase (half-way bounce-back, as in the paper), cli (linear "
+             "interpolation), mr (multireflection), psm (partially saturated cells)");
   add_switch(program, "--delay-correction", lattice.delay_correction,
-             "on: beads are heavier on the lattice by what makes up for the time by which the fluid's force "
-             "comes late there, 3/2 (tau - 1/2) + 1 steps; the record says the density.");
+             "Increase bead density to compensate the delay of the fluid force on the lattice");
   add_switch(program, "--radius-correction", lattice.radius_correction,
-             "on: beads have on the lattice the radius for which their drag, as a mean over places within a "
-             "cell, is that of the layout's radius; the record says which.");
+             "Adjust bead radius so that the mean drag is that of the layout's radius");
   add_switch(program, "--lubrication", lattice.lubrication,
-             "on: beads closer than the lattice resolves feel the rest of the film's resistance; the record "
-             "says below which gaps. Beads that touch repel each other either way.");
-  program
-      .add_option("--friction", lattice.friction,
-                  "Coulomb's coefficient of friction between beads that touch, no unit.")
+             "Add the part of lubrication that the lattice does not resolve");
+  program.add_option("--friction", lattice.friction, "Coulomb friction coefficient of touching beads [1]")
+      ->type_name("MU")
       ->check(finite_non_negative());
   add_choice(program, "--precision", lattice.precision,
-             "Of the populations. single takes half the memory and somewhat over half the time; the run "
-             "says when it would change the result.");
+             "Precision of the populations; single halves the memory and nearly halves the time");
 }
 
 void add_stops(CLI::App& program, RunOptions& options) {
+  begin_group(program, "Checkpoints and restart");
   program
-      .add_option(
-          "--checkpoint-every", options.settings.checkpoint_every,
-          "Keep the run's state in FILE.h5md.ckpt.0 and .1 in turn, each so many cycles and at the end; "
-          "fractions allowed [default: only when the run is stopped by time or signal]")
+      .add_option("--checkpoint-every", options.settings.checkpoint_every,
+                  "Interval of checkpoints, written to FILE.h5md.ckpt.0 and .1 in turn [base period]")
+      ->type_name("C")
       ->check(finite_positive())
-      ->default_str("");
+      ->default_str("only at a stop by time or signal");
   program
-      .add_option(
-          "--restart", options.restart,
-          "Go on from this checkpoint, or from the last whole one of this trajectory, on any number of "
-          "ranks, to the same bits as an unbroken run. Layout and flags are the checkpoint's; --cycles "
-          "(of the whole run) and outputs may be given anew. The trajectory goes on from the checkpoint.")
+      .add_option("--restart", options.restart,
+                  "Continue from a checkpoint, or the last one of a trajectory, with its layout and flags; "
+                  "new --cycles (in total), outputs and number of ranks are allowed")
       ->type_name("FILE.h5md|FILE.h5md.ckpt.N")
       ->default_str("");
   program
-      .add_option(
-          "--time-limit", options.time_limit,
-          "Stop after this many seconds with results and a checkpoint, and exit status 4, as SIGINT, SIGTERM "
-          "and SIGUSR1 do [default: none]")
+      .add_option("--time-limit", options.time_limit,
+                  "Wall time after which to stop with results, a checkpoint and exit status 4, as on SIGINT, "
+                  "SIGTERM and SIGUSR1 [s]")
+      ->type_name("S")
       ->check(finite_positive())
-      ->default_str("");
+      ->default_str("none");
 }
 
 void add_outputs(CLI::App& program, RunOptions& options) {
+  begin_group(program, "Output");
   program
-      .add_option(
-          "--flow-every", options.settings.flow_every,
-          "Write velocity, pressure and bead of every cell to FILE.flow.pvd, each so many cycles [default: "
-          "none]")
+      .add_option("--flow-every", options.settings.flow_every,
+                  "Interval of flow fields in FILE.flow.pvd: velocity, pressure, beads [base period]")
+      ->type_name("C")
       ->check(finite_positive())
-      ->default_str("");
-  add_choice(
-      program, "--progress", options.progress,
-      "Progress on standard error: bar; json or lines, one each 10 s; none; auto is bar on a terminal, "
-      "else lines.");
+      ->default_str("none");
+  add_choice(program, "--progress", options.progress,
+             "Progress on standard error; auto is bar on a terminal, else lines, every 10 s");
   program.add_flag("!--no-provenance", options.with_provenance,
-                   "Leave cost and provenance out of the run record, so that equal runs give equal bytes.");
+                   "Leave cost and provenance out of the run record: equal runs then give equal bytes.");
 }
 
-/// Adds the flags in the order of the help.
+/// Adds the flags in the order of provenance.
 void add_flags(CLI::App& program, RunOptions& options) {
-  program.add_option("LAYOUT", options.layout, "Layout, as beadswim-layout writes it; - for standard input.");
+  program.add_option("LAYOUT", options.layout, "Layout; - is standard input.");
+  begin_group(program, "Output");
   program
-      .add_option(
-          "-o,--output", options.output,
-          "Trajectory to write (H5MD); an older file of that name is replaced when the run ends. Needed, but "
-          "with --restart the checkpoint's.")
+      .add_option("-o,--output", options.output,
+                  "Trajectory to write (H5MD), replaced when the run ends; required without --restart")
       ->type_name("FILE.h5md")
       ->default_str("");
   add_model(program, options);
@@ -156,6 +140,10 @@ void add_flags(CLI::App& program, RunOptions& options) {
   add_beads_in_fluid(program, options.settings.lattice);
   add_stops(program, options);
   add_outputs(program, options);
+  set_footer(program,
+             {"beadswim-run layout.json --model rpy -o run.h5md >run.json",
+              "mpirun -n 2 beadswim-run layout.json --cells-per-radius 2 --cycles 1 -o lbm.h5md >lbm.json"},
+             "choosing-a-model.md");
 }
 
 /// What it is of, and how large it may be, depends on the model.
@@ -174,9 +162,9 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
                                                 const FlagValues& defaults) {
   const auto program = make_program(
       "beadswim-run",
-      "Runs a layout: bead-spring swimmers resolved in a fluid, or as points of a mobility (--model). Writes "
-      "bead trajectories (H5MD) and prints the run record, with velocity and stroke of each cycle, as JSON. "
-      "Run it under mpirun -n N for N ranks.");
+      "Runs a layout: swimmers in a lattice-Boltzmann fluid, or by a mobility. Writes bead trajectories "
+      "(H5MD) and prints the run record (JSON): velocity and stroke of each cycle. Use mpirun -n N for N "
+      "ranks.");
   RunOptions options;
   options.settings.model = RunModel::automatic;
   add_flags(*program, options);

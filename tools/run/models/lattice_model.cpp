@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <new>
 
 #include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/fault.hpp"
@@ -64,7 +65,14 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, cons
 }
 
 std::unique_ptr<Model> LatticePlan::make(long flow_until) const {
-  return std::make_unique<LatticeModel>(*this, flow_until);
+  try {
+    return std::make_unique<LatticeModel>(*this, flow_until);
+  } catch (const std::bad_alloc&) {
+    throw SolverError(fmt::format(
+        "out of memory: the lattice needs about {:.2g} GB on {} ranks; take fewer --cells-per-radius, "
+        "--precision single, a smaller box, more machines, or a higher limit (ulimit -v)",
+        1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
+  }
 }
 
 LatticeModel::LatticeModel(const LatticePlan& plan, long flow_until)

@@ -313,6 +313,10 @@ void CheckpointReader::require_undamaged() const {
     is_read = false;
   }
   require(is_read);
+  if (!all_agree(!format.empty(), communicator_))
+    throw InputError(path_,
+                     "is no checkpoint of Beadswim, but another HDF5 file; name FILE.h5md.ckpt.0 or .1, or "
+                     "its FILE.h5md");
   if (!all_agree(format == format_name, communicator_))
     throw InputError(path_, fmt::format("is no checkpoint of this version, {}; go on with the version that "
                                         "wrote it, or begin without {}",

@@ -43,14 +43,24 @@ void require_read(herr_t status, const std::string& place) {
   if (status < 0) throw_input_error(place, "is broken");
 }
 
+/// Refuses HDF5 files of other programs.
+void require_groups(hid_t file, const std::string& path) {
+  for (const char* group : {"h5md", "particles", "particles/beads", "particles/beads/species"}) {
+    if (H5Lexists(file, group, H5P_DEFAULT) > 0) continue;
+    throw_input_error(path, fmt::format("is HDF5, but no trajectory of Beadswim: it has no /{}", group));
+  }
+}
+
 /// Opens the file without HDF5's file lock, because an active run holds the lock while it writes the file.
 H5Handle open_file(const std::string& path) {
   require_regular_file(path);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // exceptions replace HDF5's error messages on stderr
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_file_locking(access, false, true), path);
-  return checked_handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
-                        "is no HDF5 file, or a broken one");
+  H5Handle file = checked_handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
+                                 "is no HDF5 file, or a broken one");
+  require_groups(file, path);
+  return file;
 }
 
 std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {

@@ -81,13 +81,23 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   bool parse_error(std::size_t byte, const std::string& token, const Json::exception& error) override {
     constexpr int number_overflow = 406;
-    const std::string what = error.id == number_overflow
-                                 ? fmt::format("{} is beyond the range of a double", token)
-                                 : explanation(text_, byte, error.what());
+    const std::string what =
+        error.id == number_overflow ? fmt::format("{} is beyond the range of a double", token)
+        : is_second_document(byte)
+            ? "a second document begins, where one is read; select one, for example with head or jq "
+              "(beadswim-plot, and beadswim-theory for streams of layouts, read one per line)"
+            : explanation(text_, byte, error.what());
     throw InputError(source_, line_and_column(text_, byte) + ": " + what);
   }
 
  private:
+  /// Whether the parser stopped at an object or array after the end of the document.
+  bool is_second_document(std::size_t byte) const {
+    const bool is_document_complete = open_.empty() && (root_.is_object() || root_.is_array());
+    return is_document_complete && byte > 0 && byte <= text_.size() &&
+           (text_[byte - 1] == '{' || text_[byte - 1] == '[');
+  }
+
   void open(Json container) {
     if (open_.size() == max_levels)
       throw InputError(source_,

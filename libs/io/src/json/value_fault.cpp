@@ -54,9 +54,18 @@ std::string allowed_count(const Subschemas& schemas, const Json& value) {
   return fmt::format("has {} elements; {} are needed", value.size(), allowed);
 }
 
+/// ", or an object ..." if the schema allows an object in place of a name.
+std::string allowed_object(const Subschemas& schemas) {
+  const Json* condition = find_keyword(schemas, "if");
+  if (condition == nullptr || *condition != Json{{"type", "object"}}) return "";
+  const Json* examples = find_keyword(schemas, "examples");
+  return examples ? fmt::format(", or an object such as {}", examples->front().dump()) : ", or an object";
+}
+
 std::string allowed_names(const Subschemas& schemas, const Json& value) {
   const Json& names = *find_keyword(schemas, "enum");
-  std::string text = fmt::format("must be one of {}", names.dump());
+  const std::string what = names.size() == 1 ? names[0].dump() : "one of " + names.dump();
+  const std::string text = fmt::format("must be {}{}", what, allowed_object(schemas));
   if (!value.is_string()) return text;
   return text + format_suggestion(value.get<std::string>(), names.get<std::vector<std::string>>());
 }

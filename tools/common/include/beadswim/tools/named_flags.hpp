@@ -48,6 +48,10 @@ CLI::Option* add_choices(CLI::App& command, const std::string& flag, std::vector
       ->type_name("NAME,...");
 }
 
+/// Adds a flag that users look for and that does not exist; help omits it. A command line with it throws
+/// InputError with this explanation.
+void add_absent_flag(CLI::App& command, const std::string& names, const std::string& explanation);
+
 /// Adds a flag that takes on or off.
 CLI::Option* add_switch(CLI::App& command, const std::string& flag, bool& is_on, const std::string& help);
 std::string on_or_off(bool is_on);

@@ -17,6 +17,19 @@ namespace beadswim {
 /// messages of the libraries name flags.
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description);
 
+/// Starts a group of flags in the help of a command: the flags added from here on, until the next group.
+void begin_group(CLI::App& command, const std::string& title);
+
+/// Breaks a text into lines as long as those of the help, each after `indent` spaces.
+std::string wrapped(const std::string& text, std::size_t indent);
+
+/// "beadswim-layout swimmer"
+std::string full_name(const CLI::App& command);
+
+/// Ends the help of a command with examples, which are lines for a shell, and the page of docs/ to read next.
+/// tests/cli/examples.sh runs all examples.
+void set_footer(CLI::App& command, const std::vector<std::string>& examples, const std::string& page);
+
 /// The body of main(): runs `run` and returns its exit status, or that of the exception that it ends with,
 /// which is told on stderr under the program's name.
 template <typename Run>

@@ -1,0 +1,50 @@
+#include "beadswim/core/rank_failure.hpp"
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr double patience = 2;  // [s] within which ranks fail together
+
+/// Whether all ranks come here within the patience.
+bool do_all_ranks_come(const Communicator& communicator) {
+  MPI_Request barrier = MPI_REQUEST_NULL;
+  MPI_Ibarrier(communicator.get(), &barrier);
+  const double start = MPI_Wtime();
+  for (int is_complete = 0; MPI_Wtime() - start < patience;) {
+    MPI_Test(&barrier, &is_complete, MPI_STATUS_IGNORE);
+    if (is_complete) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return false;
+}
+
+[[noreturn]] void abort_ranks(const Communicator& communicator, int status) {
+  MPI_Abort(communicator.get(), status);
+  std::abort();
+}
+
+}  // namespace
+
+int end_after_failure(const std::string& program, const Communicator& failures) {
+  constexpr int failed = static_cast<int>(ExitStatus::failed);
+  if (do_all_ranks_come(failures)) return failures.is_root() ? report_current_exception(program) : failed;
+  report_current_exception(program);
+  abort_ranks(failures, failed);
+}
+
+void abort_after_failure(const std::string& program, const Communicator& failures) {
+  constexpr int failed = static_cast<int>(ExitStatus::failed);
+  // If rank 0 fails too, it reports and ends this rank meanwhile.
+  if (!failures.is_root()) std::this_thread::sleep_for(std::chrono::duration<double>(patience));
+  report_current_exception(program);
+  if (failures.size() == 1) std::_Exit(failed);
+  abort_ranks(failures, failed);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,44 @@
+#!/bin/bash
+# Every help page ends with two examples, which run one after another in one folder, and names a page of docs that is there.
+source "$(dirname "$0")/harness.sh"
+
+examples_of() { # COMMAND...   one per line
+  "$@" --help | sed -n '/^Examples:$/,/^$/p' | sed -e '1d' -e '/^$/d' | sed -e :a -e '/\\$/N; s/\\\n  > //; ta' | sed 's/^  \$ //'
+}
+
+subcommands_of() { # COMMAND...
+  "$@" --help | sed -n '/^Subcommands:$/,/^$/p' | grep -oE '^  [a-z-]+$'
+}
+
+run_examples() { # COMMAND...
+  local example page
+  examples_of "$@" >examples
+  check "the help of $* has not two examples" test "$(wc -l <examples)" -eq 2
+  check "the examples of $* are of another program" grep -q "$1" examples
+  page=$("$@" --help | tail -n 2 | sed -n 's/^Read more: //p')
+  check "$*: there is no page $page" test -n "$page" -a -f "$BEADSWIM_SOURCE/$page"
+  while IFS= read -r example; do
+    grep -qxF -- "$example" done && continue
+    run timeout 60 bash -euo pipefail -c "$example" </dev/null
+    has_status 0
+    echo "$example" >>done
+  done <examples
+  for subcommand in $(subcommands_of "$@"); do run_examples "$@" "$subcommand"; done
+}
+
+: >done
+: >err
+for program in layout run theory compare bench plot; do run_examples beadswim-$program; done
+beadswim-view run.h5md -o page.html 2>err
+grep -q 'npm\|Node.js' err || run_examples beadswim-view
+check "commands have no help" test "$(wc -l <done)" -gt 40
+
+# The help of all commands, of which the manual pages are made, has the examples of each.
+for program in layout plot; do
+  beadswim-$program --help-all >all
+  while IFS= read -r example; do
+    example=${example%% >*}
+    check "--help-all lacks \"$example\"" grep -qF -- "  \$ ${example:0:60}" all
+  done < <(grep "^beadswim-$program" done)
+done
+finish

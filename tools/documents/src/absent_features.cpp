@@ -1,0 +1,65 @@
+#include "absent_features.hpp"
+
+#include <array>
+#include <set>
+#include <string_view>
+
+#include "beadswim/core/error.hpp"
+
+namespace beadswim {
+namespace {
+
+struct AbsentFeature {
+  std::set<std::string_view> keys;
+  const char* explanation;
+};
+
+const std::array<AbsentFeature, 3>& absent_features() {
+  static const std::array<AbsentFeature, 3> features{
+      {{{"flow", "background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate",
+         "strain_rate", "velocity_gradient", "pressure_gradient", "wall_velocity", "wall_velocities"},
+        "this version has no imposed flow: swimmers alone move the fluid, and walls are at rest; leave the "
+        "key out"},
+       {{"stroke", "strokes", "prescribed_stroke", "kinematics", "gait", "waveform", "arm_length",
+         "arm_lengths", "arm_amplitudes", "arm_phases", "rest_length", "rest_lengths"},
+        "this version has no prescribed stroke: harmonic forces drive the beads (amplitude, phase, period of "
+        "\"driving\"), and the stroke follows from them; leave the key out"},
+       {{"gravity", "body_force", "external_force", "temperature", "kT", "thermal_noise", "noise"},
+        "this version has neither external forces nor thermal noise: only springs, driving, contacts and the "
+        "fluid act on beads; leave the key out"}}};
+  return features;
+}
+
+/// Throws InputError if a key of the object asks for an absent feature. Other values have no keys.
+void refuse_keys(const Json& object, const std::string& place) {
+  if (!object.is_object()) return;
+  for (const auto& [key, value] : object.items()) {
+    for (const AbsentFeature& feature : absent_features()) {
+      if (feature.keys.contains(key)) throw InputError(place + "/" + key, feature.explanation);
+    }
+  }
+}
+
+const Json& member(const Json& object, const char* key) {
+  static const Json nothing;
+  return object.is_object() && object.contains(key) ? object[key] : nothing;
+}
+
+}  // namespace
+
+void refuse_absent_features(const Json& layout, const std::string& source) {
+  refuse_keys(layout, source + ":");
+  for (const char* part : {"fluid", "domain"}) refuse_keys(member(layout, part), source + ":/" + part);
+  const auto refuse_in = [&](const Json& object, const std::string& place) {
+    refuse_keys(object, place);
+    refuse_keys(member(object, "driving"), place + "/driving");
+  };
+  for (const auto& [name, type] : member(layout, "types").items())
+    refuse_in(type, source + ":/types/" + name);
+  const Json& swimmers = member(layout, "swimmers");
+  if (!swimmers.is_array()) return;
+  for (std::size_t s = 0; s < swimmers.size(); ++s)
+    refuse_in(swimmers[s], source + ":/swimmers/" + std::to_string(s));
+}
+
+}  // namespace beadswim
