@@ -33,17 +33,19 @@ def pi: 3.141592653589793;
 | def sweep($name): $all | map(select(.sweep == $name));
 
 "\n### Period\n",
-(sweep("by-period") | group_by(.run.driving.period)
+(sweep("by-period") | map(select(.run.driving.period != 7000)) | group_by(.run.driving.period)
  | map((.[] | select(.name == "fine")) as $fine | ($fine.run | seen) as $r
-     | [($fine.run.driving.period | tostring), "\($r.d1 | digits(4)), \($r.d2 | digits(4)), \($r.sine | rounded(3))", ($r.v | small)]
+     | [($fine.run.driving.period | tostring), "\($r.d1 | digits(4)), \($r.d2 | digits(4)), \($r.sine | rounded(3)), \($r.v | small)"]
        + columns($settings) + [$fine | uncertainty] | row)
- | table(["T", "d1, d2, sin β of mr, 4", "v of mr, 4 [1e-5]"] + ($settings | map(setting)) + ["uncertainty of theory, v [%]"])),
+ | table(["T", "d1, d2, sin β, v [1e-5] of mr, 4"] + ($settings | map(setting)) + ["uncertainty of theory, v [%]"])),
+"\nCore-seconds per cycle, T = 4800: " + ($settings | map(. as $name
+   | $all | map(select(.name == "cost-" + $name)) | .[0] // empty | "\(seconds | digits(2)) (\($name | setting))") | join(", ")) + ".",
 
 "\n### Amplitude ratio and phase\n",
 ([(sweep("by-amplitude-ratio") | group_by(.run.driving.amplitude[0])[]
-    | {at: (.[0].run.driving.amplitude | .[0] / .[1] | rounded(2)), runs: .} | select(.at != 1) | .at |= "A/B = \(.)"),
+    | {at: (.[0].run.driving.amplitude | .[0] / .[1] | rounded(2)), runs: .} | select(.at != 1 and .at != 1.5) | .at |= "A/B = \(.)"),
    (sweep("by-phase") | group_by(.run.driving.phase)[]
-    | {at: (.[0].run.driving.phase / pi | rounded(2)), runs: .} | select(.at == 0.25 or .at == 0.75) | .at |= "α = \(.) π")]
+    | {at: (.[0].run.driving.phase / pi | rounded(2)), runs: .} | select(.at == 0.25) | .at |= "α = \(.) π")]
  | map([.at] + (.runs | columns($sweeps) + [.[0] | uncertainty]) | row)
  | table(["driving"] + ($sweeps | map(setting)) + ["uncertainty of theory, v [%]"])),
 
@@ -61,28 +63,15 @@ def pi: 3.141592653589793;
       ($t["rpy-box-ode"].velocity / $t["rpy-ode"].velocity - 1 | percent)] | row)
  | table(["box", "boundary", "run relative to theory [%]", "effect of the box on v, theory [%]", "without inertia [%]"])),
 
-"\n### Cost\n",
-($settings | map(. as $name
-   | (sweep("by-period") | map(select(.name == $name) | .run.driving.period * .run.swimmers[0].cycles[-1].index) | add) as $steps
-   | ($all | map(select(.name == "cost-" + $name)) | .[0]) | select(. != null)
-   | [($name | setting), (seconds | digits(2)), (seconds * $steps / 4800 / 120 | digits(2))] | row)
- | table(["beads", "core-seconds per cycle, T = 4800", "(a) and (b), minutes on two cores"])),
-
-"\n### Staircase runs relative to each theory\n",
-"Difference of v [%]; the effect of the box, by `inertia-corrected`, is removed.\n",
-(["oseen-force-closed", "rpy-force-repaired", "rpy-equal-weight", "rpy-perturbation", "multipole-perturbation", "multipole-ode"] as $methods
- | sweep("by-period") | map(select(.name == "staircase")
-   | (.theory["inertia-corrected"] | .velocity / (.velocity - .settings.velocity_by_box)) as $box | (.run | seen.v / $box) as $v
-   | .theory as $theory | [.run.driving.period | tostring] + ($methods | map($v / $theory[.].velocity - 1 | percent)) | row)
- | table(["T", "(4.3)", "(4.23) repaired", "equal weights", "Rotne-Prager", "exact, second order", "exact"])),
-
-"\n### From equal weights to the staircase run\n",
-"Change of v by each step [%].\n",
+"\n### Staircase runs and equal weights\n",
+"Difference of v of staircase runs from (4.3) and from equal weights, without the effect of the box; then the change of v by each step from equal weights to the staircase run [%].\n",
 (sweep("by-period") | map(select(.name == "fine" and .run.driving.period > 4000) | .run.driving.period as $T | .theory as $t
    | ($t["inertia-corrected"] | .settings) as $s | (.run | seen.v) as $mr
    | (sweep("by-period")[] | select(.name == "staircase" and .run.driving.period == $T) | .run | seen.v) as $stairs
+   | ($t["inertia-corrected"] | .velocity / (.velocity - .settings.velocity_by_box)) as $box
    | $t["rpy-equal-weight"].velocity as $start
    | ($s.velocity_quasi_static + $s.velocity_by_stroke + $s.velocity_by_drift + $s.velocity_by_reynolds_stress) as $inert
    | [$start, $s.velocity_quasi_static, $inert, $inert + $s.velocity_by_amplitude, $t["inertia-corrected"].velocity, $mr, $stairs] as $steps
-   | ["\($T)"] + [range(1; 7) as $n | $steps[$n] / $steps[$n - 1] - 1 | percent] + [$stairs / $start - 1 | percent] | row)
- | table(["T", "truncation and weights", "inertia", "amplitude", "box", "mr run", "staircase", "together"]))
+   | ["\($T)"] + [$t["oseen-force-closed"].velocity, $start | $stairs / $box / . - 1 | percent]
+     + [range(1; 7) as $n | $steps[$n] / $steps[$n - 1] - 1 | percent] | row)
+ | table(["T", "(4.3)", "equal weights", "truncation and weights", "inertia", "amplitude", "box", "mr run", "staircase"]))

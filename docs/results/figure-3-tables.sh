@@ -6,8 +6,7 @@ here=$(realpath "$(dirname "$0")")
 cd "${1:?name the folder of the records}"
 command -v beadswim-theory >/dev/null || PATH=$(realpath "$here/../..")/build/release/bin:$PATH
 
-methods=oseen-force-closed,rpy-force-repaired,rpy-equal-weight,rpy-perturbation,multipole-perturbation,multipole-ode
-methods+=,rpy-ode,rpy-box-ode,inertia-corrected
+methods=oseen-force-closed,rpy-equal-weight,multipole-ode,rpy-ode,rpy-box-ode,inertia-corrected
 
 # Each record of a file with its predictions: {name, run, theory: {METHOD: prediction}}, one a line.
 with_theory() { # NAME FILE LAYOUT-FLAGS...
