@@ -1,7 +1,7 @@
 #!/bin/bash
-# Installs what is missing of the Debian packages that Beadswim is built, tested and drawn with.
+# Installs the missing Debian packages that are needed to build and test Beadswim and to draw figures.
 #   .ci/install-packages.sh [--with-readers]
-# --with-readers adds what tests/extended.sh needs beyond: readers of results and documents, and a browser.
+# --with-readers adds the packages that only tests/extended.sh needs: readers of results and documents, and a browser.
 set -euo pipefail
 
 packages=(
@@ -17,7 +17,7 @@ packages=(
 )
 readers=(python3-h5py python3-mdanalysis python3-jsonschema paraview python3-paraview)
 readers+=(chromium)                                                      # the page of beadswim-view
-# Node.js makes that page; one that did not come as a package will do.
+# Node.js builds this page. An installation without the Debian package is sufficient.
 command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)
 
 case "${1:-}" in

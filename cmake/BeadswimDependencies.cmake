@@ -1,6 +1,6 @@
-# External libraries of the libraries and programs: here, and where find_package(Beadswim) finds them.
+# Finds the external libraries. This file is used by the build of Beadswim and by find_package(Beadswim) in other projects.
 find_package(MPI REQUIRED COMPONENTS C)
-add_compile_definitions(OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)  # the C interface alone
+add_compile_definitions(OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)  # uses only the C interface
 
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)
@@ -13,9 +13,9 @@ find_package(CLI11 2.1 REQUIRED CONFIG)
 find_package(nlohmann_json 3.11 REQUIRED CONFIG)
 find_package(valijson REQUIRED CONFIG)
 find_package(fmt 9 REQUIRED CONFIG)
-find_package(Boost 1.74 REQUIRED)  # its headers: Boost.Math
+find_package(Boost 1.74 REQUIRED)  # headers only, for Boost.Math
 find_package(nanoflann 1.4 REQUIRED CONFIG)
 find_package(PkgConfig REQUIRED)
-pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # its MPI part has no .pc file
+pkg_check_modules(FFTW REQUIRED IMPORTED_TARGET fftw3)  # the MPI part of FFTW has no .pc file
 find_library(FFTW_MPI fftw3_mpi REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto)

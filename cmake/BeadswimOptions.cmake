@@ -10,9 +10,9 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
 
-# No fused multiply-add by the compiler's choice: the same source gives the same bits in the vector
-# body and in the remainder of a loop, and on every instruction set.
-# -Wno-restrict: GCC 12 sees an overlap in every "literal" + std::string (GCC bug 105651).
+# -ffp-contract=off: the compiler may not fuse multiplications and additions. The results then have the same bits in the
+# vectorised body and in the remainder of a loop, and with every instruction set.
+# -Wno-restrict: GCC 12 warns of an overlap in every "literal" + std::string, which is false (GCC bug 105651).
 add_compile_options(-Wall -Wextra -Wno-restrict -ffp-contract=off -fno-math-errno)
 if(BEADSWIM_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
@@ -23,6 +23,6 @@ if(BEADSWIM_FUZZ)
 endif()
 if(BEADSWIM_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
-  add_compile_options(-Wno-maybe-uninitialized -Wno-unknown-warning-option)  # GCC 12 warns falsely of std::regex under sanitizers
+  add_compile_options(-Wno-maybe-uninitialized -Wno-unknown-warning-option)  # false warnings of GCC 12 in std::regex under sanitizers
   add_link_options(-fsanitize=address,undefined)
 endif()

@@ -1,12 +1,14 @@
 include(GoogleTest)
 
-# What makes a build short. Most of a small file's compile time is headers, so targets of one family share a precompiled
-# header (numerics: Eigen and the standard library; tests: GoogleTest too). Where headers are heavy templates or virtual
-# classes, which each object would compile anew (nlohmann-json, CLI11), the files of a target are compiled together.
-# Off, every file is compiled by itself: for work on single files, and to find missing includes.
+# Two methods shorten the build. First, a small file spends most of its compile time on headers. Targets of one family
+# therefore share a precompiled header (numerics: Eigen and the standard library; tests: also GoogleTest). Second, each
+# file would compile the templates and virtual classes of nlohmann-json and CLI11 again. The files of a target that uses
+# these headers are therefore compiled together. With OFF every file is compiled separately, which is useful for work on
+# single files and to find missing includes.
 option(BEADSWIM_SHARED_HEADERS "Precompile shared headers, and compile the files of a program together" ON)
 
-# beadswim_header_family(NAME HEADERS header... DEPENDS target... [OPTIONS option...])
+# beadswim_header_family(NAME HEADERS header... DEPENDS target... [OPTIONS option...]): precompiles the headers that the
+# targets of the family NAME share.
 function(beadswim_header_family name)
   cmake_parse_arguments(arg "" "" "HEADERS;DEPENDS;OPTIONS" ${ARGN})
   if(NOT BEADSWIM_SHARED_HEADERS)
@@ -20,13 +22,16 @@ function(beadswim_header_family name)
   target_compile_options(beadswim_headers_of_${name} PRIVATE ${arg_OPTIONS})
 endfunction()
 
-# For tests: with precompiled headers GCC 12 falsely sees 2^63 bytes copied in "literal" + std::string (GCC bug 105651).
+# Compiler options for tests. With precompiled headers GCC 12 warns that "literal" + std::string copies 2^63 bytes, which is
+# false (GCC bug 105651).
 set(BEADSWIM_FALSE_WARNINGS_OFF -Wno-stringop-overflow -Wno-array-bounds)
 
-# Templates and virtual classes of such headers cost half the time at -O3 that they cost at -O1, and none of this code is hot.
+# Templates and virtual classes of these headers compile in a third less time at -O1 than at -O3. The speed of this code does
+# not matter.
 set(BEADSWIM_COLD_CODE $<$<CONFIG:Release>:-O1>)
 
-# beadswim_share_headers(TARGET numerics|tests|together)
+# beadswim_share_headers(TARGET numerics|tests|together): lets a target use the precompiled header of a family. `together`
+# compiles the files of the target together instead; `tests` does both.
 function(beadswim_share_headers target family)
   if(NOT BEADSWIM_SHARED_HEADERS)
     return()
@@ -52,8 +57,8 @@ if(BUILD_TESTING)
 endif()
 
 # beadswim_library(NAME SOURCES file... [DEPENDS target...] [PRIVATE target...] [HEADERS numerics|together])
-# Target Beadswim::NAME of the folder's src/ files, with its public headers under include/beadswim/NAME; installed, and
-# found by find_package(Beadswim), but for those of the programs in tools/.
+# Defines the library Beadswim::NAME. Its public headers are in include/beadswim/NAME. The libraries in libs/ are installed
+# for find_package(Beadswim); the libraries in tools/ are not.
 function(beadswim_library name)
   cmake_parse_arguments(arg "" "HEADERS" "SOURCES;DEPENDS;PRIVATE" ${ARGN})
   if(NOT arg_HEADERS)
@@ -66,18 +71,19 @@ function(beadswim_library name)
                                                      $<INSTALL_INTERFACE:include>)
   target_link_libraries(beadswim_${name} PUBLIC ${arg_DEPENDS} PRIVATE ${arg_PRIVATE})
   target_compile_features(beadswim_${name} PUBLIC cxx_std_20)
-  string(FIND ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/libs/ place)
-  if(place EQUAL 0)
+  string(FIND ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/libs/ position)
+  if(position EQUAL 0)
     set_target_properties(beadswim_${name} PROPERTIES EXPORT_NAME ${name})
     install(TARGETS beadswim_${name} EXPORT BeadswimTargets ARCHIVE COMPONENT development)
     install(DIRECTORY include/ DESTINATION include COMPONENT development)
   endif()
 endfunction()
 
-# beadswim_kernels(TARGET SOURCE...): compiles files of kernels of a library or program once for each instruction set, with
-# BEADSWIM_INSTRUCTION_SET naming the namespace; a function of the target chooses at run time. -fopenmp-simd lets
-# loops be cut into lanes where the source says so; nothing of OpenMP runs. -Wno-psabi: vectors pass between functions
-# that are always inlined, never through an ABI. Clang knows no `#pragma GCC ivdep`, and some of the names of processors.
+# beadswim_kernels(TARGET SOURCE...): compiles the kernels of a library or program once per instruction set. The namespace of
+# the kernels is BEADSWIM_INSTRUCTION_SET. A function of the target chooses the instruction set at run time.
+# -fopenmp-simd enables `#pragma omp simd`; the OpenMP runtime is not used.
+# -Wno-psabi: vectors are passed only between inlined functions, so the calling convention for vectors does not matter.
+# Clang does not know `#pragma GCC ivdep` and some of the processor names; with Clang only the baseline is compiled.
 function(beadswim_kernels target)
   set(sets baseline)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64" AND NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang")
@@ -96,8 +102,8 @@ function(beadswim_kernels target)
   endforeach()
 endfunction()
 
-# beadswim_program(NAME SOURCES file... DEPENDS target... [TESTED]): the executable beadswim-NAME. TESTED: all but its
-# main.cpp is a library, beadswim_NAME_program, that tests link too.
+# beadswim_program(NAME SOURCES file... DEPENDS target... [TESTED]): defines the executable beadswim-NAME. With TESTED all
+# sources except main.cpp form the library beadswim_NAME_program, so that tests can link it.
 function(beadswim_program name)
   cmake_parse_arguments(arg "TESTED" "" "SOURCES;DEPENDS" ${ARGN})
   if(arg_TESTED)
@@ -115,29 +121,30 @@ function(beadswim_program name)
   beadswim_share_headers(beadswim-${name} together)
 endfunction()
 
-# Seconds that one test may take; the sanitizers slow it by some five times.
+# Time limit of one test [s]. The sanitizers slow a test by a factor of about five.
 set(BEADSWIM_TEST_TIMEOUT 300)
 if(BEADSWIM_SANITIZE)
   set(BEADSWIM_TEST_TIMEOUT 900)
 endif()
 
-# variables_of(RESULT FILE [PATTERN]): the lines NAME=VALUE of a file whose names match, as a list.
-function(variables_of result file)
+# read_variables(RESULT FILE [PATTERN]): sets RESULT to the list of the lines NAME=VALUE of FILE whose names begin with PATTERN.
+function(read_variables result file)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
   file(STRINGS ${file} variables REGEX "^${ARGN}[A-Z]")
   set(${result} "${variables}" PARENT_SCOPE)
 endfunction()
-variables_of(BEADSWIM_MPI_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/mpi.env)
-variables_of(BEADSWIM_MPI_SANITIZER_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/sanitizers/sanitizers.env)
-# Tests without MPI need no LSAN_OPTIONS, and are faster without.
-variables_of(BEADSWIM_SANITIZER_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/sanitizers/sanitizers.env "(ASAN|UBSAN)_")
+read_variables(BEADSWIM_MPI_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/mpi.env)
+read_variables(BEADSWIM_MPI_SANITIZER_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/sanitizers/sanitizers.env)
+# Tests without MPI do not need LSAN_OPTIONS and are faster without it.
+read_variables(BEADSWIM_SANITIZER_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/sanitizers/sanitizers.env "(ASAN|UBSAN)_")
 
-# All that the tests labelled `unit` run.
+# Builds all executables of the tests labelled `unit`.
 add_custom_target(unit_tests)
 
-# beadswim_test(NAME SOURCES file... DEPENDS target... LABELS label... [SEPARATE]): GoogleTest cases of one process. ctest
-# runs each case by itself; under the sanitizers, where a start takes longer than most cases, all in one process.
-# SEPARATE: the files have constants of the same names, and are not compiled together.
+# beadswim_test(NAME SOURCES file... DEPENDS target... LABELS label... [SEPARATE]): defines a GoogleTest executable without MPI.
+# ctest runs each test case in its own process. With the sanitizers a process takes longer to start than most cases take to
+# run; ctest then runs all cases in one process. SEPARATE compiles each file separately, for files that define constants with
+# equal names.
 function(beadswim_test name)
   cmake_parse_arguments(arg "SEPARATE" "" "SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
@@ -160,7 +167,8 @@ function(beadswim_test name)
 endfunction()
 
 # beadswim_mpi_test(NAME RANKS n... SOURCES file... DEPENDS target... LABELS label...)
-# One executable whose main starts MPI (tests/mpi_main.cpp), run as a whole on each rank count.
+# Defines a GoogleTest executable whose main starts MPI (tests/mpi_main.cpp). ctest runs all its cases together, once for each
+# number of ranks.
 function(beadswim_mpi_test name)
   cmake_parse_arguments(arg "" "" "RANKS;SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi_main.cpp)

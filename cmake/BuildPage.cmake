@@ -1,7 +1,9 @@
-# Builds the page of beadswim-view: SOURCE, copied to FOLDER, by NODE and NPM into the C++ file OUTPUT, and leaves STAMP. If that cannot be,
-# OUTPUT holds the reason, which the program then tells, and there is no STAMP, so that the next build tries again.
+# Builds the page of beadswim-view: copies SOURCE to FOLDER, builds the page there with NODE and NPM, writes it as the C++ file
+# OUTPUT, and creates the file STAMP. If the build of the page fails, OUTPUT contains the reason, which beadswim-view prints.
+# There is then no STAMP, so that the next build tries again.
 file(REMOVE ${STAMP})
-function(give_up reason)
+# Writes OUTPUT without a page, and warns with the reason.
+function(write_missing_page reason)
   message(WARNING "beadswim-view will have no page: ${reason}")
   string(REPLACE "\\" "\\\\" reason "${reason}")
   string(REPLACE "\"" "\\\"" reason "${reason}")
@@ -9,7 +11,7 @@ function(give_up reason)
 endfunction()
 
 if(NOT NODE OR NOT NPM)
-  give_up("Beadswim was built without Node.js, which makes the page; install nodejs (18 or later) and npm, run cmake --fresh and build again")
+  write_missing_page("Beadswim was built without Node.js, which makes the page; install nodejs (18 or later) and npm, run cmake --fresh and build again")
   return()
 endif()
 
@@ -22,7 +24,7 @@ if(NOT EXISTS ${installed} OR ${FOLDER}/package-lock.json IS_NEWER_THAN ${instal
                   RESULT_VARIABLE failed ERROR_VARIABLE errors OUTPUT_QUIET TIMEOUT 180)
   if(failed)
     message("${errors}")
-    give_up("when Beadswim was built, npm could not install what the page is made with (${failed}); see that npm reaches its registry, and build again")
+    write_missing_page("when Beadswim was built, npm could not install what the page is made with (${failed}); see that npm reaches its registry, and build again")
     return()
   endif()
   file(TOUCH ${installed})
@@ -30,7 +32,7 @@ endif()
 execute_process(COMMAND ${NODE} build.mjs ${OUTPUT} WORKING_DIRECTORY ${FOLDER} RESULT_VARIABLE failed)
 if(failed)
   file(REMOVE ${installed})
-  give_up("when Beadswim was built, Node.js could not make the page (${failed}); it must be version 18 or later; see the build's messages, and build again")
+  write_missing_page("when Beadswim was built, Node.js could not make the page (${failed}); it must be version 18 or later; see the build's messages, and build again")
   return()
 endif()
 file(TOUCH ${STAMP})

@@ -1,4 +1,4 @@
-# Writes OUTPUT, a C++ file that defines the table of embedded_schemas.hpp, from the files of FOLDER.
+# Writes the C++ file OUTPUT, which defines the table of embedded_schemas.hpp with the text of each *.schema.json in FOLDER.
 file(GLOB schemas ${FOLDER}/*.schema.json)
 list(SORT schemas)
 set(entries "")

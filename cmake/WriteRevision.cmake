@@ -1,5 +1,5 @@
 cmake_minimum_required(VERSION 3.25)
-# Writes OUTPUT, a header with the git revision of SOURCE; touches it only if the revision changed.
+# Writes the header OUTPUT with the git revision of SOURCE. The file changes only if the revision has changed.
 execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=10 --exclude=*
                 OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(NOT revision)

@@ -1,6 +1,7 @@
 #!/bin/bash
-# The sections of examples/containers/beadswim.def, run in bare Debian 12 systems by debootstrap and chroot, where there is no Apptainer:
-# files, %post of both stages, %environment with %test. Needs root, debootstrap and the network; some ten minutes.
+# Tests examples/containers/beadswim.def without Apptainer. Creates two minimal Debian 12 systems by debootstrap, and runs the
+# sections of the definition in them by chroot: the files and %post of both stages, then %environment with %test.
+# Needs root, debootstrap and a network. Takes about ten minutes.
 #   tests/container.sh FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -8,7 +9,7 @@ definition=$PWD/examples/containers/beadswim.def
 folder=$(realpath -m "${1:?name a folder for two small systems}")
 mirror=${DEBIAN_MIRROR-http://deb.debian.org/debian}
 
-section() { # STAGE NAME: its lines
+section() { # STAGE NAME: prints the lines of a section
   awk -v stage="$1" -v name="$2" '
     /^Stage: / { now = $2; inside = 0 }
     /^%/ { inside = (now == stage && $0 ~ "^%" name); next }
@@ -16,7 +17,7 @@ section() { # STAGE NAME: its lines
     inside && NF' "$definition"
 }
 
-system() { # STAGE: a bare system
+system() { # STAGE: creates a minimal system in $folder/STAGE
   mkdir -p "$folder"
   debootstrap --variant=minbase bookworm "$folder/$1" "$mirror" >"$folder/$1.log"
   cp /etc/resolv.conf "$folder/$1/etc/"
@@ -25,7 +26,7 @@ system() { # STAGE: a bare system
   mount -t tmpfs tmpfs "$folder/$1/dev/shm" 2>/dev/null || true
 }
 
-inside() { # STAGE: a script on standard input
+inside() { # STAGE: runs the script on standard input in the system of the stage
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root DEBIAN_FRONTEND=noninteractive OMPI_ALLOW_RUN_AS_ROOT=1 \
     OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 chroot "$folder/$1" sh
 }

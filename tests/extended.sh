@@ -1,6 +1,7 @@
 #!/bin/bash
-# The slower checks: sanitizers, a tiny scene on 1 and 3 ranks, tests labelled slow, the quickstart, the files in other people's
-# readers, and the commands of README and of pages. Each part has its time limit; all together take under an hour.
+# Runs the slower checks: unit tests and a small scene under the sanitizers, tests labelled slow, the quickstart, the files in
+# readers of other projects, the page of beadswim-view, and the commands in README.md and in the documentation. Each part has a
+# time limit. All parts together take less than an hour.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 root=$PWD
@@ -22,7 +23,7 @@ build() { # PRESET [TARGET...]
   timeout 2400 cmake --build --preset "$1" ${2:+--target "${@:2}"}
 }
 
-# A small swimmer for a few hundred steps: enough for every part of a step to run.
+# Runs a small swimmer for a few hundred time steps. This executes every part of a time step.
 tiny_scene() { # RANKS BEAD-BOUNDARY
   beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic \
     --period 100 --amplitude 0.02 >layout.json
@@ -31,7 +32,7 @@ tiny_scene() { # RANKS BEAD-BOUNDARY
     >"ranks$1.json"
 }
 
-# The commands of a page that follow the comment <!-- tested -->, as one script.
+# Prints the commands of a page that follow the comment <!-- tested -->, as one script.
 tested_commands() { # PAGE
   awk '/<!-- tested -->/ { armed = 1; next }
        armed && /^```sh$/ { inside = 1; armed = 0; next }

@@ -1,7 +1,8 @@
 #!/bin/bash
-# Installs what is missing, builds and runs the tests; ends with ctest's summary.
-#   tests/run.sh        (13 minutes on two cores, 8 of them for the build; 2 more for packages)
-# BEADSWIM_PRESET: the preset of CMakePresets.json, if another than release.
+# Installs missing packages, builds Beadswim and runs the tests. The output ends with the summary of ctest.
+#   tests/run.sh
+# Takes 13 minutes on two cores, 8 of them for the build, and 2 more minutes if packages are missing.
+# The environment variable BEADSWIM_PRESET selects a preset of CMakePresets.json (default: release).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -9,4 +10,4 @@ cd "$(dirname "$0")/.."
 preset=${BEADSWIM_PRESET:-release}
 cmake --preset "$preset"
 cmake --build --preset "$preset"
-ctest --preset "$preset" --label-exclude slow   # those are run by tests/extended.sh
+ctest --preset "$preset" --label-exclude slow   # tests/extended.sh runs the slow tests

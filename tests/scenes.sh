@@ -11,7 +11,7 @@
 #   diff before/SHA256SUMS after/SHA256SUMS     (no output: all results are equal, byte for byte)
 #
 # The results contain no measured time and no revision. A trajectory is stored as the text that h5dump writes of it.
-# shellcheck disable=SC2086  # a scene's flags are words
+# shellcheck disable=SC2086  # the flags of a scene are separate words
 set -euo pipefail
 export LC_ALL=C
 [ $# -eq 1 ] || { sed -n '2,13s/^# \{0,1\}//p' "$0" >&2; exit 2; }
@@ -22,14 +22,14 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# What mpirun needs as root in a container and with more ranks than cores.
+# Settings of Open MPI for root in a container, and for more ranks than cores.
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
 
-layout() { # NAME: the layout on standard input, without its provenance, which names the revision
+layout() { # NAME: stores the layout from standard input, without its provenance, which contains the revision
   jq 'del(.provenance)' | tee "$folder/$1.layout.json" >"$1.json"
 }
-tiny() { # NAME FLAG...: a swimmer of a few cells, with a period of a hundred time steps
+tiny() { # NAME FLAG...: makes a small swimmer with a period of 100 time steps
   beadswim-layout swimmer --preset paper-single --period 100 "${@:2}" | layout "$1"
 }
 open() { beadswim-layout swimmer --preset paper-single --unbounded "${@:2}" | layout "$1"; } # NAME FLAG...
@@ -38,7 +38,7 @@ launch() { # RANKS ARGUMENT...
   [ "$1" -eq 1 ] || mpi=(mpirun -n "$1")
   "${mpi[@]}" beadswim-run "${@:2}" --progress none --no-provenance
 }
-results() { # NAME: the record and the trajectory of a run that is through
+results() { # NAME: stores the record and the trajectory of a finished run
   mv "$1.record" "$folder/$1.run.json"
   h5dump -m %.17g "$1.h5md" | sed '1d; /^ *GROUP "creator" {/,/^      }$/d' >"$folder/$1.h5md.txt"
 }
@@ -69,7 +69,7 @@ scene_lattice_settings() {
   lattice flow 2 damped --flow-every 1 --cycles 1
   cp flow.h5md.flow.pvd flow.h5md.flow/*.vti "$folder"
 }
-scene_lattice_contacts() { # the arms become shorter than two radii
+scene_lattice_contacts() { # the arms become shorter than two bead radii, so that beads touch
   tiny near --radius 2 --arm 4.5 --amplitude 2 --stiffness 0.2 --axis 1,0.3,0 --box 32,16,16 --boundary periodic
   lattice contacts 1 near --friction 0.3 --cycles 2
 }
@@ -80,7 +80,7 @@ scene_lattice_swarm() {
   lattice swarm-one-rank 1 four --cycles 1
   lattice swarm-three-ranks 3 four --cycles 1
 }
-restart() { # NAME RANKS LAYOUT FLAG...: a run that goes on from a checkpoint ends as the uninterrupted one
+restart() { # NAME RANKS LAYOUT FLAG...: checks that a restarted run gives the results of the uninterrupted run
   run "$1" "$2" "$3" --cycles 1.5 "${@:4}"
   run "$1-first" "$2" "$3" --cycles 0.7 --checkpoint-every 0.35 "${@:4}"
   launch "$2" --restart "$1-first.h5md" -o "$1-restarted.h5md" --cycles 1.5 >"$1-restarted.record"
@@ -105,11 +105,11 @@ scene_box_mobility() {
     for scene in slip defective; do mobility $scene-$model $scene $model --cycles 1; done
   done
 }
-scene_mobility_contacts() { # the beads come so close that they repel each other
+scene_mobility_contacts() { # the beads come so close that the contact law repels them
   open close --arm 14 --amplitude 0.4
   for model in rpy rpy+near; do mobility contacts-$model close $model --cycles 1; done
 }
-scene_large_swarm() { # its record has statistics in place of swimmers
+scene_large_swarm() { # the record contains statistics instead of each swimmer
   beadswim-layout swarm --preset paper-uniform --blocks 2,2,2 | beadswim-layout defect jitter --sigma 0.5 --seed 2 | layout large
   mobility large large rpy --cycles 1
 }
@@ -132,7 +132,8 @@ scene_layouts() {
     beadswim-layout check --json "$name.json" | jq 'del(.provenance)' >"$folder/$name.check.json"
   done
 }
-# The plan's costs are those of a machine of a known speed. The times of mobility models are always measured, and left out.
+# The lattice speed is set to fixed values, so that the costs in the plan are reproducible. The times of mobility models are
+# always measured; they are removed from the plan.
 scene_plan() {
   export XDG_CACHE_HOME=$scratch
   mkdir beadswim
@@ -146,7 +147,7 @@ scene_plan() {
     beadswim-run "$name.json" --plan --tolerance 0.12 --no-provenance 2>"$name.log" |
       jq '(.runs[] | select(.model != "lbm") | .cost) |= del(.core_seconds?, .wall_seconds?)' >"$folder/$name.plan.json"
   done
-  cmp known beadswim/lattice-speed-1.json # otherwise the speed was measured
+  cmp known beadswim/lattice-speed-1.json # if the files differ, the speed was measured again
   run auto-mobility 1 uneven --model auto --tolerance 0.12 --cycles 1
   run auto-lattice 1 cell --model auto --tolerance 0.2 --cycles 0.2
 }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Beadswim for Spack, from a source tree:
+"""Spack recipe that builds Beadswim from a source tree:
 
     spack repo create beadswim-repo && mkdir -p beadswim-repo/packages/beadswim
     cp packaging/spack/package.py beadswim-repo/packages/beadswim/ && spack repo add beadswim-repo

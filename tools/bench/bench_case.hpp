@@ -7,7 +7,7 @@
 
 namespace beadswim {
 
-/// What is timed: one step, or one sweep, of this rank's share.
+/// One benchmark case. `step` performs one time step, or one sweep over memory, on the cells of this rank.
 struct BenchCase {
   std::string name;
   Precision precision = Precision::fp64;

@@ -16,14 +16,15 @@
 namespace beadswim {
 namespace {
 
-/// What is measured together: cases share the rounds.
+/// Cases that are timed in the same rounds: `edge` cells per axis on each of `ranks` ranks, in all
+/// `precisions`.
 struct Group {
   int edge;
   int ranks;
   std::vector<Precision> precisions;
 };
 
-/// Memory that programs can still have [byte].
+/// Returns the memory of this node that programs can still allocate [byte].
 double available_bytes() {
   std::ifstream info("/proc/meminfo");
   std::string name, unit;
@@ -34,16 +35,18 @@ double available_bytes() {
   return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-/// The part of it that each rank may take, the same number on all ranks.
-double bytes_for_a_rank(const Communicator& world) {
+/// Returns the memory that each rank may allocate [byte]: 85 % of the free memory of the node, divided by the
+/// number of its ranks. All ranks get the smallest value over the nodes. Collective.
+double bytes_per_rank(const Communicator& world) {
   constexpr double share = 0.85;
   double bytes = share * available_bytes() / count_ranks_on_node(world);
   MPI_Allreduce(MPI_IN_PLACE, &bytes, 1, MPI_DOUBLE, MPI_MIN, world.get());
   return bytes;
 }
 
-/// Precisions in one group where memory allows, else one after the other. `available`: for each rank.
-std::vector<Group> groups_of(const BenchRequest& request, int ranks, double available) {
+/// Returns one group per edge with all precisions, or one group per precision if the memory is too small for
+/// all. `available`: memory per rank [byte]. Throws InputError if one precision alone needs more.
+std::vector<Group> make_groups(const BenchRequest& request, int ranks, double available) {
   std::vector<Group> groups;
   for (const int edge : request.edges) {
     const auto fits = [&](const std::vector<Precision>& precisions) {
@@ -68,15 +71,17 @@ std::vector<Group> groups_of(const BenchRequest& request, int ranks, double avai
   return groups;
 }
 
-std::vector<double> ratios(const std::vector<double>& seconds, const std::vector<double>& reference) {
+/// Returns the speed relative to the reference, in each round.
+std::vector<double> speed_ratios(const std::vector<double>& seconds, const std::vector<double>& reference) {
   std::vector<double> result;
   for (std::size_t n = 0; n < seconds.size(); ++n) result.push_back(reference[n] / seconds[n]);
   return result;
 }
 
-/// Rows of a group from the seconds of a step, [case][round]; the last case streams in place.
-std::vector<BenchRow> rows_of(const Group& group, const BenchScenes& scenes,
-                              const std::vector<std::vector<double>>& seconds, double in_place_bytes) {
+/// Evaluates the rows of a group. `seconds` per step are indexed [case][round]; the last case scales an array
+/// in place and thereby moves `in_place_bytes`.
+std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
+                                const std::vector<std::vector<double>>& seconds, double in_place_bytes) {
   const std::vector<BenchCase>& cases = scenes.cases();
   const auto find = [&](const std::string& name, Precision precision) -> std::optional<std::size_t> {
     const auto found = std::ranges::find_if(
@@ -94,18 +99,19 @@ std::vector<BenchRow> rows_of(const Group& group, const BenchScenes& scenes,
                  .bytes_per_update = bytes_per_update(precision)};
     row.mlups = 1e-6 * cells * group.ranks / median(seconds[c]);
     row.mlups_best = 1e-6 * cells * group.ranks / *std::ranges::min_element(seconds[c]);
-    row.fraction_of_yardstick = median(ratios(seconds[c], seconds[*find("stream-yardstick", precision)]));
+    row.fraction_of_yardstick =
+        median(speed_ratios(seconds[c], seconds[*find("stream-yardstick", precision)]));
     row.fraction_of_bandwidth =
-        median(ratios(seconds[c], seconds.back())) * row.bytes_per_update * cells / in_place_bytes;
-    if (const auto twin = find(row.name, Precision::fp64); twin && *twin != c)
-      row.speed_over_double = median(ratios(seconds[c], seconds[*twin]));
+        median(speed_ratios(seconds[c], seconds.back())) * row.bytes_per_update * cells / in_place_bytes;
+    if (const auto fp64_case = find(row.name, Precision::fp64); fp64_case && *fp64_case != c)
+      row.speed_over_double = median(speed_ratios(seconds[c], seconds[*fp64_case]));
     if (row.name == "stream-yardstick") row.layout = scenes.layout_name(precision);
     rows.push_back(row);
   }
   return rows;
 }
 
-/// Adds a group's rows, and its bandwidths, on rank 0.
+/// Times the cases of a group and adds its rows to the report. Adds the bandwidths once per number of ranks.
 void measure(const Group& group, const Communicator& communicator, BenchReport& report) {
   Bandwidth bandwidth;
   const BenchScenes scenes(group.edge, group.precisions, report.bead_boundary, communicator);
@@ -113,7 +119,7 @@ void measure(const Group& group, const Communicator& communicator, BenchReport& 
   cases.push_back({"copy", Precision::fp64, [&] { bandwidth.copy(); }});
   cases.push_back({"in-place", Precision::fp64, [&] { bandwidth.scale_in_place(); }});
   const std::vector<std::vector<double>> seconds = time_in_rounds(cases, report.rounds, communicator);
-  std::ranges::copy(rows_of(group, scenes, seconds, bandwidth.bytes()), std::back_inserter(report.rows));
+  std::ranges::copy(make_rows(group, scenes, seconds, bandwidth.bytes()), std::back_inserter(report.rows));
   if (!report.bandwidths.empty() && report.bandwidths.back().ranks == group.ranks) return;
   const double gigabytes = 1e-9 * bandwidth.bytes() * group.ranks;
   report.bandwidths.push_back({.ranks = group.ranks,
@@ -124,10 +130,10 @@ void measure(const Group& group, const Communicator& communicator, BenchReport& 
 }  // namespace
 
 BenchReport measure_all(const BenchRequest& request, const Communicator& world) {
-  const double available = bytes_for_a_rank(world);
-  std::vector<Group> groups = groups_of(request, 1, available * world.size());
+  const double available = bytes_per_rank(world);
+  std::vector<Group> groups = make_groups(request, 1, available * world.size());
   if (world.size() > 1) {
-    std::ranges::copy(groups_of(request, world.size(), available), std::back_inserter(groups));
+    std::ranges::copy(make_groups(request, world.size(), available), std::back_inserter(groups));
   }
   BenchReport report{
       .rounds = request.rounds, .bead_boundary = request.bead_boundary, .rows = {}, .bandwidths = {}};
@@ -139,8 +145,8 @@ BenchReport measure_all(const BenchRequest& request, const Communicator& world) 
                                   groups.size(), group.edge, group.ranks, group.ranks == 1 ? "" : "s",
                                   MPI_Wtime() - start));
     }
-    on_first_ranks(group.ranks, world,
-                   [&](const Communicator& communicator) { measure(group, communicator, report); });
+    run_on_first_ranks(group.ranks, world,
+                       [&](const Communicator& communicator) { measure(group, communicator, report); });
   }
   return report;
 }

@@ -8,15 +8,17 @@
 
 namespace beadswim {
 
+/// The measurements that the command line requests.
 struct BenchRequest {
-  std::vector<int> edges{64, 128, 256};
+  std::vector<int> edges{64, 128, 256};  ///< cells per axis and rank
   std::vector<Precision> precisions{Precision::fp64, Precision::fp32};
-  int rounds = 9;
-  BeadScheme bead_boundary = BeadScheme::staircase;  ///< of the swarm
+  int rounds = 9;                                    ///< repetitions of each case
+  BeadScheme bead_boundary = BeadScheme::staircase;  ///< scheme of the case coupled-swarm
 };
 
-/// Measures everything that was asked for, on one rank and on all. Tells its progress on stderr. The report
-/// is on rank 0. Throws InputError alike on all ranks if an edge needs more memory than there is.
+/// Times all requested cases, on one rank and on all ranks, and prints the progress to stderr. Collective.
+/// Only rank 0 has the complete report. Throws InputError on all ranks if an edge needs more memory than is
+/// free.
 BenchReport measure_all(const BenchRequest& request, const Communicator& world);
 
 }  // namespace beadswim

@@ -11,21 +11,24 @@
 
 namespace beadswim {
 
-/// One line of the result: a case at one precision, edge and number of ranks. Rates are of all ranks
-/// together.
+/// Result of one case at one precision, edge and number of ranks. Rates are sums over all ranks. MLUPS are
+/// 10^6 cell updates per second. The yardstick is the case that loads and stores all populations without
+/// arithmetic.
 struct BenchRow {
   std::string name;
   Precision precision = Precision::fp64;
-  int edge = 0;  ///< of the cube of cells that each rank has
+  int edge = 0;  ///< cells per axis of the cube of each rank
   int ranks = 1;
-  double mlups = 0;  ///< median [10^6 cell updates/s]
-  double mlups_best = 0;
-  double fraction_of_yardstick = 0;  ///< median of the ratios in each round
-  double bytes_per_update = 0;       ///< that a cell's update loads and stores [byte]
-  double fraction_of_bandwidth = 0;  ///< bytes_per_update x rate over the in-place bandwidth; likewise
-  std::optional<double>
-      speed_over_double{};  ///< none if double precision was not measured in the same rounds
-  std::string layout{};     ///< of the yardstick's arrays; empty for other cases
+  double mlups = 0;                  ///< median over the rounds [10^6 cell updates/s]
+  double mlups_best = 0;             ///< fastest round [10^6 cell updates/s]
+  double fraction_of_yardstick = 0;  ///< rate divided by that of the yardstick: median over the rounds
+  double bytes_per_update = 0;       ///< loads and stores per cell update [byte]
+  /// bytes_per_update times rate, divided by the in-place bandwidth: median over the rounds.
+  double fraction_of_bandwidth = 0;
+  /// Rate divided by the rate in double precision. Empty for double precision itself, and if double precision
+  /// was not timed in the same rounds.
+  std::optional<double> speed_over_double{};
+  std::string layout{};  ///< memory layout of the yardstick (StreamLayout); empty for other cases
 
   static void visit_fields(auto&& visit, auto& row) {
     visit("case", row.name);
@@ -42,9 +45,10 @@ struct BenchRow {
   }
 };
 
+/// Memory bandwidth of all ranks together, measured with long arrays (Bandwidth).
 struct BandwidthRow {
   int ranks = 1;
-  double in_place_gb_s = 0, copy_gb_s = 0;  ///< medians; bytes read and written [10^9 byte/s]
+  double in_place_gb_s = 0, copy_gb_s = 0;  ///< medians of bytes read plus bytes written [10^9 byte/s]
 
   static void visit_fields(auto&& visit, auto& row) {
     visit("ranks", row.ranks);
@@ -53,18 +57,19 @@ struct BandwidthRow {
   }
 };
 
+/// Results of beadswim-bench: rows and bandwidths of the lattice, or products of the mobility.
 struct BenchReport {
   int rounds = 0;
-  BeadScheme bead_boundary = BeadScheme::staircase;  ///< of the swarm
+  BeadScheme bead_boundary = BeadScheme::staircase;  ///< scheme of the case coupled-swarm
   std::vector<BenchRow> rows{};
   std::vector<BandwidthRow> bandwidths{};
-  std::vector<ProductRow> products{};  ///< of mobilities, instead of rows and bandwidths
+  std::vector<ProductRow> products{};  ///< mobility products; rows and bandwidths are then empty
 };
 
-/// schemas/bench.schema.json
+/// Converts the report to a document that follows schemas/bench.schema.json.
 Json bench_report_to_json(const BenchReport& report, const Json& provenance);
 
-/// For people.
+/// Returns the report as a table in plain text.
 std::string bench_table(const BenchReport& report);
 
 }  // namespace beadswim

@@ -7,9 +7,10 @@
 
 namespace beadswim {
 
-/// This rank's part of what the first `ranks` ranks do; the others sleep until these are done.
+/// Calls `work` with a communicator of the first `ranks` ranks, on these ranks. The other ranks sleep until
+/// the first ranks have finished. Collective over `world`.
 template <class Work>
-void on_first_ranks(int ranks, const Communicator& world, Work&& work) {
+void run_on_first_ranks(int ranks, const Communicator& world, Work&& work) {
   const bool active = world.rank() < ranks;
   MPI_Comm part = MPI_COMM_NULL;
   MPI_Comm_split(world.get(), active ? 0 : 1, world.rank(), &part);
@@ -21,7 +22,7 @@ void on_first_ranks(int ranks, const Communicator& world, Work&& work) {
   MPI_Request all_done;
   MPI_Ibarrier(world.get(), &all_done);
   for (int done = 0; MPI_Test(&all_done, &done, MPI_STATUS_IGNORE), done == 0;) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // a core that waits must not take memory time
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // a polling core would use bandwidth
   }
 }
 

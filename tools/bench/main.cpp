@@ -5,7 +5,8 @@
 #include "beadswim/tools/named_flags.hpp"
 #include "bench_groups.hpp"
 
-// beadswim-bench: how fast this machine's memory and the solver are, in one run.
+// beadswim-bench measures the speed of the lattice solver relative to the memory bandwidth of the machine, or
+// the speed of mobility products.
 
 namespace {
 
@@ -91,7 +92,7 @@ int main(int argc, char** argv) {
   if (!world.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
   try {
     return run(argc, argv, world);
-  } catch (const InputError&) {  // known to all ranks: rank 0 speaks
+  } catch (const InputError&) {  // all ranks throw it; only rank 0 prints it
     return world.is_root() ? report_current_exception("beadswim-bench")
                            : static_cast<int>(ExitStatus::bad_input);
   } catch (...) {

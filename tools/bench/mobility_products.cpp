@@ -16,14 +16,16 @@
 namespace beadswim {
 namespace {
 
+/// Positions and forces of beads in a cube with edges of length `edge`.
 struct Beads {
   std::vector<Vec3> positions, forces;
   double edge = 0;
 };
 
+/// Returns beads at random positions, 32^3 of volume per bead, with random forces whose sum is zero.
 Beads random_beads(int count) {
   Beads beads{.positions = {}, .forces = {}, .edge = 32 * std::cbrt(count)};
-  std::mt19937_64 random(static_cast<unsigned>(count));  // seed: the count
+  std::mt19937_64 random(static_cast<unsigned>(count));  // seed = count
   std::uniform_real_distribution<double> uniform(0, 1);
   const auto vector = [&] {
     Vec3 v;
@@ -40,7 +42,7 @@ Beads random_beads(int count) {
   return beads;
 }
 
-/// Of all ranks together, now [byte].
+/// Returns the resident memory of all ranks together [byte]. Collective.
 std::int64_t resident_bytes(const Communicator& communicator) {
   std::ifstream info("/proc/self/statm");
   std::int64_t all = 0, resident = 0;
@@ -50,19 +52,21 @@ std::int64_t resident_bytes(const Communicator& communicator) {
   return resident;
 }
 
-double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& exact) {
+/// Returns |a - reference| / |reference|; the norms are over the vectors of all beads.
+double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& reference) {
   double difference = 0, size = 0;
   for (std::size_t b = 0; b < a.size(); ++b) {
-    difference += (a[b] - exact[b]).squaredNorm();
-    size += exact[b].squaredNorm();
+    difference += (a[b] - reference[b]).squaredNorm();
+    size += reference[b].squaredNorm();
   }
   return std::sqrt(difference / size);
 }
 
+/// Times one mobility product, and evaluates its error against a product with a thousandth of the tolerance.
 ProductRow measure(const ProductRequest& request, int count, Surroundings surroundings,
                    const Communicator& communicator) {
-  constexpr int most_checked = 100000;
-  constexpr double least_checked = 1e-9;
+  constexpr int max_beads_for_error = 100000;
+  constexpr double min_tolerance_for_error = 1e-9;
   bool is_on_mesh = false;
   const Beads beads = random_beads(count);
   MobilityScene scene{.model = MobilityModel::rpy,
@@ -76,12 +80,12 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
                  .surroundings = surroundings,
                  .ranks = communicator.size(),
                  .tolerance = request.tolerance};
-  std::vector<Vec3> velocities(count), exact(count);
+  std::vector<Vec3> velocities(count), reference(count);
   {
     const std::int64_t before = resident_bytes(communicator);
     const MobilityProduct product(scene, beads.positions, communicator);
     is_on_mesh = product.plan().has_value();
-    product.apply(beads.positions, beads.forces, velocities);  // makes its plans
+    product.apply(beads.positions, beads.forces, velocities);  // plans the transforms; not timed
     std::vector<double> seconds;
     for (int n = 0; n < request.rounds; ++n) {
       MPI_Barrier(communicator.get());
@@ -93,10 +97,10 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
     row.seconds = median(seconds);
     row.seconds_best = *std::ranges::min_element(seconds);
   }
-  if (is_on_mesh && count <= most_checked && request.tolerance >= least_checked) {
+  if (is_on_mesh && count <= max_beads_for_error && request.tolerance >= min_tolerance_for_error) {
     scene.tolerance = request.tolerance / 1000;
-    MobilityProduct(scene, beads.positions, communicator).apply(beads.positions, beads.forces, exact);
-    row.error = relative_difference(velocities, exact);
+    MobilityProduct(scene, beads.positions, communicator).apply(beads.positions, beads.forces, reference);
+    row.error = relative_difference(velocities, reference);
   }
   return row;
 }
@@ -110,7 +114,7 @@ std::vector<ProductRow> measure_products(const ProductRequest& request, const Co
       for (int ranks = 1; ranks <= world.size(); ranks += std::max(1, world.size() - 1)) {
         if (world.is_root())
           print_to_stderr(fmt::format("beadswim-bench: {} beads, {} ranks\n", count, ranks));
-        on_first_ranks(ranks, world, [&](const Communicator& communicator) {
+        run_on_first_ranks(ranks, world, [&](const Communicator& communicator) {
           rows.push_back(measure(request, count, surroundings, communicator));
         });
       }

@@ -10,29 +10,32 @@
 
 namespace beadswim {
 
-/// What surrounds the beads of a mobility product.
+/// Domain of the beads: a periodic cube or open space.
 enum class Surroundings { periodic, open };
 
 template <>
 inline constexpr auto name_table<Surroundings> = std::to_array<NamedValue<Surroundings>>(
     {{Surroundings::periodic, "periodic"}, {Surroundings::open, "open"}});
 
+/// The mobility products that the command line requests.
 struct ProductRequest {
-  std::vector<int> beads;
-  double tolerance = 1e-4;
-  int rounds = 9;
+  std::vector<int> beads;   ///< numbers of beads
+  double tolerance = 1e-4;  ///< relative error of the velocities
+  int rounds = 9;           ///< repetitions of each product
 };
 
-/// Velocities of so many beads by forces on them (MobilityProduct).
+/// Result of one benchmark of MobilityProduct, which evaluates the velocities of all beads from the forces on
+/// them.
 struct ProductRow {
   int beads = 0;
   Surroundings surroundings = Surroundings::open;
   int ranks = 1;
   double tolerance = 0;
-  double seconds = 0, seconds_best = 0;  ///< of a product: median, and fastest round
-  std::optional<double> error{};  ///< relative, against a sum a thousand times as accurate; none of many
-                                  ///< beads, where all pairs are summed, or of tolerances under 1e-9
-  std::int64_t memory_bytes = 0;  ///< that all ranks' programs have grown by with it
+  double seconds = 0, seconds_best = 0;  ///< per product: median and minimum over the rounds [s]
+  /// Relative error of the velocities, measured against a product with a thousandth of the tolerance. Empty
+  /// if the product sums all pairs directly, for more than 100,000 beads, and for tolerances below 1e-9.
+  std::optional<double> error{};
+  std::int64_t memory_bytes = 0;  ///< growth of the resident memory of all ranks [byte]
 
   static void visit_fields(auto&& visit, auto& row) {
     visit("beads", row.beads);
@@ -46,9 +49,9 @@ struct ProductRow {
   }
 };
 
-/// Beads of radius 6 at random in a cube with 32^3 for each, as many as the paper's uniform swarm has, with
-/// random forces of sum zero; in a periodic box and in open space, on one rank and on all. On rank 0.
-/// Collective.
+/// Times mobility products of beads of radius 6 at random positions, in a periodic box and in open space, on
+/// one rank and on all ranks. The volume per bead is 32^3, as in the uniform swarm of the paper (Pickl et al.
+/// 2017). The forces are random; their sum is zero. Collective. Only rank 0 has all rows.
 std::vector<ProductRow> measure_products(const ProductRequest& request, const Communicator& world);
 
 }  // namespace beadswim

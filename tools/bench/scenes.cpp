@@ -18,7 +18,7 @@ constexpr std::array periodic{Boundary::periodic, Boundary::periodic, Boundary::
 constexpr std::array walls{Boundary::free_slip, Boundary::no_slip, Boundary::free_slip};
 constexpr double relaxation_time = 1.5;
 
-/// A slow uniform flow in every cell, so that no number is too small for its format.
+/// Sets a slow uniform flow in every cell, so that no population is subnormal.
 void set_uniform_flow(Populations& populations) {
   in_precision(populations.precision(), [&]<class Real>() {
     const Index3& n = populations.size();
@@ -40,7 +40,7 @@ double bytes_per_update(Precision precision) {
   return 2.0 * d3q19::directions * static_cast<double>(bytes_per_population(precision));
 }
 
-/// One precision.
+/// Memory and solvers of all cases at one precision.
 struct BenchScenes::Scene {
   Scene(int edge, Precision precision, BeadScheme bead_boundary, const Communicator& communicator)
       : precision(precision),
@@ -89,25 +89,25 @@ std::string BenchScenes::layout_name(Precision precision) const {
 }
 
 double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
-  constexpr double copies = 3, streams = 2;  // yardstick, fluid, swarm; arrays for bandwidth
-  double bytes = streams * sizeof(double) * Bandwidth::numbers;
+  constexpr double lattices = 3, bandwidth_arrays = 2;  // lattices: yardstick, fluid, swarm
+  double bytes = bandwidth_arrays * sizeof(double) * Bandwidth::num_elements;
   for (const Precision precision : precisions) {
-    const double number = static_cast<double>(bytes_per_population(precision));
-    bytes += (copies * d3q19::directions * number + 1) * std::pow(edge + 2, 3);
+    const double bytes_per_number = static_cast<double>(bytes_per_population(precision));
+    bytes += (lattices * d3q19::directions * bytes_per_number + 1) * std::pow(edge + 2, 3);
   }
   return bytes;
 }
 
 Bandwidth::Bandwidth()
-    : from_(static_cast<double*>(allocate_zeros_on_huge_pages(numbers * sizeof(double)))),
-      to_(static_cast<double*>(allocate_zeros_on_huge_pages(numbers * sizeof(double)))) {}
+    : source_(static_cast<double*>(allocate_zeros_on_huge_pages(num_elements * sizeof(double)))),
+      destination_(static_cast<double*>(allocate_zeros_on_huge_pages(num_elements * sizeof(double)))) {}
 
 void Bandwidth::copy() {
-  stream_kernels().copy(from_.get(), to_.get(), numbers);
+  stream_kernels().copy(source_.get(), destination_.get(), num_elements);
 }
 
 void Bandwidth::scale_in_place() {
-  stream_kernels().scale_in_place(from_.get(), numbers, 0.999);
+  stream_kernels().scale_in_place(source_.get(), num_elements, 0.999);
 }
 
 }  // namespace beadswim

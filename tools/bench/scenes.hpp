@@ -10,21 +10,21 @@
 
 namespace beadswim {
 
-/// Everything that is timed for cubes of one edge, `edge` cells a rank and axis, on the ranks of one
-/// communicator; holds the memory that the cases work on.
+/// All cases for cubes of one edge (`edge` cells per rank and axis) on the ranks of one communicator, with
+/// the memory that the cases work on.
 class BenchScenes {
  public:
   BenchScenes(int edge, const std::vector<Precision>& precisions, BeadScheme bead_boundary,
               const Communicator& communicator);
   ~BenchScenes();
 
-  /// In the order in which they are to be timed, round by round.
+  /// Returns the cases in the order in which each round times them.
   const std::vector<BenchCase>& cases() const { return cases_; }
 
-  /// Of the yardstick.
+  /// Returns the name of the memory layout that the yardstick uses.
   std::string layout_name(Precision precision) const;
 
-  /// Bytes that one rank needs for them.
+  /// Returns the memory that the cases need per rank [byte].
   static double bytes(int edge, const std::vector<Precision>& precisions);
 
  private:
@@ -33,27 +33,26 @@ class BenchScenes {
   std::vector<BenchCase> cases_;
 };
 
-/// Bytes that a cell update moves at the least: 19 numbers in, 19 out.
+/// Returns the smallest number of bytes per cell update: 19 populations loaded and 19 stored [byte].
 double bytes_per_update(Precision precision);
 
-/// Bandwidth of plain streams far larger than the caches, on the ranks of a communicator together [byte/s].
+/// Two arrays far larger than the caches, to measure the memory bandwidth. Each rank has its own arrays.
 class Bandwidth {
  public:
   Bandwidth();
 
-  double bytes() const {
-    return 2.0 * sizeof(double) * numbers;
-  }  ///< that each of the two moves, on one rank
+  /// Returns the bytes that one call of copy() or scale_in_place() loads and stores on one rank [byte].
+  double bytes() const { return 2.0 * sizeof(double) * num_elements; }
   void copy();
   void scale_in_place();
 
-  static constexpr long numbers = 1L << 25;  ///< of each of the two arrays
+  static constexpr long num_elements = 1L << 25;  ///< of each array
 
  private:
   struct Free {
     void operator()(double* p) const { std::free(p); }
   };
-  std::unique_ptr<double[], Free> from_, to_;
+  std::unique_ptr<double[], Free> source_, destination_;
 };
 
 }  // namespace beadswim

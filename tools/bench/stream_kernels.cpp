@@ -1,4 +1,4 @@
-// Compiled once for each instruction set, with BEADSWIM_INSTRUCTION_SET naming the namespace.
+// This file is compiled once per instruction set. BEADSWIM_INSTRUCTION_SET is the name of the namespace.
 #include "stream_kernels.hpp"
 
 #include "beadswim/core/kernel.hpp"
@@ -17,18 +17,19 @@ BEADSWIM_KERNEL void stream_cells(const StreamRow<Real>& r, long first, long end
   }
 }
 
-/// Asks for memory ahead as the solver's sweep does: without, the yardstick would be too short.
+/// Prefetches six cache lines ahead, as the sweep of the solver does. Without prefetching the yardstick would
+/// be slower than the memory allows.
 template <class Real>
 BEADSWIM_KERNEL void stream(const StreamRow<Real>& row) {
   const StreamRow<Real> r = row;
   constexpr long line = 64 / sizeof(Real), lines_ahead = 6;
-  const long whole_lines = r.cells / line * line;
-  for (long x = 0; x < whole_lines; x += line) {
+  const long cells_in_full_lines = r.cells / line * line;
+  for (long x = 0; x < cells_in_full_lines; x += line) {
 #pragma GCC unroll 19
     for (int i = 0; i < d3q19::directions; ++i) __builtin_prefetch(r.rows[i] + x + lines_ahead * line, 1);
     stream_cells(r, x, x + line);
   }
-  stream_cells(r, whole_lines, r.cells);
+  stream_cells(r, cells_in_full_lines, r.cells);
 }
 
 void stream_row_fp64(const StreamRow<double>& row) {

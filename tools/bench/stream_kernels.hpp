@@ -2,12 +2,12 @@
 
 #include "beadswim/lattice/d3q19.hpp"
 
-// Memory traffic without arithmetic. stream_kernels.cpp is compiled once for each instruction set;
-// stream_kernels() chooses at run time.
+// Kernels that load and store memory without arithmetic. stream_kernels.cpp is compiled once per instruction
+// set; stream_kernels() chooses the instruction set at run time.
 
 namespace beadswim {
 
-/// Rows of 19 arrays, one a direction.
+/// One row of `cells` cells in 19 arrays, one array per direction of D3Q19.
 template <class Real>
 struct StreamRow {
   Real* rows[d3q19::directions];
@@ -28,8 +28,10 @@ BEADSWIM_DECLARE_STREAM_KERNELS(x86_64_v3)
 BEADSWIM_DECLARE_STREAM_KERNELS(x86_64_v4)
 #endif
 
+/// The kernels of one instruction set.
 struct StreamKernels {
-  /// Loads the 19 numbers of each cell and stores each in its opposite's place, as a step in place does.
+  /// Loads the 19 numbers of each cell and stores each number in the array of the opposite direction, as a
+  /// time step in place does.
   void (*stream_row_fp64)(const StreamRow<double>&);
   void (*stream_row_fp32)(const StreamRow<float>&);
   void (*copy)(const double*, double*, long);
@@ -39,7 +41,7 @@ struct StreamKernels {
   void stream_row(const StreamRow<float>& row) const { stream_row_fp32(row); }
 };
 
-/// The best that this processor can run.
+/// Returns the kernels of the best instruction set that this processor supports.
 const StreamKernels& stream_kernels();
 
 }  // namespace beadswim

@@ -4,9 +4,10 @@
 
 namespace beadswim {
 
-/// The paper's uniform swarm (beads of radius 6, arms of 32, rows 32 apart) as far as it fits into a periodic
-/// box of edge x edge x (edge x ranks) cells; in boxes narrower than a swimmer's 96 cells all lengths are
-/// scaled down, so that beads fill the same share of the box.
+/// Returns a uniform swarm as in the paper (Pickl et al. 2017) in a periodic box of edge x edge x (edge x
+/// ranks) cells: bead radius 6 cells, arms of 32 cells, rows at distances of 32 cells, and as many swimmers
+/// as the box can contain. A swimmer needs 96 cells along x. If the edge is shorter, all lengths are scaled
+/// by edge/96, so that the beads occupy the same volume fraction.
 CoupledScene swarm_scene(int edge, int ranks, Precision precision, BeadScheme bead_boundary);
 
 }  // namespace beadswim

@@ -8,30 +8,32 @@
 namespace beadswim {
 namespace {
 
-/// One timed stretch lasts about this long [s].
-constexpr double stretch = 0.12;
+/// Approximate duration of one measurement [s].
+constexpr double target_seconds = 0.12;
 
-/// Seconds of `steps` steps, until the last rank is through, after one that does what the case before left
-/// undone: the first periodic step after a bare sweep must fill all of the halo.
-double seconds_of(const BenchCase& timed, int steps, const Communicator& communicator) {
-  timed.step();
+/// Returns the time in which all ranks perform `steps` steps [s]. An untimed step comes first, because
+/// the first step after another case has more to do: after a bare sweep, a periodic step must fill the
+/// complete halo.
+double time_steps(const BenchCase& bench_case, int steps, const Communicator& communicator) {
+  bench_case.step();
   MPI_Barrier(communicator.get());
   const double start = MPI_Wtime();
-  for (int n = 0; n < steps; ++n) timed.step();
+  for (int n = 0; n < steps; ++n) bench_case.step();
   MPI_Barrier(communicator.get());
   return MPI_Wtime() - start;
 }
 
-/// Steps of a stretch: even, for a step in place alternates between two kinds. Warms the case up.
-int steps_of_stretch(const BenchCase& timed, const Communicator& communicator) {
-  seconds_of(timed, 2, communicator);
-  const double seconds = seconds_of(timed, 2, communicator);
-  int steps = 2 * std::max(1, static_cast<int>(std::lround(stretch / std::max(seconds, 1e-7))));
+/// Returns the number of steps per measurement. The number is even, because a time step in place alternates
+/// between two kinds of sweep. Runs the case twice to warm it up.
+int choose_step_count(const BenchCase& bench_case, const Communicator& communicator) {
+  time_steps(bench_case, 2, communicator);
+  const double seconds = time_steps(bench_case, 2, communicator);
+  int steps = 2 * std::max(1, static_cast<int>(std::lround(target_seconds / std::max(seconds, 1e-7))));
   MPI_Bcast(&steps, 1, MPI_INT, 0, communicator.get());
   return steps;
 }
 
-/// Takes what Google Benchmark measures instead of printing it.
+/// Stores the times that Google Benchmark measures, instead of printing them.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   explicit Collector(std::vector<std::vector<double>>& seconds) : seconds_(seconds) {}
@@ -54,10 +56,10 @@ std::vector<std::vector<double>> time_in_rounds(const std::vector<BenchCase>& ca
                                                 const Communicator& communicator) {
   benchmark::ClearRegisteredBenchmarks();
   for (std::size_t c = 0; c < cases.size(); ++c) {
-    const int steps = steps_of_stretch(cases[c], communicator);
+    const int steps = choose_step_count(cases[c], communicator);
     const auto body = [&, c, steps](benchmark::State& state) {
       for ([[maybe_unused]] auto iteration : state) {
-        state.SetIterationTime(seconds_of(cases[c], steps, communicator));
+        state.SetIterationTime(time_steps(cases[c], steps, communicator));
       }
       state.counters["case"] = static_cast<double>(c);
       state.counters["steps"] = steps;

@@ -8,8 +8,8 @@
 
 namespace beadswim {
 
-/// Times all cases in turn, round after round, so that a drift of the machine meets all alike. Collective.
-/// Returns the seconds of one step, [case][round], on every rank.
+/// Times all cases once per round, so that slow changes of the speed of the machine affect all cases equally.
+/// Collective. Returns the seconds per step, indexed [case][round], on every rank.
 std::vector<std::vector<double>> time_in_rounds(const std::vector<BenchCase>& cases, int rounds,
                                                 const Communicator& communicator);
 

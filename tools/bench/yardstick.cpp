@@ -9,32 +9,37 @@
 namespace beadswim {
 namespace {
 
-std::ptrdiff_t whole_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
+/// Returns the smallest multiple of `unit` that is not less than `count`.
+std::ptrdiff_t round_up_to_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
   return (count + unit - 1) / unit * unit;
 }
 
 }  // namespace
 
-std::ptrdiff_t StreamLayout::numbers(int edge) const {
+std::ptrdiff_t StreamLayout::num_elements(int edge) const {
   return (d3q19::directions - 1) * array + (edge - 1) * (row + plane) + edge;
 }
 
 std::vector<StreamLayout> stream_layouts(int edge, Precision precision) {
+  // Elements per cache line (64 bytes) and per page (4096 bytes).
   const auto line = static_cast<std::ptrdiff_t>(64 / bytes_per_population(precision)), page = 64 * line;
-  const std::ptrdiff_t with_halo = edge + 2, tight = whole_multiple(edge, line);
-  const std::ptrdiff_t cube = tight * edge * edge, cube_with_halo = with_halo * with_halo * with_halo;
-  return {{"solver", whole_multiple(cube_with_halo, page) + 5 * line, with_halo, with_halo * with_halo},
-          {"plain", cube, tight, tight * edge},
-          {"staggered", whole_multiple(cube, page) + 5 * line, tight, tight * edge},
-          {"interleaved-rows", tight, d3q19::directions * tight, d3q19::directions * tight * edge}};
+  const std::ptrdiff_t edge_with_halo = edge + 2, padded_edge = round_up_to_multiple(edge, line);
+  const std::ptrdiff_t cube = padded_edge * edge * edge,
+                       cube_with_halo = edge_with_halo * edge_with_halo * edge_with_halo;
+  return {{"solver", round_up_to_multiple(cube_with_halo, page) + 5 * line, edge_with_halo,
+           edge_with_halo * edge_with_halo},
+          {"plain", cube, padded_edge, padded_edge * edge},
+          {"staggered", round_up_to_multiple(cube, page) + 5 * line, padded_edge, padded_edge * edge},
+          {"interleaved-rows", padded_edge, d3q19::directions * padded_edge,
+           d3q19::directions * padded_edge * edge}};
 }
 
 StreamYardstick::StreamYardstick(int edge, Precision precision)
     : edge_(edge), precision_(precision), layout_(stream_layouts(edge, precision).front()) {
-  std::ptrdiff_t most = 0;
+  std::ptrdiff_t max_elements = 0;
   for (const StreamLayout& layout : stream_layouts(edge, precision))
-    most = std::max(most, layout.numbers(edge));
-  memory_.reset(allocate_zeros_on_huge_pages(most * bytes_per_population(precision)));
+    max_elements = std::max(max_elements, layout.num_elements(edge));
+  memory_.reset(allocate_zeros_on_huge_pages(max_elements * bytes_per_population(precision)));
 }
 
 void StreamYardstick::choose_layout(int rounds, const Communicator& communicator) {
@@ -48,7 +53,7 @@ void StreamYardstick::choose_layout(int rounds, const Communicator& communicator
       const double start = MPI_Wtime();
       sweep();
       sweep();
-      double seconds = MPI_Wtime() - start;  // of the slowest rank
+      double seconds = MPI_Wtime() - start;
       MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, communicator.get());
       if (seconds < shortest) {
         shortest = seconds;

@@ -11,25 +11,26 @@
 
 namespace beadswim {
 
-/// Where the yardstick's 19 arrays lie, in numbers.
+/// Memory layout of the 19 arrays of the yardstick. Lengths and distances are numbers of array elements.
 struct StreamLayout {
   std::string name;
-  std::ptrdiff_t array, row, plane;  ///< from one to the next
+  std::ptrdiff_t array, row, plane;  ///< distance between the starts of consecutive arrays, rows, planes
 
-  std::ptrdiff_t numbers(int edge) const;  ///< that it takes
+  std::ptrdiff_t num_elements(int edge) const;  ///< from the first element to the last
 };
 
-/// The layouts that are tried for a cube: the solver's own, plain arrays, arrays shifted within their pages,
-/// and arrays interleaved row by row.
+/// Returns the layouts that the yardstick tries for a cube: the layout of the solver, contiguous arrays,
+/// arrays that start at different offsets within a page, and arrays interleaved row by row.
 std::vector<StreamLayout> stream_layouts(int edge, Precision precision);
 
-/// What the memory allows a step in place: 19 loads and 19 stores a cell and no arithmetic.
+/// Upper bound for the speed of a time step in place: a sweep with 19 loads and 19 stores per cell, without
+/// arithmetic.
 class StreamYardstick {
  public:
   StreamYardstick(int edge, Precision precision);
 
-  /// Takes the layout in which sweep() is fastest on this machine, measured `rounds` times each, the same on
-  /// all ranks. Collective.
+  /// Chooses the layout with the fastest sweep() on this machine, and the same layout on all ranks. Times
+  /// each layout `rounds` times. Collective.
   void choose_layout(int rounds, const Communicator& communicator);
   void use(const StreamLayout& layout) { layout_ = layout; }
   const StreamLayout& layout() const { return layout_; }

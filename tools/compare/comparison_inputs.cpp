@@ -25,7 +25,7 @@ struct ReferenceFile {
 
 struct Inputs {
   std::vector<RunFile> runs;
-  std::vector<ReferenceFile> references;  ///< REFERENCE first
+  std::vector<ReferenceFile> references;  ///< the file REFERENCE, then the files of --reference
 };
 
 void require_one_stdin(const ComparisonRequest& request) {
@@ -34,7 +34,7 @@ void require_one_stdin(const ComparisonRequest& request) {
   if (stdins > 1) throw InputError("-", "standard input can be read once; name files for the other inputs");
 }
 
-/// What a run that failed says of itself is not to be judged, nor to judge by.
+/// Throws InputError if the document is the record of a failed run, because its results are not valid.
 void require_success(const SwimmingDocument& document, const std::string& source) {
   const auto* run = std::get_if<RunRecord>(&document);
   if (run == nullptr || run->status != RunStatus::failed) return;
@@ -69,15 +69,15 @@ Inputs read_inputs(const ComparisonRequest& request) {
   return inputs;
 }
 
-// --- the same scene
+// --- Check that the documents describe the same scene
 
-/// What must agree for two documents to be comparable at all.
+/// Units and period, which must agree in documents that are compared.
 struct Scene {
   Units units;
-  std::optional<double> period;
+  std::optional<double> period;  ///< [time]
 };
 
-/// Of one swimmer's driving; the base period of a run that does not list it.
+/// Returns the driving period of one swimmer. Returns the base period if the run does not list the swimmer.
 double period_of(const RunRecord& run, int swimmer) {
   const auto found = std::ranges::find(run.swimmers, swimmer, &SwimmerRecord::id);
   return found == run.swimmers.end() ? run.driving.period : found->period.value_or(run.driving.period);
@@ -90,7 +90,7 @@ Scene scene_of(const SwimmingDocument& document) {
 }
 
 void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
-  constexpr double period_tolerance = 1e-9;  // relative: periods are copied from the layout, not computed
+  constexpr double period_tolerance = 1e-9;  // relative; small, because periods are copied from the layout
   const Scene scene = scene_of(reference.document);
   const RunRecord& record = run.record;
   if (!same_units(record.units, scene.units)) {
@@ -109,22 +109,30 @@ void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
   }
 }
 
-// --- references of one swimmer
+// --- References of one swimmer
 
+/// Returns the references in one file for a swimmer: one for a run, one per method for a prediction.
 std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, const CycleChoice& cycle) {
   if (const auto* run = std::get_if<RunRecord>(&file.document)) {
     const SwimmerRecord& record = find_swimmer(*run, swimmer, file.source);
-    return {{file.source, "run", true, swimming_of(*run, record, cycle, file.source)}};
+    return {Reference{.source = file.source,
+                      .method = "run",
+                      .usable = true,
+                      .swimming = swimming_of(*run, record, cycle, file.source)}};
   }
   std::vector<Reference> references;
   const auto& document = std::get<PredictionDocument>(file.document);
   if (document.swimmer != swimmer) return references;
   for (const Prediction& prediction : document.predictions) {
-    references.push_back({file.source, prediction.method, prediction.usable, swimming_of(prediction)});
+    references.push_back({.source = file.source,
+                          .method = prediction.method,
+                          .usable = prediction.usable,
+                          .swimming = swimming_of(prediction)});
   }
   return references;
 }
 
+/// Returns the ids of the swimmers in the reference.
 std::vector<int> compared_swimmers(const SwimmingDocument& reference) {
   if (const auto* prediction = std::get_if<PredictionDocument>(&reference)) return {prediction->swimmer};
   std::vector<int> ids;
@@ -132,7 +140,7 @@ std::vector<int> compared_swimmers(const SwimmingDocument& reference) {
   return ids;
 }
 
-/// REFERENCE's methods first, `own` of them.
+/// References of one swimmer from all files. The first `own` references are from the file REFERENCE.
 struct References {
   std::vector<Reference> all;
   std::size_t own = 0;
@@ -148,8 +156,10 @@ References references_for(int swimmer, const Inputs& inputs, const CycleChoice& 
   return references;
 }
 
-// --- who decides
+// --- Reference that determines the verdict
 
+/// Returns the index of the first reference with this method. Throws InputError if there is none, or if it is
+/// not usable.
 std::size_t reference_named(const std::string& method, std::span<const Reference> references) {
   const auto has_name = [&](const Reference& reference) { return reference.method == method; };
   const auto found = std::find_if(references.begin(), references.end(), has_name);
@@ -167,6 +177,8 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
   return static_cast<std::size_t>(found - references.begin());
 }
 
+/// Returns the index of the reference that determines the verdict: the method of the command line, otherwise
+/// the best method of the file REFERENCE. Throws InputError if there is none.
 std::size_t deciding_reference(const ComparisonRequest& request, const References& references) {
   if (request.method) return reference_named(*request.method, references.all);
   const auto best = best_reference(std::span(references.all).first(references.own), request.quantities);
@@ -176,7 +188,7 @@ std::size_t deciding_reference(const ComparisonRequest& request, const Reference
                    "(beadswim-theory --method)");
 }
 
-/// Adds what the request's runs say of one swimmer.
+/// Compares one swimmer of all runs with the references and adds the rows to `result`.
 void compare_swimmer_in_all_runs(int id, const ComparisonRequest& request, const Inputs& inputs,
                                  VerdictDocument& result) {
   const References references = references_for(id, inputs, request.cycle);
@@ -184,9 +196,12 @@ void compare_swimmer_in_all_runs(int id, const ComparisonRequest& request, const
   result.decided_by = references.all[deciding].method;
   for (const RunFile& run : inputs.runs) {
     const SwimmerRecord& swimmer = find_swimmer(run.record, id, run.source);
-    const RunSwimmer swims{run.source, id, swimming_of(run.record, swimmer, request.cycle, run.source)};
-    const auto rows =
-        compare_swimmer(swims, references.all, {request.quantities, request.tolerance, deciding});
+    const RunSwimmer run_swimmer{.source = run.source,
+                                 .id = id,
+                                 .swimming = swimming_of(run.record, swimmer, request.cycle, run.source)};
+    const auto rows = compare_swimmer(
+        run_swimmer, references.all,
+        {.quantities = request.quantities, .tolerance = request.tolerance, .deciding = deciding});
     result.rows.insert(result.rows.end(), rows.begin(), rows.end());
   }
 }

@@ -9,23 +9,24 @@
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 
-// From files to a verdict.
+// Comparison of files with run records and predictions.
 
 namespace beadswim {
 
-/// What the command line asks for.
+/// The command line of beadswim-compare.
 struct ComparisonRequest {
-  std::vector<std::string> files;               ///< runs, then the reference
-  std::vector<std::string> further_references;  ///< shown beside the reference
-  std::optional<std::string> method;            ///< decides; none: the best of the reference's
+  std::vector<std::string> files;               ///< run records; the last file is the reference
+  std::vector<std::string> further_references;  ///< shown in addition to the reference
+  std::optional<std::string> method;            ///< determines the verdict; nullopt: best_reference()
   std::vector<ComparedQuantity> quantities;
-  double tolerance = 0;
+  double tolerance = 0;  ///< largest accepted |relative error|
   CycleChoice cycle;
 };
 
-/// Reads all files and compares each run, swimmer by swimmer, with every reference: the one swimmer that a
-/// predicting REFERENCE speaks of, or all swimmers of a REFERENCE that is a run. Throws InputError for files
-/// that cannot be read or that describe different scenes, and if no usable method can decide.
+/// Reads all files and compares each run with every reference. If the reference is a prediction, its swimmer
+/// is compared. If the reference is a run, all its swimmers are compared. Throws InputError if a file cannot
+/// be read, if the files have different units or periods, if a run has failed, or if no usable method can
+/// determine the verdict.
 VerdictDocument compare_files(const ComparisonRequest& request);
 
 }  // namespace beadswim

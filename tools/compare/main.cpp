@@ -9,7 +9,7 @@ namespace {
 
 using namespace beadswim;
 
-/// Flags as they are typed.
+/// Values of flags as text, before they are converted.
 struct Flags {
   std::string method;
   std::string cycle = "last";

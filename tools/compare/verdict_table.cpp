@@ -20,7 +20,7 @@ std::string quantity_text(const ComparisonRow& row) {
   return {};
 }
 
-/// Only rows that decide have a verdict; brackets tell what the others would have said.
+/// Returns the verdict of one row. Rows that do not affect the verdict of the document have it in brackets.
 std::string verdict_text(const ComparisonRow& row) {
   if (!row.usable) return "(unusable)";
   if (row.decides) return row.pass ? "pass" : "FAIL";
@@ -30,10 +30,11 @@ std::string verdict_text(const ComparisonRow& row) {
 std::string error_text(const ComparisonRow& row) {
   if (!std::isfinite(row.relative_error)) return "-";
   const double percent = std::round(1e4 * row.relative_error) / 100;
-  return fmt::format("{:+.2f} %", percent == 0 ? 0.0 : percent);  // no "-0"
+  return fmt::format("{:+.2f} %", percent == 0 ? 0.0 : percent);  // avoids "-0.00"
 }
 
-/// One heading a run and swimmer, where there are several.
+/// Returns true if row i needs a heading: it is the first row of its run and swimmer, and the table contains
+/// several runs or swimmers.
 bool begins_section(std::span<const ComparisonRow> rows, std::size_t i) {
   const auto other = [&](const ComparisonRow& row) {
     return row.run_source != rows[i].run_source || row.swimmer != rows[i].swimmer;

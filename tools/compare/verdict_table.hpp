@@ -6,7 +6,8 @@
 
 namespace beadswim {
 
-/// The rows for people: quantity, run, reference, method, error, verdict; the final line is the verdict.
+/// Formats the comparison as a table with the columns quantity, run, reference, method, error and verdict.
+/// The last line states the verdict on all runs.
 std::string verdict_table(const VerdictDocument& document);
 
 }  // namespace beadswim

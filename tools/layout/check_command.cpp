@@ -68,7 +68,8 @@ Json json_of(const Layout& layout, const SceneNumbers& numbers) {
   return json;
 }
 
-/// First order knows no collision; a stroke longer than the gap says that there will be one.
+/// Prints a warning for each arm whose predicted amplitude is at least the gap between its beads. The
+/// first-order prediction does not contain collisions, but beads with such an amplitude collide.
 void warn_of_collisions(const SceneNumbers& numbers) {
   for (const auto& [name, type] : numbers.types) {
     for (int arm = 0; arm < 2; ++arm) {

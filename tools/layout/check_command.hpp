@@ -5,7 +5,8 @@
 
 namespace beadswim {
 
-/// beadswim-layout check: refuses a faulty layout; of a sound one, its dimensionless numbers.
+/// Command "beadswim-layout check": checks a layout and prints its dimensionless numbers. run() throws
+/// InputError if the layout is invalid.
 class CheckCommand {
  public:
   explicit CheckCommand(CLI::App& program);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* needed = "none; required without --fraction";
 
-/// The first name "b", "c", ... "z", "a1" ... that the layout has no type of.
+/// Returns the first of the names "b", "c", ..., "z", "a1", "a2", ... that is not a type of the layout.
 std::string free_type_name(const Layout& layout) {
   for (char letter = 'b'; letter <= 'z'; ++letter) {
     if (!layout.types.contains(std::string(1, letter))) return std::string(1, letter);
@@ -36,14 +36,16 @@ void require_same_units(const Layout& layout, const Layout& other, const std::st
         source, "is in other units than the layout that it is mixed into; make it with that one's --units");
 }
 
-/// The chosen become swimmers of the other layout's first type.
-void mix_in(Layout& layout, const std::vector<std::size_t>& chosen, const std::string& path) {
+/// Gives the chosen swimmers the type of the first swimmer in the layout file `path`. Removes their own
+/// driving, and all types that no swimmer has any more. Throws InputError if the layouts have different
+/// units.
+void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, const std::string& path) {
   if (path == "-") throw InputError("--with", "is standard input, where the layout is; name a file");
   const Layout other = read_layout(path).layout;
   require_same_units(layout, other, path);
   const std::string name = free_type_name(layout);
   layout.types[name] = other.types.at(other.swimmers.front().type);
-  for (const std::size_t s : chosen) {
+  for (const std::size_t s : chosen_swimmers) {
     layout.swimmers[s].type = name;
     layout.swimmers[s].driving.reset();
   }
@@ -76,28 +78,28 @@ void DefectCommand::add_numbers() {
   auto& vacancy = add_kind("vacancy", {"--fraction 0.25", "--count 1 --seed 3"},
                            "Removes swimmers; the others keep their ids.",
                            [this](Layout& layout) { add_vacancies(layout, share_or_count(), seed_); });
-  add_how_many(vacancy, "swimmers to remove", needed);
+  add_amount_flags(vacancy, "swimmers to remove", needed);
 
   auto& interstitial =
       add_kind("interstitial", {"--count 2", "--fraction 0.25 --seed 3"},
                "Adds copies of the first swimmer at random free places, with new ids.",
                [this](Layout& layout) { add_interstitials(layout, share_or_count(), seed_); });
-  add_how_many(interstitial, "swimmers to add", needed);
+  add_amount_flags(interstitial, "swimmers to add", needed);
 }
 
 void DefectCommand::add_places() {
   auto& displaced =
       add_kind("jitter", {"--sigma 0.5", "--sigma 2 --fraction 0.5 --seed 3"}, "Moves swimmers at random.",
-               [this](Layout& layout) { jitter(layout, chosen(layout), *sigma_, seed_); });
+               [this](Layout& layout) { jitter(layout, chosen_swimmers(layout), *sigma_, seed_); });
   add_sigma(displaced, "Standard deviation of the change of each coordinate [length]");
-  add_how_many(displaced, "swimmers to move", "all");
+  add_amount_flags(displaced, "swimmers to move", "all");
 
   auto& turned = add_kind("rotation", {"--sigma 0.1", "--random --count 1 --repair"},
                           "Turns swimmers about their middle bead.",
-                          [this](Layout& layout) { rotate(layout, chosen(layout), sigma_, seed_); });
+                          [this](Layout& layout) { rotate(layout, chosen_swimmers(layout), sigma_, seed_); });
   add_sigma(turned, "Standard deviation of the angle, about a random line across the axis [rad]");
   add_random(turned, "Draw directions uniformly instead.");
-  add_how_many(turned, "swimmers to turn", "all");
+  add_amount_flags(turned, "swimmers to turn", "all");
 
   auto& regions = add_kind(
       "domains", {"--count 1", "--count 2 --repair"},
@@ -110,26 +112,26 @@ void DefectCommand::add_places() {
 }
 
 void DefectCommand::add_drivings() {
-  auto& phases = add_kind("phase", {"--sigma 0.3", "--random --seed 3"},
-                          "Shifts the driving phase of swimmers (phase_offset).",
-                          [this](Layout& layout) { disorder_phases(layout, chosen(layout), sigma_, seed_); });
+  auto& phases = add_kind(
+      "phase", {"--sigma 0.3", "--random --seed 3"}, "Shifts the driving phase of swimmers (phase_offset).",
+      [this](Layout& layout) { disorder_phases(layout, chosen_swimmers(layout), sigma_, seed_); });
   add_sigma(phases, "Standard deviation of the shift [rad]");
   add_random(phases, "Draw shifts uniformly from -pi to pi instead.");
-  add_how_many(phases, "swimmers to change", "all");
+  add_amount_flags(phases, "swimmers to change", "all");
 
-  auto& amplitudes =
-      add_kind("amplitude", {"--sigma 0.1", "--sigma 0.2 --count 2 --seed 3"},
-               "Changes driving amplitudes: A and B times 1 + sigma x, with normal x.",
-               [this](Layout& layout) { disorder_amplitudes(layout, chosen(layout), *sigma_, seed_); });
+  auto& amplitudes = add_kind(
+      "amplitude", {"--sigma 0.1", "--sigma 0.2 --count 2 --seed 3"},
+      "Changes driving amplitudes: A and B times 1 + sigma x, with normal x.",
+      [this](Layout& layout) { disorder_amplitudes(layout, chosen_swimmers(layout), *sigma_, seed_); });
   add_sigma(amplitudes, "Standard deviation of the relative change [1]");
-  add_how_many(amplitudes, "swimmers to change", "all");
+  add_amount_flags(amplitudes, "swimmers to change", "all");
 
-  auto& frequencies =
-      add_kind("frequency", {"--sigma 0.05", "--sigma 0.1 --count 2 --seed 3"},
-               "Changes driving frequencies: 1/T times 1 + sigma x, with normal x.",
-               [this](Layout& layout) { disorder_frequencies(layout, chosen(layout), *sigma_, seed_); });
+  auto& frequencies = add_kind(
+      "frequency", {"--sigma 0.05", "--sigma 0.1 --count 2 --seed 3"},
+      "Changes driving frequencies: 1/T times 1 + sigma x, with normal x.",
+      [this](Layout& layout) { disorder_frequencies(layout, chosen_swimmers(layout), *sigma_, seed_); });
   add_sigma(frequencies, "Standard deviation of the relative change [1]");
-  add_how_many(frequencies, "swimmers to change", "all");
+  add_amount_flags(frequencies, "swimmers to change", "all");
 }
 
 CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std::string>& examples,
@@ -153,7 +155,8 @@ CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std
   return *kind;
 }
 
-void DefectCommand::add_how_many(CLI::App& kind, const std::string& things, const std::string& otherwise) {
+void DefectCommand::add_amount_flags(CLI::App& kind, const std::string& things,
+                                     const std::string& otherwise) {
   auto* const fraction =
       kind.add_option("--fraction", fraction_, fmt::format("Fraction of {}, from 0 to 1", things))
           ->type_name("F")
@@ -178,7 +181,7 @@ void DefectCommand::add_spacing() {
       add_kind("spacing", {"--axis y --sigma 1", "--axis x --sigma 4 --whole 1 --seed 3"},
                "Changes the gaps between layers of swimmers, and the box with them.", [this](Layout& layout) {
                  const LayerSpacing spacing{.axis = axis_[0] - 'x', .sigma = *sigma_, .whole = whole_};
-                 space_layers(layout, spacing, how_many_or_all(), seed_);
+                 space_layers(layout, spacing, amount_or_all(), seed_);
                });
   layers.add_option("--axis", axis_, "Normal of the layers")
       ->required()
@@ -191,7 +194,7 @@ void DefectCommand::add_spacing() {
       ->type_name("L")
       ->default_str("none")
       ->check(finite_positive());
-  add_how_many(layers, "gaps to change", "all");
+  add_amount_flags(layers, "gaps to change", "all");
 }
 
 void DefectCommand::add_mixture() {
@@ -203,7 +206,7 @@ void DefectCommand::add_mixture() {
   mixture.add_option("--with", other_, "Layout whose first swimmer has that type")
       ->required()
       ->type_name("FILE");
-  add_how_many(mixture, "swimmers to change", needed);
+  add_amount_flags(mixture, "swimmers to change", needed);
 }
 
 ShareOrCount DefectCommand::share_or_count() const {
@@ -212,12 +215,12 @@ ShareOrCount DefectCommand::share_or_count() const {
   return *fraction_;
 }
 
-ShareOrCount DefectCommand::how_many_or_all() const {
+ShareOrCount DefectCommand::amount_or_all() const {
   return fraction_ || count_ ? share_or_count() : ShareOrCount{1.0};
 }
 
-std::vector<std::size_t> DefectCommand::chosen(const Layout& layout) const {
-  return draw_swimmer_indices(layout, how_many_or_all(), seed_);
+std::vector<std::size_t> DefectCommand::chosen_swimmers(const Layout& layout) const {
+  return draw_swimmer_indices(layout, amount_or_all(), seed_);
 }
 
 void DefectCommand::run(const CLI::App& program) const {

@@ -10,8 +10,8 @@
 
 namespace beadswim {
 
-/// beadswim-layout defect KIND: filters that disturb a layout, from a file or standard input to standard
-/// output.
+/// Command "beadswim-layout defect KIND": applies random changes to a layout. It reads a file or standard
+/// input and writes to standard output, so that several of these commands can be joined by pipes.
 class DefectCommand {
  public:
   explicit DefectCommand(CLI::App& program);
@@ -22,10 +22,13 @@ class DefectCommand {
  private:
   using Change = std::function<void(Layout&)>;
 
-  /// Adds a kind of defect with the flags common to all kinds. `examples`: flags of the examples in its help.
+  /// Adds the command for one kind of defect, with the flags that all kinds share. `examples`: the flags of
+  /// each example in the help of the command.
   CLI::App& add_kind(const std::string& name, const std::vector<std::string>& examples,
                      const std::string& help, Change change);
-  void add_how_many(CLI::App& kind, const std::string& things, const std::string& otherwise);
+  /// Adds --fraction and --count. `things`: what they count, for the help. `otherwise`: description of the
+  /// default, for the help.
+  void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise);
   void add_sigma(CLI::App& kind, const std::string& help);
   void add_random(CLI::App& kind, const std::string& help);
   void add_mixture();
@@ -34,9 +37,12 @@ class DefectCommand {
   void add_drivings();
   void add_spacing();
 
-  ShareOrCount share_or_count() const;  ///< throws InputError if that is not said
-  ShareOrCount how_many_or_all() const;
-  std::vector<std::size_t> chosen(const Layout& layout) const;
+  /// Returns the value of --fraction or --count. Throws InputError if neither is given.
+  ShareOrCount share_or_count() const;
+  /// Returns the value of --fraction or --count. Returns the fraction 1 if neither is given.
+  ShareOrCount amount_or_all() const;
+  /// Draws the swimmers to change at random and returns their indices.
+  std::vector<std::size_t> chosen_swimmers(const Layout& layout) const;
 
   CLI::App* command_;
   std::vector<std::pair<CLI::App*, Change>> kinds_;

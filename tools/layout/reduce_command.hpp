@@ -5,7 +5,8 @@
 
 namespace beadswim {
 
-/// beadswim-layout reduce: the smallest periodic cell of a layout, as a filter.
+/// Command "beadswim-layout reduce": finds the smallest periodic cell that gives the layout when it is
+/// repeated. It reads a file or standard input and writes the cell to standard output.
 class ReduceCommand {
  public:
   explicit ReduceCommand(CLI::App& program);

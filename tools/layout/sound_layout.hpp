@@ -7,11 +7,12 @@
 
 namespace beadswim {
 
-/// Throws InputError with the first fault of a layout that `makers` ("the flags") made, and what may help.
-inline void require_sound(const Layout& layout, const std::string& makers, const std::string& remedy = "") {
+/// Throws InputError with the first error that check_layout() finds in the layout. `source`: origin of the
+/// layout in the message, a plural such as "the flags". `remedy`: text that is appended to the message.
+inline void require_sound(const Layout& layout, const std::string& source, const std::string& remedy = "") {
   const auto faults = check_layout(layout);
   if (faults.empty()) return;
-  throw InputError(makers + " make no sound layout",
+  throw InputError(source + " make no sound layout",
                    faults.front().place + ": " + faults.front().message + remedy);
 }
 

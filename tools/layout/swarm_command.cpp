@@ -11,10 +11,10 @@
 namespace beadswim {
 namespace {
 
-constexpr double most_swimmers = 1e6;
+constexpr double max_swimmers = 1e6;
 
 Index3 index_of(const std::string& text) {
-  return vector_of(text).array().cast<int>();
+  return parse_vector(text).array().cast<int>();
 }
 
 }  // namespace
@@ -60,21 +60,22 @@ SwarmPlan SwarmCommand::plan() const {
   if (flags_.preset() == "paper-defect") plan = paper_defect_plan();
   if (!block_swimmers_.empty()) plan.block_swimmers = index_of(block_swimmers_);
   if (!blocks_.empty()) plan.blocks = index_of(blocks_);
-  if (!core_gap_.empty()) plan.core_gap = vector_of(core_gap_);
-  if (!block_gap_.empty()) plan.block_gap = vector_of(block_gap_);
+  if (!core_gap_.empty()) plan.core_gap = parse_vector(core_gap_);
+  if (!block_gap_.empty()) plan.block_gap = parse_vector(block_gap_);
   const double swimmers = plan.block_swimmers.cast<double>().prod() * plan.blocks.cast<double>().prod();
-  if (swimmers > most_swimmers) {
+  if (swimmers > max_swimmers) {
     throw InputError("--blocks",
-                     fmt::format("make {:g} swimmers in all; at most {:g}", swimmers, most_swimmers));
+                     fmt::format("make {:g} swimmers in all; at most {:g}", swimmers, max_swimmers));
   }
   return plan;
 }
 
 void SwarmCommand::run(const CLI::App& program) const {
-  std::vector<std::string> further;
-  if (core_gap_.empty()) further.emplace_back("--core-gap");
-  if (block_gap_.empty()) further.emplace_back("--block-gap");
-  LayoutDocument document{.layout = flags_.layout(further), .provenance = {provenance_record(program)}};
+  std::vector<std::string> other_missing_flags;
+  if (core_gap_.empty()) other_missing_flags.emplace_back("--core-gap");
+  if (block_gap_.empty()) other_missing_flags.emplace_back("--block-gap");
+  LayoutDocument document{.layout = flags_.layout(other_missing_flags),
+                          .provenance = {provenance_record(program)}};
   Layout& layout = document.layout;
   const SwarmPlan swarm = plan();
   const SwimmerType& type = layout.types.at("a");

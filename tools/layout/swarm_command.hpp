@@ -7,7 +7,8 @@
 
 namespace beadswim {
 
-/// beadswim-layout swarm: a layout of equal blocks of swimmers in a periodic box, to standard output.
+/// Command "beadswim-layout swarm": writes a layout to standard output. The layout consists of equal blocks
+/// of swimmers in a periodic box.
 class SwarmCommand {
  public:
   explicit SwarmCommand(CLI::App& program);

@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-/// beadswim-layout swimmer: a layout of one swimmer, to standard output.
+/// Command "beadswim-layout swimmer": writes a layout of one swimmer to standard output.
 class SwimmerCommand {
  public:
   explicit SwimmerCommand(CLI::App& program);

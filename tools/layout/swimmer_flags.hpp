@@ -9,33 +9,35 @@
 
 namespace beadswim {
 
-/// The vector that a flag's text is: three numbers, or one for all three.
-Vec3 vector_of(const std::string& text);
+/// Converts a flag's value to a vector. The text contains three numbers, or one number for all components.
+Vec3 parse_vector(const std::string& text);
 
-/// A scene of the paper, to start from.
+/// A scene of the paper (Pickl et al. 2017) whose values are used for flags that are not given.
 struct Preset {
   std::string name;
   Layout (*layout)() = nullptr;
 };
 
-/// The flags that describe a type of swimmer and its fluid, as text; empty where not given.
+/// Flags that describe a type of swimmer and its fluid. The values are stored as text, which is empty for a
+/// flag that is not given.
 class SwimmerFlags {
  public:
-  /// preset_help: what the presets are.
+  /// Adds the flags to the command. `preset_help`: description of the presets, for the help.
   SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help);
 
-  /// The preset's scene with the flags' values in place, or a scene of the flags alone; its one type is "a".
-  /// Throws InputError that names the flags that are missing, `further` among them if there is no preset.
-  Layout layout(const std::vector<std::string>& further) const;
+  /// Returns the scene of the preset, with the values of the flags instead of its own. Returns a scene of the
+  /// flags alone if there is no preset. The scene has one type, "a". Without a preset, throws InputError if
+  /// required flags are missing. The message lists these flags and `other_missing_flags`.
+  Layout layout(const std::vector<std::string>& other_missing_flags) const;
 
-  const std::string& preset() const { return preset_; }  ///< empty if none
+  const std::string& preset() const { return preset_; }  ///< name; empty if there is none
 
  private:
   void add_swimmer(CLI::App& command);
   void add_driving(CLI::App& command);
   void add_fluid(CLI::App& command);
 
-  void require_complete(const std::vector<std::string>& further) const;
+  void require_complete(const std::vector<std::string>& other_missing_flags) const;
   Layout preset_layout() const;
   void apply_beads(SwimmerType& type, double default_density) const;
   void apply_springs(SwimmerType& type) const;
@@ -51,15 +53,15 @@ class SwimmerFlags {
   std::string viscosity_, density_, units_;
 };
 
-/// The flags that say where one swimmer is, and in what box.
+/// Flags for the box, the position and the axis of one swimmer.
 class PlaceFlags {
  public:
   explicit PlaceFlags(CLI::App& command);
 
-  /// Whether a box, or none, is asked for.
-  bool say_box() const { return !box_.empty() || unbounded_; }
+  /// Returns true if --box or --unbounded is given.
+  bool defines_box() const { return !box_.empty() || unbounded_; }
 
-  /// Puts a swimmer of the layout's type "a" into it, and changes its box to what the flags say.
+  /// Applies the flags to the box of the layout. Replaces all swimmers by one swimmer of the type "a".
   void apply(Layout& layout) const;
 
  private:

@@ -15,8 +15,8 @@
 namespace beadswim {
 namespace {
 
-/// Numbers of a flag, one for all `count` places or one each.
-std::vector<double> spread(const std::string& text, std::size_t count) {
+/// Parses a flag's value: one number, used for all `count` entries, or one number per entry.
+std::vector<double> parse_entries(const std::string& text, std::size_t count) {
   const std::vector<double> numbers = parse_numbers(text);
   return numbers.size() == 1 ? std::vector<double>(count, numbers[0]) : numbers;
 }
@@ -30,12 +30,12 @@ Units::Unit unit_named(Quantity quantity, const std::string& name) {
 
 }  // namespace
 
-Vec3 vector_of(const std::string& text) {
-  const std::vector<double> numbers = spread(text, 3);
+Vec3 parse_vector(const std::string& text) {
+  const std::vector<double> numbers = parse_entries(text, 3);
   return Vec3(numbers[0], numbers[1], numbers[2]);
 }
 
-void SwimmerFlags::require_complete(const std::vector<std::string>& further) const {
+void SwimmerFlags::require_complete(const std::vector<std::string>& other_missing_flags) const {
   const std::vector<std::pair<const char*, const std::string*>> needed{
       {"--radius", &radius_},       {"--arm", &arm_},       {"--stiffness", &stiffness_},
       {"--amplitude", &amplitude_}, {"--period", &period_}, {"--viscosity", &viscosity_}};
@@ -43,7 +43,7 @@ void SwimmerFlags::require_complete(const std::vector<std::string>& further) con
   for (const auto& [flag, text] : needed) {
     if (text->empty()) missing.push_back(flag);
   }
-  missing.insert(missing.end(), further.begin(), further.end());
+  missing.insert(missing.end(), other_missing_flags.begin(), other_missing_flags.end());
   if (missing.empty()) return;
   throw InputError("command line", fmt::format("needs {}, or --preset {} to start from",
                                                fmt::join(missing, ", "), presets_.front().name));
@@ -61,7 +61,7 @@ Layout SwimmerFlags::preset_layout() const {
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {
   if (!radius_.empty()) {
-    const auto radii = spread(radius_, 3);
+    const auto radii = parse_entries(radius_, 3);
     for (int i = 0; i < 3; ++i) type.beads[i].radius = radii[i];
   }
   for (Bead& bead : type.beads) {
@@ -73,7 +73,7 @@ void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const 
 void SwimmerFlags::apply_springs(SwimmerType& type) const {
   const auto apply = [&type](const std::string& text, double Spring::*member) {
     if (text.empty()) return;
-    const auto values = spread(text, 2);
+    const auto values = parse_entries(text, 2);
     for (int i = 0; i < 2; ++i) type.springs[i].*member = values[i];
   };
   apply(arm_, &Spring::rest_length);
@@ -85,7 +85,7 @@ void SwimmerFlags::apply_springs(SwimmerType& type) const {
 
 void SwimmerFlags::apply_driving(Driving& driving) const {
   if (!amplitude_.empty()) {
-    const auto amplitudes = spread(amplitude_, 2);
+    const auto amplitudes = parse_entries(amplitude_, 2);
     driving.amplitude = {amplitudes[0], amplitudes[1]};
   }
   if (preset_.empty()) driving.phase = std::numbers::pi / 2;
@@ -112,8 +112,8 @@ Units SwimmerFlags::units() const {
           .mass = unit_named(Quantity::mass, names[2])};
 }
 
-Layout SwimmerFlags::layout(const std::vector<std::string>& further) const {
-  if (preset_.empty()) require_complete(further);
+Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags) const {
+  if (preset_.empty()) require_complete(other_missing_flags);
   Layout layout = preset_.empty() ? Layout{} : preset_layout();
   layout.units = units();
   apply_fluid(layout.fluid);
@@ -131,7 +131,7 @@ void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
     return;
   }
   if (!domain) domain.emplace();
-  if (!box_.empty()) domain->lengths = vector_of(box_);
+  if (!box_.empty()) domain->lengths = parse_vector(box_);
   if (boundary_.empty()) return;
   const std::vector<std::string> names = split_at_commas(boundary_);
   for (int axis = 0; axis < 3; ++axis)
@@ -141,9 +141,9 @@ void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
 void PlaceFlags::apply(Layout& layout) const {
   apply_domain(layout.domain);
   Swimmer swimmer{.id = 0, .type = "a"};
-  if (!axis_.empty()) swimmer.axis = vector_of(axis_).stableNormalized();
+  if (!axis_.empty()) swimmer.axis = parse_vector(axis_).stableNormalized();
   swimmer.position = position_.empty() ? centred_position(layout.types.at("a"), swimmer.axis, layout.domain)
-                                       : vector_of(position_);
+                                       : parse_vector(position_);
   layout.swimmers = {swimmer};
 }
 

@@ -98,8 +98,8 @@ FlagValues flags_of(const CheckpointReader& checkpoint) {
   }
 }
 
-void require_same_course(const RunOptions& options, const FlagValues& flags) {
-  for (const auto& [flag, value] : course_of(options.settings)) {
+void require_same_result_flags(const RunOptions& options, const FlagValues& flags) {
+  for (const auto& [flag, value] : result_flags(options.settings)) {
     const auto of_checkpoint = flags.find(flag);
     if (of_checkpoint == flags.end() || of_checkpoint->second == value) continue;
     throw InputError(flag,
@@ -149,8 +149,8 @@ RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& che
 Checkpoints::Checkpoints(const RunOptions& options, std::string layout, const std::string& restarted,
                          const Communicator& communicator)
     : output_(options.output), layout_(std::move(layout)), communicator_(communicator) {
-  FlagValues flags = course_of(options.settings);
-  flags.merge(length_and_outputs_of(options.settings));
+  FlagValues flags = result_flags(options.settings);
+  flags.merge(length_and_output_flags(options.settings));
   flags_ = dump_json(Json(flags));
   last_ = restarted;
   int slot = communicator_.is_root() ? slot_of(restarted) : -1;

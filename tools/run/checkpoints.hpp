@@ -27,7 +27,7 @@ FlagValues flags_of(const CheckpointReader& checkpoint);
 
 /// Throws InputError if a flag that determines the physics of the run has different values in `options` and
 /// in `flags`. `options`: command line. `flags`: flags of the run that wrote the checkpoint.
-void require_same_course(const RunOptions& options, const FlagValues& flags);
+void require_same_result_flags(const RunOptions& options, const FlagValues& flags);
 
 /// Returns the layout of the run that wrote the checkpoint, as JSON text.
 std::string layout_of(const CheckpointReader& checkpoint);

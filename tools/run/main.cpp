@@ -105,7 +105,7 @@ int report_plan(const LayoutDocument& document, const Request& request, const Co
     print_to_stderr(plan_table(plan, request.options, communicator));
     write_text("-", dump_json(plan_to_json(plan, request.options, communicator)));
   }
-  chosen(plan, request.options);
+  choose_run(plan, request.options);
   return static_cast<int>(ExitStatus::fine);
 }
 
@@ -114,7 +114,7 @@ int report_plan(const LayoutDocument& document, const Request& request, const Co
 void apply_plan(const LayoutDocument& document, Request& request, const Communicator& communicator) {
   const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
-  const PlannedRun& planned = chosen(plan, request.options);
+  const PlannedRun& planned = choose_run(plan, request.options);
   request.options.settings = planned.settings;
   request.options.given.erase("--tolerance");  // it was the tolerance of the plan, not of the mobility
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
@@ -142,7 +142,7 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
                     static_cast<double>(plan.steps_per_cycle), plan.cells);
   if (communicator.is_root()) announce(plan, request);
 
-  const std::unique_ptr<Model> model = plan.make(request.goes_on_there() ? done : 0);
+  const std::unique_ptr<Model> model = plan.make(request.continues_same_trajectory() ? done : 0);
   TrajectoryWriter trajectory(options.output, header_of(document, plan), communicator,
                               request.checkpoint.get());
   Recorder recorder(plan, document.layout, trajectory, communicator);

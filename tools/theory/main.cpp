@@ -10,7 +10,8 @@
 #include "beadswim/tools/program.hpp"
 #include "predict_layout.hpp"
 
-// beadswim-theory: predictions for a layout's swimmer, by all methods that can treat it or by those named.
+// beadswim-theory predicts velocity and stroke of a swimmer, by all methods that can treat it or by the
+// methods that --method names.
 
 namespace beadswim {
 namespace {
@@ -40,7 +41,7 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
       ->add_option("--method", request.methods,
                    "Methods to use, listed below; all leaves out those that cannot treat the swimmer")
       ->delimiter(',')
-      ->allow_extra_args(false)  // or it would swallow the layout's name
+      ->allow_extra_args(false)  // otherwise CLI11 takes the name of the layout as a method
       ->default_str("all")
       ->type_name("NAME,...");
   begin_group(*program, "Input");
@@ -72,19 +73,19 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
   return program;
 }
 
-/// What messages call the layout.
+/// Returns the name of the layout in messages.
 std::string layout_source(const TheoryRequest& request) {
   return request.layout_path == "-" ? "standard input" : request.layout_path;
 }
 
-/// The document's JSON, with this program's record in its provenance.
+/// Adds this program to the provenance of the document and converts the document to JSON.
 Json predictions_json(PredictionDocument predicted, const CLI::App& program) {
   predicted.provenance.push_back(provenance_record(program));
   return predictions_to_json(predicted);
 }
 
-/// A line a reason, with all methods that were left out for it.
-void tell_left_out(const std::vector<LeftOutMethod>& left_out) {
+/// Prints one line per reason, which lists all methods that were omitted for this reason.
+void print_left_out_methods(const std::vector<LeftOutMethod>& left_out) {
   std::map<std::string, std::vector<std::string>> methods_by_reason;
   for (const auto& [method, reason] : left_out) methods_by_reason[reason].push_back(method);
   for (const auto& [reason, names] : methods_by_reason) {
@@ -92,13 +93,13 @@ void tell_left_out(const std::vector<LeftOutMethod>& left_out) {
   }
 }
 
-void tell_of(const PredictionDocument& predicted) {
+void print_warnings(const PredictionDocument& predicted) {
   for (const std::string& warning : predicted.warnings)
     print_to_stderr("beadswim-theory: warning: " + warning + "\n");
-  tell_left_out(predicted.left_out);
+  print_left_out_methods(predicted.left_out);
 }
 
-/// What to look up in a sweep's documents.
+/// Numbers of layouts with warnings and with omitted methods, for input with one layout per line.
 struct Tally {
   int layouts = 0, warned = 0, incomplete = 0;
 
@@ -147,7 +148,7 @@ int run(int argc, char** argv) {
     const PredictionDocument predicted =
         predict_layout(read_layout(request.layout_path), layout_source(request), request, measured);
     write_text("-", dump_json(predictions_json(predicted, *program)));
-    tell_of(predicted);
+    print_warnings(predicted);
   }
   return static_cast<int>(ExitStatus::fine);
 }

@@ -9,9 +9,10 @@
 namespace beadswim {
 namespace {
 
-const SwimmerRecord& swimmer_of(const RunRecord& run, std::optional<int> id, const std::string& path) {
-  const auto is_asked = [&](const SwimmerRecord& swimmer) { return !id || swimmer.id == *id; };
-  const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(), is_asked);
+const SwimmerRecord& find_swimmer_record(const RunRecord& run, std::optional<int> id,
+                                         const std::string& path) {
+  const auto is_requested = [&](const SwimmerRecord& swimmer) { return !id || swimmer.id == *id; };
+  const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(), is_requested);
   if (found != run.swimmers.end()) return *found;
   if (run.swimmers.empty()) {
     throw InputError(
@@ -30,16 +31,16 @@ const SwimmerRecord& swimmer_of(const RunRecord& run, std::optional<int> id, con
 
 MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> swimmer) {
   const RunRecord run = read_run_record(path);
-  const SwimmerRecord& record = swimmer_of(run, swimmer, path);
+  const SwimmerRecord& record = find_swimmer_record(run, swimmer, path);
   if (record.cycles.empty()) {
     throw InputError("--stroke-from " + path,
                      fmt::format("swimmer {} has not finished a cycle; run at least one", record.id));
   }
   const CycleStatistics& last = record.cycles.back();
-  return {path,
-          run.units,
-          record.period.value_or(run.driving.period),
-          {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
+  return {.source = path,
+          .units = run.units,
+          .period = record.period.value_or(run.driving.period),
+          .stroke = {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
 }
 
 }  // namespace beadswim

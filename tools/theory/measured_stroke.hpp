@@ -8,16 +8,16 @@
 
 namespace beadswim {
 
-/// A stroke, the unit system that it is in, and its period.
+/// Stroke of a swimmer in a run, with its units and its period.
 struct MeasuredStroke {
-  std::string source;  ///< the file, for messages
+  std::string source;  ///< path of the run record, for messages
   Units units;
-  double period = 0;  ///< of the driving
+  double period = 0;  ///< period of the driving [time]
   Stroke stroke;
 };
 
-/// The stroke of a run's last cycle: of the swimmer of that id, or of the run's first one.
-/// Throws InputError if there is no such swimmer or it has not finished a cycle.
+/// Reads the stroke of the last cycle from a run record. `swimmer`: id of the swimmer; nullopt: the first
+/// swimmer of the record. Throws InputError if there is no such swimmer, or if it has not completed a cycle.
 MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> swimmer);
 
 }  // namespace beadswim

@@ -17,7 +17,8 @@ namespace {
 
 constexpr const char* all_methods = "all";
 
-/// The swimmer as theory sees it; messages name layout and swimmer.
+/// Returns the parameters of a swimmer that theory needs. Throws InputError if its beads
+/// would leave the line or if a spring has no stiffness. The message names layout and swimmer.
 CollinearSwimmer collinear(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
   try {
     return collinear_swimmer(layout.resolved_type(swimmer), swimmer.axis, layout.fluid.dynamic_viscosity());
@@ -26,7 +27,7 @@ CollinearSwimmer collinear(const Layout& layout, const Swimmer& swimmer, const s
   }
 }
 
-const Swimmer& swimmer_of_id(const Layout& layout, int id, const std::string& source) {
+const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& source) {
   const auto& swimmers = layout.swimmers;
   const auto found =
       std::find_if(swimmers.begin(), swimmers.end(), [&](const Swimmer& s) { return s.id == id; });
@@ -36,8 +37,8 @@ const Swimmer& swimmer_of_id(const Layout& layout, int id, const std::string& so
                                             lowest->id, highest->id));
 }
 
-/// The first swimmer, if all others are the same to theory.
-const Swimmer& swimmer_like_all(const Layout& layout, const std::string& source) {
+/// Returns the first swimmer if all swimmers have the same parameters in theory. Throws InputError if not.
+const Swimmer& find_common_swimmer(const Layout& layout, const std::string& source) {
   const Swimmer& first = layout.swimmers.front();
   const CollinearSwimmer shape = collinear(layout, first, source);
   for (const Swimmer& other : layout.swimmers) {
@@ -50,15 +51,15 @@ const Swimmer& swimmer_like_all(const Layout& layout, const std::string& source)
   return first;
 }
 
-/// The measured stroke, of a run with the layout's units and period.
+/// Returns the measured stroke. Throws InputError if units or period of its run differ from the layout.
 Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured) {
   const std::string where = "--stroke-from " + measured.source;
   if (!same_units(layout.units, measured.units)) {
     throw InputError(where,
                      "its units of length and time are not the layout's; give a run of the same layout");
   }
-  constexpr double conversion = 1e-9;
-  if (std::abs(measured.period / swimmer.period - 1) > conversion) {
+  constexpr double period_tolerance = 1e-9;  // relative, for rounding errors
+  if (std::abs(measured.period / swimmer.period - 1) > period_tolerance) {
     throw InputError(where,
                      fmt::format("its driving has period {}, the layout's {}; give a run of the same layout",
                                  measured.period, swimmer.period));
@@ -66,8 +67,9 @@ Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const M
   return measured.stroke;
 }
 
-/// Whether it is no surprise that a method of `all` has nothing to say.
-bool lacks_its_input(const Method& method, const Question& question) {
+/// Returns true if the method needs a measured stroke or a box and there is none. --method all then omits the
+/// method without a message.
+bool lacks_input(const Method& method, const Question& question) {
   const bool lacks_stroke = method.input == Method::Input::stroke && !question.measured_stroke;
   const bool lacks_box =
       method.input == Method::Input::driving_in_box && !question.box && question.box_obstacle.empty();
@@ -76,7 +78,7 @@ bool lacks_its_input(const Method& method, const Question& question) {
 
 void predict_by_all(const Question& question, PredictionDocument& document) {
   for (const Method& method : methods()) {
-    if (lacks_its_input(method, question)) continue;
+    if (lacks_input(method, question)) continue;
     if (const auto obstacle = method.obstacle(question)) {
       document.left_out.push_back({method.name, *obstacle});
       continue;
@@ -104,7 +106,7 @@ void predict_by(const std::vector<std::string>& names, const Question& question,
   }
 }
 
-/// A stroke was given to be used: a method that does must be among those asked for.
+/// Throws InputError if a measured stroke was given but none of the predictions uses it.
 void check_stroke_is_used(const PredictionDocument& document, const Question& question) {
   if (!question.measured_stroke) return;
   std::vector<std::string> users, reasons;
@@ -132,7 +134,7 @@ PredictionDocument predict_layout(const LayoutDocument& document, const std::str
                                   const std::optional<MeasuredStroke>& measured) {
   const Layout& layout = document.layout;
   const Swimmer& swimmer =
-      request.swimmer ? swimmer_of_id(layout, *request.swimmer, source) : swimmer_like_all(layout, source);
+      request.swimmer ? find_swimmer(layout, *request.swimmer, source) : find_common_swimmer(layout, source);
   const Surroundings surroundings = surroundings_of(layout, swimmer);
   Question question = with_exact_reference({.swimmer = collinear(layout, swimmer, source),
                                             .fluid_density = layout.fluid.density,

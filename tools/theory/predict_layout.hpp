@@ -10,9 +10,12 @@
 
 namespace beadswim {
 
-/// What the methods asked for say of the layout's swimmer. `source` names the layout in messages.
-/// Throws InputError if the layout has no such swimmer, or has different ones and none is named; if theory
-/// cannot treat it; or if a method named cannot.
+/// Predicts velocity and stroke of one swimmer by the requested methods. `source`: name of the layout in
+/// messages. `measured`: stroke for the methods that need one. Throws InputError if:
+///   - the layout does not contain the requested swimmer;
+///   - the request names no swimmer, and the swimmers differ;
+///   - theory, or a method that the request names, cannot treat the swimmer;
+///   - `measured` is given, but its run had another period or other units, or no method uses it.
 PredictionDocument predict_layout(const LayoutDocument& document, const std::string& source,
                                   const TheoryRequest& request,
                                   const std::optional<MeasuredStroke>& measured);

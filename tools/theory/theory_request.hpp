@@ -6,14 +6,14 @@
 
 namespace beadswim {
 
-/// What the command line asks for.
+/// The command line of beadswim-theory.
 struct TheoryRequest {
   std::string layout_path = "-";
   std::vector<std::string> methods{"all"};
-  std::optional<int> swimmer;              ///< id of the swimmer to predict; none: the swimmers must be alike
-  std::optional<std::string> stroke_path;  ///< run record whose stroke is used
-  double tolerance = 0.05;  ///< relative error of the velocity at finite amplitude that is not warned of
-  bool json_lines = false;  ///< one layout a line in, one document a line out
+  std::optional<int> swimmer;              ///< id; nullopt: all swimmers must have the same parameters
+  std::optional<std::string> stroke_path;  ///< run record that contains the stroke
+  double tolerance = 0.05;  ///< relative error of second-order methods above which a warning is printed
+  bool json_lines = false;  ///< true: reads one layout per line and writes one document per line
 };
 
 }  // namespace beadswim

@@ -7,13 +7,13 @@
 #include "page.hpp"
 #include "page_data.hpp"
 
-// beadswim-view: a trajectory as a web page of one file.
+// beadswim-view writes a trajectory as a web page that consists of one file.
 
 namespace {
 
 using namespace beadswim;
 
-constexpr double most_bytes = 300e6;  // that browsers open without trouble
+constexpr double max_bytes = 300e6;  // largest page that browsers open without difficulty [byte]
 
 struct ViewRequest {
   std::string file;
@@ -47,8 +47,9 @@ void add_flags(CLI::App& program, ViewRequest& request) {
              "viewing.md");
 }
 
+/// Throws InputError if this program was built without the web page.
 void require_page() {
-  if (page.before_data == nullptr) throw InputError("page", page.fault);
+  if (page.before_data == nullptr) throw InputError("page", page.build_error);
 }
 
 void require_output(const ViewRequest& request) {
@@ -66,15 +67,16 @@ PageOptions options_of(const ViewRequest& request) {
           .block_swimmers = parse_whole_numbers(request.block_swimmers)};
 }
 
-void require_bearable(const TrajectoryFile& file, const PageOptions& options) {
+/// Throws InputError if the page would be larger than max_bytes. The message states the --every to use.
+void require_page_size(const TrajectoryFile& file, const PageOptions& options) {
   const double bytes = expected_bytes(file, options);
-  if (bytes <= most_bytes) return;
-  const double every = std::ceil(static_cast<double>(options.every) * bytes / most_bytes);
+  if (bytes <= max_bytes) return;
+  const double every = std::ceil(static_cast<double>(options.every) * bytes / max_bytes);
   throw InputError("--every",
                    fmt::format("the page of {} frames would have {:.0f} MB, of which browsers bear {:.0f}; "
                                "give --every {:.0f} or more",
-                               shown_frames(file.reader.frames(), options.every).size(), bytes / 1e6,
-                               most_bytes / 1e6, every));
+                               select_frames(file.reader.frames(), options.every).size(), bytes / 1e6,
+                               max_bytes / 1e6, every));
 }
 
 int run(int argc, const char* const* argv) {
@@ -89,7 +91,7 @@ int run(int argc, const char* const* argv) {
   require_output(request);
   const PageOptions options = options_of(request);
   const TrajectoryFile file = open_trajectory(request.file);
-  require_bearable(file, options);
+  require_page_size(file, options);
   write_text(request.output, page.before_data + page_data(file, options) + page.after_data);
   return static_cast<int>(ExitStatus::fine);
 }

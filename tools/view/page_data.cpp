@@ -18,13 +18,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
 
+/// Returns an HTML element with the values in base64.
 template <class T>
-std::string block(const std::string& id, const std::vector<T>& values) {
+std::string data_element(const std::string& id, const std::vector<T>& values) {
   return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, base64(values));
 }
 
-/// JSON between tags: no "<" may stand in it.
-std::string json_block(const Json& document) {
+/// Returns an HTML element with the document as JSON. "<" is escaped, because it would begin a tag.
+std::string scene_element(const Json& document) {
   std::string text;
   for (const char c : dump_json_line(document)) {
     if (c == '<') {
@@ -36,18 +37,19 @@ std::string json_block(const Json& document) {
   return "<script type=\"application/json\" id=\"scene\">" + text + "</script>\n";
 }
 
-/// What is no UTF-8 in a file's name is replaced.
-std::string utf8(const std::string& name) {
+/// Replaces the bytes of a file name that are not valid UTF-8.
+std::string replace_invalid_utf8(const std::string& name) {
   return Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
-Json scene_of(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
-              const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
+/// Returns the content of the element "scene": the facts about file, box, swimmers, frames and cycles.
+Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
+                   const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
   const TrajectoryHeader& header = file.reader.header();
   const Layout& layout = file.layout;
   const std::vector<Layer> layers = swimmer_layers(layout);
   const double period = file.period();
-  Json scene{{"file", utf8(file.source.substr(file.source.rfind('/') + 1))},
+  Json scene{{"file", replace_invalid_utf8(file.source.substr(file.source.rfind('/') + 1))},
              {"version", header.creator_version},
              {"length_unit", length_unit(layout.units)},
              {"velocity_unit", velocity_unit(layout.units)},
@@ -71,65 +73,68 @@ Json scene_of(const TrajectoryFile& file, const std::vector<std::size_t>& frames
   return scene;
 }
 
-/// The largest change of a coordinate of each swimmer's beads since the first frame, in steps.
+/// Returns the quantisation step of each swimmer [length], chosen such that the largest displacement of its
+/// beads along an axis since the first frame fits into 16 bits.
 std::vector<float> swimmer_steps(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
                                  const TrajectoryFrame& first) {
   std::vector<double> largest(first.positions.size() / 3, 0);
   for (const std::size_t index : frames) {
     const TrajectoryFrame frame = file.reader.frame(index);
     for (std::size_t b = 0; b < first.positions.size(); ++b) {
-      const double change = (frame.positions[b] - first.positions[b]).cwiseAbs().maxCoeff();
-      largest[b / 3] = std::max(largest[b / 3], change);
+      const double displacement = (frame.positions[b] - first.positions[b]).cwiseAbs().maxCoeff();
+      largest[b / 3] = std::max(largest[b / 3], displacement);
     }
   }
   std::vector<float> steps;
-  for (const double change : largest) steps.push_back(step_for(change));
+  for (const double displacement : largest) steps.push_back(smallest_step(displacement));
   return steps;
 }
 
-std::vector<std::int16_t> changes(const TrajectoryFrame& frame, const TrajectoryFrame& first,
-                                  const std::vector<float>& steps) {
+/// Returns the displacements of all beads since the first frame, in steps of their swimmers.
+std::vector<std::int16_t> quantised_displacements(const TrajectoryFrame& frame, const TrajectoryFrame& first,
+                                                  const std::vector<float>& steps) {
   std::vector<std::int16_t> flat;
   flat.reserve(3 * frame.positions.size());
   for (std::size_t b = 0; b < frame.positions.size(); ++b) {
-    const Vec3 change = frame.positions[b] - first.positions[b];
-    for (int a = 0; a < 3; ++a) flat.push_back(in_steps(change[a], steps[b / 3]));
+    const Vec3 displacement = frame.positions[b] - first.positions[b];
+    for (int a = 0; a < 3; ++a) flat.push_back(round_to_steps(displacement[a], steps[b / 3]));
   }
   return flat;
 }
 
-/// Of a swimmer's cycle; NaN where it has ended none yet.
-using CycleNumber = std::function<double(const CycleStatistics&)>;
+/// Function that returns a quantity of one swimmer in one cycle; NaN if the swimmer has not completed a cycle
+/// yet.
+using CycleQuantity = std::function<double(const CycleStatistics&)>;
 
-std::string cycle_blocks(const std::string& name, const std::vector<CycleStatistics>& cycles,
-                         std::size_t swimmers, const CycleNumber& number) {
+std::string cycle_elements(const std::string& name, const std::vector<CycleStatistics>& cycles,
+                           std::size_t swimmers, const CycleQuantity& number) {
   std::vector<double> rows;
   std::ranges::transform(cycles, std::back_inserter(rows), number);
   const QuantisedTable table = quantised(rows, swimmers);
-  return block("cycle-" + name + "-step", table.steps) + block("cycle-" + name, table.values);
+  return data_element("cycle-" + name + "-step", table.steps) + data_element("cycle-" + name, table.values);
 }
 
-std::string all_cycle_blocks(const std::vector<TrajectoryCycle>& rows, const Layout& layout) {
+std::string all_cycle_elements(const std::vector<TrajectoryCycle>& rows, const Layout& layout) {
   const std::size_t swimmers = layout.swimmers.size();
   std::vector<CycleStatistics> cycles;
   for (const TrajectoryCycle& row : rows)
     std::ranges::copy(records_of<CycleStatistics>(row.columns, swimmers), std::back_inserter(cycles));
-  std::string text = cycle_blocks("velocity", cycles, swimmers, [&](const CycleStatistics& cycle) {
+  std::string text = cycle_elements("velocity", cycles, swimmers, [&](const CycleStatistics& cycle) {
     return velocity_relative_to_fluid(cycle, layout.domain);
   });
   for (const std::size_t arm : {0, 1}) {
     const std::string n = std::to_string(arm + 1);
-    text += cycle_blocks("arm" + n, cycles, swimmers,
-                         [=](const CycleStatistics& cycle) { return cycle.arm_amplitudes[arm]; });
-    text += cycle_blocks("phase" + n, cycles, swimmers,
-                         [=](const CycleStatistics& cycle) { return cycle.arm_phases[arm]; });
+    text += cycle_elements("arm" + n, cycles, swimmers,
+                           [=](const CycleStatistics& cycle) { return cycle.arm_amplitudes[arm]; });
+    text += cycle_elements("phase" + n, cycles, swimmers,
+                           [=](const CycleStatistics& cycle) { return cycle.arm_phases[arm]; });
   }
   return text;
 }
 
 }  // namespace
 
-std::vector<std::size_t> shown_frames(std::size_t frames, std::size_t every) {
+std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every) {
   std::vector<std::size_t> shown;
   for (std::size_t frame = 0; frame < frames; frame += every) shown.push_back(frame);
   if (shown.back() != frames - 1) shown.push_back(frames - 1);
@@ -137,23 +142,24 @@ std::vector<std::size_t> shown_frames(std::size_t frames, std::size_t every) {
 }
 
 std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
-  const std::vector<std::size_t> frames = shown_frames(file.reader.frames(), options.every);
+  const std::vector<std::size_t> frames = select_frames(file.reader.frames(), options.every);
   const std::vector<TrajectoryCycle> cycles = file.reader.cycles(columns_of<CycleStatistics>({}));
   const TrajectoryHeader& header = file.reader.header();
   const TrajectoryFrame first = file.reader.frame(frames.front());
   const std::vector<float> steps = swimmer_steps(file, frames, first);
-  std::string text = json_block(scene_of(file, frames, cycles, options));
-  text += block("radius", std::vector<float>(header.radius.begin(), header.radius.end()));
-  text += block("start", flattened(first.positions)) + block("step", steps);
+  std::string text = scene_element(scene_to_json(file, frames, cycles, options));
+  text += data_element("radius", std::vector<float>(header.radius.begin(), header.radius.end()));
+  text += data_element("start", flattened(first.positions)) + data_element("step", steps);
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    text += block(fmt::format("frame-{}", f), changes(file.reader.frame(frames[f]), first, steps));
+    text += data_element(fmt::format("frame-{}", f),
+                         quantised_displacements(file.reader.frame(frames[f]), first, steps));
   }
-  return text + all_cycle_blocks(cycles, file.layout);
+  return text + all_cycle_elements(cycles, file.layout);
 }
 
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options) {
   const auto beads = static_cast<double>(file.reader.header().radius.size());
-  const auto frames = static_cast<double>(shown_frames(file.reader.frames(), options.every).size());
+  const auto frames = static_cast<double>(select_frames(file.reader.frames(), options.every).size());
   const double cycles = file.reader.times().back() / file.period();
   const double bytes = beads * (16 + 4.0 / 3 + 6 * frames) + beads / 3 * 5 * (4 + 2 * cycles);
   return bytes * 4 / 3;

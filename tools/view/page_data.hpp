@@ -7,27 +7,33 @@
 
 namespace beadswim {
 
+/// Selection of frames, and colouring of blocks.
 struct PageOptions {
-  std::size_t every = 1;                     ///< of so many frames one is shown, and the last
-  std::vector<int> block_swimmers{1, 3, 3};  ///< of which the colours tell blocks; as of block_number
+  std::size_t every = 1;                     ///< shows the frames 0, every, 2 every, ... and the last
+  std::vector<int> block_swimmers{1, 3, 3};  ///< swimmers per block, as in block_number()
 };
 
-/// The frames to show.
-std::vector<std::size_t> shown_frames(std::size_t frames, std::size_t every);
+/// Returns the indices of the frames to show: 0, every, 2 every, ... and the last frame.
+std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every);
 
-/// What the page shows, as HTML elements that hold data: <script type="application/json" id="scene"> and, in
-/// base64 of little-endian numbers, <script type="text/plain" id="..."> of
-///   radius        float32, of each bead
-///   start         float32, x, y, z of each bead in the first frame, unwrapped
-///   step          float32, of each swimmer: the length that its whole numbers below count
-///   frame-0, ...  int16, x, y, z of each bead less those in the first frame, in steps of its swimmer
-///   cycle-NAME    int16, of each base cycle and swimmer, in steps of that swimmer in cycle-NAME-step; -32768
-///   for none:
-///                 velocity (along its axis, against the mean flow), arm1, arm2 (amplitudes), phase1, phase2
-/// Throws InputError naming file and place.
+/// Returns the data of the page as HTML elements. The element <script type="application/json" id="scene">
+/// contains JSON. The elements <script type="text/plain" id="ID"> contain arrays of little-endian numbers in
+/// base64:
+///
+///   ID               type     content
+///   radius           float32  radius of each bead [length]
+///   start            float32  x, y, z of each bead in the first frame, unwrapped [length]
+///   step             float32  quantisation step of each swimmer [length]
+///   frame-0, ...     int16    x, y, z of each bead minus its start, in steps of its swimmer
+///   cycle-NAME       int16    NAME of each swimmer in each base cycle, in steps of its swimmer in
+///                             cycle-NAME-step; -32768 represents NaN
+///   cycle-NAME-step  float32  quantisation step of each swimmer
+///
+/// NAME is velocity (along the axis of the swimmer, relative to the mean flow), arm1, arm2 (arm amplitudes),
+/// phase1 or phase2 (arm phases). Throws InputError that names the file and the place in it.
 std::string page_data(const TrajectoryFile& file, const PageOptions& options);
 
-/// Bytes that page_data will be, to a tenth for large swarms.
+/// Estimates the size of page_data() [byte]. For large swarms the error is below 10 %.
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options);
 
 }  // namespace beadswim

@@ -6,22 +6,25 @@
 
 namespace beadswim {
 
-// Numbers as whole multiples of a step, in 16 bits:  number = steps × step, |steps| <= 32767.
+// Quantisation stores a number as a 16-bit integer:  number = integer × step, |integer| <= 32767.
 
-/// Stands for a number that is none.
+/// Integer that represents NaN.
 inline constexpr std::int16_t not_a_number = -32768;
 
-/// The step with which numbers of that size at most fit, 0 if there is none but 0.
-float step_for(double largest);
+/// Returns the smallest step with which all numbers up to `largest` can be stored; 0 if `largest` is 0.
+float smallest_step(double largest);
 
-/// The number in steps, rounded to the nearest: wrong by half a step at most. `not_a_number` for NaN.
-std::int16_t in_steps(double number, float step);
+/// Returns number / step, rounded to the nearest integer; `not_a_number` for NaN. The rounding error is at
+/// most half a step.
+std::int16_t round_to_steps(double number, float step);
 
-/// A table of rows of numbers, each column with a step of its own that its largest number needs.
+/// Quantised table. Each column has the smallest step that can store its largest number.
 struct QuantisedTable {
-  std::vector<float> steps;          ///< of each column
+  std::vector<float> steps;          ///< one per column
   std::vector<std::int16_t> values;  ///< row by row
 };
+
+/// Quantises a table, which is given row by row.
 QuantisedTable quantised(std::span<const double> rows, std::size_t columns);
 
 }  // namespace beadswim

@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-/// The flag that sets what libraries call a setting.
+/// Returns the flag that sets a setting of the libraries, for messages.
 std::string flag_of(Setting setting);
 
 }  // namespace beadswim

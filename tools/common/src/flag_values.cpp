@@ -11,13 +11,14 @@
 namespace beadswim {
 namespace {
 
-/// Past a plus, which std::from_chars does not take.
+/// Returns the first character after a leading plus sign, because std::from_chars rejects a plus sign.
 const char* first_digit(const std::string& text) {
   const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return text.data() + (has_plus ? 1 : 0);
 }
 
-/// The number that the whole text is, or nothing; infinite if it is beyond the range of a double.
+/// Converts a text to a number. Returns nullopt if the text contains anything but a number. Returns infinity
+/// if the number is outside the range of double.
 std::optional<double> parse_number(const std::string& text) {
   const char* const last = text.data() + text.size();
   double value = 0;
@@ -26,7 +27,8 @@ std::optional<double> parse_number(const std::string& text) {
   return error == std::errc::result_out_of_range ? HUGE_VAL : value;
 }
 
-/// Returns the end of a message on a percentage: the number to write instead. Empty for any other text.
+/// Returns an addition to the message for a percentage such as "5 %": the number to write instead. Returns an
+/// empty text if `text` is not a percentage.
 std::string percentage_hint(const std::string& text) {
   const bool is_percentage = text.ends_with("%");
   const auto number = parse_number(text.substr(0, text.find_last_not_of(" %") + 1));
@@ -34,7 +36,8 @@ std::string percentage_hint(const std::string& text) {
   return fmt::format("; write {:g} % as {:g}", *number, *number / 100);
 }
 
-/// A validator of numbers that meet `condition`, named in messages as `allowed`.
+/// Returns a validator of finite numbers for which `condition` is true. `allowed` describes these numbers in
+/// messages.
 CLI::Validator number_that(bool (*condition)(double), const std::string& allowed) {
   const auto fault = [condition, allowed](const std::string& text) {
     const std::optional<double> value = parse_number(text);

@@ -25,15 +25,15 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 
 namespace {
 
-/// The sentence and the unit of "sentence [unit]".
-std::pair<std::string, std::string> without_unit(const std::string& description) {
+/// Splits a description of the form "sentence [unit]" into sentence and unit.
+std::pair<std::string, std::string> split_off_unit(const std::string& description) {
   const std::size_t start = description.rfind(" [");
   if (!description.ends_with("]") || start == std::string::npos) return {description, ""};
   return {description.substr(0, start), description.substr(start + 2, description.size() - start - 3)};
 }
 
-/// " [unit; default: value; required]", as far as they apply.
-std::string facts(const CLI::Option& option, const std::string& unit) {
+/// Returns " [unit; default: value; required]", without the properties that the flag does not have.
+std::string format_properties(const CLI::Option& option, const std::string& unit) {
   std::vector<std::string> parts;
   if (!unit.empty()) parts.push_back(unit);
   const bool takes_value = option.get_items_expected_max() != 0;
@@ -47,12 +47,12 @@ std::string facts(const CLI::Option& option, const std::string& unit) {
 
 std::string HelpFormatter::make_option(const CLI::Option* option, bool is_positional) const {
   std::string text = "  " + make_option_name(option, is_positional);
-  text = text.substr(0, text.find('{'));  // what CLI11 adds to a flag that says no
+  text = text.substr(0, text.find('{'));  // CLI11 appends "{false}" to a flag that sets false
   const bool takes_value = option->get_items_expected_max() != 0;
   if (takes_value && !is_positional) text += " " + option->get_type_name();
-  const auto [sentence, unit] = without_unit(option->get_description());
+  const auto [sentence, unit] = split_off_unit(option->get_description());
   const char* const stop = sentence.ends_with(".") ? "" : ".";
-  return text + "\n" + wrapped(sentence + stop + facts(*option, unit), 8);
+  return text + "\n" + wrapped(sentence + stop + format_properties(*option, unit), 8);
 }
 
 std::string HelpFormatter::make_help(const CLI::App* program, std::string name,

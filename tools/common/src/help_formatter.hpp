@@ -5,10 +5,12 @@
 
 namespace beadswim {
 
-/// Formats each flag alike: its name and values on one line; below it, wrapped, its description, and in
-/// brackets its unit, its default, and whether it is required. A description states the unit in brackets at
-/// its end. The help of all commands has the form from which help2man makes sections of a manual page: one
-/// per *command*, and all examples, which begin with $, in one.
+/// Formats the help of a program. The first line of each flag contains its name and the type of its value.
+/// The next lines contain its description, followed by unit, default and "required" in brackets. The
+/// description that the program passes to CLI11 must end with the unit in brackets if the flag has a unit.
+///
+/// help2man converts the output of --help-all to a manual page. It makes one section from each command, which
+/// has the heading *command*, and one section from all examples, whose lines begin with $.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option(const CLI::Option* option, bool is_positional) const override;

@@ -15,13 +15,14 @@
 namespace beadswim {
 namespace {
 
-/// The command given, such as "swimmer" of "beadswim-layout swimmer", or the program itself.
+/// Returns the command on the command line, for example the command "swimmer" of "beadswim-layout swimmer".
+/// Returns the program if there is no command.
 const CLI::App& chosen_command(const CLI::App& program) {
   const auto chosen = program.get_subcommands();
   return chosen.empty() ? program : chosen_command(*chosen.back());
 }
 
-/// Long names of the flags that help lists, without dashes.
+/// Returns the long names, without dashes, of all flags that the help lists.
 std::vector<std::string> long_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -43,7 +44,7 @@ bool looks_like_flag(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && !is_negative_number;
 }
 
-/// The commands beside this one that have a flag of that name.
+/// Returns the names of all commands of the same program that have a flag with the name `word`.
 std::vector<std::string> others_with_flag(const std::string& word, const CLI::App& command) {
   std::vector<std::string> names;
   if (command.get_parent() == nullptr) return names;
@@ -70,7 +71,8 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
                         nearest.empty() ? "." : "; did you mean --" + nearest + "?", full_name(command)));
 }
 
-/// Throws for the first argument that no flag, command or file name accounts for, if there is one.
+/// Throws InputError if an argument is neither a flag or its value nor a command nor the name of a file. The
+/// message reports the first unknown flag, otherwise the first such argument.
 void refuse_leftovers(const CLI::App& program) {
   const CLI::App& command = chosen_command(program);
   const std::vector<std::string> leftovers = program.remaining(true);
@@ -86,7 +88,7 @@ void refuse_leftovers(const CLI::App& program) {
   throw InputError(leftovers.front(), fmt::format("{} \"{} --help\" lists all", what, full_name(command)));
 }
 
-/// Throws if a flag is given twice or without its value.
+/// Throws InputError if a flag is given twice or without its value.
 void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& error) {
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
@@ -96,15 +98,18 @@ void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& e
   }
 }
 
-/// Throws if a flag that takes no value has one.
-void refuse_values(const CLI::App& command, const std::string& says) {
+/// Throws InputError if a flag without a value is given with one. The message of CLI11 for this error
+/// contains "FLAG = ".
+void refuse_values(const CLI::App& command, const std::string& message) {
   for (const CLI::Option* option : command.get_options()) {
-    if (option->get_items_expected_max() == 0 && says.find(option->get_name() + " = ") != std::string::npos)
+    if (option->get_items_expected_max() == 0 &&
+        message.find(option->get_name() + " = ") != std::string::npos)
       throw InputError(option->get_name(), "takes no value; leave \"=\" and what follows out");
   }
 }
 
-/// Throws if a flag or file is given as nothing, which is what a variable that is not set makes of it.
+/// Throws InputError if the value of a flag or the name of a file is empty. The usual cause is a shell
+/// variable that is not set.
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::vector<std::string>& values = option->results();
@@ -115,7 +120,7 @@ void refuse_empty_values(const CLI::App& command) {
   for (const CLI::App* chosen : command.get_subcommands()) refuse_empty_values(*chosen);
 }
 
-/// Throws if a flag or file that is required is not there.
+/// Throws InputError if a required flag or file is missing.
 void refuse_absent(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
@@ -124,7 +129,8 @@ void refuse_absent(const CLI::App& command) {
   }
 }
 
-/// Throws if two flags contradict each other, or one has no meaning without another.
+/// Throws InputError if two flags exclude each other, or if a flag is given without another flag that it
+/// needs.
 void refuse_combinations(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0) continue;
@@ -160,7 +166,7 @@ void refuse_combinations(const CLI::App& command) {
   throw InputError("command line", fmt::format("{}; see \"{} --help\"", what, full_name(command)));
 }
 
-/// Flags of one command as they were given, in the order of its help.
+/// Adds the flags on the command line with their values, in the order of the help, and the names of commands.
 void append_arguments(const CLI::App& command, Json& arguments) {
   for (const CLI::Option* option : command.get_options()) {
     const bool names_file = option->get_type_name().find("FILE") != std::string::npos;
@@ -217,7 +223,7 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
   } catch (const CLI::CallForAllHelp&) {
     write_text("-", program.help("", CLI::AppFormatMode::All));
   } catch (const CLI::Success&) {
-    // Not the program's help for a command that it does not have.
+    // "beadswim-layout UNKNOWN --help": reports the unknown command instead of printing the help.
     const bool lacks_command = program.get_subcommands().empty() && !command_names(program).empty();
     if (lacks_command) refuse_leftovers(program);
     write_text("-", program.help());

@@ -124,7 +124,7 @@ void add_outputs(CLI::App& program, RunOptions& options) {
                    "Leave cost and provenance out of the run record: equal runs then give equal bytes.");
 }
 
-/// Adds the flags in the order of provenance.
+/// Adds all flags. Provenance lists the flags in the same order.
 void add_flags(CLI::App& program, RunOptions& options) {
   program.add_option("LAYOUT", options.layout, "Layout; - is standard input.");
   begin_group(program, "Output");
@@ -146,7 +146,8 @@ void add_flags(CLI::App& program, RunOptions& options) {
              "choosing-a-model.md");
 }
 
-/// What it is of, and how large it may be, depends on the model.
+/// Throws InputError if the model is a mobility and --tolerance is not a valid tolerance of mobility
+/// products. In plans, --tolerance limits other errors (velocity and arm amplitudes) and has a wider range.
 void require_fitting_tolerance(const RunOptions& options) {
   if (!options.given.contains("--tolerance") || options.plan || options.settings.model == RunModel::lbm ||
       options.settings.model == RunModel::automatic)
@@ -209,7 +210,7 @@ void refuse_lattice_flags(const RunOptions& options, RunModel model) {
                "is of the lattice; leave it out, or run with --model lbm instead of " + to_text(model));
 }
 
-FlagValues course_of(const RunSettings& settings) {
+FlagValues result_flags(const RunSettings& settings) {
   if (settings.model != RunModel::lbm) {
     return {{"--model", to_text(settings.model)},
             {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
@@ -231,7 +232,7 @@ FlagValues course_of(const RunSettings& settings) {
   return values;
 }
 
-FlagValues length_and_outputs_of(const RunSettings& settings) {
+FlagValues length_and_output_flags(const RunSettings& settings) {
   FlagValues values{{"--cycles", fmt::format("{}", settings.cycles)}};
   if (settings.checkpoint_every) values["--checkpoint-every"] = fmt::format("{}", *settings.checkpoint_every);
   if (settings.flow_every) values["--flow-every"] = fmt::format("{}", *settings.flow_every);

@@ -12,6 +12,7 @@
 
 namespace beadswim {
 
+/// Form of the progress messages on standard error. `automatic`: a bar on a terminal, otherwise lines.
 enum class ProgressStyle { automatic, bar, lines, json, none };
 
 template <>
@@ -26,35 +27,40 @@ inline constexpr auto name_table<ProgressStyle> =
 struct RunOptions {
   std::string layout = "-";
   std::string output;
-  RunSettings settings;              ///< model: also auto, until a plan has chosen
-  bool plan = false;                 ///< say what runs could be, and run none
-  std::string restart;               ///< empty: a run that begins anew
-  std::optional<double> time_limit;  ///< [s]
+  RunSettings settings;              ///< the model is `automatic` until a plan has chosen one
+  bool plan = false;                 ///< true: prints the plan and does not run
+  std::string restart;               ///< checkpoint or trajectory; empty: the run begins at time 0
+  std::optional<double> time_limit;  ///< wall time [s]
   ProgressStyle progress = ProgressStyle::automatic;
   bool with_provenance = true;
-  Json provenance;              ///< this program's own record
-  std::set<std::string> given;  ///< flags on the command line, by their long names, and "LAYOUT"
+  Json provenance;              ///< provenance record of this program
+  std::set<std::string> given;  ///< long names of the flags on the command line; "LAYOUT" if it is there
 };
 
-/// Flags and their values, as text.
+/// Values of flags as text, by the name of the flag.
 using FlagValues = std::map<std::string, std::string>;
 
-/// The options, or an exit status if --help or --version was all that was asked for. Throws InputError.
-/// `defaults`: of flags that the command line may leave out, instead of the usual ones.
+/// Parses the command line. Returns an exit status if the program has only to print --help or --version.
+/// `defaults`: default values of flags, for example from a checkpoint, which replace the defaults of the
+/// program. Throws InputError if the command line or `defaults` are invalid.
 std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv,
                                                 const FlagValues& defaults = {});
 
-/// Throws InputError, `why` after the flag's name, if one of these is on the command line.
+/// Throws InputError if one of the flags is on the command line. `why` follows the flag's name in the
+/// message.
 void refuse_flags(const RunOptions& options, std::initializer_list<const char*> flags,
                   const std::string& why);
 
-/// Throws InputError if a flag of the lattice is on the command line, which `model`, a mobility, has not.
+/// Throws InputError if the command line contains a flag that has an effect only with the model lbm. `model`:
+/// mobility model of the run, for the message.
 void refuse_lattice_flags(const RunOptions& options, RunModel model);
 
-/// The flags that set the course of a run, with the values of these settings: a run goes on with the same.
-FlagValues course_of(const RunSettings& settings);
+/// Returns the flags that determine the trajectory of the beads, with their values in `settings`. These
+/// values cannot change when a run continues from a checkpoint.
+FlagValues result_flags(const RunSettings& settings);
 
-/// Flags that a run goes on with unless it is given others.
-FlagValues length_and_outputs_of(const RunSettings& settings);
+/// Returns the flags for the length of the run and for its outputs, with their values in `settings`. A run
+/// that continues from a checkpoint uses these values unless its command line contains others.
+FlagValues length_and_output_flags(const RunSettings& settings);
 
 }  // namespace beadswim

@@ -8,7 +8,8 @@
 namespace beadswim {
 namespace {
 
-/// Standard input belongs to rank 0: it reads the text, all ranks get it.
+/// Reads a file or standard input on rank 0 and returns the text on all ranks. Other ranks cannot read
+/// standard input. Throws InputError on all ranks if rank 0 cannot read the file.
 std::string read_text_once(const std::string& path, const Communicator& communicator) {
   std::string text, failure;
   if (communicator.is_root()) {
@@ -23,7 +24,7 @@ std::string read_text_once(const std::string& path, const Communicator& communic
   return text;
 }
 
-/// A layout as a run sees it, whatever made it.
+/// Returns the layout as JSON text without provenance, to compare two layouts.
 std::string scene_text(LayoutDocument document) {
   document.provenance = Json::array();
   return dump_json(layout_to_json(document));
@@ -31,7 +32,7 @@ std::string scene_text(LayoutDocument document) {
 
 }  // namespace
 
-bool Request::goes_on_there() const {
+bool Request::continues_same_trajectory() const {
   return checkpoint && trajectory_of(checkpoint->path()) == options.output;
 }
 
@@ -44,7 +45,7 @@ std::variant<Request, int> read_request(int argc, char** argv, const Communicato
   request.checkpoint = open_checkpoint(request.options.restart, communicator);
   const FlagValues flags = flags_of(*request.checkpoint);
   request.options = std::get<RunOptions>(parse_run_options(argc, argv, flags));
-  require_same_course(request.options, flags);
+  require_same_result_flags(request.options, flags);
   if (request.options.output.empty()) request.options.output = trajectory_of(request.checkpoint->path());
   request.steps_done = steps_done_in(*request.checkpoint);
   return request;

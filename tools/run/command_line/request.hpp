@@ -9,23 +9,25 @@
 
 namespace beadswim {
 
-/// What a run is asked to do: the command line, and what it goes on from.
+/// The command line, and the checkpoint from which the run continues.
 struct Request {
   RunOptions options;
-  std::unique_ptr<CheckpointReader> checkpoint;  ///< none: it begins anew
-  long steps_done = 0;                           ///< by the run that it goes on from
+  std::unique_ptr<CheckpointReader> checkpoint;  ///< nullptr: the run begins at time 0
+  long steps_done = 0;                           ///< steps before the checkpoint
 
-  /// Of the layout, for people.
+  /// Returns the name of the layout in messages.
   std::string source() const { return options.layout == "-" ? "standard input" : options.layout; }
-  /// Whether the run goes on under the name that its checkpoint's had.
-  bool goes_on_there() const;
+  /// Returns true if the run continues from a checkpoint and writes to the trajectory of the previous run.
+  bool continues_same_trajectory() const;
 };
 
-/// An exit status if --help or --version was all that was asked for. Throws InputError alike on all ranks.
+/// Parses the command line and opens the checkpoint of --restart. Returns an exit status if the program has
+/// only to print --help or --version. Throws InputError on all ranks if the command line or the checkpoint is
+/// invalid. Collective.
 std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator);
 
-/// The layout, or the checkpoint's, which a layout that is given must be. Throws InputError alike on all
-/// ranks. Collective.
+/// Reads the layout from the file of the command line or from the checkpoint. Throws InputError on all ranks
+/// if both are given and differ, or if the layout is invalid. Collective.
 LayoutDocument read_layout(const Request& request, const Communicator& communicator);
 
 }  // namespace beadswim

@@ -15,7 +15,7 @@
 namespace beadswim {
 namespace {
 
-/// What makes an old measurement this machine's.
+/// Returns the entries of the cache that must agree with this program and machine for the cache to be valid.
 Json cache_key(int ranks) {
   return {{"schema", "beadswim/lattice-speed/1"},
           {"version", version() + " (" + revision() + ")"},
@@ -23,9 +23,9 @@ Json cache_key(int ranks) {
           {"ranks", ranks}};
 }
 
-/// Best effort: without it the next plan measures again.
-void keep(const Json& document, int ranks) {
-  const std::string path = speed_cache(ranks);
+/// Writes the cache. Errors are ignored, because without a cache the next plan repeats the measurement.
+void write_cache(const Json& document, int ranks) {
+  const std::string path = speed_cache_path(ranks);
   if (path.empty()) return;
   try {
     std::filesystem::create_directories(std::filesystem::path(path).parent_path());
@@ -34,8 +34,9 @@ void keep(const Json& document, int ranks) {
   }
 }
 
+/// Returns the cost from the cache; nullopt if there is no valid cache.
 std::optional<LatticeSpeed> cached_speed(int ranks) {
-  const std::string path = speed_cache(ranks);
+  const std::string path = speed_cache_path(ranks);
   std::error_code unknown;
   if (path.empty() || !std::filesystem::exists(path, unknown)) return std::nullopt;
   try {
@@ -44,14 +45,14 @@ std::optional<LatticeSpeed> cached_speed(int ranks) {
     for (const auto& [name, value] : wanted.items())
       if (document.at(name) != value) return std::nullopt;
     return lattice_speed_from_json(document);
-  } catch (const std::exception&) {  // whatever it is, it is measured anew
+  } catch (const std::exception&) {  // a damaged cache is measured again
     return std::nullopt;
   }
 }
 
 }  // namespace
 
-std::string speed_cache(int ranks) {
+std::string speed_cache_path(int ranks) {
   const auto variable = [](const char* name) {
     const char* value = std::getenv(name);
     return std::string(value == nullptr ? "" : value);
@@ -71,7 +72,7 @@ LatticeSpeed speed_of_this_machine(const Communicator& communicator) {
     if (communicator.is_root())
       print_to_stderr("beadswim-run: measuring how fast this machine steps a lattice, once, some seconds\n");
     const LatticeSpeed speed = LatticeSpeed::measured(communicator);
-    if (communicator.is_root()) keep(lattice_speed_to_json(speed), communicator.size());
+    if (communicator.is_root()) write_cache(lattice_speed_to_json(speed), communicator.size());
     return speed;
   }
   return lattice_speed_from_json(Json::parse(text));

@@ -8,17 +8,20 @@
 
 namespace beadswim {
 
-/// Returns the speed in the cache of an earlier call by the same version on the same processor and number of
-/// ranks (speed_cache()); otherwise measures it, which takes some seconds and is said on standard error.
+/// Returns the cost of lattice steps on this machine. Reads it from the cache file speed_cache_path() if the
+/// same version of the program has measured it on the same processor with the same number of ranks. Otherwise
+/// measures it, which takes some seconds, prints a message on standard error and writes the cache.
 /// Collective.
 LatticeSpeed speed_of_this_machine(const Communicator& communicator);
 
 Json lattice_speed_to_json(const LatticeSpeed& speed);
 
-/// Throws an exception if it is not what lattice_speed_to_json gives.
+/// Converts the result of lattice_speed_to_json() back. Throws an exception derived from std::exception if
+/// `json` has another form.
 LatticeSpeed lattice_speed_from_json(const Json& json);
 
-/// The file that keeps it: in $XDG_CACHE_HOME/beadswim, else ~/.cache/beadswim; empty where there is neither.
-std::string speed_cache(int ranks);
+/// Returns the path of the cache file for this number of ranks. The folder is $XDG_CACHE_HOME/beadswim or,
+/// without this variable, $HOME/.cache/beadswim. The path is empty if neither variable is set.
+std::string speed_cache_path(int ranks);
 
 }  // namespace beadswim

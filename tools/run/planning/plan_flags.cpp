@@ -37,7 +37,7 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
     if (lattice.bead_boundary != usual.bead_boundary)
       flags += " --bead-boundary " + to_text(lattice.bead_boundary);
   }
-  const FlagValues course = course_of(settings);
+  const FlagValues course = result_flags(settings);
   for (const char* asked :
        {"--delay-correction", "--radius-correction", "--lubrication", "--friction", "--steps-per-cycle"}) {
     if (const auto flag = course.find(asked); flag != course.end() && options.given.contains(asked))
@@ -46,7 +46,7 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
   return flags;
 }
 
-const PlannedRun& chosen(const RunPlan& plan, const RunOptions& options) {
+const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
   if (plan.choice) return plan.runs[*plan.choice];
   const auto flags = [&](const PlannedRun& run) { return flags_of(run, options); };
   if (!plan.best)

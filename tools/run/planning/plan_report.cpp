@@ -22,32 +22,32 @@ std::string size_text(double bytes) {
   return bytes < 1e9 ? fmt::format("{:.3g} MB", 1e-6 * bytes) : fmt::format("{:.3g} GB", 1e-9 * bytes);
 }
 
-std::string row(const PlannedRun& run, const RunOptions& asked, const Communicator& communicator,
+std::string row(const PlannedRun& run, const RunOptions& options, const Communicator& communicator,
                 const std::string& remark) {
-  return fmt::format("  {:<74} {:>7} {:>7} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", flags_of(run, asked),
+  return fmt::format("  {:<74} {:>7} {:>7} {:>9.3g} {:>9.3g} {:>8} {:>8}  {}\n", flags_of(run, options),
                      percent(run.error.velocity),
                      percent(std::max(run.error.arm_amplitudes[0], run.error.arm_amplitudes[1])),
                      run.core_seconds, run.core_seconds / communicator.size(), size_text(run.memory_bytes),
                      size_text(run.output_bytes), remark);
 }
 
-/// A reason without its numbers, by which reasons of one kind are alike.
-std::string kind_of(std::string reason) {
+/// Replaces the numbers in a reason by #, so that reasons that differ only in numbers can be grouped.
+std::string reason_kind(std::string reason) {
   return std::regex_replace(reason, std::regex("[0-9][0-9.e+-]*"), "#");
 }
 
-/// Whether none that can be run costs less and errs no more, or hardly.
+/// Returns false if another possible run costs less and has an expected error at most 5 % larger.
 bool is_on_front(const RunPlan& plan, const PlannedRun& run) {
-  constexpr double hardly = 1.05;
+  constexpr double error_margin = 1.05;
   return std::ranges::none_of(plan.runs, [&](const PlannedRun& other) {
     return other.refused.empty() && other.core_seconds < run.core_seconds &&
-           other.error.largest() <= hardly * run.error.largest();
+           other.error.largest() <= error_margin * run.error.largest();
   });
 }
 
-Json json_of(const PlannedRun& run, const RunOptions& asked, const Communicator& communicator) {
+Json json_of(const PlannedRun& run, const RunOptions& options, const Communicator& communicator) {
   const LatticeSettings& lattice = run.settings.lattice;
-  Json json{{"model", run.settings.model}, {"flags", flags_of(run, asked)}};
+  Json json{{"model", run.settings.model}, {"flags", flags_of(run, options)}};
   if (run.settings.model == RunModel::lbm) {
     json["resolution"] = {{"cells_per_radius", *lattice.cells_per_radius},
                           {"relaxation_time", *lattice.relaxation_time},
@@ -65,7 +65,7 @@ Json json_of(const PlannedRun& run, const RunOptions& asked, const Communicator&
   return json;
 }
 
-/// The command that makes the proposed layout.
+/// Returns the command that writes the proposed layout.
 std::string command_of(const Proposal& proposal) {
   if (!proposal.box) return "beadswim-layout reduce";
   const Vec3& box = *proposal.box;
@@ -74,7 +74,7 @@ std::string command_of(const Proposal& proposal) {
 
 }  // namespace
 
-std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Communicator& communicator) {
+std::string plan_table(const RunPlan& plan, const RunOptions& options, const Communicator& communicator) {
   std::string text = fmt::format(
       "  {:<74} {:>15} {:>9} {:>9} {:>8} {:>8}\n  {:<74} {:>7} {:>7} {:>9} {:>9} {:>8} {:>8}\n", "",
       "error [%]", "cost", "time", "memory", "output", "run", "v", "arms", "core s", "s", "", "");
@@ -82,7 +82,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Commu
   std::map<std::string, std::vector<const PlannedRun*>> refused;
   for (const PlannedRun& run : plan.runs) {
     if (!run.refused.empty()) {
-      refused[kind_of(run.refused)].push_back(&run);
+      refused[reason_kind(run.refused)].push_back(&run);
     } else if (run.settings.model != RunModel::lbm || is_on_front(plan, run)) {
       front.push_back(&run);
     }
@@ -90,10 +90,11 @@ std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Commu
   std::ranges::sort(front, {}, &PlannedRun::core_seconds);
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front)
-    text += row(*run, asked, communicator, run == choice ? "<- cheapest" : "");
+    text += row(*run, options, communicator, run == choice ? "<- cheapest" : "");
   for (const auto& [kind, runs] : refused) {
     const std::string others = runs.size() > 1 ? fmt::format(", and {} like it", runs.size() - 1) : "";
-    text += fmt::format("refused: {}{}: {}\n", flags_of(*runs.front(), asked), others, runs.front()->refused);
+    text +=
+        fmt::format("refused: {}{}: {}\n", flags_of(*runs.front(), options), others, runs.front()->refused);
   }
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);
   for (const Proposal& proposal : plan.proposals)
@@ -101,20 +102,20 @@ std::string plan_table(const RunPlan& plan, const RunOptions& asked, const Commu
   return text;
 }
 
-Json plan_to_json(const RunPlan& plan, const RunOptions& asked, const Communicator& communicator) {
+Json plan_to_json(const RunPlan& plan, const RunOptions& options, const Communicator& communicator) {
   Json json{{"schema", "beadswim/plan/1"},
             {"tolerance", plan.tolerance},
-            {"cycles", asked.settings.cycles},
+            {"cycles", options.settings.cycles},
             {"ranks", communicator.size()},
-            {"choice", plan.choice ? Json(flags_of(plan.runs[*plan.choice], asked)) : Json()},
-            {"best", plan.best ? Json(flags_of(plan.runs[*plan.best], asked)) : Json()},
+            {"choice", plan.choice ? Json(flags_of(plan.runs[*plan.choice], options)) : Json()},
+            {"best", plan.best ? Json(flags_of(plan.runs[*plan.best], options)) : Json()},
             {"runs", Json::array()},
             {"hard", plan.hard},
             {"proposals", Json::array()}};
-  for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, asked, communicator));
+  for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, options, communicator));
   for (const Proposal& proposal : plan.proposals)
     json["proposals"].push_back({{"command", command_of(proposal)}, {"what", proposal.what}});
-  if (asked.with_provenance) json["provenance"] = Json::array({asked.provenance});
+  if (options.with_provenance) json["provenance"] = Json::array({options.provenance});
   return json;
 }
 

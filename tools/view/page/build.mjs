@@ -1,10 +1,10 @@
-// Bundles the page into one text with a content policy of its own, and writes it as a C++ file:
+// Bundles the page into one HTML text with a content security policy, and writes the text as a C++ file:
 //   node build.mjs page.cpp
 import { build } from "esbuild";
 import { createHash } from "node:crypto";
 import { readFileSync, writeFileSync } from "node:fs";
 
-async function bundled(entry) {
+async function bundle(entry) {
   const result = await build({
     entryPoints: [entry], bundle: true, minify: true, format: "iife", target: "es2022", charset: "utf8",
     legalComments: "inline", write: false,
@@ -14,10 +14,10 @@ async function bundled(entry) {
 
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
-/** The page's two halves: what it shows goes between. Only its own script and style run, and nothing is fetched. */
-async function page() {
-  const script = await bundled("src/main.ts");
-  const style = await bundled("src/style.css");
+/** Returns the parts of the page before and after the data. Its policy allows only its own script and style, and no requests. */
+async function buildPage() {
+  const script = await bundle("src/main.ts");
+  const style = await bundle("src/style.css");
   const policy = `default-src 'none'; script-src ${hash(script)}; style-src ${hash(style)}; img-src data:; ` +
     "base-uri 'none'; form-action 'none'";
   const parts = { policy: `<meta http-equiv="Content-Security-Policy" content="${policy}">`,
@@ -26,22 +26,22 @@ async function page() {
   return html.split("<!-- data -->");
 }
 
-/** A C++ string literal of any length, in lines. "?" is escaped because two make a trigraph. */
-function literal(text) {
+/** Returns a C++ string literal in several lines. "?" is escaped because "??" would begin a trigraph. */
+function cppLiteral(text) {
   const characters = [...Buffer.from(text)].map((byte) => {
     if (byte === 0x22 || byte === 0x5c) return "\\" + String.fromCharCode(byte);
     return byte >= 0x20 && byte < 0x7f && byte !== 0x3f ? String.fromCharCode(byte) : "\\" + byte.toString(8).padStart(3, "0");
   });
   const lines = [];
-  for (let at = 0; at < characters.length; at += 4000) lines.push(`"${characters.slice(at, at + 4000).join("")}"`);
+  for (let first = 0; first < characters.length; first += 4000) lines.push(`"${characters.slice(first, first + 4000).join("")}"`);
   return lines.join("\n");
 }
 
-const [before, after] = await page();
+const [before, after] = await buildPage();
 writeFileSync(process.argv[2], `#include "page.hpp"
 
 const beadswim::Page beadswim::page{
-${literal(before)},
-${literal(after)},
+${cppLiteral(before)},
+${cppLiteral(after)},
 ""};
 `);

@@ -1,4 +1,4 @@
-// Plots beside the picture, against time in periods of the driving; a line stands at the moment that is shown.
+// Plots beside the 3D view, against time in base periods. A vertical line marks the time that the view shows.
 
 import uPlot from "uplot";
 
@@ -15,34 +15,34 @@ export interface Plot {
   curves: Curve[];
 }
 
-const css = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const cssVariable = (name: string) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-const written = (value: number | null) => (value == null ? "–" : String(Number(value.toPrecision(4))));
+const formatNumber = (value: number | null) => (value == null ? "–" : String(Number(value.toPrecision(4))));
 
-/** Room around numbers that are all the same, which uPlot would draw on an axis up to 100. */
+/** Returns an axis range with margins. Equal values need their own margin, because uPlot would draw an axis up to 100. */
 function range(_: uPlot, low: number, high: number): uPlot.Range.MinMax {
   if (low == null || high == null) return [0, 1];
-  const room = high > low ? 0.08 * (high - low) : Math.max(0.1 * Math.abs(high), 1e-3);
-  return [low - room, high + room];
+  const margin = high > low ? 0.08 * (high - low) : Math.max(0.1 * Math.abs(high), 1e-3);
+  return [low - margin, high + margin];
 }
 
-/** As many digits as tell the ticks apart. */
-function ticks(_: uPlot, values: number[]): string[] {
-  const apart = Math.abs(values[1] - values[0]) || 1, largest = Math.max(...values.map(Math.abs), apart);
+/** Returns the labels of the ticks, with enough digits to distinguish neighbouring ticks. */
+function tickLabels(_: uPlot, values: number[]): string[] {
+  const spacing = Math.abs(values[1] - values[0]) || 1, largest = Math.max(...values.map(Math.abs), spacing);
   if (largest < 1e-2 || largest >= 1e5) {
-    const digits = Math.max(0, Math.floor(Math.log10(largest)) - Math.floor(Math.log10(apart) + 1e-9));
+    const digits = Math.max(0, Math.floor(Math.log10(largest)) - Math.floor(Math.log10(spacing) + 1e-9));
     return values.map((value) => (value === 0 ? "0" : value.toExponential(digits)));
   }
-  return values.map((value) => value.toFixed(Math.max(0, -Math.floor(Math.log10(apart) + 1e-9))));
+  return values.map((value) => value.toFixed(Math.max(0, -Math.floor(Math.log10(spacing) + 1e-9))));
 }
 
 export class Charts {
   private charts: uPlot[] = [];
   private time = 0;
 
-  /** `onSeek` is told the time that the reader clicks on. */
+  /** Calls `onSeek` with the time at which the user clicks [periods]. */
   constructor(private readonly parent: HTMLElement, private readonly onSeek: (time: number) => void) {
-    new ResizeObserver(() => this.charts.forEach((chart) => chart.setSize(this.sizeOf()))).observe(parent);
+    new ResizeObserver(() => this.charts.forEach((chart) => chart.setSize(this.chartSize()))).observe(parent);
   }
 
   show(plots: Plot[]): void {
@@ -58,29 +58,29 @@ export class Charts {
     }
   }
 
-  private sizeOf() {
+  private chartSize() {
     return { width: Math.max(this.parent.clientWidth, 200), height: 170 };
   }
 
   private chart(plot: Plot): uPlot {
-    const axis = { stroke: css("--quiet"), grid: { stroke: css("--line"), width: 1 }, ticks: { stroke: css("--line"), width: 1 } };
+    const axis = { stroke: cssVariable("--quiet"), grid: { stroke: cssVariable("--line"), width: 1 }, ticks: { stroke: cssVariable("--line"), width: 1 } };
     const series = plot.curves.map((curve) => ({
       label: curve.label, stroke: curve.colour, width: 1.5, pxAlign: 0, points: { show: plot.times.length < 30 },
-      value: (_: uPlot, value: number | null) => written(value),
+      value: (_: uPlot, value: number | null) => formatNumber(value),
     }));
     const options: uPlot.Options = {
-      ...this.sizeOf(),
+      ...this.chartSize(),
       title: `${plot.title} (${plot.unit})`,
       scales: { x: { time: false }, y: { range } },
-      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, size: 70, values: ticks }],
-      series: [{ label: "cycle", value: (_: uPlot, value: number | null) => written(value) }, ...series],
+      axes: [{ ...axis, label: "cycles of the driving", labelSize: 20, size: 34 }, { ...axis, size: 70, values: tickLabels }],
+      series: [{ label: "cycle", value: (_: uPlot, value: number | null) => formatNumber(value) }, ...series],
       cursor: { drag: { x: false, y: false } },
-      hooks: { draw: [(chart) => this.drawTime(chart)], ready: [(chart) => this.listen(chart), (chart) => this.showValues(chart)] },
+      hooks: { draw: [(chart) => this.drawTime(chart)], ready: [(chart) => this.addClickListener(chart), (chart) => this.showValues(chart)] },
     };
     return new uPlot(options, [plot.times, ...plot.curves.map((curve) => curve.values)], this.parent);
   }
 
-  /** In the legend: the numbers at the frame or cycle next to the moment that is shown. */
+  /** Shows the values of the frame or cycle nearest to the current time in the legend. */
   private showValues(chart: uPlot): void {
     const times = chart.data[0];
     let nearest = 0;
@@ -95,7 +95,7 @@ export class Charts {
     const x = chart.valToPos(this.time, "x", true);
     if (x < left - 1 || x > left + width + 1) return;
     chart.ctx.save();
-    chart.ctx.strokeStyle = css("--ink");
+    chart.ctx.strokeStyle = cssVariable("--ink");
     chart.ctx.lineWidth = 1;
     chart.ctx.beginPath();
     chart.ctx.moveTo(x, top);
@@ -104,7 +104,7 @@ export class Charts {
     chart.ctx.restore();
   }
 
-  private listen(chart: uPlot): void {
+  private addClickListener(chart: uPlot): void {
     chart.over.addEventListener("click", (event) => this.onSeek(chart.posToVal(event.offsetX, "x")));
   }
 }

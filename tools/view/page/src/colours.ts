@@ -1,7 +1,7 @@
-// What colours of swimmers say. Scales that colour-blind eyes can tell: Okabe and Ito's colours, viridis, and for phases a
-// circle whose lightness goes up and down.
+// Colours of swimmers by block, velocity, orientation or phase. The colours are distinguishable with colour blindness: Okabe
+// and Ito's colours for blocks, viridis for scales, and for phases a cyclic scale whose lightness rises and falls.
 
-import { cycleAt, tilt } from "./motion";
+import { cycleAt, axisAngle } from "./motion";
 import type { CycleTable, Scene } from "./scene";
 
 export type Colour = [number, number, number]; // red, green, blue from 0 to 1
@@ -15,28 +15,28 @@ const diverging = ["#0072b2", "#7fb6d8", "#c8c8c8", "#e9ab7c", "#d55e00"].map(fr
 const cyclic = ["#2d1e6b", "#2f6db0", "#8fc3cf", "#f2ead8", "#dfa16b", "#a63c46", "#2d1e6b"].map(fromHex);
 const unknown: Colour = [0.55, 0.55, 0.55];
 
-/** The colour at a place from 0 to 1 along the stops. */
-export function along(stops: Colour[], place: number): Colour {
-  if (!Number.isFinite(place)) return unknown;
-  const at = Math.min(Math.max(place, 0), 1) * (stops.length - 1);
-  const left = Math.min(Math.floor(at), stops.length - 2), share = at - left;
-  return stops[left].map((part, i) => part + share * (stops[left + 1][i] - part)) as Colour;
+/** Interpolates the colour scale `stops` at a position from 0 to 1; grey for a non-finite position. */
+export function interpolate(stops: Colour[], position: number): Colour {
+  if (!Number.isFinite(position)) return unknown;
+  const scaled = Math.min(Math.max(position, 0), 1) * (stops.length - 1);
+  const left = Math.min(Math.floor(scaled), stops.length - 2), fraction = scaled - left;
+  return stops[left].map((part, i) => part + fraction * (stops[left + 1][i] - part)) as Colour;
 }
 
 export interface Colouring {
   title: string;
-  keys: { name: string; colour: Colour }[]; // of categories
-  stops: Colour[]; // of a scale; empty for categories
-  ends: [string, string]; // what a scale's ends stand for
-  /** Of each swimmer at a frame. */
+  keys: { name: string; colour: Colour }[]; // one per category; empty for a scale
+  stops: Colour[]; // colours of the scale, equally spaced; empty for categories
+  ends: [string, string]; // values at the two ends of the scale
+  /** Returns the colour of each swimmer in a frame. */
   colours(frame: number): Colour[];
 }
 
 export const colourings = ["block", "velocity", "orientation", "phase"] as const;
 export type ColouringName = (typeof colourings)[number];
 
-/** Why these colours cannot be had of this run; empty if they can. */
-export function reasonAgainst(scene: Scene, name: ColouringName): string {
+/** Returns the reason why the run has no data for this colouring; empty if it has. */
+export function unavailableReason(scene: Scene, name: ColouringName): string {
   const needsCycle = name === "velocity" || name === "phase";
   return needsCycle && scene.cycleTimes.length === 0 ? "the run ended no cycle" : "";
 }
@@ -60,15 +60,15 @@ function extent(numbers: Iterable<number>): [number, number] {
 
 function* cycleNumbers(scene: Scene, table: CycleTable): Generator<number> {
   for (let cycle = 0; cycle < scene.cycleTimes.length; ++cycle) {
-    for (let s = 0; s < scene.ids.length; ++s) yield table.at(cycle, s);
+    for (let s = 0; s < scene.ids.length; ++s) yield table.value(cycle, s);
   }
 }
 
-/** A number of the cycle that a frame is in, on a scale. */
-function byCycle(scene: Scene, table: CycleTable, place: (number: number) => number, stops: Colour[]): Colouring["colours"] {
+/** Colours each swimmer by its value in the cycle that contains the frame. `position` maps a value to 0 to 1 on the scale. */
+function byCycle(scene: Scene, table: CycleTable, position: (number: number) => number, stops: Colour[]): Colouring["colours"] {
   return (frame) => {
     const cycle = cycleAt(scene, scene.times[frame]) ?? 0;
-    return scene.ids.map((_, s) => along(stops, place(table.at(cycle, s))));
+    return scene.ids.map((_, s) => interpolate(stops, position(table.value(cycle, s))));
   };
 }
 
@@ -77,22 +77,22 @@ function byVelocity(scene: Scene): Colouring {
   const signed = low < 0 && high > 0;
   if (signed) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
   const stops = signed ? diverging : sequential;
-  const place = (v: number) => (high > low ? (v - low) / (high - low) : 0.5);
+  const position = (v: number) => (high > low ? (v - low) / (high - low) : 0.5);
   return { title: `Velocity along the axis, by cycle (${scene.velocityUnit})`, keys: [], stops, ends: [low.toPrecision(3), high.toPrecision(3)],
-    colours: byCycle(scene, scene.velocity, place, stops) };
+    colours: byCycle(scene, scene.velocity, position, stops) };
 }
 
 function byOrientation(scene: Scene): Colouring {
   const sampled = scene.frames.map((_, f) => f).filter((f) => f % Math.ceil(scene.frames.length / 20) === 0 || f === scene.frames.length - 1);
-  const [low, high] = extent(sampled.flatMap((f) => scene.ids.map((_, s) => tilt(scene, s, f))));
-  const range = Math.max(high - low, 1e-3); // less is the rounding of positions
+  const [low, high] = extent(sampled.flatMap((f) => scene.ids.map((_, s) => axisAngle(scene, s, f))));
+  const range = Math.max(high - low, 1e-3); // smaller ranges are rounding errors of positions
   return { title: "Angle from axis to x", keys: [], stops: sequential, ends: [`${low.toPrecision(3)}°`, `${(low + range).toPrecision(3)}°`],
-    colours: (frame) => scene.ids.map((_, s) => along(sequential, (tilt(scene, s, frame) - low) / range)) };
+    colours: (frame) => scene.ids.map((_, s) => interpolate(sequential, (axisAngle(scene, s, frame) - low) / range)) };
 }
 
 function byPhase(scene: Scene): Colouring {
-  const place = (phase: number) => phase / (2 * Math.PI) + 0.5;
-  return { title: "Phase of arm 1, by cycle (radians)", keys: [], stops: cyclic, ends: ["−π", "π"], colours: byCycle(scene, scene.phases[0], place, cyclic) };
+  const position = (phase: number) => phase / (2 * Math.PI) + 0.5;
+  return { title: "Phase of arm 1, by cycle (radians)", keys: [], stops: cyclic, ends: ["−π", "π"], colours: byCycle(scene, scene.phases[0], position, cyclic) };
 }
 
 export function colouring(scene: Scene, name: ColouringName): Colouring {

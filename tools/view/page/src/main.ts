@@ -1,13 +1,13 @@
-// The page of beadswim-view: reads the run that it holds, and joins controls, picture and plots.
+// Entry point of the page of beadswim-view: reads the run in the page, and connects the controls, the 3D view and the plots.
 
 import { Charts } from "./charts";
-import { colouring, colourings, reasonAgainst, toCss, type Colouring, type ColouringName } from "./colours";
-import { beadsAt, isSmooth, momentOf, positionsAt, timeAt, wrap, type Point } from "./motion";
-import { plotsOf } from "./plots";
+import { colouring, colourings, unavailableReason, toCss, type Colouring, type ColouringName } from "./colours";
+import { beadsAt, isSmooth, framePositionAt, positionsAt, timeAt, wrap, type Point } from "./motion";
+import { makePlots } from "./plots";
 import { PageFault, readScene, type Scene } from "./scene";
 import { Stage, type View } from "./stage";
 
-const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 25]; // cycles a second
+const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 25]; // cycles per second
 
 function element<T extends HTMLElement>(id: string): T {
   const found = document.getElementById(id);
@@ -16,8 +16,8 @@ function element<T extends HTMLElement>(id: string): T {
 }
 
 class Player {
-  private moment = 0; // that is shown
-  private clock = 0; // what playing goes by [periods]: between frames too, where the picture jumps
+  private framePosition = 0; // shown frame; fractional between two frames
+  private clock = 0; // time of the animation [periods]; runs continuously, also if the view jumps from frame to frame
   private playing = false;
   private picked: number | null = null;
   private colouring: Colouring;
@@ -35,7 +35,7 @@ class Player {
   constructor(private readonly scene: Scene) {
     this.last = scene.times.length - 1;
     this.stage = new Stage(element<HTMLCanvasElement>("canvas"), scene);
-    this.charts = new Charts(element("charts"), (time) => this.seek(momentOf(scene, time)));
+    this.charts = new Charts(element("charts"), (time) => this.seek(framePositionAt(scene, time)));
     this.colouring = colouring(scene, "block");
     this.stage.onPick = (swimmer) => this.pick(swimmer);
     this.fillControls();
@@ -45,7 +45,7 @@ class Player {
     this.setColours("block");
     this.pick(null);
     this.show(0);
-    this.stage.look("all");
+    this.stage.setView("all");
   }
 
   private fillControls(): void {
@@ -60,7 +60,7 @@ class Player {
     for (const speed of speeds) this.speed.add(new Option(`${speed} cycles/s`, String(speed)));
     this.speed.value = isSmooth(scene) ? "0.5" : "5";
     for (const name of colourings) {
-      const reason = reasonAgainst(scene, name);
+      const reason = unavailableReason(scene, name);
       const option = new Option(reason ? `${name} (${reason})` : name, name);
       option.disabled = reason !== "";
       this.colours.add(option);
@@ -82,10 +82,10 @@ class Player {
     });
     this.colours.addEventListener("change", () => this.setColours(this.colours.value as ColouringName));
     this.swimmer.addEventListener("change", () => this.pickById(this.swimmer.value));
-    this.wrapping.addEventListener("change", () => this.show(this.moment));
-    this.following.addEventListener("change", () => this.show(this.moment));
+    this.wrapping.addEventListener("change", () => this.show(this.framePosition));
+    this.following.addEventListener("change", () => this.show(this.framePosition));
     for (const button of document.querySelectorAll<HTMLButtonElement>("[data-view]")) {
-      button.addEventListener("click", () => this.stage.look(button.dataset.view as View));
+      button.addEventListener("click", () => this.stage.setView(button.dataset.view as View));
     }
   }
 
@@ -95,10 +95,10 @@ class Player {
     const onCanvas = target === element("canvas");
     const takesKeys = target.matches("select, input[type=number]") || (event.key === " " && target.matches("button, summary, input[type=checkbox]"));
     if (takesKeys && event.key !== "Escape") return;
-    const act = this.actions()[event.key] ?? (onCanvas ? this.cameraActions()[event.key] : undefined);
-    if (!act) return;
+    const action = this.actions()[event.key] ?? (onCanvas ? this.cameraActions()[event.key] : undefined);
+    if (!action) return;
     event.preventDefault();
-    act();
+    action();
   }
 
   private actions(): Record<string, () => void> {
@@ -114,10 +114,10 @@ class Player {
       w: () => this.wrapping.click(),
       f: () => this.following.click(),
       c: () => this.nextColours(),
-      a: () => this.stage.look("all"),
-      x: () => this.stage.look("x"),
-      y: () => this.stage.look("y"),
-      z: () => this.stage.look("z"),
+      a: () => this.stage.setView("all"),
+      x: () => this.stage.setView("x"),
+      y: () => this.stage.setView("y"),
+      z: () => this.stage.setView("z"),
     };
   }
 
@@ -139,16 +139,16 @@ class Player {
     this.playing = playing;
     element("play").textContent = playing ? "Pause" : "Play";
     if (!playing) return;
-    let then = performance.now();
+    let previousTime = performance.now();
     const advance = (now: number) => {
       if (!this.playing) return;
-      this.clock += (Number(this.speed.value) * (now - then)) / 1000;
-      then = now;
+      this.clock += (Number(this.speed.value) * (now - previousTime)) / 1000;
+      previousTime = now;
       const { times } = this.scene;
-      const beyond = (times[this.last] - times[0]) / this.last; // for which the last frame is shown
-      if (this.clock > times[this.last] + beyond) this.clock = times[0];
-      const moment = momentOf(this.scene, this.clock);
-      this.show(isSmooth(this.scene) ? moment : Math.floor(moment));
+      const lastFrameDuration = (times[this.last] - times[0]) / this.last; // mean interval between frames
+      if (this.clock > times[this.last] + lastFrameDuration) this.clock = times[0];
+      const framePosition = framePositionAt(this.scene, this.clock);
+      this.show(isSmooth(this.scene) ? framePosition : Math.floor(framePosition));
       requestAnimationFrame(advance);
     };
     requestAnimationFrame(advance);
@@ -156,8 +156,8 @@ class Player {
 
   private step(frames: number): void {
     this.play(false);
-    const from = frames > 0 ? Math.floor(this.moment) : Math.ceil(this.moment);
-    this.seek(Math.min(Math.max(from + frames, 0), this.last));
+    const fromFrame = frames > 0 ? Math.floor(this.framePosition) : Math.ceil(this.framePosition);
+    this.seek(Math.min(Math.max(fromFrame + frames, 0), this.last));
   }
 
   private changeSpeed(steps: number): void {
@@ -166,7 +166,7 @@ class Player {
   }
 
   private nextColours(): void {
-    const possible = colourings.filter((name) => reasonAgainst(this.scene, name) === "");
+    const possible = colourings.filter((name) => unavailableReason(this.scene, name) === "");
     const next = possible[(possible.indexOf(this.colours.value as ColouringName) + 1) % possible.length];
     this.colours.value = next;
     this.setColours(next);
@@ -180,7 +180,7 @@ class Player {
   }
 
   private paint(): void {
-    const frame = Math.min(Math.round(this.moment), this.last);
+    const frame = Math.min(Math.round(this.framePosition), this.last);
     if (frame === this.paintedFrame) return;
     this.paintedFrame = frame;
     this.stage.paint(this.colouring.colours(frame));
@@ -228,43 +228,43 @@ class Player {
     element("picked").textContent = swimmer === null
       ? "Click a swimmer for its stroke, path and turning."
       : `Swimmer ${this.scene.ids[swimmer]}, block ${this.scene.blocks[swimmer]}`;
-    this.charts.show(plotsOf(this.scene, swimmer));
-    this.show(this.moment);
+    this.charts.show(makePlots(this.scene, swimmer));
+    this.show(this.framePosition);
   }
 
-  private seek(moment: number): void {
-    this.clock = timeAt(this.scene, moment);
-    this.show(moment);
+  private seek(framePosition: number): void {
+    this.clock = timeAt(this.scene, framePosition);
+    this.show(framePosition);
   }
 
-  private show(moment: number): void {
-    this.moment = moment;
+  private show(framePosition: number): void {
+    this.framePosition = framePosition;
     const { positions } = this.stage;
-    positionsAt(this.scene, moment, positions);
-    const unwrapped = this.pickedPlace();
+    positionsAt(this.scene, framePosition, positions);
+    const unwrappedPosition = this.pickedPosition();
     if (this.wrapping.checked) wrap(this.scene, positions);
-    this.showPicked(unwrapped);
+    this.showPicked(unwrappedPosition);
     this.paint();
-    this.stage.moved();
-    const time = timeAt(this.scene, moment);
-    this.time.value = String(moment);
-    element("clock").textContent = `cycle ${time.toFixed(3)}, frame ${Math.round(moment)} of ${this.last}`;
+    this.stage.updatePositions();
+    const time = timeAt(this.scene, framePosition);
+    this.time.value = String(framePosition);
+    element("clock").textContent = `cycle ${time.toFixed(3)}, frame ${Math.round(framePosition)} of ${this.last}`;
     this.charts.setTime(time);
   }
 
-  /** Of the picked swimmer's middle bead, as it stands in the picture. */
-  private pickedPlace(): Point | null {
+  /** Returns the position of the middle bead of the picked swimmer in the view; null if none is picked. */
+  private pickedPosition(): Point | null {
     if (this.picked === null) return null;
     const first = 9 * this.picked + 3;
     return Array.from(this.stage.positions.subarray(first, first + 3)) as Point;
   }
 
-  /** Puts the path where the swimmer is shown. */
-  private showPicked(unwrapped: Point | null): void {
-    const place = this.pickedPlace();
-    if (!place || !unwrapped) return;
-    this.stage.shiftPath(place.map((x, a) => x - unwrapped[a]) as Point);
-    if (this.following.checked) this.stage.follow(place);
+  /** Shifts the path of the picked swimmer to the image that is shown, and centres the view on the swimmer if it is followed. */
+  private showPicked(unwrappedPosition: Point | null): void {
+    const position = this.pickedPosition();
+    if (!position || !unwrappedPosition) return;
+    this.stage.shiftPath(position.map((x, a) => x - unwrappedPosition[a]) as Point);
+    if (this.following.checked) this.stage.follow(position);
   }
 }
 

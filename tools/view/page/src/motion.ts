@@ -1,20 +1,21 @@
-// Where beads are, and what that says of a swimmer. A moment is a frame's number; between two frames it has a fraction.
+// Positions of beads, and quantities of a swimmer derived from them. A frame position is the index of a frame; between two
+// frames it has a fractional part, and positions are interpolated linearly.
 
 import type { Scene } from "./scene";
 
 export type Point = [number, number, number];
 
-const frameBefore = (scene: Scene, moment: number) => Math.min(Math.floor(moment), scene.frames.length - 1);
+const frameBefore = (scene: Scene, framePosition: number) => Math.min(Math.floor(framePosition), scene.frames.length - 1);
 
-/** Time of a moment [periods]. */
-export function timeAt(scene: Scene, moment: number): number {
-  const frame = frameBefore(scene, moment);
+/** Returns the time of a frame position [periods]. */
+export function timeAt(scene: Scene, framePosition: number): number {
+  const frame = frameBefore(scene, framePosition);
   const next = Math.min(frame + 1, scene.frames.length - 1);
-  return scene.times[frame] + (moment - frame) * (scene.times[next] - scene.times[frame]);
+  return scene.times[frame] + (framePosition - frame) * (scene.times[next] - scene.times[frame]);
 }
 
-/** The moment of a time, which may be beyond the run's ends. */
-export function momentOf(scene: Scene, time: number): number {
+/** Returns the frame position of a time [periods]. A time before or after the run gives the first or last frame. */
+export function framePositionAt(scene: Scene, time: number): number {
   const last = scene.times.length - 1;
   if (last === 0 || time <= scene.times[0]) return 0;
   if (time >= scene.times[last]) return last;
@@ -27,24 +28,24 @@ export function momentOf(scene: Scene, time: number): number {
   return low + (time - scene.times[low]) / (scene.times[high] - scene.times[low]);
 }
 
-/** Whether frames lie so close, eight a period or more, that beads move on straight lines between them. */
+/** Returns whether the run has at least eight frames per period, so that positions may be interpolated between frames. */
 export function isSmooth(scene: Scene): boolean {
   const last = scene.times.length - 1;
   return last > 0 && (scene.times[last] - scene.times[0]) / last <= 1 / 8 + 1e-9;
 }
 
-/** Unwrapped positions of all beads into `positions`: x, y, z each. */
-export function positionsAt(scene: Scene, moment: number, positions: Float32Array): void {
-  const frame = frameBefore(scene, moment);
+/** Writes the unwrapped x, y, z of all beads to `positions`. */
+export function positionsAt(scene: Scene, framePosition: number, positions: Float32Array): void {
+  const frame = frameBefore(scene, framePosition);
   const now = scene.frames[frame], next = scene.frames[Math.min(frame + 1, scene.frames.length - 1)];
-  const fraction = moment - frame;
+  const fraction = framePosition - frame;
   for (let i = 0; i < positions.length; ++i) {
     const steps = now[i] + fraction * (next[i] - now[i]);
     positions[i] = scene.start[i] + steps * scene.step[(i / 9) | 0];
   }
 }
 
-/** Moves each swimmer by whole boxes, so that its middle bead is in the box. */
+/** Shifts each swimmer by multiples of the box lengths along periodic axes, so that its middle bead lies in the box. */
 export function wrap(scene: Scene, positions: Float32Array): void {
   const { box, periodic } = scene;
   if (!box) return;
@@ -57,7 +58,7 @@ export function wrap(scene: Scene, positions: Float32Array): void {
   }
 }
 
-/** The three beads of a swimmer at a frame, unwrapped. */
+/** Returns the unwrapped positions of the three beads of a swimmer in a frame. */
 export function beadsAt(scene: Scene, swimmer: number, frame: number): [Point, Point, Point] {
   const coordinate = (i: number) => scene.start[i] + scene.frames[frame][i] * scene.step[swimmer];
   const bead = (b: number): Point => {
@@ -76,29 +77,29 @@ function unit(p: Point): Point {
   return [p[0] / size, p[1] / size, p[2] / size];
 }
 
-/** Between two directions [degrees]; good for small angles too. */
+/** Returns the angle between two directions [degrees]. The formula is accurate also for small angles. */
 function angle(p: Point, q: Point): number {
   const across = minus(unit(p), unit(q));
   const along = [p, q].map(unit).reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]] as Point);
   return (2 * Math.atan2(length(across), length(along)) * 180) / Math.PI;
 }
 
-/** Of a swimmer's axis, from bead 1 to bead 3, to the x axis [degrees]. */
-export function tilt(scene: Scene, swimmer: number, frame: number): number {
+/** Returns the angle between the axis of a swimmer, from bead 1 to bead 3, and the x axis [degrees]. */
+export function axisAngle(scene: Scene, swimmer: number, frame: number): number {
   const [first, , last] = beadsAt(scene, swimmer, frame);
   return angle(minus(last, first), [1, 0, 0]);
 }
 
-/** What a swimmer does, frame by frame. */
+/** Motion of one swimmer: one value per frame in each array. */
 export interface Series {
   along: number[]; // displacement of the beads' mean position along the axis at the start [length]
-  across: number[]; // and across it
-  arms: [number[], number[]]; // lengths [length]
-  turning: number[]; // of the axis since the start [degrees]
-  bend: number[]; // between the two arms [degrees]
+  across: number[]; // displacement perpendicular to this axis [length]
+  arms: [number[], number[]]; // arm lengths [length]
+  turning: number[]; // angle between the axis and the axis at the start [degrees]
+  bend: number[]; // angle between the two arms [degrees]
 }
 
-export function seriesOf(scene: Scene, swimmer: number): Series {
+export function makeSeries(scene: Scene, swimmer: number): Series {
   const series: Series = { along: [], across: [], arms: [[], []], turning: [], bend: [] };
   const mean = (beads: Point[]): Point => [0, 1, 2].map((a) => (beads[0][a] + beads[1][a] + beads[2][a]) / 3) as Point;
   const atStart = beadsAt(scene, swimmer, 0);
@@ -117,7 +118,7 @@ export function seriesOf(scene: Scene, swimmer: number): Series {
   return series;
 }
 
-/** The base cycle that a time [periods] is in: its index, or the nearest. None if the run ended none. */
+/** Returns the index of the base cycle that contains a time [periods], or the last completed cycle; null if no cycle was completed. */
 export function cycleAt(scene: Scene, time: number): number | null {
   if (scene.cycleTimes.length === 0) return null;
   const ended = scene.cycleTimes.findIndex((end) => time <= end + 1e-9);

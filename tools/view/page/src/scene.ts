@@ -1,11 +1,11 @@
-// What the page shows: read from the elements that beadswim-view wrote into it (tools/view/page_data.hpp).
+// Reads the data that beadswim-view wrote into the page. tools/view/page_data.hpp describes the format.
 
-/** What keeps the page from showing the run, for the reader of the page. */
+/** Error whose message tells the user why the page cannot show the run. */
 export class PageFault extends Error {}
 
-/** Numbers of each cycle and swimmer; NaN where a swimmer has ended no cycle yet. */
+/** One value per cycle and swimmer; NaN if the swimmer has not completed a cycle yet. */
 export interface CycleTable {
-  at(cycle: number, swimmer: number): number;
+  value(cycle: number, swimmer: number): number;
 }
 
 export interface Scene {
@@ -13,43 +13,43 @@ export interface Scene {
   version: string;
   lengthUnit: string;
   velocityUnit: string;
-  period: number; // of the driving [time]
-  box: number[] | null; // its edges; none in open space
+  period: number; // base period [time]
+  box: number[] | null; // edges [length]; null in open space
   periodic: boolean[];
-  ids: number[]; // of the swimmers
-  blocks: number[]; // that the swimmers are of
-  times: number[]; // of the frames [periods]
-  cycleTimes: number[]; // when the cycles ended [periods]
-  radius: Float32Array; // of the beads, three a swimmer
-  start: Float32Array; // x, y, z of the beads in the first frame, unwrapped
-  step: Float32Array; // of the swimmers: the length that `frames` count
-  frames: Int16Array[]; // x, y, z of the beads less those at the start, in steps
-  velocity: CycleTable; // along the swimmer's axis, against the mean flow
-  arms: [CycleTable, CycleTable]; // amplitudes of (4.1)
-  phases: [CycleTable, CycleTable]; // of (4.1), radians
+  ids: number[]; // one per swimmer
+  blocks: number[]; // block number of each swimmer
+  times: number[]; // time of each frame [periods]
+  cycleTimes: number[]; // end of each cycle [periods]
+  radius: Float32Array; // radius of each bead [length]; three beads per swimmer
+  start: Float32Array; // x, y, z of each bead in the first frame, unwrapped [length]
+  step: Float32Array; // quantisation step of each swimmer [length]: unit of `frames`
+  frames: Int16Array[]; // x, y, z of each bead minus `start`, in steps of its swimmer
+  velocity: CycleTable; // along the axis of the swimmer, relative to the mean flow
+  arms: [CycleTable, CycleTable]; // arm amplitudes d_i [length]
+  phases: [CycleTable, CycleTable]; // arm phases δ_i [rad]
 }
 
-const none = -32768; // stands for no number
+const notANumber = -32768; // represents NaN
 
-function textOf(page: Document, id: string): string {
+function takeText(page: Document, id: string): string {
   const element = page.getElementById(id);
   if (!element) throw new PageFault(`This page lacks its data "${id}": it is not whole. Write it again by beadswim-view.`);
   const text = element.textContent ?? "";
-  element.remove(); // the numbers alone are kept in memory
+  element.remove(); // saves memory: only the decoded arrays are kept
   return text;
 }
 
-function decoded(text: string): Uint8Array {
+function decodeBase64(text: string): Uint8Array {
   const characters = atob(text);
   const bytes = new Uint8Array(characters.length);
   for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
   return bytes;
 }
 
-function bytesOf(page: Document, id: string, expected: number): ArrayBuffer {
+function readBytes(page: Document, id: string, expected: number): ArrayBuffer {
   let bytes: Uint8Array;
   try {
-    bytes = decoded(textOf(page, id));
+    bytes = decodeBase64(takeText(page, id));
   } catch (error) {
     if (error instanceof PageFault) throw error;
     throw new PageFault(`The data "${id}" of this page are broken. Write it again by beadswim-view.`);
@@ -59,25 +59,25 @@ function bytesOf(page: Document, id: string, expected: number): ArrayBuffer {
   return bytes.buffer as ArrayBuffer;
 }
 
-const floats = (page: Document, id: string, count: number) => new Float32Array(bytesOf(page, id, 4 * count));
-const wholes = (page: Document, id: string, count: number) => new Int16Array(bytesOf(page, id, 2 * count));
+const readFloats = (page: Document, id: string, count: number) => new Float32Array(readBytes(page, id, 4 * count));
+const readIntegers = (page: Document, id: string, count: number) => new Int16Array(readBytes(page, id, 2 * count));
 
 function cycleTable(page: Document, name: string, cycles: number, swimmers: number): CycleTable {
-  const steps = floats(page, `cycle-${name}-step`, swimmers);
-  const counts = wholes(page, `cycle-${name}`, cycles * swimmers);
+  const steps = readFloats(page, `cycle-${name}-step`, swimmers);
+  const counts = readIntegers(page, `cycle-${name}`, cycles * swimmers);
   return {
-    at(cycle, swimmer) {
+    value(cycle, swimmer) {
       const count = counts[cycle * swimmers + swimmer];
-      return count === none ? NaN : count * steps[swimmer];
+      return count === notANumber ? NaN : count * steps[swimmer];
     },
   };
 }
 
-/** Reads the data and takes them out of the page. Throws PageFault. */
+/** Reads the data and removes their elements from the page. Throws PageFault. */
 export function readScene(page: Document): Scene {
   let header;
   try {
-    header = JSON.parse(textOf(page, "scene"));
+    header = JSON.parse(takeText(page, "scene"));
   } catch (error) {
     if (error instanceof PageFault) throw error;
     throw new PageFault('The data "scene" of this page are broken. Write it again by beadswim-view.');
@@ -97,10 +97,10 @@ export function readScene(page: Document): Scene {
     blocks: header.blocks,
     times: header.times,
     cycleTimes: header.cycle_times,
-    radius: floats(page, "radius", 3 * swimmers),
-    start: floats(page, "start", 9 * swimmers),
-    step: floats(page, "step", swimmers),
-    frames: header.times.map((_: number, frame: number) => wholes(page, `frame-${frame}`, 9 * swimmers)),
+    radius: readFloats(page, "radius", 3 * swimmers),
+    start: readFloats(page, "start", 9 * swimmers),
+    step: readFloats(page, "step", swimmers),
+    frames: header.times.map((_: number, frame: number) => readIntegers(page, `frame-${frame}`, 9 * swimmers)),
     velocity: table("velocity"),
     arms: [table("arm1"), table("arm2")],
     phases: [table("phase1"), table("phase2")],

@@ -1,5 +1,6 @@
-// Spheres and springs as two triangles each, whose surfaces the fragments find: exact at any zoom, and light enough for
-// tens of thousands. An instance is a swimmer. Coordinates are those of the camera, which looks along -z from the origin.
+// Shaders that draw each sphere and each spring as two triangles. The fragment shader evaluates the curved surface per pixel,
+// so that it is exact at any zoom and tens of thousands of swimmers can be drawn. There is one instance per swimmer.
+// Coordinates are relative to the camera, which looks along -z from the origin.
 
 const light = `
 vec3 lit(vec3 colour, vec3 normal) {
@@ -11,7 +12,8 @@ float depth(vec3 place, mat4 projection) {
   return 0.5 * clip.z / clip.w + 0.5;
 }`;
 
-// The quad stands across the line of sight to the centre and holds the sphere's outline, of radius r d / sqrt(d^2 - r^2).
+// The square is perpendicular to the line of sight to the centre, at distance d, and contains the outline of the sphere of
+// radius r. The outline has the radius r d / sqrt(d^2 - r^2).
 export const beadVertex = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;
@@ -36,7 +38,8 @@ void main() {
   gl_Position = projectionMatrix * vec4(seen, 1.0);
 }`;
 
-// The ray through the fragment passes the centre at a distance; what that leaves of the radius is the depth of the hit.
+// The ray from the camera passes the centre at the distance m = |miss|. It hits the sphere sqrt(r^2 - m^2) before its point
+// nearest to the centre.
 export const beadFragment = `
 precision highp float;
 uniform mat4 projectionMatrix;
@@ -57,7 +60,7 @@ void main() {
   gl_FragDepth = depth(hit, projectionMatrix);
 }`;
 
-// A strip from one bead to the next that faces the camera, shaded as a cylinder.
+// A spring is a strip from one bead to the next that faces the camera and is shaded as a cylinder.
 export const springVertex = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;

@@ -1,4 +1,4 @@
-// The swarm in three dimensions. z is up, as in the figures; it is drawn when asked for, not all the time.
+// Draws the swarm in three dimensions, with z upwards, as in the figures. It draws only after a change.
 
 import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -19,7 +19,7 @@ function renderer(canvas: HTMLCanvasElement): three.WebGLRenderer {
   }
 }
 
-/** A square from -1 to 1, drawn once a swimmer. */
+/** Returns a square from -1 to 1 that is drawn once per swimmer. */
 function square(): three.InstancedBufferGeometry {
   const geometry = new three.InstancedBufferGeometry();
   const corners = new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
@@ -29,7 +29,7 @@ function square(): three.InstancedBufferGeometry {
 }
 
 export class Stage {
-  /** x, y, z of each bead; to be filled, then `moved`. */
+  /** x, y, z of each bead [length]. Call updatePositions() after changing them. */
   readonly positions: Float32Array;
   onPick: (swimmer: number | null) => void = () => {};
 
@@ -37,21 +37,21 @@ export class Stage {
   private readonly world = new three.Scene();
   private readonly camera = new three.PerspectiveCamera(35, 1, 1, 10);
   private readonly controls: OrbitControls;
-  private readonly places: three.InstancedInterleavedBuffer;
+  private readonly positionBuffer: three.InstancedInterleavedBuffer;
   private readonly colours: three.InstancedBufferAttribute;
   private readonly picked = { value: -1 };
   private readonly path: three.Line;
-  private readonly size: number; // across all that is shown
-  private asked = false;
+  private readonly sceneSize: number; // length of the diagonal of boundary()
+  private drawRequested = false;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly scene: Scene) {
     const swimmers = scene.ids.length;
     this.renderer = renderer(canvas);
     this.positions = new Float32Array(scene.start);
-    this.places = new three.InstancedInterleavedBuffer(this.positions, 9);
-    this.places.setUsage(three.DynamicDrawUsage);
+    this.positionBuffer = new three.InstancedInterleavedBuffer(this.positions, 9);
+    this.positionBuffer.setUsage(three.DynamicDrawUsage);
     this.colours = new three.InstancedBufferAttribute(new Float32Array(3 * swimmers), 3);
-    this.size = this.boundary().getSize(new three.Vector3()).length();
+    this.sceneSize = this.boundary().getSize(new three.Vector3()).length();
     this.addSwimmers();
     this.addBox();
     this.path = new three.Line(new three.BufferGeometry(), new three.LineBasicMaterial({ color: 0xdb0080 }));
@@ -60,17 +60,17 @@ export class Stage {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.addEventListener("change", () => this.draw());
-    this.listen();
-    this.look("all");
+    this.addListeners();
+    this.setView("all");
   }
 
-  /** Beads were put elsewhere. */
-  moved(): void {
-    this.places.needsUpdate = true;
+  /** Draws the beads at the changed `positions`. */
+  updatePositions(): void {
+    this.positionBuffer.needsUpdate = true;
     this.draw();
   }
 
-  /** A colour for each swimmer. */
+  /** Sets the colour of each swimmer. */
   paint(colours: Colour[]): void {
     colours.forEach((colour, s) => this.colours.setXYZ(s, ...colour));
     this.colours.needsUpdate = true;
@@ -85,40 +85,40 @@ export class Stage {
     this.draw();
   }
 
-  /** Where the path is shown: shifted by whole boxes. */
+  /** Shifts the path, by multiples of the box lengths, to the image of the swimmer that is shown. */
   shiftPath(shift: Point): void {
     this.path.position.set(...shift);
   }
 
-  /** Keeps a place in the middle. */
-  follow(place: Point): void {
-    const shift = new three.Vector3(...place).sub(this.controls.target);
+  /** Moves the camera such that `position` is in the centre of the view. */
+  follow(position: Point): void {
+    const shift = new three.Vector3(...position).sub(this.controls.target);
     this.camera.position.add(shift);
     this.controls.target.add(shift);
-    this.setRange();
+    this.setClipRange();
     this.draw();
   }
 
-  look(view: View): void {
+  setView(view: View): void {
     const boundary = this.boundary(), middle = boundary.getCenter(new three.Vector3());
     const direction = new three.Vector3(...directions[view]).normalize();
-    // Straight from above the camera would not know which way is up.
+    // A view exactly along z would leave the upward direction of the picture undefined.
     if (view === "z") direction.add(new three.Vector3(0, -1e-4, 0));
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).addScaledVector(direction, 1);
     this.camera.lookAt(middle);
     this.camera.updateMatrixWorld();
-    this.camera.position.copy(middle).addScaledVector(direction, this.distanceToSee(boundary));
-    this.setRange();
+    this.camera.position.copy(middle).addScaledVector(direction, this.cameraDistance(boundary));
+    this.setClipRange();
     this.controls.update();
     this.draw();
   }
 
-  turn(aside: number, up: number): void {
+  turn(azimuthChange: number, elevationChange: number): void {
     const offset = this.camera.position.clone().sub(this.controls.target);
     const length = offset.length();
-    const azimuth = Math.atan2(offset.y, offset.x) + aside;
-    const height = Math.min(Math.max(Math.asin(offset.z / length) + up, -1.57), 1.57);
+    const azimuth = Math.atan2(offset.y, offset.x) + azimuthChange;
+    const height = Math.min(Math.max(Math.asin(offset.z / length) + elevationChange, -1.57), 1.57);
     offset.set(Math.cos(height) * Math.cos(azimuth), Math.cos(height) * Math.sin(azimuth), Math.sin(height));
     this.camera.position.copy(this.controls.target).addScaledVector(offset, length);
     this.controls.update();
@@ -131,20 +131,20 @@ export class Stage {
     this.draw();
   }
 
-  /** Draws before the browser's next picture, once however often it is asked. */
+  /** Draws at the browser's next animation frame, once for any number of calls. */
   draw(): void {
-    if (this.asked) return;
-    this.asked = true;
+    if (this.drawRequested) return;
+    this.drawRequested = true;
     requestAnimationFrame(() => {
-      this.asked = false;
-      this.fit();
-      this.setRange();
+      this.drawRequested = false;
+      this.fitToCanvas();
+      this.setClipRange();
       this.renderer.render(this.world, this.camera);
     });
   }
 
   private addSwimmers(): void {
-    const bead = (n: number) => new three.InterleavedBufferAttribute(this.places, 3, 3 * n);
+    const bead = (n: number) => new three.InterleavedBufferAttribute(this.positionBuffer, 3, 3 * n);
     const radii = new three.InstancedInterleavedBuffer(this.scene.radius, 3);
     const radius = (n: number) => new three.InterleavedBufferAttribute(radii, 1, n);
     const material = (vertexShader: string, fragmentShader: string) =>
@@ -172,7 +172,7 @@ export class Stage {
     this.world.add(lines);
   }
 
-  /** The box, or where there is none the swimmers. */
+  /** Returns the box, or the bounding box of the beads in open space. */
   private boundary(): three.Box3 {
     const { box } = this.scene;
     const boundary = new three.Box3();
@@ -181,40 +181,40 @@ export class Stage {
     return boundary.expandByScalar(2 * this.scene.radius.reduce((a, b) => Math.max(a, b), 0));
   }
 
-  /** How far from the boundary's middle the camera, turned as it is, sees all of its corners. */
-  private distanceToSee(boundary: three.Box3): number {
-    this.fit();
+  /** Returns the distance from the centre at which the camera, in its present orientation, sees all corners of the boundary. */
+  private cameraDistance(boundary: three.Box3): number {
+    this.fitToCanvas();
     const middle = boundary.getCenter(new three.Vector3());
     const tangent = 0.94 * Math.tan((this.camera.fov / 2) * (Math.PI / 180));
     let distance = 0;
     for (let corner = 0; corner < 8; ++corner) {
-      const at = new three.Vector3(
+      const cornerPosition = new three.Vector3(
         corner & 1 ? boundary.max.x : boundary.min.x, corner & 2 ? boundary.max.y : boundary.min.y, corner & 4 ? boundary.max.z : boundary.min.z);
-      at.sub(middle).applyQuaternion(this.camera.quaternion.clone().invert());
-      distance = Math.max(distance, at.z + Math.abs(at.y) / tangent, at.z + Math.abs(at.x) / (tangent * this.camera.aspect));
+      cornerPosition.sub(middle).applyQuaternion(this.camera.quaternion.clone().invert());
+      distance = Math.max(distance, cornerPosition.z + Math.abs(cornerPosition.y) / tangent, cornerPosition.z + Math.abs(cornerPosition.x) / (tangent * this.camera.aspect));
     }
     return distance;
   }
 
-  private fit(): void {
+  private fitToCanvas(): void {
     const width = this.canvas.clientWidth || 1, height = this.canvas.clientHeight || 1;
     const zoom = Math.min(window.devicePixelRatio, 2);
-    const had = this.renderer.getSize(new three.Vector2());
-    if (had.x === width && had.y === height && this.renderer.getPixelRatio() === zoom) return;
+    const oldSize = this.renderer.getSize(new three.Vector2());
+    if (oldSize.x === width && oldSize.y === height && this.renderer.getPixelRatio() === zoom) return;
     this.renderer.setPixelRatio(zoom);
     this.renderer.setSize(width, height, false);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
   }
 
-  private setRange(): void {
+  private setClipRange(): void {
     const distance = this.camera.position.distanceTo(this.controls.target);
-    this.camera.near = Math.max(distance - 2 * this.size, 1e-3 * distance);
-    this.camera.far = distance + 2 * this.size;
+    this.camera.near = Math.max(distance - 2 * this.sceneSize, 1e-3 * distance);
+    this.camera.far = distance + 2 * this.sceneSize;
     this.camera.updateProjectionMatrix();
   }
 
-  private listen(): void {
+  private addListeners(): void {
     let pressed: [number, number] | null = null;
     this.canvas.addEventListener("pointerdown", (event) => (pressed = [event.clientX, event.clientY]));
     this.canvas.addEventListener("pointerup", (event) => {
@@ -224,20 +224,20 @@ export class Stage {
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
 
-  /** The swimmer whose bead is seen at a place of the window, or within four pixels. */
+  /** Returns the nearest swimmer with a bead at a position of the window, or within four pixels of it; null if there is none. */
   private swimmerAt(x: number, y: number): number | null {
     const frame = this.canvas.getBoundingClientRect();
     const ray = new three.Raycaster();
     ray.setFromCamera(new three.Vector2((2 * (x - frame.left)) / frame.width - 1, 1 - (2 * (y - frame.top)) / frame.height), this.camera);
     const { origin, direction } = ray.ray;
-    const pixel = (2 * Math.tan((this.camera.fov / 2) * (Math.PI / 180))) / frame.height; // at distance 1
+    const pixel = (2 * Math.tan((this.camera.fov / 2) * (Math.PI / 180))) / frame.height; // size of a pixel at distance 1
     let found: number | null = null, nearest = Infinity;
     const centre = new three.Vector3();
     for (let bead = 0; bead < this.scene.radius.length; ++bead) {
       centre.fromArray(this.positions, 3 * bead).sub(origin);
       const distance = centre.dot(direction);
-      const reach = Math.max(this.scene.radius[bead], 4 * pixel * distance);
-      if (distance > 0 && distance < nearest && centre.addScaledVector(direction, -distance).length() <= reach) {
+      const pickRadius = Math.max(this.scene.radius[bead], 4 * pixel * distance);
+      if (distance > 0 && distance < nearest && centre.addScaledVector(direction, -distance).length() <= pickRadius) {
         nearest = distance;
         found = (bead / 3) | 0;
       }

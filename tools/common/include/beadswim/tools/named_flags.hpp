@@ -5,24 +5,26 @@
 #include "beadswim/core/names.hpp"
 #include "beadswim/tools/program.hpp"
 
-// Flags whose values are words. CLI11's transformers would replace the word in the results, from which
-// provenance is written, by the enumerator's number; so the word is checked, and then converted.
+// Flags whose values are words. The word is checked first and then converted to an enumerator. Transformers
+// of CLI11 are not used, because they would replace the word by a number in the provenance.
 
 namespace beadswim {
 
-/// Adds a flag that takes one of `words`; an empty `initial` is not shown as its default.
+/// Adds a flag whose value is one of `words`. Parsing calls take(word). The help shows `initial` as the
+/// default, unless `initial` is empty.
 CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vector<std::string>& words,
                       const std::string& initial, const std::string& help,
                       const std::function<void(const std::string&)>& take);
 
-/// Adds a flag that takes the name of a value. The variable's value is the default.
+/// Adds a flag whose value is the name of an enumerator. Parsing stores the enumerator in `value`. The
+/// initial contents of `value` are the default.
 template <NamedEnum Enum>
 CLI::Option* add_choice(CLI::App& command, const std::string& flag, Enum& value, const std::string& help) {
   return add_word(command, flag, all_names<Enum>(), to_text(value), help,
                   [&value](const std::string& word) { value = from_text<Enum>(word); });
 }
 
-/// The same without a default.
+/// Adds a flag whose value is the name of an enumerator, without a default.
 template <NamedEnum Enum>
 CLI::Option* add_choice(CLI::App& command, const std::string& flag, std::optional<Enum>& value,
                         const std::string& help) {
@@ -30,7 +32,8 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, std::optiona
                   [&value](const std::string& word) { value = from_text<Enum>(word); });
 }
 
-/// Adds a flag that takes names joined by commas. The variable's values are the default.
+/// Adds a flag whose value consists of names of enumerators, joined by commas. Parsing stores the enumerators
+/// in `values`. The initial contents of `values` are the default.
 template <NamedEnum Enum>
 CLI::Option* add_choices(CLI::App& command, const std::string& flag, std::vector<Enum>& values,
                          const std::string& help) {
@@ -48,12 +51,13 @@ CLI::Option* add_choices(CLI::App& command, const std::string& flag, std::vector
       ->type_name("NAME,...");
 }
 
-/// Adds a flag that users look for and that does not exist; help omits it. A command line with it throws
-/// InputError with this explanation.
+/// Adds a flag that does not exist but that users may look for. The help does not list it. Parsing a command
+/// line with this flag throws InputError with the explanation. `names`: names of the flag, joined by commas.
 void add_absent_flag(CLI::App& command, const std::string& names, const std::string& explanation);
 
-/// Adds a flag that takes on or off.
+/// Adds a flag whose value is on or off. The initial value of `is_on` is the default.
 CLI::Option* add_switch(CLI::App& command, const std::string& flag, bool& is_on, const std::string& help);
+/// Returns "on" or "off".
 std::string on_or_off(bool is_on);
 
 }  // namespace beadswim

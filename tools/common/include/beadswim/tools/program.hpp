@@ -9,29 +9,31 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/io/json.hpp"
 
-// What all programs share at their command line.
+// Command line of all programs: setup, help, parsing, checks of values, provenance.
 
 namespace beadswim {
 
-/// A CLI11 application set up as every program of ours: --help, --version, defaults shown. From here on
-/// messages of the libraries name flags.
+/// Returns a CLI11 application with --help and --version, whose help shows default values. After this call,
+/// messages of the libraries name settings by the flags of the programs.
 std::unique_ptr<CLI::App> make_program(const std::string& name, const std::string& description);
 
-/// Starts a group of flags in the help of a command: the flags added from here on, until the next group.
+/// Begins a group of flags in the help of a command. The group contains all flags that are added before the
+/// next call.
 void begin_group(CLI::App& command, const std::string& title);
 
-/// Breaks a text into lines as long as those of the help, each after `indent` spaces.
+/// Breaks a text into lines of at most 100 characters and indents each line by `indent` spaces. The help has
+/// the same line length.
 std::string wrapped(const std::string& text, std::size_t indent);
 
-/// "beadswim-layout swimmer"
+/// Returns the name of a command after the name of its program, for example "beadswim-layout swimmer".
 std::string full_name(const CLI::App& command);
 
-/// Ends the help of a command with examples, which are lines for a shell, and the page of docs/ to read next.
-/// tests/cli/examples.sh runs all examples.
+/// Adds examples and a page of documentation to the end of a command's help. `examples`: command lines for a
+/// shell; tests/cli/examples.sh runs them. `page`: path relative to docs/.
 void set_footer(CLI::App& command, const std::vector<std::string>& examples, const std::string& page);
 
-/// The body of main(): runs `run` and returns its exit status, or that of the exception that it ends with,
-/// which is told on stderr under the program's name.
+/// Calls `run` and returns its exit status. If `run` throws, prints the exception after the program's name on
+/// standard error and returns the exit status that belongs to the exception. main() consists of this call.
 template <typename Run>
 int guarded_main(const char* name, const Run& run) {
   try {
@@ -41,40 +43,41 @@ int guarded_main(const char* name, const Run& run) {
   }
 }
 
-/// Parses the command line. Returns an exit status if the program is done (--help, --version printed on
-/// stdout); throws InputError for a wrong command line, naming flag, value, what is allowed and, for an
-/// unknown flag, the nearest valid one.
+/// Parses the command line. Returns an exit status if the program has only to print --help or --version,
+/// which this function prints to standard output. Otherwise returns nullopt. Throws InputError if the command
+/// line is invalid. The message states the flag, its value and the allowed values. For an unknown flag, the
+/// message suggests the flag with the most similar name.
 std::optional<int> parse_command_line(CLI::App& program, int argc, const char* const* argv);
 
-/// Validators with readable messages (CLI11's own accept NaN and print 300-digit ranges).
+// Validators of flag values. The validators of CLI11 accept NaN and print ranges with up to 300 digits.
 CLI::Validator finite();
 CLI::Validator finite_positive();
 CLI::Validator finite_non_negative();
 CLI::Validator number_between(double low, double high);
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
-CLI::Validator whole_positive();     ///< up to a million
-CLI::Validator product_tolerance();  ///< of mobility products
+CLI::Validator whole_positive();     ///< from 1 to 10^6
+CLI::Validator product_tolerance();  ///< relative error of mobility products, from 1e-12 to 1e-2
 
-/// For a flag whose value is a word.
+/// Returns a validator of a flag whose value is one of `words`.
 CLI::Validator one_of(std::vector<std::string> words);
 
-/// For a flag, held as text, of several numbers joined by commas, such as "4" or "3,4,5": how many it may
-/// have, any number if none is named, and what each must be.
+/// Returns a validator of values joined by commas, such as "4" or "3,4,5". `counts`: allowed numbers of
+/// values; if empty, all numbers are allowed. `each`: validator of each value.
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each);
 
-/// The parts of such a text; one, empty, of an empty one.
+/// Returns the parts of a text between its commas. An empty text has one part, which is empty.
 std::vector<std::string> split_at_commas(const std::string& text);
 
-/// The numbers of such a text.
+/// Return the numbers in a text of numbers joined by commas. number_list() must have accepted the text.
 std::vector<double> parse_numbers(const std::string& text);
 std::vector<int> parse_whole_numbers(const std::string& text);
 
-/// Throws InputError if an output is to replace an input: both names mean one file.
+/// Throws InputError if both paths lead to the same file, because the output would replace the input.
 void require_other_file(const std::string& input, const std::string& output);
 
-/// One provenance record: { "program", "version", "revision", "arguments" }. `arguments` are the flags that
-/// were given, with their values; input and output file names are left out, so that a pipe and a file give
-/// the same bytes.
+/// Returns the provenance record of the program: { "program", "version", "revision", "arguments" }. The
+/// arguments are the flags of the command line with their values. Names of input and output files are
+/// omitted, so that a document does not depend on whether it was read from a pipe or from a file.
 Json provenance_record(const CLI::App& program);
 
 }  // namespace beadswim
