@@ -28,12 +28,12 @@ void find_best_phase(CollinearSwimmer swimmer) {
       best_phase = degrees;
     }
   }
-  std::printf("phase %.0f degrees, velocity %.4g cells a step\n", best_phase, best_velocity);
+  std::printf("phase %.0f degrees, velocity %.4g cells per step\n", best_phase, best_velocity);
 
   swimmer.phase = best_phase * std::numbers::pi / 180;
-  const MobilityAt mobility_at = [&](const LinePositions& x) { return exact_mobility(swimmer, x); };
-  const double least_gap = 0.01 * swimmer.radius[0];
-  const PeriodicMotion motion = periodic_motion(swimmer, rest_positions(swimmer), mobility_at, least_gap);
+  const MobilityFunction mobility_at = [&](const LinePositions& x) { return exact_mobility(swimmer, x); };
+  const double min_gap = 0.01 * swimmer.radius[0];
+  const PeriodicMotion motion = periodic_motion(swimmer, rest_positions(swimmer), mobility_at, min_gap);
   std::printf("at this amplitude %.4g\n", motion.velocity);
 }
 
