@@ -45,7 +45,7 @@ run cmake --build "$PWD/library"
 has_status 0
 run library/best-phase
 has_status 0
-out_has '^phase [0-9]+ degrees, velocity [0-9.e-]+ cells a step$'
+out_has '^phase [0-9]+ degrees, velocity [0-9.e-]+ cells per step$'
 out_has '^at this amplitude [0-9.e-]+$'
 # Messages name settings in words where no program has put flags in their place.
 run library/best-phase 1000
