@@ -1,5 +1,5 @@
 #!/bin/bash
-# Makes the runs of figure 3: the paper's single swimmer in a small periodic box, with the lattice.
+# Performs the runs of figure 3: the paper's single swimmer in a small periodic box, with the lattice-Boltzmann model.
 #   examples/figure-3-runs.sh FOLDER [NAME...] [FLAGS of beadswim-run...]   writes the named run records, or all, to FOLDER:
 #     by-period.jsonl            T from 1000 to 10000, A = B = 0.2, α = π/2
 #     by-amplitude-ratio.jsonl   A/B from 0.25 to 2, T = 4800

@@ -46,10 +46,10 @@ has_status 0
 out_has 'open'
 
 refuses '--tolerance: has no effect without --beads' beadswim-bench --tolerance 1e-3
-refuses 'edge: is of the lattice' beadswim-bench --beads 90 --edge 64
+refuses 'edge: the flag applies to the lattice only; leave it out with --beads' beadswim-bench --beads 90 --edge 64
 refuses '--edge: "16": must be a whole number from 32 to 4096' beadswim-bench --edge 16
 refuses '--bead-boundary: unknown "sphere". There are staircase, cli, mr, psm' beadswim-bench --bead-boundary sphere
 refuses '--precision: unknown "half". There are double, single' beadswim-bench --precision half
 refuses 'did you mean --edge' beadswim-bench --egde 64
-refuses 'GB that are free; take a smaller edge' beadswim-bench --edge 4096
+refuses 'GB that are free; use a smaller edge' beadswim-bench --edge 4096
 finish

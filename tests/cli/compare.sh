@@ -46,10 +46,10 @@ judged 0 beadswim-compare run.json run.json --reference prediction.json
 holds '.decided_by == "run" and ([.rows[].method] | unique | length == 5)'
 judged 1 beadswim-compare run.json run.json --reference prediction.json --method rpy-perturbation --tolerance 0.04
 edited prediction.json '.predictions |= map(.usable = false)' >unusable.json
-refuses 'unusable.json: holds no usable method' beadswim-compare run.json unusable.json
-refuses '--method: "rpy-force-printed" is marked unusable' \
+refuses 'unusable.json: contains no usable method' beadswim-compare run.json unusable.json
+refuses '--method: the method "rpy-force-printed" is marked unusable' \
   beadswim-compare run.json prediction.json --method rpy-force-printed
-refuses '--method: no reference has "multipole-od"; did you mean "multipole-ode"' \
+refuses '--method: no reference contains the method "multipole-od"; did you mean "multipole-ode"' \
   beadswim-compare run.json prediction.json --method multipole-od
 
 # --- which numbers
@@ -68,7 +68,7 @@ judged 0 beadswim-compare two.json prediction.json
 holds '[.rows[].swimmer] | unique == [0]'
 judged 0 beadswim-compare two.json two.json
 holds '[.rows[].swimmer] | unique == [0, 1]'
-refuses 'run.json: holds no swimmer 1; it holds 0' beadswim-compare run.json two.json
+refuses 'run.json: contains no swimmer 1; the ids are 0' beadswim-compare run.json two.json
 edited run.json 'del(.cost)' >free.json
 judged 0 beadswim-compare free.json prediction.json
 holds '.cost == null'
@@ -79,7 +79,7 @@ err_has '^free.json, swimmer 0:$'
 # --- pipes
 same_bytes 'beadswim-compare - prediction.json <run.json | sed "s/standard input/run.json/"' 'beadswim-compare run.json prediction.json'
 same_bytes 'beadswim-compare run.json - <prediction.json | sed "s/standard input/prediction.json/"' 'beadswim-compare run.json prediction.json'
-refuses 'standard input can be read once' beadswim-compare - -
+refuses 'standard input can be read only once' beadswim-compare - -
 
 # --- what it refuses
 refuses 'no file given' beadswim-compare
@@ -91,21 +91,21 @@ echo '{ "schema": "beadswim/layout/1" }' >layout.json
 refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json prediction.json
 refuses 'layout.json: is "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json
 echo '[]' >list.json
-refuses 'list.json: does not say what it is' beadswim-compare run.json list.json
-refuses 'driving period 2000, run.json has 4800' beadswim-compare run.json prediction_shorter_period.json
+refuses 'list.json: the document does not name its schema' beadswim-compare run.json list.json
+refuses 'driving period 2000, but run.json has 4800' beadswim-compare run.json prediction_shorter_period.json
 edited run.json '.units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >si.json
 judged 0 beadswim-compare si.json si.json
-refuses 'run.json: is in other units than si.json' beadswim-compare si.json run.json
+refuses 'run.json: has other units than si.json' beadswim-compare si.json run.json
 edited run.json '.status = "failed"' >failed.json
-refuses 'failed.json: is the record of a run that failed' beadswim-compare failed.json prediction.json
+refuses 'failed.json: is the record of a failed run' beadswim-compare failed.json prediction.json
 edited run.json '.status = "stopped-time"' >stopped.json
 judged 0 beadswim-compare stopped.json prediction.json
 edited run.json '.swimmers[0].cycles = []' >short.json
-refuses 'short.json: holds no whole cycle' beadswim-compare short.json prediction.json
+refuses 'short.json: contains no complete cycle' beadswim-compare short.json prediction.json
 edited run.json '.swimmers[0].cycles[0].velocty = 1' >typo.json
 refuses 'typo.json:/swimmers/0/cycles/0/velocty: unknown key; did you mean "velocity"' \
   beadswim-compare typo.json prediction.json
-refuses 'holds cycles 1 to 3' beadswim-compare run.json prediction.json --cycle 4
+refuses 'does not contain cycle 4, only cycles 1 to 3' beadswim-compare run.json prediction.json --cycle 4
 refuses '--cycle: "frist"' beadswim-compare run.json prediction.json --cycle frist
 refuses '--quantity: unknown "velocty"; did you mean "velocity"' \
   beadswim-compare run.json prediction.json --quantity velocty

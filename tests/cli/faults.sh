@@ -46,7 +46,7 @@ for file in $missing; do
     "${views[@]/run.h5md/$file}"; do
     refuses 'cannot be read: (No such file|Not a directory|File name too long)' beadswim-$command
   done
-  refuses 'does not exist|has no checkpoint to go on from' beadswim-run --restart "$file.h5md.ckpt.0"
+  refuses 'does not exist|has no checkpoint to continue from' beadswim-run --restart "$file.h5md.ckpt.0"
 done
 check "nothing was written" test ! -e figure.svg -a ! -e never.h5md -a ! -e never.h5md.part
 
@@ -99,12 +99,12 @@ fi
 # --- too little memory: alone, on all ranks of several, and in a program without a lattice
 swimmer 400,300,300 >large.json
 large="large.json -o large.h5md --cycles 0.001 --progress none"
-needed='out of memory: the lattice needs about 5.7 GB on [12] ranks; take fewer --cells-per-radius'
+needed='out of memory: the lattice needs about 5.7 GB on [12] ranks; use a smaller --cells-per-radius'
 fails "$needed" bash -c "ulimit -v 1000000; beadswim-run $large"
 fails "$needed" bash -c "ulimit -v 1000000; mpirun -n 2 beadswim-run $large"
 check "one rank alone reports" test "$(grep -c '^beadswim-run: ' err)" -eq 1
 check "Open MPI reports an abort" test "$(grep -c MPI_ABORT err)" -eq 0
-fails 'out of memory; take fewer swimmers or cells' \
+fails 'out of memory; use fewer swimmers or cells' \
   bash -c "ulimit -v 400000; beadswim-layout swarm --preset paper-uniform --blocks 40,60,40"
 out_empty
 
@@ -160,6 +160,6 @@ rm "$newest"
 run quietly 2 --restart killed$$.h5md --cycles 61
 has_status 0
 rm killed$$.h5md.ckpt.?
-refuses 'has no checkpoint to go on from' beadswim-run --restart killed$$.h5md --cycles 62
+refuses 'has no checkpoint to continue from' beadswim-run --restart killed$$.h5md --cycles 62
 
 finish

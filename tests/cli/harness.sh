@@ -6,6 +6,8 @@
 #   out_is TEXT              standard output, without its last newline, is TEXT
 #   out_has REGEX, err_has REGEX   some line of it matches (grep -E)
 #   out_empty, err_empty
+#   notes_have REGEX         the notes of the figure in out, as one line, match; they have at most 60 words, are below the
+#                            drawing and inside the page (figure_notes.py)
 #   accepts COMMAND...       runs it; exit status 0, nothing on standard error
 #   refuses REGEX COMMAND... runs it; exit status 2, nothing on standard output, REGEX on standard error, which
 #                            starts with the program's name
@@ -61,6 +63,10 @@ has_status() { check "exit status is not $1" test "$status" -eq "$1"; }
 out_is() { check "standard output is not \"$1\"" test "$(cat out)" = "$1"; }
 out_has() { check "standard output has no line like $1" grep -qE -- "$1" out; }
 err_has() { check "standard error has no line like $1" grep -qE -- "$1" err; }
+notes_have() {
+  check "the notes of the figure have a fault" python3 "$BEADSWIM_SOURCE/tests/cli/figure_notes.py" out >notes
+  check "the notes do not match $1: $(cat notes)" grep -qE -- "$1" notes
+}
 out_empty() { check "standard output is not empty" test ! -s out; }
 err_empty() { check "standard error is not empty" test ! -s err; }
 

@@ -19,11 +19,11 @@ accepts beadswim-layout check --help
 refuses 'a command is needed: swimmer, swarm, defect, reduce, check' beadswim-layout
 refuses 'swimer: unknown command; did you mean "swimmer"' beadswim-layout swimer
 refuses 'swimer: unknown command' beadswim-layout swimer --help
-refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all' beadswim-layout --no-such-flag
+refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all flags' beadswim-layout --no-such-flag
 refuses '--raduis: unknown flag; did you mean --radius' beadswim-layout swimmer --raduis=4
-refuses 'needs --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99
+refuses 'required flags are missing: --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99
 refuses '--preset: unknown "paper-singel"; did you mean "paper-single"' beadswim-layout swimmer --preset paper-singel
-refuses '--preset: unknown "paper-uniform". There are paper-single; swimmers and swarms have presets of their own' \
+refuses '--preset: unknown "paper-uniform". There are paper-single; swimmers and swarms have different presets' \
   beadswim-layout swimmer --preset paper-uniform
 refuses '--radius: "-4": must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
 refuses '--beads: no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm describe them' \
@@ -34,9 +34,9 @@ refuses '--tolerance: "5%": must be a number from 0 to 0.5; write 5 % as 0.05' \
   beadswim-layout reduce layout.json --tolerance 5%
 refuses '--amplitude: "5 %": must be a finite number, 0 or greater; write 5 % as 0.05' \
   beadswim-layout swimmer --preset paper-single --amplitude '5 %'
-refuses '--radius: "4,5": 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5
+refuses '--radius: "4,5" has 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5
 refuses '--radius: given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
-refuses '--axis: is needed, and not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
+refuses '--axis: is required but not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
 refuses '--axis: unknown "w"\. There are x, y, z' beadswim-layout defect spacing layout.json --axis w
 refuses '--fraction: "2": must be a number from 0 to 1' beadswim-layout defect vacancy layout.json --fraction 2
 refuses '--radius: needs a value' beadswim-layout swimmer --preset paper-single --radius
@@ -44,11 +44,11 @@ refuses '--period: "": must be' beadswim-layout swimmer --preset paper-single --
 for word in nan inf -inf 1e999 4x ""; do
   refuses '--amplitude: ' beadswim-layout swimmer --preset paper-single "--amplitude=1,$word"
 done
-refuses '--box: cannot go with --unbounded; leave one out' beadswim-layout swimmer --preset paper-single --unbounded --box 99,99,99
+refuses '--box: cannot be combined with --unbounded; remove one of the two' beadswim-layout swimmer --preset paper-single --unbounded --box 99,99,99
 refuses '--boundary: unknown "perodic"; did you mean "periodic"' beadswim-layout swimmer --preset paper-single --boundary perodic
 refuses '--frame: unknown "labb"; did you mean "lab"' beadswim-layout swimmer --preset paper-single --frame labb
 refuses '--units: unknown "pgg"; did you mean "pg"' beadswim-layout swimmer --preset paper-single --units um,s,pgg
-refuses 'bead 1, .* not wholly inside the walls along x' beadswim-layout swimmer --preset paper-single --box 20,20,20
+refuses 'bead 1 .* not completely between the walls along x' beadswim-layout swimmer --preset paper-single --box 20,20,20
 refuses 'overlaps .* through the periodic boundary' \
   beadswim-layout swimmer --preset paper-single --box 20,20,20 --boundary periodic
 

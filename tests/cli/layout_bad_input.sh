@@ -48,7 +48,7 @@ bad 'SI as a name' 's/"lattice"/"SI"/' \
   '/units: "SI": must be "lattice", or an object such as \{"length":"um","time":"ms","mass":"pg"\}'
 bad 'a unit that has no name' 's/"lattice"/{ "length": "lambda", "time": "s", "mass": "pg" }/' \
   '/units/length: "lambda": must be one of .*, or an object such as \{"name":"my length","si_factor":1e-07\}'
-bad 'an imposed flow' 's/"fluid": {/"flow": { "shear_rate": 1 }, &/' '/flow: this version has no imposed flow: .*; leave the key out'
+bad 'an imposed flow' 's/"fluid": {/"flow": { "shear_rate": 1 }, &/' '/flow: this version has no imposed flow: .*; remove the key'
 bad 'a sheared fluid' 's/"kinematic_viscosity"/"velocity_gradient": [0, 1, 0], &/' '/fluid/velocity_gradient: this version has no imposed flow'
 bad 'a prescribed stroke' 's/"frame": "lab"/&, "stroke": {}/' '/types/a/driving/stroke: this version has no prescribed stroke: .*amplitude, phase, period'
 bad 'a prescribed arm' 's/"frame": "lab"/&, "rest_length": [20, 21]/' '/types/a/driving/rest_length: this version has no prescribed stroke'
@@ -63,7 +63,7 @@ bad 'another document' 's#layout/1#run/1#' '/schema: "beadswim/run/1" is another
 bad 'no schema' 's/"schema": [^\n]*//' ' lacks the key "schema"'
 bad 'comment' 's/"units"/\/\/ comment\n  "units"/' ' line 3, column '
 bad 'text after the document' 's/$/x/' ' line '
-bad 'two documents' 's/$/{}/' ' line [0-9]+, column 1: a second document begins, where one is read; select one, for example with head or jq'
+bad 'two documents' 's/$/{}/' ' line [0-9]+, column 1: a second document begins here, but only one is read; select one, for example with head or jq'
 
 for length in 1 50 100 500; do
   head -c $length sound.json >bad.json

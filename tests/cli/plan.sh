@@ -9,7 +9,7 @@ beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic
 # --- a plan: a table for people, JSON for programs, nothing run
 run beadswim-run cell.json --plan
 has_status 0
-err_has 'measuring how fast this machine steps a lattice'
+err_has 'measuring the lattice speed of this machine'
 err_has '<- cheapest'
 err_has '^hard: swimmer 0: inertia'
 cp out plan.json
@@ -34,23 +34,23 @@ for broken in 'no JSON' "$(jq -c '.precisions[1].seconds_per_cell[2] = 0' cache/
   echo "$broken" >cache/beadswim/lattice-speed-1.json
   run beadswim-run cell.json --plan
   has_status 0
-  err_has 'measuring how fast'
+  err_has 'measuring the lattice speed'
 done
 
 # --- flags close what they name
 run beadswim-run cell.json --plan --cells-per-radius 3 --relaxation-time 0.8 --bead-boundary psm --precision single
 check "one lattice is left" holds '[.runs[] | select(.model == "lbm")] | length == 1 and (.[0].flags
   == "--model lbm --cells-per-radius 3 --relaxation-time 0.8 --precision single --bead-boundary psm")' out
-check "mobility models are refused" holds '[.runs[] | select(.model != "lbm") | .refused] | length == 3 and all(test("is of the lattice"))' out
+check "mobility models are refused" holds '[.runs[] | select(.model != "lbm") | .refused] | length == 3 and all(test("applies to the lattice only"))' out
 run beadswim-run cell.json --plan --model rpy
 check "one model is left" holds '[.runs[].model] == ["rpy"]' out
 
 # --- more is asked than can be had
 run beadswim-run cell.json --plan --tolerance 1e-4
 has_status 2
-err_has '^beadswim-run: --tolerance: no run is expected to be within 0.01 %; the best, --model lbm --cells-per-radius 8.* is within'
+err_has '^beadswim-run: --tolerance: no run has an expected error within 0.01 %; the best run, --model lbm --cells-per-radius 8.*, has .*: raise the tolerance'
 check "the plan is there" holds '.choice == null and .best != null' out
-refuses '^beadswim-run: --tolerance: no run is expected' beadswim-run cell.json -o x.h5md --model auto --tolerance 1e-4
+refuses '^beadswim-run: --tolerance: no run has an expected error' beadswim-run cell.json -o x.h5md --model auto --tolerance 1e-4
 refuses '^beadswim-run: --tolerance: ' beadswim-run cell.json -o x.h5md --model auto --tolerance -1
 check "no file is left" test ! -e x.h5md
 
@@ -58,7 +58,7 @@ check "no file is left" test ! -e x.h5md
 within() { # LAYOUT TOLERANCE CYCLES REFERENCE
   run beadswim-run "$1" -o run.h5md --model auto --tolerance "$2" --cycles "$3" --progress lines
   has_status 0
-  err_has '^beadswim-run: planned: --model '
+  err_has '^beadswim-run: chosen run: --model '
   check "it is within $2" holds "$(jq -c '.predictions[0] | [.velocity] + .arm_amplitudes' "$BEADSWIM_SOURCE/docs/results/speed-against-error/$4") as \$r
     | .swimmers[0].cycles[-1] | [[.velocity[0] - .mean_flow[0]] + .arm_amplitudes, \$r] | transpose | all((.[0] / .[1] - 1 | fabs) < $2)" out
 }
@@ -85,13 +85,13 @@ check "the model is one without inertia" holds '.model == "rpy+near" and .mobili
 # --- proposals
 beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 >swarm.json
 run beadswim-run swarm.json --plan
-check "the cell is proposed" holds '.proposals[0] | .command == "beadswim-layout reduce" and (.what | test("18 times a cell of 96 x 32 x 32"))' out
+check "the cell is proposed" holds '.proposals[0] | .command == "beadswim-layout reduce" and (.what | test("18 copies of a cell of 96 x 32 x 32"))' out
 run beadswim-run slow.json --plan
 check "a lattice is refused in open space" holds '[.runs[] | select(.model == "lbm") | .refused] | length > 0 and all(test("unbounded"))' out
 beadswim-layout swimmer --preset paper-single >large.json
 run beadswim-run large.json --plan
 check "a smaller box is proposed" holds '.proposals[0].command | test("--box [0-9]+,[0-9]+,[0-9]+ --boundary periodic")' out
-check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("GB a rank"))' out
+check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("GB per rank"))' out
 
 # --- hard cases are recognised
 plan_of() { # LAYOUT-FLAGS...
@@ -103,19 +103,19 @@ plan_of() { # LAYOUT-FLAGS...
 }
 plan_of --amplitude 1.2
 run beadswim-run hard.json --plan --model rpy
-check "beads that touch are not for points" holds '.runs[0].refused | test("contact|films")' out
+check "beads that touch are not for points" holds '.runs[0].refused | test("contact|lubrication matters")' out
 plan_of --amplitude 0.8
 run beadswim-run hard.json --plan --model rpy
-check "beads that all but touch are not for points" holds '.runs[0].refused | test("films")' out
+check "beads that all but touch are not for points" holds '.runs[0].refused | test("where lubrication matters")' out
 plan_of --arm 9
 run beadswim-run hard.json --plan --model lbm --cells-per-radius 4 --relaxation-time 1
 check "films that cells do not resolve are priced" holds '.runs[0].error.velocity > 0.1' out
 plan_of --box 60,12,12
 run beadswim-run hard.json --plan
-err_has 'its velocity is a small difference'
+err_has 'of the velocity with the same stroke in open space'
 plan_of
 run beadswim-run hard.json --plan --model lbm --cells-per-radius 4 --relaxation-time 0.51
-check "tau near one half is refused" holds '.runs[0].refused | test("near 1/2")' out
+check "tau near one half is refused" holds '.runs[0].refused | test("close to 1/2")' out
 run beadswim-run hard.json --plan --model lbm --cells-per-radius 1 --relaxation-time 1
 check "beads of two cells are priced" holds '.runs[0].error.velocity > 0.2' out
 plan_of --period 300
@@ -126,7 +126,7 @@ run beadswim-run hard.json --plan --model lbm --cells-per-radius 4 --relaxation-
 check "fast beads are refused" holds '.runs[0].refused | test("would reach Mach")' out
 plan_of --amplitude 0.6 --stiffness 0.2 --phase 3.14159265358979 --period 40000
 run beadswim-run hard.json --plan
-err_has '^hard: swimmer 0: driving along fixed axes presses it together'
+err_has '^hard: swimmer 0: driving along a fixed direction compresses the swimmer'
 plan_of --amplitude 0
 run beadswim-run hard.json --plan
 check "at rest there is nothing to be wrong about" holds '[.runs[] | select(.refused == null) | .error // empty] == []' out
@@ -139,7 +139,7 @@ run beadswim-run hard.json --plan --model lbm --cells-per-radius 2 --relaxation-
 check "stiff springs are refused as by the run" holds '.runs[0].refused | test("sub-steps")' out
 beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,1 --stiffness 0.0347 | beadswim-layout defect jitter --sigma 0.01 --seed 1 >swarm.json
 run beadswim-run swarm.json --plan --cycles 60
-err_has '^hard: swimmers that differ part from their order'
+err_has '^hard: differences between swimmers grow'
 check "its swimmers cannot be foretold" holds '.choice == null' out
 
 # --- drivings of swimmers' own: one at rest does not stand for the others, nor a weak one for a strong one
@@ -157,7 +157,7 @@ check "errors are of the shortest period" holds '.runs[0] | .refused or (.error.
 # --- driven across its line, a swimmer bends, and no theory knows it; and a disorder beyond all numbers
 beadswim-layout swimmer --preset paper-single --box 60,60,60 --boundary periodic --axis 0,1,0 >across.json
 run beadswim-run across.json --plan
-err_has '^hard: swimmer 0: theory has no motion for it: it is driven across its line'
+err_has '^hard: swimmer 0: theory cannot predict the motion: the driving is perpendicular to the axis'
 run beadswim-run swarm.json --plan --cycles 100000
 has_status 2
 check "it ends with a plan" holds '.schema == "beadswim/plan/1"' out

@@ -42,7 +42,7 @@ drawn 12 circle    # 3 cycles of d1, d2 and the phase shift, and one of each in 
 drawn 6 polyline   # one level line for each, and its legend
 out_has '>d₁, multipole-ode<'
 out_has '>arm amplitude \(lattice units\)<'
-out_has 'T = 4800, δ/λ = 5.64, Re = 0.15; 4 cells per radius, τ = 1.5, cli, double; box 120 × 80 × 80'
+notes_have 'Runs: T = 4800, δ/λ = 5.64, Re = 0.15; 4 cells per radius, τ = 1.5, cli, double; box 120 × 80 × 80'
 accepts beadswim-plot stroke run.json prediction.json --method rpy-perturbation,oseen-force-closed
 drawn 12 polyline
 same_bytes 'beadswim-plot stroke run.json prediction.json' 'beadswim-plot stroke - prediction.json <run.json'
@@ -55,7 +55,7 @@ out_has '>arm amplitude \(um\)<'
 # A swarm of over 64 swimmers has none in its record.
 jq 'del(.swimmers) | .swarm = []' run.json >swarm.json
 for kind in stroke velocity-against-period separation; do
-  refuses 'swarm.json: holds statistics of the swarm alone, .* over 64 swimmers do; use .*trajectory .*: beadswim-plot trajectories' \
+  refuses 'swarm.json: contains only statistics of the swarm, .* more than 64 swimmers do; use .*trajectory .*: beadswim-plot trajectories' \
     beadswim-plot $kind swarm.json
 done
 
@@ -79,7 +79,10 @@ accepts beadswim-plot velocity-against-period run.json model.json
 out_has '>lbm cli, 4 cells per radius, τ = 1.5, double<'
 out_has '>rpy<'
 accepts beadswim-plot velocity-against-period run.json staircase.json run3.json
-out_has 'lbm cli: T = 3000 to 4800, .* 4 cells per radius, τ = 1.5, cli, double; box'
+notes_have 'Runs: Re = 0\.15; 4 cells per radius, τ = 1.5, double; box 120 × 80 × 80'   # T is the abscissa
+jq -c '.resolution.cells_per_radius = 3 | .resolution.relaxation_time = 0.8' run3.json >coarse3.json
+accepts beadswim-plot separation run.json staircase.json coarse3.json
+notes_have 'Runs: T = 3000 to 4800, Re = .*; 3 to 4 cells per radius, τ = 0.8 to 1.5, double; box'
 jq -c '.driving += {amplitude: [0.2, 0.2], phase: 1.57}' run.json >usual.json
 jq -c '.driving.phase = 1' usual.json >other.json
 jq -c '.resolution.cells_per_radius = 3' other.json >three.json
@@ -121,19 +124,19 @@ run beadswim-plot separation by_separation.jsonl --method multipole-ode --axes l
 check 'a power law is straight on linear axes' bash -c '! "$@"' - test "$(series '#0072B2' | straight; echo $?)" = 0
 accepts beadswim-plot separation by_separation.jsonl --method all
 out_has '>rpy-force-printed<'
-out_has '>Predictions: T = 4800, unbounded fluid<'
-out_has '>Thin and pale: '
+notes_have 'Predictions: T = 4800, unbounded fluid'
+notes_have 'Thin and pale: unusable predictions'
 in_fluid() { # FLUID METHODS   of which the others are for unbounded fluid
   jq -c --arg fluid "$1" --arg methods "$2" '.predictions |= map(.settings.fluid =
     if .method | test($methods) then $fluid else "unbounded" end)' by_separation.jsonl
 }
 in_fluid "box: 80 x 48 x 48" multipole-ode >boxed.jsonl
 accepts beadswim-plot separation boxed.jsonl --method multipole-ode,oseen-force-closed
-out_has ">Predictions: T = 4800, unbounded fluid; multipole-ode in the layout's box<"
+notes_have "Predictions: T = 4800, unbounded fluid; multipole-ode in the layout's box"
 accepts beadswim-plot separation boxed.jsonl --method multipole-ode
-out_has ">Predictions: T = 4800, in the layout's box<"
+notes_have "Predictions: T = 4800, in the layout's box"
 accepts beadswim-plot separation boxed.jsonl --method oseen-force-closed
-out_has '>Predictions: T = 4800, unbounded fluid<'
+notes_have 'Predictions: T = 4800, unbounded fluid'
 accepts beadswim-plot separation by_separation.jsonl run.json --method multipole-ode
 drawn 8 circle     # one run, at 20/4; five open points, and their legends
 same_bytes 'beadswim-plot separation by_separation.jsonl' 'beadswim-plot separation - <by_separation.jsonl'
@@ -151,7 +154,7 @@ run beadswim-plot separation poles.jsonl --method multipole-ode,rpy-force-printe
 out_has '<polyline .* opacity="0\.'
 swept separation_ratio 4 '.velocity = (if .usable then 1 else -1 end)' | cat - by_separation.jsonl >negative.jsonl
 accepts beadswim-plot separation negative.jsonl --method all
-out_has '>Lines break where the velocity is not positive'
+notes_have 'Lines break where the velocity is not positive'
 
 # --- relative to a method: at the same abscissa, in percent
 for x in 3000 1000 4800; do
@@ -164,12 +167,12 @@ out_has '>50<'     # the level of the line: a tick of it
 check 'the line is not level' test "$(series '#0072B2' | cut -d, -f2 | sort -u | wc -l)" -eq 1
 accepts beadswim-plot velocity-against-period by_period.jsonl run.json --relative-to oseen-force-closed
 drawn 6 circle     # one run, three predictions, and the legends
-refuses 'run_shorter_period.json: no prediction by oseen-force-closed at period 2000' \
+refuses 'run_shorter_period.json: there is no prediction by oseen-force-closed at period 2000' \
   beadswim-plot velocity-against-period by_period.jsonl run_shorter_period.json --relative-to oseen-force-closed
-refuses 'predicts another velocity than prediction.json, both by multipole-ode' \
+refuses 'the predicted velocity differs from that in prediction.json, although both are by multipole-ode' \
   beadswim-plot velocity-against-period prediction.json by_period.jsonl --relative-to multipole-ode
 accepts beadswim-plot separation by_separation.jsonl --relative-to oseen-force-closed
-refuses 'run.json: is a run, and runs are compared at equal period' \
+refuses 'run.json: the file is a run, and runs can be compared only against the period' \
   beadswim-plot separation by_separation.jsonl run.json --relative-to oseen-force-closed
 
 # --- stroke against the driving
@@ -183,7 +186,7 @@ for x in -3.14 0 1.57; do swept phase $x '.sin_phase_shift = 0.3 * $x'; done >by
 accepts beadswim-plot stroke --against phase by_phase.jsonl
 out_has '>phase of the driving, α \(rad\)<'
 check 'the sine is not proportional to the phase' straight < <(series '#009E73')
-refuses 'run.json: does not say the phase of the driving, α; leave the run out' \
+refuses 'run.json: the record lacks the phase of the driving, α; leave the run out' \
   beadswim-plot stroke --against phase by_phase.jsonl run.json
 refuses 'line 1: the settings of multipole-ode lack the number "amplitude_ratio".*left out where B = 0' \
   beadswim-plot stroke --against amplitude-ratio by_phase.jsonl
@@ -201,7 +204,7 @@ has_status 2
 err_has '^beadswim-plot: other.png: .*install the package librsvg2-bin'
 check 'a refused figure left a file behind' test ! -e other.png
 refuses '/no/such/folder/x.svg: cannot be created' beadswim-plot stroke run.json -o /no/such/folder/x.svg
-refuses '--output: "x.pdf" is neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
+refuses '--output: "x.pdf" ends in neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
 
 # --- speed against error: rms of errors and median of costs of runs at one resolution, joined by setting
 scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so many times as large, and that cost
@@ -218,42 +221,44 @@ drawn 6 circle     # two resolutions and the legend, in two panels
 drawn 8 polyline   # a line, the front, and their legends
 out_has '>error of the velocity \(%\)<'
 out_has '>cli, τ = 1.5, double<'
-out_has 'against lbm, cli, 4 cells a radius'
-out_has 'along a line: 2, 4 cells a radius'
+notes_have 'relative to the reference \(lbm, cli, 4 cells per radius\)'
+notes_have 'Lines join runs with 2 to 4 cells per radius'
 same_bytes 'beadswim-plot speed-against-error several.jsonl --reference run.json' \
   'beadswim-plot speed-against-error one_each.jsonl --reference run.json'
 { cat several.jsonl; scaled 1.02 2 5 '| .resolution.precision = "single"'; } >two_settings.jsonl
 accepts beadswim-plot speed-against-error two_settings.jsonl --reference prediction.json
 out_has '>cli, τ = 1.5, single<'
-out_has 'against multipole-ode'
+notes_have 'relative to the reference \(multipole-ode\)'
 accepts beadswim-plot speed-against-error two_settings.jsonl --reference run.json   # 2 cells, double: slower and worse
-out_has '>Front of the velocity: cli, τ = 1.5, single, 2 cells; cli, τ = 1.5, double, 4 cells<'
+notes_have 'Most accurate velocity: cli, τ = 1.5, double, 4 cells'
+check 'the front is not 2 cells, single, and 4 cells, double' \
+  cmp -s <(series '#000000') <(series '#D55E00' && series '#0072B2' | tail -1)
 check "a run has no uncertainty" bash -c '! grep -q uncertainty out'
-refuses '--reference: none given' beadswim-plot speed-against-error several.jsonl
-refuses 'several.jsonl: holds several' \
+refuses '--reference: no reference is given' beadswim-plot speed-against-error several.jsonl
+refuses 'several.jsonl: the file contains several references' \
   beadswim-plot speed-against-error several.jsonl --reference several.jsonl
-refuses 'draws runs alone; name a prediction with --reference' \
+refuses 'this figure draws only runs; name a prediction with --reference' \
   beadswim-plot speed-against-error run.json prediction.json --reference prediction.json
 accepts beadswim-plot speed-against-error several.jsonl --reference prediction.json --method rpy-perturbation
-out_has 'against rpy-perturbation'
+notes_have 'relative to the reference \(rpy-perturbation\)'
 jq '.predictions |= map(select(.method == "rpy-perturbation") | .uncertainty = 0.1)' prediction.json >uncertain.json
 accepts beadswim-plot speed-against-error several.jsonl --reference uncertain.json
 out_has '>uncertainty of the reference<'
-refuses 'prediction.json: holds several' \
+refuses 'prediction.json: the file contains several references' \
   beadswim-plot speed-against-error run.json --reference prediction.json --method all
-refuses 'prediction_shorter_period.json: predicts for a period of 2000, and run.json has 4800' \
+refuses 'prediction_shorter_period.json: the prediction is for a period of 2000, but run.json has the period 4800' \
   beadswim-plot speed-against-error run.json --reference prediction_shorter_period.json
-refuses 'run_shorter_period.json: is of another scene .* than run.json' \
+refuses 'run_shorter_period.json: the scene .* differs from that of run.json' \
   beadswim-plot speed-against-error run.json run_shorter_period.json --reference prediction.json
-refuses 'run.json: has an error of 0 in its velocity.*is it the reference itself' \
+refuses 'run.json: has an error of 0 in the velocity.*is this file the reference itself' \
   beadswim-plot speed-against-error run.json --reference run.json
 { cat several.jsonl; scaled 1.02 2 5 '| .resolution.density_on_lattice = 2'; } >corrections.jsonl
-refuses 'corrections.jsonl line 5: differs from .* line 1 in --radius-correction or --delay-correction alone' \
+refuses 'corrections.jsonl line 5: the run differs from .* line 1 only in --radius-correction or --delay-correction' \
   beadswim-plot speed-against-error corrections.jsonl --reference run.json
 jq 'del(.cost)' run.json >free.json
-refuses 'free.json: does not say its cost' beadswim-plot speed-against-error free.json --reference run.json
-refuses 'si.json: is in other units than run.json' beadswim-plot speed-against-error run.json --reference si.json
-refuses '--reference: has no meaning for stroke, but for speed-against-error; leave it out' beadswim-plot stroke run.json --reference run.json
+refuses 'free.json: the record has no cost' beadswim-plot speed-against-error free.json --reference run.json
+refuses 'si.json: the units differ from those of run.json' beadswim-plot speed-against-error run.json --reference si.json
+refuses '--reference: has no meaning for stroke, only for speed-against-error; remove the flag' beadswim-plot stroke run.json --reference run.json
 
 # --- verdicts: a point each, its error as the verdict has it, of arms the root mean square
 verdict_of() { # VELOCITY ARM1 ARM2 SECONDS   relative errors, by multipole-ode; those by another method are ten times as large
@@ -272,8 +277,8 @@ accepts beadswim-plot speed-against-error cheap.verdict.json dear.verdict.json
 well_formed out
 drawn 4 circle     # of the first verdict, and its legends, in two panels; the second has squares
 out_has '>core-seconds \(s\)<'
-out_has 'errors of verdicts, against multipole-ode<'
-out_has '>Front of the arm amplitudes: cheap.verdict.json; dear.verdict.json<'
+notes_have 'Marks are verdicts: root mean square of errors relative to multipole-ode'
+notes_have 'Most accurate arm amplitudes: dear.verdict.json'
 cat cheap.verdict.json dear.verdict.json >both.jsonl
 accepts beadswim-plot speed-against-error both.jsonl
 out_has '>both.jsonl line 2<'
@@ -284,20 +289,20 @@ verdict_of 1 "$(jq -n '(9 + 16) / 2 | sqrt / 10')" "$(jq -n '(9 + 16) / 2 | sqrt
 verdict_of 0.1 0.03 0.04 1000 >dear_other.verdict.json
 same_bytes 'positions cheap.verdict.json dear.verdict.json --method oseen-force-closed' \
   'positions other.verdict.json dear_other.verdict.json'
-refuses '--method: cheap.verdict.json has no "oseen-force"; did you mean "oseen-force-closed"' \
+refuses '--method: cheap.verdict.json has no method "oseen-force"; did you mean "oseen-force-closed"' \
   beadswim-plot speed-against-error cheap.verdict.json --method oseen-force
-refuses '--method: 2 given; name one' beadswim-plot speed-against-error cheap.verdict.json --method a,b
-refuses '--cycle: has no meaning for verdicts' beadswim-plot speed-against-error cheap.verdict.json --cycle 2
+refuses '--method: 2 methods are given; name the one' beadswim-plot speed-against-error cheap.verdict.json --method a,b
+refuses '--cycle: each verdict fixes its own cycle' beadswim-plot speed-against-error cheap.verdict.json --cycle 2
 jq '.cost = null' cheap.verdict.json >free.verdict.json
-refuses 'free.verdict.json: does not say its cost' beadswim-plot speed-against-error free.verdict.json
-refuses '--reference: none given; .* errors of run.json' beadswim-plot speed-against-error cheap.verdict.json run.json
-refuses 'prediction.json: is "beadswim/prediction/1"; verdicts' beadswim-plot speed-against-error prediction.json
-refuses 'cheap.verdict.json: is a verdict, which speed-against-error alone draws, and without --reference' \
+refuses 'free.verdict.json: the verdict has no costs' beadswim-plot speed-against-error free.verdict.json
+refuses '--reference: no reference is given; .* errors of run.json' beadswim-plot speed-against-error cheap.verdict.json run.json
+refuses 'prediction.json: the document is "beadswim/prediction/1"; give verdicts' beadswim-plot speed-against-error prediction.json
+refuses 'cheap.verdict.json: the document is a verdict; verdicts are drawn only by speed-against-error without --reference' \
   beadswim-plot speed-against-error cheap.verdict.json --reference run.json
 jq '.rows |= map(.quantity = "sin_phase_shift" | del(.arm))' cheap.verdict.json >phases.verdict.json
-refuses 'phases.verdict.json: compares neither velocity nor arm_amplitudes' beadswim-plot speed-against-error phases.verdict.json
+refuses 'phases.verdict.json: the verdict compares neither velocity nor arm_amplitudes' beadswim-plot speed-against-error phases.verdict.json
 jq '.rows[0].relative_error = null' cheap.verdict.json >infinite.verdict.json
-refuses 'infinite.verdict.json: has an error of inf in its velocity' beadswim-plot speed-against-error infinite.verdict.json
+refuses 'infinite.verdict.json: has an error of inf in the velocity' beadswim-plot speed-against-error infinite.verdict.json
 refuses '--axes: has no meaning for speed-against-error' \
   beadswim-plot speed-against-error run.json --reference run.json --axes linear
 
@@ -323,22 +328,65 @@ check "the tables of docs/speed-against-error.md are those of the records" \
 same_bytes "jq -rs -L $results --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
   "grep '^|' $BEADSWIM_SOURCE/docs/resolution.md"
 
+# --- notes of figures with many runs, predictions and methods: at most 60 words, below the drawing, inside the page
+many() { # DOCUMENT JQ   40 documents, one per line; the edit knows their number as $i
+  jq -c "range(40) as \$i | $2" "$1"
+}
+# Runs differ in every setting that the notes state.
+many run.json '.driving = {period: (1000 + 100 * $i), amplitude: [(0.2 + $i / 50), 0.3], phase: (0.1 * $i)}
+  | .resolution.cells_per_radius = 2 + $i / 10 | .resolution.relaxation_time = 0.6 + $i / 20
+  | .resolution.bead_boundary = ["cli", "mr", "psm", "staircase"][$i % 4] | .resolution.precision = ["single", "double"][$i % 2]
+  | .domain.lengths[0] += $i | .dimensionless.reynolds_bead *= 1 + $i
+  | .dimensionless.penetration_depth_over_radius *= 1 + $i' >many_runs.jsonl
+many prediction.json '(.predictions[].settings) |= (. + {period: (1000 + 100 * $i), separation_ratio: (4 + $i / 10), amplitude: (0.2 + $i / 50),
+    amplitude_ratio: (0.5 + $i / 20), phase: (0.1 * $i), fluid: (if $i % 2 == 0 then "unbounded" else "box: 80 x 48 x 48" end)})
+  | .predictions[].velocity *= 1 - $i / 20' >many_predictions.jsonl
+for figure in 'stroke' 'stroke --against phase' 'stroke --against amplitude-ratio' 'velocity-against-period' \
+    'velocity-against-period --axes log-y' 'separation --axes log-log'; do
+  for method in multipole-ode all; do
+    accepts beadswim-plot $figure many_runs.jsonl many_predictions.jsonl --method $method
+    notes_have '[Mm]arks .* line agree with .* prediction'
+    notes_have 'Re = 0\.15 to '
+  done
+done
+accepts beadswim-plot velocity-against-period many_predictions.jsonl --method all --relative-to oseen-force-closed
+notes_have 'Marks and lines at 0 % agree with oseen-force-closed'
+many several.jsonl '.resolution.relaxation_time = 0.6 + $i / 20 | .resolution.precision = ["single", "double"][$i % 2]' >many_settings.jsonl
+accepts beadswim-plot speed-against-error many_settings.jsonl --reference uncertain.json
+notes_have 'On the front, no other run is both cheaper and more accurate'
+for i in $(seq 30); do
+  jq --arg name "method-$i" --argjson i "$i" '.decided_by = $name | .rows |= map(.method = $name) | .cost.core_seconds += $i' \
+    cheap.verdict.json >"a verdict with a long name $i.json"
+done
+accepts beadswim-plot speed-against-error a\ verdict*.json
+notes_have 'relative to 30 methods'
+jq '.mobility_products |= map(.tolerance *= 10)' "$BEADSWIM_SOURCE/docs/results/mobility-products.json" >rough.json
+jq '.processor = "a processor with a name of many words"' rough.json >other_processor.json
+accepts beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/mobility-products.json" rough.json other_processor.json
+notes_have '2 processors; tolerance 0.0001 to 0.001'
+# The figures of the pages have such notes.
+for figure in "$BEADSWIM_SOURCE"/docs/images/*.svg; do
+  cp "$figure" out
+  command_line=$figure
+  notes_have .
+done
+
 # --- what it refuses
 refuses 'a command is needed: stroke, velocity-against-period, separation, speed-against-error' beadswim-plot
 refuses 'strok: unknown command; did you mean "stroke"' beadswim-plot strok run.json
-refuses '--method: stands where no flag is read; write it after "beadswim-plot stroke"' beadswim-plot --method all stroke run.json
+refuses '--method: the flag is in the wrong place; write the flag after "beadswim-plot stroke"' beadswim-plot --method all stroke run.json
 refuses '--metod: unknown flag; did you mean --method' beadswim-plot stroke run.json --metod all
-refuses 'no file given' beadswim-plot stroke
-refuses 'no run with a whole cycle' beadswim-plot stroke prediction.json
-refuses 'in other units' beadswim-plot stroke si.json run.json
-refuses '--method: no prediction has "multipol"; did you mean "multipole-ode"' \
+refuses 'no file is given' beadswim-plot stroke
+refuses 'no run with a complete cycle' beadswim-plot stroke prediction.json
+refuses 'the units differ from those of ' beadswim-plot stroke si.json run.json
+refuses '--method: no prediction has the method "multipol"; did you mean "multipole-ode"' \
   beadswim-plot stroke run.json prediction.json --method multipol
-refuses '--method: no prediction has "foo"\. They have rpy-force-printed, oseen' \
+refuses '--method: no prediction has the method "foo"\. The predictions have rpy-force-printed, oseen' \
   beadswim-plot stroke run.json prediction.json --method foo
-refuses '--method: "foo" is wanted, but no prediction is given' beadswim-plot stroke run.json --method foo
-refuses '--relative-to: no prediction has "multipol"; did you mean "multipole-ode"' \
+refuses '--method: the method "foo" needs a prediction, but none is given' beadswim-plot stroke run.json --method foo
+refuses '--relative-to: no prediction has the method "multipol"; did you mean "multipole-ode"' \
   beadswim-plot velocity-against-period prediction.json --relative-to multipol
-refuses '--relative-to: has no meaning for stroke, but for velocity-against-period, separation; leave it out' \
+refuses '--relative-to: has no meaning for stroke, only for velocity-against-period, separation; remove the flag' \
   beadswim-plot stroke run.json --relative-to multipole-ode
 refuses '--against: has no meaning for separation' beadswim-plot separation prediction.json --against phase
 refuses '--against: unknown "phas"; did you mean "phase"' beadswim-plot stroke prediction.json --against phas
@@ -355,12 +403,12 @@ echo '{ "schema": "beadswim/layout/1" }' >layout.json
 refuses 'layout.json: is "beadswim/layout/1"; a run record .* or a prediction' beadswim-plot stroke layout.json
 : >empty.json
 refuses 'empty.json: is empty' beadswim-plot stroke empty.json
-refuses 'standard input can be read once' beadswim-plot stroke - -
+refuses 'standard input can be read only once' beadswim-plot stroke - -
 
 # What products of a mobility cost: the page's figure.
 same_bytes "beadswim-plot mobility-products $BEADSWIM_SOURCE/docs/results/mobility-products.json -o -" \
   "cat $BEADSWIM_SOURCE/docs/images/mobility-products.svg"
-refuses 'has no mobility_products; make it with' beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/bench.json"
+refuses 'the document has no "mobility_products"; make one with' beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/bench.json"
 refuses 'cycle: has no meaning for mobility-products' \
   beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/mobility-products.json" --cycle 2
 refuses 'run.h5md: is a trajectory' beadswim-plot stroke run.h5md

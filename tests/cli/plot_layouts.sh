@@ -20,7 +20,7 @@ accepts beadswim-plot swarm defect.json
 well_formed out
 drawn 27 '<circle class="b0"'
 out_has '>Swarm as laid out<'
-out_has '>9 swimmers in a box of 120 × 120 × 120 \(lattice units\)<'
+notes_have '9 swimmers in a box of 120 × 120 × 120 \(lattice units\)'
 same_bytes 'beadswim-plot swarm defect.json' 'beadswim-plot swarm - <defect.json'
 same_bytes 'beadswim-plot swarm defect.json' 'beadswim-plot swarm defect.json'
 accepts beadswim-plot swarm defect.json --repeat 2,2,2 --distances --mark A=0,B=3
@@ -42,16 +42,16 @@ labelled 'Dx= 50'
 beadswim-layout swimmer --preset paper-single --unbounded | jq '.units = {
   length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >open
 accepts beadswim-plot swarm open
-out_has '>1 swimmer in open space, a box drawn around \(um, s, pg\)<'
+notes_have '1 swimmer in open space, a box drawn around \(um, s, pg\)'
 
 refuses '--distances: no swimmer has a neighbour along an axis; draw periodic copies too' beadswim-plot swarm open --distances
-refuses '--distances: blocks by id have no axes; give --block-swimmers as NX,NY,NZ' \
+refuses '--distances: blocks of swimmers by id have no axes; give --block-swimmers as NX,NY,NZ' \
   beadswim-plot swarm defect.json --distances --block-swimmers 9
-refuses '--mark: no swimmer 12 in defect.json; the nearest is 8, ids are 0 to 8' beadswim-plot swarm defect.json --mark A=12
+refuses '--mark: there is no swimmer 12 in defect.json; the nearest is 8, ids are 0 to 8' beadswim-plot swarm defect.json --mark A=12
 for mark in A A= =3 A=x A=-1; do
   refuses "--mark: \"$mark\": must be a name and a swimmer's id, such as A=3" beadswim-plot swarm defect.json "--mark=$mark"
 done
-refuses '--frame: defect.json is a layout, which has no frames; leave it out' beadswim-plot swarm defect.json --frame 3
+refuses '--frame: defect.json is a layout, and layouts have no frames; leave the flag out' beadswim-plot swarm defect.json --frame 3
 refuses '--mark: has no meaning for swimmer' beadswim-plot swimmer defect.json --mark A=3
 refuses '--distances: has no meaning for trajectories' beadswim-plot trajectories defect.json --distances
 refuses 'none.json: cannot be read' beadswim-plot swarm none.json
@@ -63,9 +63,12 @@ well_formed out
 drawn 3 '<circle '
 drawn 2 '<polyline '   # springs; no dashpots
 labelled 'F₁ = A sin ωt' 'F₂ = −F₁ − F₃' 'F₃ = B sin(ωt + α)'
-out_has '>λ = 4, bead density 1, l = 20, k = 0.0347, KA = .*<'
-out_has '>A = B = 0.2, α = 1.571 rad, T = 4800, along x; ω = 2π/T<'
-out_has '>Fluid: ρ = 1, ν = 0.3333; box 1200 × 800 × 800<'
+drawn 3 '>λ = 4<'
+drawn 2 '>l = 20<'
+drawn 2 '>k = 0.0347<'
+notes_have 'Bead density 1, KA = .*'
+notes_have 'A = B = 0.2, α = 1.571 rad, T = 4800, along x; ω = 2π/T'
+notes_have 'Fluid: ρ = 1, ν = 0.3333; box 1200 × 800 × 800'
 same_bytes 'beadswim-plot swimmer single.json' 'beadswim-plot swimmer - <single.json'
 # To scale: centres are apart as the arms are long, radii as the beads are large.
 beadswim-layout swimmer --preset paper-single --radius 2,4,3 --arm 20,30 --damping 0.5,0 --stiffness 0.1,0.2 >uneven.json
@@ -82,15 +85,30 @@ PYTHON
 jq '.swimmers[7].driving = {amplitude: [1, 3], phase: 0.5, period: 900, frame: "body"}' defect.json >own.json
 accepts beadswim-plot swimmer own.json --swimmers 7
 out_has '>Swimmer 7 of type '
-out_has '>A = 1, B = 3, α = 0.5 rad, T = 900, along the arms; ω = 2π/T<'
+notes_have 'A = 1, B = 3, α = 0.5 rad, T = 900, along the arms; ω = 2π/T'
 accepts beadswim-plot swimmer open
 drawn 3 '>λ = 4 um<'
 drawn 2 '>k = 0.0347 pg/s²<'
-out_has '>In um, s, pg; '
-refuses '--swimmers: no swimmer 12 in own.json; the nearest is 8, ids are 0 to 8' beadswim-plot swimmer own.json --swimmers 12
-refuses '--swimmers: 2 given; a sketch is of one swimmer' beadswim-plot swimmer own.json --swimmers 1,2
-refuses 'FILES: 2 given; a swimmer is drawn from one layout' beadswim-plot swimmer own.json single.json
-refuses 'FILES: 0 given' beadswim-plot swimmer
+notes_have 'to scale, in um, s, pg'
+refuses '--swimmers: there is no swimmer 12 in own.json; the nearest is 8, ids are 0 to 8' beadswim-plot swimmer own.json --swimmers 12
+refuses '--swimmers: 2 swimmers are given; a sketch shows one swimmer' beadswim-plot swimmer own.json --swimmers 1,2
+refuses 'FILES: 2 files are given; a swimmer is drawn from one layout' beadswim-plot swimmer own.json single.json
+refuses 'FILES: 0 files are given' beadswim-plot swimmer
+
+# --- notes of layouts with many parameters: at most 60 words, below the drawing, inside the page
+jq '.swimmers[7].driving = {amplitude: [1, 3], phase: 0.5, period: 900, frame: "initial-axis", phase_offset: 0.2}
+  | .types[].beads[0].density = 2 | .types[].springs[0].damping = 0.5' defect.json >full.json
+accepts beadswim-plot swimmer full.json --swimmers 7
+notes_have 'Bead density 1 to 2'
+notes_have 'Arm 1 trails, arm 2 leads'   # no note is left out
+accepts beadswim-plot swarm full.json --repeat 2,2,2
+notes_have 'Blocks of swimmers alternate in colour'
+notes_have 'λ = 6, '
+notes_have '1 driven otherwise'
+jq '.types as {$a} | .types = ([range(9) | {key: "type \(.)", value: ($a | .springs[].stiffness *= 1.5)}] | from_entries + {"a": $a})
+  | .swimmers |= [range(length) as $i | .[$i] | .type = "type \($i)"]' full.json >types.json
+accepts beadswim-plot swarm types.json --colours types
+notes_have '10 types: λ = 6, l = 32, k = 0\.2 to 0\.3, A, B = 2, T = 2000; 1 driven otherwise'
 
 # --- the pictures of docs/figures.md are those of the examples
 examples=$BEADSWIM_SOURCE/examples

@@ -25,7 +25,7 @@ drawn 2 '<polyline'   # one swimmer's middle bead, and its legend
 out_has '>swimmer 0<'
 out_has '>Middle beads along x<'
 out_has '>time \(cycles of the driving\)<'
-out_has 'cell: 1 swimmer, T = 2000, box 96 × 32 × 32; 1 cycles'
+notes_have '1 swimmer, T = 2000, box 96 × 32 × 32; 1 cycles'
 check 'not every frame is a point' test "$(grep -m 1 -oE '<polyline points="[^"]*"' out | tr ' ' '\n' | grep -c ,)" -eq 41
 same_bytes 'beadswim-plot trajectories cell.h5md' 'beadswim-plot trajectories cell.h5md'
 accepts beadswim-plot trajectories cell.h5md --along z
@@ -41,6 +41,9 @@ out_has '>swimmer 7, bead 1<'
 accepts beadswim-plot trajectories cell.h5md eight.h5md --swimmers 0
 drawn 4 '<polyline'
 out_has '>eight, swimmer 0<'
+notes_have '1 to 8 swimmers, T = 2000, 2 boxes; 0.1 to 1 cycles'
+accepts beadswim-plot trajectories $(printf 'eight.h5md %.0s' $(seq 12)) --swimmers 0
+notes_have '8 swimmers, T = 2000, box .*; 0.1 cycles'
 
 # The bead moves along the page as it does in the run: from one end of the cycle to the other by v T.
 moved=$(jq '.swimmers[0].cycles[0].velocity[0] * 2000' cell.record)
@@ -61,9 +64,9 @@ check "the figure's displacement is not the record's" test $? -eq 0
 # Open space, which has no box.
 beadswim-layout swimmer --preset paper-single --unbounded --period 300 | beadswim-run - --model rpy --cycles 0.5 -o open.h5md >open.record 2>err
 accepts beadswim-plot trajectories open.h5md
-out_has 'open: 1 swimmer, T = 300, open space; 0.5 cycles'
+notes_have '1 swimmer, T = 300, open space; 0.5 cycles'
 accepts beadswim-plot swarm open.h5md
-out_has '>1 swimmer in open space, a box drawn around \(lattice units\)<'
+notes_have '1 swimmer in open space, a box drawn around \(lattice units\)'
 drawn 3 '<circle class="b0"'
 
 # --- swarm
@@ -72,12 +75,12 @@ well_formed out
 drawn 3 '<circle class="b0"'
 drawn 2 '<path'
 out_has '>Swarm after 1 cycles<'
-out_has '>1 swimmer in a box of 96 × 32 × 32 \(lattice units\)<'
-out_has '>λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048; A = B = 2, α = 1.571 rad, T = 2000, along x<'
+notes_have '1 swimmer in a box of 96 × 32 × 32 \(lattice units\)'
+notes_have 'λ = 6, bead density 1, l = 32, k = 0.2, KA = 2048; A = B = 2, α = 1.571 rad, T = 2000, along x'
 accepts beadswim-plot swarm cell.h5md --frame 0 --repeat 2,6,3
 well_formed out
 out_has '>Swarm after 0 cycles<'
-out_has 'its periodic copies drawn 2 × 6 × 3'
+notes_have 'its periodic copies drawn 2 × 6 × 3'
 drawn 54 '<circle class="b0"'   # 2 x 2 x 1 blocks of 9 in a checkerboard
 drawn 54 '<circle class="b1"'
 same_bytes 'beadswim-plot swarm cell.h5md' 'beadswim-plot swarm cell.h5md --frame 40'
@@ -102,8 +105,8 @@ out_has '>one<'
 out_has '>seven<'
 cp eight.h5md eight.any
 same_bytes 'beadswim-plot swarm eight.h5md' 'beadswim-plot swarm eight.any'
-refuses '--mark: no swimmer 8 in eight.h5md; the nearest is 7, ids are 0 to 7' beadswim-plot swarm eight.h5md --mark A=8
-refuses '--distances: eight.h5md is a trajectory, whose swimmers have moved; give the layout' \
+refuses '--mark: there is no swimmer 8 in eight.h5md; the nearest is 7, ids are 0 to 7' beadswim-plot swarm eight.h5md --mark A=8
+refuses '--distances: eight.h5md is a trajectory, in which the swimmers have moved; give the layout' \
   beadswim-plot swarm eight.h5md --distances
 
 # A swarm of the paper's size is a file that opens.
@@ -128,34 +131,34 @@ wait 2>/dev/null
 accepts beadswim-plot swarm killed.h5md.part
 
 # --- what it refuses
-refuses 'FILES: no file given; name trajectories' beadswim-plot trajectories
-refuses 'FILES: 2 given; a swarm is drawn from one layout, or one trajectory' beadswim-plot swarm cell.h5md eight.h5md
+refuses 'FILES: no file is given; name trajectories' beadswim-plot trajectories
+refuses 'FILES: 2 files are given; a swarm is drawn from one layout or one trajectory' beadswim-plot swarm cell.h5md eight.h5md
 refuses '^beadswim-plot: no.h5md: cannot be read: No such file or directory; give a trajectory' beadswim-plot swarm no.h5md
 h5copy -i cell.h5md -o foreign.h5md -s /parameters -d /parameters
-refuses 'foreign.h5md: is HDF5, but no trajectory of Beadswim: it has no /h5md; give a trajectory' beadswim-plot trajectories foreign.h5md
-refuses 'cell.record: is no HDF5 file, or a broken one; give a trajectory' beadswim-plot trajectories cell.record
+refuses 'foreign.h5md: is an HDF5 file but not a trajectory of Beadswim: /h5md is missing; give a trajectory' beadswim-plot trajectories foreign.h5md
+refuses 'cell.record: is not an HDF5 file, or is damaged; give a trajectory' beadswim-plot trajectories cell.record
 refuses 'a trajectory cannot be read from standard input; name the file' beadswim-plot trajectories -
 head -c 3000 cell.h5md >cut.h5md
 refuses 'cut.h5md: ' beadswim-plot swarm cut.h5md
-refuses '--swimmers: no swimmer 9 in eight.h5md; the nearest is 7, ids are 0 to 7' \
+refuses '--swimmers: there is no swimmer 9 in eight.h5md; the nearest is 7, ids are 0 to 7' \
   beadswim-plot trajectories eight.h5md --swimmers 0,9
 refuses '--swimmers: "-1": must be a whole number' beadswim-plot trajectories eight.h5md --swimmers=-1
-refuses '--swimmers: 24 curves, but at most 12 can be told apart' beadswim-plot trajectories eight.h5md --beads 1,2,3
+refuses '--swimmers: the figure would have 24 curves, but at most 12 can be distinguished' beadswim-plot trajectories eight.h5md --beads 1,2,3
 refuses '--beads: unknown "4"\. There are 1, 2, 3' beadswim-plot trajectories cell.h5md --beads 4
 refuses '--along: unknown "w"\. There are x, y, z' beadswim-plot trajectories cell.h5md --along w
-refuses '--frame: no frame 41 in cell.h5md; the last is 40' beadswim-plot swarm cell.h5md --frame 41
-refuses '--frame: "lst": must be last or a whole number' beadswim-plot swarm cell.h5md --frame lst
+refuses '--frame: there is no frame 41 in cell.h5md; the last frame is 40' beadswim-plot swarm cell.h5md --frame 41
+refuses '--frame: "lst": must be "last" or a whole number' beadswim-plot swarm cell.h5md --frame lst
 refuses '--colours: unknown "block"; did you mean "blocks"' beadswim-plot swarm cell.h5md --colours block
-refuses '--repeat: "2,2": 2 values, but 3 are needed' beadswim-plot swarm cell.h5md --repeat 2,2
+refuses '--repeat: "2,2" has 2 values, but 3 are needed' beadswim-plot swarm cell.h5md --repeat 2,2
 refuses '--repeat: "0": must be a whole number from 1' beadswim-plot swarm cell.h5md --repeat 0,1,1
-refuses '--repeat: makes 1e\+06 swimmers, and at most 200000' beadswim-plot swarm cell.h5md --repeat 100,100,100
-refuses '--block-swimmers: "1,3": 2 values, but 1 or 3' beadswim-plot swarm cell.h5md --block-swimmers 1,3
+refuses '--repeat: the copies have 1e\+06 swimmers, but at most 200000' beadswim-plot swarm cell.h5md --repeat 100,100,100
+refuses '--block-swimmers: "1,3" has 2 values, but 1 or 3' beadswim-plot swarm cell.h5md --block-swimmers 1,3
 refuses '--repeat: has no meaning for trajectories' beadswim-plot trajectories cell.h5md --repeat 2,2,2
 refuses '--along: has no meaning for swarm' beadswim-plot swarm cell.h5md --along y
 refuses '--method: has no meaning for swarm' beadswim-plot swarm cell.h5md --method all
 refuses '--cycle: has no meaning for trajectories' beadswim-plot trajectories cell.h5md --cycle 1
 refuses 'trajectory: unknown command; did you mean "trajectories"' beadswim-plot trajectory cell.h5md
 beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary free-slip | simulate closed --cycles 0.05
-refuses '--repeat: 2 along y, where the box of closed.h5md is not periodic; give 1' beadswim-plot swarm closed.h5md --repeat 1,2,1
+refuses '--repeat: 2 copies along y are not possible, because the box of closed.h5md is not periodic there; give 1' beadswim-plot swarm closed.h5md --repeat 1,2,1
 accepts beadswim-plot swarm closed.h5md
 finish

@@ -65,7 +65,7 @@ done
 small 2 layout.json -o long.h5md $resolution --cycles 40 >long.json
 run beadswim-run layout.json -o timed.h5md $resolution --cycles 40 --time-limit 0.3 --progress none --no-provenance
 has_status 4
-err_has 'the state is kept: --restart timed.h5md.ckpt.0'
+err_has 'the state is saved; continue with --restart timed.h5md.ckpt.0'
 check "an index for ParaView is there on early stops too" test -s timed.h5md.xdmf2
 for _ in $(seq 200); do
   run small 2 --restart timed.h5md --time-limit 0.8
@@ -107,7 +107,7 @@ for _ in $(seq 100); do [ -s told.h5md.ckpt.1 ] && break; sleep 0.05; done
 kill -TERM $!
 wait $!
 run small 2 --restart told.h5md
-if [ $status -ne 2 ] || ! grep -q 'are behind this checkpoint' err; then  # it may have come to its end
+if [ $status -ne 2 ] || ! grep -q 'because the checkpoint is already at cycle' err; then  # it may have come to its end
   has_status 0
   cp out told.json
   same_as long told.json told.h5md
@@ -149,10 +149,10 @@ size=$(stat -c %s "$newest")
 printf '\x55' | dd of="$newest" bs=1 seek=$((size / 2)) conv=notrunc status=none
 run small 2 --restart "$newest" --cycles 4
 has_status 2
-err_has 'is damaged: its contents are not those of its hash'
+err_has 'is damaged: the contents do not match the stored hash'
 run small 2 --restart hurt.h5md --cycles 3
 has_status 0
-err_has "$newest: is damaged.*going on from hurt.h5md.ckpt.[01]"
+err_has "$newest: is damaged.*continuing from hurt.h5md.ckpt.[01]"
 cp out hurt.json
 same_as whole hurt.json hurt.h5md
 head -c 5000 kept.h5md.ckpt.0 >cut.h5md.ckpt.0
@@ -196,27 +196,27 @@ AGAIN
 done
 
 # --- refusals
-refuses "--bead-boundary: psm is not mr, as of the checkpoint's run; leave it out" \
+refuses "--bead-boundary: the value psm differs from mr, the value of the checkpoint's run; leave the flag out" \
   beadswim-run --restart kept.h5md --cycles 9 --bead-boundary psm
-refuses '--cells-per-radius: 4 is not 2' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
-refuses '--precision: single is not double' beadswim-run --restart kept.h5md --cycles 9 --precision single
+refuses '--cells-per-radius: the value 4 differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
+refuses '--precision: the value single differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single
 jq '.fluid.density = 1.01' layout.json >other.json
-refuses 'other.json: is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
-refuses '--cycles: 1 are behind this checkpoint' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
+refuses 'other.json: this layout is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
+refuses '--cycles: 1 is too small, because the checkpoint is already at cycle' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
 h5copy -i whole.h5md -o foreign.h5md -s /h5md -d /h5md
 cp foreign.h5md foreign.h5md.ckpt.0
-refuses 'foreign.h5md.ckpt.0: is no checkpoint of Beadswim, but another HDF5 file; name FILE.h5md.ckpt.0 or .1' \
+refuses 'foreign.h5md.ckpt.0: is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1' \
   beadswim-run --restart foreign.h5md.ckpt.0
 rm foreign.h5md.ckpt.0
-refuses 'foreign.h5md has no checkpoint to go on from; .*no file foreign.h5md.ckpt.0 or .1 is there' beadswim-run --restart foreign.h5md
-refuses '--restart: nothing.h5md has no checkpoint to go on from; run with --checkpoint-every' \
+refuses 'foreign.h5md has no checkpoint to continue from: neither foreign.h5md.ckpt.0 nor foreign.h5md.ckpt.1 exists and is valid' beadswim-run --restart foreign.h5md
+refuses '--restart: nothing.h5md has no checkpoint to continue from: .*; write checkpoints with --checkpoint-every' \
   beadswim-run --restart nothing.h5md
 refuses 'nothing.h5md.ckpt.1 does not exist' beadswim-run --restart nothing.h5md.ckpt.1
 cp layout.json fake.h5md.ckpt.0
-refuses 'fake.h5md.ckpt.0: is no checkpoint' beadswim-run --restart fake.h5md.ckpt.0
+refuses 'fake.h5md.ckpt.0: is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.0
 cp whole.h5md fake.h5md.ckpt.1
-refuses 'fake.h5md.ckpt.1: is no checkpoint' beadswim-run --restart fake.h5md.ckpt.1
-refuses '--output: is missing; name the trajectory' beadswim-run layout.json
+refuses 'fake.h5md.ckpt.1: is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.1
+refuses '--output: the flag is missing; name the trajectory' beadswim-run layout.json
 refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
 accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'
 

@@ -93,15 +93,15 @@ check "3 ranks end in another state" test "$(jq .state_sha256 out)" = "$(jq .sta
 small --period 200 --amplitude 1e-4 >slow.json
 run beadswim-run slow.json -o slow.h5md --cycles 0.1 --precision single --progress none
 has_status 0
-err_has 'warning: in single precision the velocity may be wrong by .* of itself: .* --precision double'
+err_has 'warning: in single precision the velocity may be wrong by .* of its value: .* --precision double'
 small --period 200 --amplitude 0.2 --phase 0 >scallop.json
 run beadswim-run scallop.json -o scallop.h5md --cycles 0.1 --precision single --progress none
-err_has 'more than itself, as to second order it is zero'
+err_has 'more than its value, because the velocity is zero to second order'
 run beadswim-run slow.json -o slow.h5md --cycles 0.1 --progress none
 err_empty
 small --period 200 --amplitude 1e-6 >slower.json
 run beadswim-run slower.json -o slow.h5md --cycles 0.1 --progress none
-err_has 'so little in a cycle that roundoff may change its velocity by .* of itself'
+err_has 'so little per cycle that roundoff may change its velocity by .* of its value'
 refuses '--precision: unknown "half"' beadswim-run layout.json -o x.h5md --precision half
 
 # --- interpolated links: another law at the bead, nearly the same swimmer, on record, the same bits on any ranks
@@ -125,7 +125,7 @@ check "1 and 3 ranks end in different states" \
   test "$(jq .state_sha256 mr1.json)" = "$(jq .state_sha256 mr3.json)"
 check "multireflection gives another stroke, and near" stroke_over cli2.json mr1.json '- 1 | fabs | . > 1e-5 and . < 0.05'
 small --period 150 >even.json
-refuses 'relaxation-time: 0.875 leaves multireflection' beadswim-run even.json -o x.h5md --bead-boundary mr \
+refuses 'relaxation-time: 0.875 makes the correction of multireflection .* undefined' beadswim-run even.json -o x.h5md --bead-boundary mr \
   --relaxation-time 0.875
 run beadswim-run strong.json -o psm.h5md --cycles 2 --bead-boundary psm --progress none
 has_status 0
@@ -165,7 +165,7 @@ run beadswim-run light.json -o light.h5md --cycles 0.1 --progress none
 has_status 0
 err_empty
 run beadswim-run light.json -o light.h5md --cycles 0.1 --progress none --delay-correction off
-err_has 'warning: beads of 0.2 times .* on the lattice'
+err_has 'warning: the beads. density on the lattice is 0.2 times the fluid'
 refuses '--delay-correction: unknown "maybe"' beadswim-run layout.json -o x.h5md --delay-correction maybe
 refuses '--radius-correction: unknown "maybe"' beadswim-run layout.json -o x.h5md --radius-correction maybe
 refuses '--bead-boundary: unknown "sphere"' beadswim-run layout.json -o x.h5md --bead-boundary sphere
@@ -175,12 +175,12 @@ small --period 100 --amplitude 0,1e4 --stiffness 1e-6 >wild.json
 run mpirun -n 2 beadswim-run wild.json -o wild.h5md --progress none
 has_status 4
 check "status" test "$(jq -r .status out)" = stopped-speed
-err_has 'bead [123] of swimmer 0 .* over the limit of 0.5'
+err_has 'bead [123] of swimmer 0 .* above the limit of 0.5'
 check "the trajectory is whole" test -s wild.h5md
 run beadswim-run layout.json -o long.h5md --cycles 1e5 --time-limit 1 --progress json
 has_status 4
 check "status" test "$(jq -r .status out)" = stopped-time
-err_has 'time limit of 1 s'
+err_has 'time limit of 1 s is reached'
 err_has '^\{"step":[0-9]+,.*"seconds_left":'
 
 beadswim-run layout.json -o long.h5md --cycles 1e5 --progress none >out 2>err &
@@ -203,7 +203,7 @@ small --period 4000 --amplitude 1,0 --phase 0 --stiffness 1e-3 >torn.json
 for ranks in 1 3; do
   run timeout 60 mpirun -n $ranks beadswim-run torn.json -o torn$ranks.h5md --progress none --no-provenance
   has_status 3
-  err_has 'step [0-9]+ \(cycle [0-9.]+, Mach [0-9.]+\): the arm from bead [12] of swimmer 0 at \(.*\) to bead [23] is torn: .* stiffer springs keep it whole'
+  err_has 'step [0-9]+ \(cycle [0-9.]+, Mach [0-9.]+\): the arm from bead [12] of swimmer 0 at \(.*\) to bead [23] is torn: its length is .* the rest length, above .* stiffer springs'
   cp out torn$ranks.json
 done
 check "1 and 3 ranks fail alike" cmp -s torn1.json torn3.json
@@ -215,7 +215,7 @@ small --bead-density 0.3 --period 400 --amplitude 0.1 >unstable.json
 run timeout 60 mpirun -n 2 beadswim-run unstable.json -o unstable.h5md --progress none --delay-correction off \
   --relaxation-time 0.6
 has_status 4
-err_has 'bead [123] of swimmer 0 at .* limit of 0.5; .* too light for the explicit coupling: take --delay-correction on'
+err_has 'bead [123] of swimmer 0 at .* limit of 0.5; .* too low for the explicit coupling; use --delay-correction on'
 
 # --- beads that collide: they touch, are not pressed into each other, and nothing is lost
 small --period 400 --amplitude 1.3 --stiffness 0.12 >collide.json
@@ -249,17 +249,17 @@ refuses 'output' beadswim-run layout.json
 refuses 'cells-per-radius' beadswim-run layout.json -o x.h5md --cells-per-radius nan
 refuses 'may cover no cell' beadswim-run layout.json -o x.h5md --cells-per-radius 0.5
 refuses 'not a whole number; the nearest' beadswim-run layout.json -o x.h5md --cells-per-radius 2.3
-refuses 'a period has 1 of them' beadswim-run layout.json -o x.h5md --relaxation-time 300
-refuses "fluid's force comes late by" beadswim-run layout.json -o x.h5md --relaxation-time 12
+refuses 'a period has 1 steps' beadswim-run layout.json -o x.h5md --relaxation-time 300
+refuses "the force of the fluid is late by a phase of" beadswim-run layout.json -o x.h5md --relaxation-time 12
 for scheme in mr cli staircase; do
-  refuses 'take 0.52 or more, or --bead-boundary psm' \
+  refuses 'use 0.52 or more, or --bead-boundary psm' \
     beadswim-run layout.json -o x.h5md --relaxation-time 0.515 --bead-boundary $scheme
 done
 refuses 'not the name of a file' beadswim-run layout.json -o ./
 mkfifo pipe
-refuses 'exists and is no regular file' beadswim-run layout.json -o pipe
+refuses 'exists and is not a regular file' beadswim-run layout.json -o pipe
 refuses 'not the name of a file' beadswim-run layout.json -o -
-refuses 'is the input' beadswim-run layout.json -o layout.json
+refuses 'the output would replace the input file' beadswim-run layout.json -o layout.json
 exec 9>x.h5md.part
 flock 9
 refuses 'being written by another run' beadswim-run layout.json -o x.h5md
@@ -270,7 +270,7 @@ touch x.h5md.flow
 refuses 'flow-every: the folder' beadswim-run layout.json -o x.h5md --flow-every 1 --progress none
 rm x.h5md.flow
 beadswim-layout swimmer --preset paper-single --box 6000,4000,4000 >huge.json
-refuses 'GB more than this machine has; take --precision single, .*beadswim-layout reduce.*, --model rpy, which has no cells, or more machines' beadswim-run huge.json -o x.h5md
+refuses 'GB more than this machine has; use --precision single, .*beadswim-layout reduce.*, --model rpy \(without cells\) or more machines' beadswim-run huge.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary no-slip \
   --position 16,2.2,8 >wall.json
 refuses '/swimmers/0/position: bead 1 is 0.2 from a wall across y' beadswim-run wall.json -o x.h5md

@@ -45,7 +45,7 @@ check "the sweep's job is queued again" grep -q '^requeue 17_2000$' sweep/requeu
 check "it has no record yet" test ! -e sweep/T2000.json
 run bash "$jobs/sweep.sbatch" sweep --model rpy --steps-per-cycle 50
 has_status 0
-err_has 'going on from '
+err_has 'continuing from '
 check "the sweep's record is there" holds '.status == "finished" and .driving.period == 2000' sweep/T2000.json
 accepts beadswim-plot velocity-against-period sweep/T*.json
 cp sweep/T2000.json whole.json

@@ -16,7 +16,7 @@ same_bytes "beadswim-layout swarm --preset paper-defect | $positions" \
 accepts beadswim-layout swarm --radius 1 --arm 5 --stiffness 1 --amplitude 1 --period 100 --viscosity 1 --core-gap 4 \
   --block-gap 5,6,7 --block-swimmers 2,2,1
 check 'four swimmers' holds '(.swimmers | length) == 4 and .domain.lengths == [29, 10, 7]' out
-refuses 'needs .*--core-gap' beadswim-layout swarm --radius 1 --arm 5 --stiffness 1 --amplitude 1 --period 100 --viscosity 1
+refuses 'required flags are missing: .*--core-gap' beadswim-layout swarm --radius 1 --arm 5 --stiffness 1 --amplitude 1 --period 100 --viscosity 1
 refuses 'did you mean "paper-uniform"' beadswim-layout swarm --preset paper-unform
 refuses 'overlaps' beadswim-layout swarm --preset paper-uniform --core-gap 11
 refuses 'whole number' beadswim-layout swarm --preset paper-uniform --blocks 1,2.5,1
@@ -44,12 +44,12 @@ run bash -c 'beadswim-layout defect vacancy --fraction 0.25 <swarm.json | beadsw
 has_status 0
 check 'the pipe has not three defects' holds '(.swimmers | length) == 54 and (.provenance | length) == 4
   and (.swimmers | map(has("driving")) | all)' out
-refuses 'needs --fraction or --count' beadswim-layout defect vacancy swarm.json
-refuses 'leaves no swimmer' beadswim-layout defect vacancy --fraction 1 swarm.json
-refuses '73: more than there are swimmers, 72' beadswim-layout defect vacancy --count 73 swarm.json
-refuses 'needs --fraction or --count' beadswim-layout defect mixture --with one.json swarm.json
-refuses 'with: is standard input' beadswim-layout defect mixture --with - --count 1 swarm.json
-refuses 'needs --sigma or --random' beadswim-layout defect rotation swarm.json
+refuses 'the flag --fraction or --count is missing' beadswim-layout defect vacancy swarm.json
+refuses 'would remove all swimmers' beadswim-layout defect vacancy --fraction 1 swarm.json
+refuses '73 is greater than the number of swimmers, 72' beadswim-layout defect vacancy --count 73 swarm.json
+refuses 'the flag --fraction or --count is missing' beadswim-layout defect mixture --with one.json swarm.json
+refuses 'with: standard input is already used' beadswim-layout defect mixture --with - --count 1 swarm.json
+refuses 'the flag --sigma or --random is missing' beadswim-layout defect rotation swarm.json
 refuses 'overlap.*--repair moves swimmers apart' beadswim-layout defect jitter --sigma 20 swarm.json
 refuses 'command is needed: .*vacancy' beadswim-layout defect
 beadswim-layout swimmer --preset paper-single --unbounded >unbounded.json

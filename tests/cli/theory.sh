@@ -40,7 +40,7 @@ accepts beadswim-theory --method rpy-perturbation,oseen-force-closed paper.json
 check "methods are not those named" test "$(grep -oE '"method": "[^"]+"' out | cut -d'"' -f4 | xargs)" = \
   "rpy-perturbation oseen-force-closed"
 refuses '--method: unknown "rpy-pertubation"; did you mean "rpy-perturbation"' beadswim-theory --method rpy-pertubation paper.json
-refuses 'all stands alone' beadswim-theory --method all,rpy-perturbation paper.json
+refuses '"all" cannot be combined with other names' beadswim-theory --method all,rpy-perturbation paper.json
 
 # --- units: lengths in um, so velocities in um/s
 beadswim-layout swimmer --radius 4 --arm 20 --stiffness 0.0347 --amplitude 0.2 --period 4800 --viscosity 0.3333333333333333 \
@@ -55,7 +55,7 @@ paper --radius 4,4,5 --damping 0,3 >unequal.json
 run beadswim-theory unequal.json
 has_status 0
 out_is_valid
-err_has 'left out oseen-force-closed, .*rpy-equal-weight: radii 4, 4, 5 differ'
+err_has 'left out oseen-force-closed, .*rpy-equal-weight: the radii 4, 4, 5 differ'
 check "a closed form treats unequal radii" test "$(jq '[.predictions[].method | select(test("closed|printed|weight"))] | length' out)" -eq 0
 check "what was left out is not in the document" test "$(jq '.left_out | length' out)" -eq 8
 refuses 'oseen-force-closed: cannot treat .* radii 4, 4, 5 differ' beadswim-theory --method oseen-force-closed unequal.json
@@ -70,7 +70,7 @@ paper --amplitude 0,0.2 >one_force.json
 run beadswim-theory one_force.json
 has_status 0
 out_is_valid
-err_has 'left out rpy-force-printed: \(4.23\) is printed for A = B' 
+err_has 'left out rpy-force-printed: \(4.23\) of the paper requires A = B' 
 
 # --- orientation: the lab field drives a swimmer along -x backwards, and none across it
 accepts beadswim-theory --method rpy-perturbation paper.json
@@ -121,12 +121,12 @@ check "the measured stroke is not that of the exact geometry factor too" test "$
   '["oseen-stroke-closed","oseen-ratio-repaired","rpy-stroke-printed","rpy-equal-weight","multipole-stroke"]'
 refuses 'multipole-stroke: .* needs a measured stroke' beadswim-theory --method multipole-stroke paper.json
 paper --period 5000 >slower.json
-refuses 'driving has period 4800.*5000' beadswim-theory --stroke-from run.json slower.json
-refuses 'no method asked for uses a stroke; add one of oseen-stroke-closed' beadswim-theory --method rpy-perturbation --stroke-from run.json paper.json
+refuses 'the driving period is 4800 in the run but 5000 in the layout' beadswim-theory --stroke-from run.json slower.json
+refuses 'none of the named methods uses a measured stroke; add one of oseen-stroke-closed' beadswim-theory --method rpy-perturbation --stroke-from run.json paper.json
 refuses 'oseen-stroke-closed: cannot treat .* radii' beadswim-theory --method oseen-stroke-closed --stroke-from run.json unequal.json
-refuses 'units of length' beadswim-theory --stroke-from run.json units.json
+refuses 'units of length and time differ' beadswim-theory --stroke-from run.json units.json
 jq 'del(.swimmers) | .swarm = []' run.json >swarm_run.json
-refuses 'swarm_run.json: holds statistics of the swarm alone, .*; run a smaller cell of the scene \(beadswim-layout reduce\)' \
+refuses 'swarm_run.json: the record contains only statistics of the swarm, .*; run a smaller cell of the scene \(beadswim-layout reduce\)' \
   beadswim-theory --stroke-from swarm_run.json paper.json
 cat paper.json paper.json >two.json
 refuses 'two.json: line [0-9]+, column 1: a second document begins.*beadswim-theory for streams of layouts' beadswim-theory two.json
@@ -141,7 +141,7 @@ echo >>lines
 tr -d '\n' <unequal.json >>lines
 run beadswim-theory --jsonl lines
 has_status 0
-err_has '1 of 2 layouts left methods out'
+err_has 'methods were left out for 1 of 2 layouts'
 check "not one document a line" test "$(grep -c '^{"schema":"beadswim/prediction/1".*}$' out)" -eq 2
 same_bytes 'beadswim-theory --jsonl lines 2>/dev/null' 'beadswim-theory --jsonl <lines 2>/dev/null'
 beadswim-theory --jsonl lines 2>/dev/null | head -1 >first.json
@@ -168,11 +168,11 @@ jq '.predictions[0].velocity' out >velocity
 beadswim-layout swimmer --preset paper-single --box 80,120,80 --boundary periodic --axis 0,-1,0 --frame initial-axis >turned.json
 accepts beadswim-theory --method rpy-box-perturbation turned.json
 check "the swimmer along -y has another velocity" cmp -s velocity <(jq '.predictions[0].velocity' out)
-refuses 'rpy-box-ode: .* the layout is unbounded' beadswim-theory --method rpy-box-ode paper.json
+refuses 'rpy-box-ode: .* the fluid of the layout is unbounded' beadswim-theory --method rpy-box-ode paper.json
 boxed --boundary no-slip >walls.json
 refuses 'inertia-corrected: .* no-slip walls' beadswim-theory --method inertia-corrected walls.json
 boxed --boundary periodic --axis 1,1,0 --frame body >aslant.json
-refuses 'unsteady-response: .* aslant' beadswim-theory --method unsteady-response aslant.json
+refuses 'unsteady-response: .* not parallel to a box axis' beadswim-theory --method unsteady-response aslant.json
 second '' <boxed.json | sed 's/\[0, 100, 0\]/[60, 70, 70]/' >shared_box.json
 refuses 'rpy-box-perturbation: .* box holds 2 swimmers' beadswim-theory --method rpy-box-perturbation shared_box.json
 
@@ -183,7 +183,7 @@ has_status 0
 out_is_valid
 err_has 'warning: beads meet within the stroke: .* swing by 10\.[0-9]+ and 15\.[0-9]+, with gaps of 12 and 12'
 err_has 'at rest; lower --amplitude or raise --stiffness, --damping or --arm$'
-err_has 'left out .*rpy-ode.*: stroke: no periodic motion without contact .* up to about 0\.[0-9]+ of its amplitude'
+err_has 'left out .*rpy-ode.*: stroke: no periodic motion without contact .* above about 0\.[0-9]+ of the driving amplitude'
 check "contact within the stroke is usable" test "$(jq '[.predictions[] | select(.usable)] | length' out)" -eq 0
 paper --amplitude 0.4 >large.json
 run beadswim-theory --method rpy-perturbation large.json

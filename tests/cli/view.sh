@@ -69,10 +69,10 @@ check "the name is not kept" holds '.file == "<b>&.h5md" and .cycle_times == []'
 echo kept >kept.html
 refuses 'absent.h5md: cannot be read' beadswim-view absent.h5md -o kept.html
 h5copy -i swarm.h5md -o foreign.h5md -s /h5md -d /h5md
-refuses 'foreign.h5md: is HDF5, but no trajectory of Beadswim: it has no /particles; give a trajectory as beadswim-run wrote it' \
+refuses 'foreign.h5md: is an HDF5 file but not a trajectory of Beadswim: /particles is missing; give a trajectory file of beadswim-run' \
   beadswim-view foreign.h5md -o kept.html
-refuses 'swarm.json: is no HDF5 file' beadswim-view swarm.json -o kept.html
-refuses '--output: "page.svg" is no .html; name a file that ends so' beadswim-view swarm.h5md -o page.svg
+refuses 'swarm.json: is not an HDF5 file' beadswim-view swarm.json -o kept.html
+refuses '--output: "page.svg" does not end in .html; name a file that does' beadswim-view swarm.h5md -o page.svg
 refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0
 refuses '--block-swimmers' beadswim-view swarm.h5md -o kept.html --block-swimmers 1,2
 refuses '--evry: unknown flag; did you mean --every' beadswim-view swarm.h5md -o kept.html --evry 2

@@ -18,12 +18,13 @@ QuantityErrors errors() {
 }
 
 TEST(ErrorFigure, FrontIsWhatNoOtherBeatsInErrorAndCost) {
-  const Figure figure = error_figure({errors()}, "core-seconds", {"first"});
+  const Figure figure = error_figure({errors()}, "core-seconds", {{.text = "first"}});
   const Series& front = figure.panels.at(0).series.back();
   EXPECT_EQ(front.label, "front");
   EXPECT_THAT(front.x, ElementsAre(10, 100));
   EXPECT_THAT(front.y, ElementsAre(5, 1));  // percent
-  EXPECT_THAT(figure.notes, ElementsAre("first", "Front of the velocity: cheap; dear"));
+  EXPECT_THAT(shorten_notes(figure.notes),
+              ElementsAre("first", HasSubstr("front"), "Most accurate velocity: dear."));
 }
 
 TEST(ErrorFigure, UncertaintyOfTheReferenceIsALevelInPercent) {
@@ -41,7 +42,7 @@ TEST(ErrorFigure, RefusesWhatNoLogarithmicAxisHolds) {
     error_figure({exact}, "core-seconds", {});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("c.json: has an error of 0 in its velocity"));
+    EXPECT_THAT(error.what(), HasSubstr("c.json: has an error of 0 in the velocity"));
   }
 }
 

@@ -3,8 +3,8 @@
 
 #include <limits>
 
-#include "beadswim/figure/figure.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/figure/figure.hpp"
 
 namespace beadswim {
 namespace {
@@ -15,7 +15,7 @@ using testing::Not;
 Figure figure_with(std::vector<double> x, std::vector<double> y) {
   return {"Speed & <stroke>",
           {{{"T"}, {"v", "um/s"}, {{"lbm \"run\"", std::move(x), std::move(y)}}}},
-          {"l/λ = 5"}};
+          {Note{.text = "l/λ = 5"}}};
 }
 
 std::size_t count(const std::string& text, const std::string& part) {

@@ -94,7 +94,7 @@ TEST(SwarmPicture, AllIsOnThePage) {
 TEST(SwarmPicture, KeysAndNotesAreWritten) {
   SwarmPicture picture = picture_of({swimmer_at({60, 40, 30}, 0)});
   picture.keys = {{"a & b", 0}, {"c", 1}};
-  picture.notes = {"one box"};
+  picture.notes.push_back({.text = "one box"});
   const std::string svg = swarm_picture_to_svg(picture);
   EXPECT_THAT(svg, HasSubstr(">a &amp; b<"));
   EXPECT_THAT(svg, HasSubstr(">one box<"));

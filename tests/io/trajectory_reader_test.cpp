@@ -198,7 +198,7 @@ TEST(TrajectoryReader, ReadsTheWholeFramesOfAFileThatIsBeingWritten) {
 TEST(TrajectoryReader, SaysThatThereIsNoFrameYet) {
   const Folder folder;
   write(folder.file("run.h5md"), 0);
-  EXPECT_THAT(fault_of(folder.file("run.h5md")), HasSubstr("run.h5md: holds no frame yet; wait for"));
+  EXPECT_THAT(fault_of(folder.file("run.h5md")), HasSubstr("run.h5md: contains no frame yet; wait for"));
 }
 
 TEST(TrajectoryReader, RefusesWhatIsNoTrajectory) {
@@ -209,7 +209,8 @@ TEST(TrajectoryReader, RefusesWhatIsNoTrajectory) {
   EXPECT_THAT(fault_of(folder.path), HasSubstr("is not a regular file"));
   EXPECT_THAT(fault_of("-"), HasSubstr("name the file"));
   std::ofstream(path) << "{ \"schema\": \"beadswim/run/1\" }\n";
-  EXPECT_THAT(fault_of(path), AllOf(HasSubstr("x.h5md: is no HDF5 file"), HasSubstr("give a trajectory")));
+  EXPECT_THAT(fault_of(path),
+              AllOf(HasSubstr("x.h5md: is not an HDF5 file"), HasSubstr("give a trajectory")));
   { const H5Handle empty(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path); }
   EXPECT_THAT(fault_of(path), HasSubstr("x.h5md:/particles/beads/species: is missing"));
 }
@@ -227,7 +228,7 @@ TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
   };
   for (const char* name : {"particles/beads/position/value", "particles/beads/image/value",
                            "observables/momentum/value", "particles/beads/radius", "parameters"}) {
-    EXPECT_THAT(without(name), HasSubstr(std::string("run.h5md:/") + name + ": is missing or broken; give"));
+    EXPECT_THAT(without(name), HasSubstr(std::string("run.h5md:/") + name + ": is missing or damaged; give"));
   }
   EXPECT_THAT(fault_after([](hid_t file) { H5Adelete_by_name(file, "particles/beads/box", "boundary", 0); }),
               HasSubstr("/particles/beads/box: has no attribute \"boundary\""));
@@ -235,17 +236,17 @@ TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
                 H5Ldelete(file, "parameters/layout", H5P_DEFAULT);
                 write_dataset(file, "parameters/layout", std::array{1, 2});
               }),
-              HasSubstr("/parameters/layout: is no text"));
+              HasSubstr("/parameters/layout: is not a readable text"));
   EXPECT_THAT(fault_after([](hid_t file) {
                 H5Ldelete(file, "particles/beads/radius", H5P_DEFAULT);
                 write_dataset(file, "particles/beads/radius", std::array{1.0, 2.0});
               }),
-              HasSubstr("/particles/beads/radius: is not of 6 beads"));
+              HasSubstr("/particles/beads/radius: does not have 6 entries, one per bead"));
   EXPECT_THAT(fault_after([](hid_t file) {
                 H5Ldelete(file, "particles/beads/position/value", H5P_DEFAULT);
                 write_dataset(file, "particles/beads/position/value", std::array{1.0, 2.0});
               }),
-              HasSubstr("/particles/beads/position/value: has another shape"));
+              HasSubstr("/particles/beads/position/value: the dataset does not have the shape"));
 }
 
 TEST(TrajectoryReader, RefusesSwimmersThatAreNotWholeAndNumbersThatAreNone) {
@@ -254,10 +255,11 @@ TEST(TrajectoryReader, RefusesSwimmersThatAreNotWholeAndNumbersThatAreNone) {
   TrajectoryHeader header = two_swimmers();
   header.swimmer[4] = 4;
   write(path, 1, header);
-  EXPECT_THAT(fault_of(path), HasSubstr("species: is not 1, 2, 3 of one swimmer after another"));
+  EXPECT_THAT(fault_of(path),
+              HasSubstr("species: must be 1, 2, 3 for the three consecutive beads of each swimmer"));
   write(path, 2, two_swimmers(),
         [](TrajectoryFrame& frame) { frame.velocities[3].x() = std::numeric_limits<double>::quiet_NaN(); });
-  EXPECT_THAT(fault_of(path), HasSubstr("velocity/value: holds a number that is not finite"));
+  EXPECT_THAT(fault_of(path), HasSubstr("velocity/value: contains a non-finite number"));
 }
 
 // Cut short anywhere, a file is refused or read as far as it goes, and never a crash.

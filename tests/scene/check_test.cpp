@@ -83,7 +83,7 @@ TEST(CheckLayout, LetsArmsCrossASeamButNotAWall) {
   EXPECT_EQ(faults(layout), "");
   layout.domain->boundary[0] = Boundary::free_slip;
   EXPECT_THAT(faults(layout),
-              HasSubstr("bead 1, of radius 4 at (-10, 15, 15), is not wholly inside the walls along x"));
+              HasSubstr("bead 1 of radius 4 at (-10, 15, 15) is not completely between the walls along x"));
 }
 
 TEST(CheckLayout, RefusesABeadThatPiercesAWallWithItsCentreInside) {
@@ -120,7 +120,8 @@ TEST(CheckLayout, RefusesABoxSoShortThatASwimmerMeetsItsOwnImages) {
 TEST(CheckLayout, RefusesAUnitThatContradictsItsName) {
   Layout layout = small_scene();
   layout.units = {.lattice = false, .length = {"um", 1e-6}, .time = {"ms", 1}, .mass = {"jelly bean", 1e-3}};
-  EXPECT_EQ(faults(layout), "/units/time/si_factor: 1: one ms is 0.001 in SI; give that, or another name\n");
+  EXPECT_EQ(faults(layout),
+            "/units/time/si_factor: 1: one ms is 0.001 in SI; give that factor or another unit name\n");
 }
 
 }  // namespace

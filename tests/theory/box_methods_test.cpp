@@ -256,8 +256,8 @@ TEST(BoxMethods, RefuseImagesThatOverlap) {
     EXPECT_THAT(obstacle(method, swimmer, periodic_box(100, 7.9, 60), {}), HasSubstr("no room"));
     EXPECT_THAT(obstacle(method, swimmer, periodic_box(100, 60, 7.9), {}), HasSubstr("no room"));
     EXPECT_EQ(obstacle(method, swimmer, periodic_box(100, 8.1, 8.1), {}), "");
-    EXPECT_THAT(obstacle(method, swimmer, x_walls, {23.9, 30, 30}), HasSubstr("wall across"));
-    EXPECT_THAT(obstacle(method, swimmer, x_walls, {76.1, 30, 30}), HasSubstr("wall across"));
+    EXPECT_THAT(obstacle(method, swimmer, x_walls, {23.9, 30, 30}), HasSubstr("wall perpendicular"));
+    EXPECT_THAT(obstacle(method, swimmer, x_walls, {76.1, 30, 30}), HasSubstr("wall perpendicular"));
     EXPECT_EQ(obstacle(method, swimmer, x_walls, {24.1, 30, 30}), "");
     EXPECT_THAT(obstacle(method, swimmer, y_walls, {50, 3.9, 30}), HasSubstr("no room"));
     EXPECT_THAT(obstacle(method, swimmer, y_walls, {50, 56.1, 30}), HasSubstr("no room"));

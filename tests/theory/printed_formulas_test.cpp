@@ -196,7 +196,7 @@ TEST(Formula424, HasAPoleThatPredictRefuses) {
     prediction_of("rpy-stroke-printed", s);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("its answer is not a number, from a pole"));
+    EXPECT_THAT(error.what(), testing::HasSubstr("the result is non-finite, because of a pole"));
   }
 }
 

@@ -58,12 +58,10 @@ std::vector<Group> make_groups(const BenchRequest& request, int ranks, double av
     }
     for (const Precision precision : request.precisions) {
       if (!fits({precision})) {
-        throw InputError(
-            "--edge",
-            fmt::format("{} needs {:.1f} GB a rank in {} precision, more than the {:.1f} GB that are "
-                        "free; take a smaller edge",
-                        edge, 1e-9 * BenchScenes::bytes(edge, {precision}), to_text(precision),
-                        1e-9 * available));
+        throw InputError("--edge", fmt::format("an edge of {} needs {:.1f} GB per rank in {} precision, more "
+                                               "than the {:.1f} GB that are free; use a smaller edge",
+                                               edge, 1e-9 * BenchScenes::bytes(edge, {precision}),
+                                               to_text(precision), 1e-9 * available));
       }
       groups.push_back({edge, ranks, {precision}});
     }

@@ -68,7 +68,7 @@ int run(int argc, char** argv, const Communicator& world) {
   precisions.erase(std::ranges::unique(precisions).begin(), precisions.end());
   for (const char* flag : {"--edge", "--precision", "--bead-boundary"}) {
     if (!options.products.beads.empty() && program->count(flag) > 0)
-      throw InputError(flag, "is of the lattice; leave it out with --beads");
+      throw InputError(flag, "the flag applies to the lattice only; leave it out with --beads");
   }
   BenchReport report{.rounds = options.request.rounds, .bead_boundary = options.request.bead_boundary};
   if (options.products.beads.empty()) {

@@ -31,14 +31,15 @@ struct Inputs {
 void require_one_stdin(const ComparisonRequest& request) {
   const auto stdins = std::count(request.files.begin(), request.files.end(), "-") +
                       std::count(request.further_references.begin(), request.further_references.end(), "-");
-  if (stdins > 1) throw InputError("-", "standard input can be read once; name files for the other inputs");
+  if (stdins > 1)
+    throw InputError("-", "standard input can be read only once; name files for the other inputs");
 }
 
 /// Throws InputError if the document is the record of a failed run, because its results are not valid.
 void require_success(const SwimmingDocument& document, const std::string& source) {
   const auto* run = std::get_if<RunRecord>(&document);
   if (run == nullptr || run->status != RunStatus::failed) return;
-  throw InputError(source, "is the record of a run that failed; mend its cause and run again");
+  throw InputError(source, "is the record of a failed run; correct the cause of the failure and run again");
 }
 
 ReferenceFile read_reference(const std::string& path) {
@@ -96,7 +97,7 @@ void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
   if (!same_units(record.units, scene.units)) {
     throw InputError(
         reference.source,
-        fmt::format("is in other units than {}; compare what was made from one layout", run.source));
+        fmt::format("has other units than {}; compare files made from the same layout", run.source));
   }
   const auto* prediction = std::get_if<PredictionDocument>(&reference.document);
   const double own = prediction != nullptr ? period_of(record, prediction->swimmer) : record.driving.period;
@@ -104,8 +105,8 @@ void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
   if (std::abs(period - own) > period_tolerance * own) {
     throw InputError(
         reference.source,
-        fmt::format("has the driving period {}, {} has {}; compare what was made from one layout", period,
-                    run.source, own));
+        fmt::format("has the driving period {}, but {} has {}; compare files made from the same layout",
+                    period, run.source, own));
   }
 }
 
@@ -166,12 +167,13 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
   if (found == references.end()) {
     std::vector<std::string> names;
     for (const Reference& reference : references) names.push_back(reference.method);
-    throw InputError("--method", fmt::format("no reference has \"{}\"{} They have {}", method,
-                                             format_suggestion(method, names), fmt::join(names, ", ")));
+    throw InputError("--method",
+                     fmt::format("no reference contains the method \"{}\"{} Available: {}", method,
+                                 format_suggestion(method, names), fmt::join(names, ", ")));
   }
   if (!found->usable) {
-    throw InputError("--method", fmt::format("\"{}\" is marked unusable for this layout in {} and cannot "
-                                             "decide; name another",
+    throw InputError("--method", fmt::format("the method \"{}\" is marked unusable for this layout in {} and "
+                                             "cannot decide the verdict; name another method",
                                              method, found->source));
   }
   return static_cast<std::size_t>(found - references.begin());
@@ -184,7 +186,7 @@ std::size_t deciding_reference(const ComparisonRequest& request, const Reference
   const auto best = best_reference(std::span(references.all).first(references.own), request.quantities);
   if (best) return *best;
   throw InputError(source_name(request.files.back()),
-                   "holds no usable method, so that nothing can decide; predict with other methods "
+                   "contains no usable method to decide the verdict; predict with other methods "
                    "(beadswim-theory --method)");
 }
 

@@ -32,15 +32,16 @@ void require_same_units(const Layout& layout, const Layout& other, const std::st
       a.lattice == b.lattice &&
       (a.lattice || (same(a.length, b.length) && same(a.time, b.time) && same(a.mass, b.mass)));
   if (!equal)
-    throw InputError(
-        source, "is in other units than the layout that it is mixed into; make it with that one's --units");
+    throw InputError(source,
+                     "the units differ from those of the layout into which this type is mixed; make this "
+                     "layout with the same --units");
 }
 
 /// Gives the chosen swimmers the type of the first swimmer in the layout file `path`. Removes their own
 /// driving, and all types that no swimmer has any more. Throws InputError if the layouts have different
 /// units.
 void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, const std::string& path) {
-  if (path == "-") throw InputError("--with", "is standard input, where the layout is; name a file");
+  if (path == "-") throw InputError("--with", "standard input is already used for the layout; name a file");
   const Layout other = read_layout(path).layout;
   require_same_units(layout, other, path);
   const std::string name = free_type_name(layout);
@@ -211,7 +212,8 @@ void DefectCommand::add_mixture() {
 
 ShareOrCount DefectCommand::share_or_count() const {
   if (count_) return *count_;
-  if (!fraction_) throw InputError("command line", "needs --fraction or --count");
+  if (!fraction_)
+    throw InputError("command line", "the flag --fraction or --count is missing; give one of them");
   return *fraction_;
 }
 
@@ -228,8 +230,9 @@ void DefectCommand::run(const CLI::App& program) const {
   for (const auto& [kind, change] : kinds_) {
     if (!kind->parsed()) continue;
     if (kind->get_option_no_throw("--sigma") && !random_ && !sigma_) {
-      throw InputError("command line",
-                       kind->get_option_no_throw("--random") ? "needs --sigma or --random" : "needs --sigma");
+      throw InputError("command line", kind->get_option_no_throw("--random")
+                                           ? "the flag --sigma or --random is missing; give one of them"
+                                           : "the flag --sigma is missing; give a value");
     }
     change(document.layout);
   }

@@ -12,7 +12,7 @@ namespace beadswim {
 inline void require_sound(const Layout& layout, const std::string& source, const std::string& remedy = "") {
   const auto faults = check_layout(layout);
   if (faults.empty()) return;
-  throw InputError(source + " make no sound layout",
+  throw InputError(source + " do not make a valid layout",
                    faults.front().place + ": " + faults.front().message + remedy);
 }
 

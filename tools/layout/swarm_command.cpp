@@ -64,8 +64,10 @@ SwarmPlan SwarmCommand::plan() const {
   if (!block_gap_.empty()) plan.block_gap = parse_vector(block_gap_);
   const double swimmers = plan.block_swimmers.cast<double>().prod() * plan.blocks.cast<double>().prod();
   if (swimmers > max_swimmers) {
-    throw InputError("--blocks",
-                     fmt::format("make {:g} swimmers in all; at most {:g}", swimmers, max_swimmers));
+    throw InputError(
+        "--blocks",
+        fmt::format("the blocks have {:g} swimmers in total, but at most {:g} are possible; use fewer",
+                    swimmers, max_swimmers));
   }
   return plan;
 }

@@ -45,8 +45,9 @@ void SwimmerFlags::require_complete(const std::vector<std::string>& other_missin
   }
   missing.insert(missing.end(), other_missing_flags.begin(), other_missing_flags.end());
   if (missing.empty()) return;
-  throw InputError("command line", fmt::format("needs {}, or --preset {} to start from",
-                                               fmt::join(missing, ", "), presets_.front().name));
+  throw InputError("command line",
+                   fmt::format("required flags are missing: {}; give them, or start from --preset {}",
+                               fmt::join(missing, ", "), presets_.front().name));
 }
 
 Layout SwimmerFlags::preset_layout() const {
@@ -56,7 +57,7 @@ Layout SwimmerFlags::preset_layout() const {
     names.push_back(preset.name);
   }
   throw InputError("--preset",
-                   format_unknown_name(preset_, names) + "; swimmers and swarms have presets of their own");
+                   format_unknown_name(preset_, names) + "; swimmers and swarms have different presets");
 }
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {

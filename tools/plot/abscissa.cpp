@@ -14,8 +14,9 @@ namespace {
 double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
   const auto& resolution = run.record.resolution;
   if (!resolution) {
-    throw InputError(run.source,
-                     "does not say the beads' radius, which the separation l/λ needs; leave it out");
+    throw InputError(
+        run.source,
+        "the record lacks the beads' radius, needed for the separation ratio l/λ; leave this file out");
   }
   const auto cycles = select_cycles(swimmer.cycles, choice, run.source);
   std::array<double, 2> arms{};
@@ -26,7 +27,7 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
   return std::min(arms[0], arms[1]) / static_cast<double>(cycles.size()) / radius;
 }
 
-/// A/B or alpha, if the record says it; A/B is infinite, and so not drawn, where B = 0.
+/// Returns A/B or α, if the record contains the driving. A/B is infinite, and is not drawn, for B = 0.
 std::optional<double> driving_number(const RunRecord& run, Abscissa abscissa) {
   if (!run.driving.amplitude) return std::nullopt;
   const auto& [A, B] = *run.driving.amplitude;
@@ -69,10 +70,9 @@ double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {
   const auto value = number_setting(plotted.prediction, to_text(abscissa));
   if (value) return *value;
   const std::string hint = abscissa == Abscissa::amplitude_ratio ? " (it is left out where B = 0)" : "";
-  throw InputError(plotted.source,
-                   fmt::format("the settings of {} lack the number \"{}\", which the figure is "
-                               "drawn against{}; leave the prediction out or make it anew",
-                               plotted.prediction.method, to_text(abscissa), hint));
+  throw InputError(plotted.source, fmt::format("the settings of {} lack the number \"{}\", the abscissa of "
+                                               "the figure{}; leave the prediction out or make a new one",
+                                               plotted.prediction.method, to_text(abscissa), hint));
 }
 
 double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
@@ -80,10 +80,11 @@ double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa
   if (abscissa == Abscissa::period) return run.record.driving.period;
   if (abscissa == Abscissa::separation_ratio) return separation_of(run, swimmer, cycle);
   if (const auto number = driving_number(run.record, abscissa)) return *number;
-  throw InputError(run.source,
-                   fmt::format("does not say the {}; leave the run out of this figure, or draw it with "
-                               "--against cycle",
-                               axis_label(abscissa, run.record.units).quantity));
+  throw InputError(
+      run.source,
+      fmt::format(
+          "the record lacks the {}; leave the run out of this figure, or draw it with --against cycle",
+          axis_label(abscissa, run.record.units).quantity));
 }
 
 std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa) {

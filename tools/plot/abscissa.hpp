@@ -7,18 +7,18 @@
 #include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
-// What theory's curves and runs are drawn against.
+// Abscissas of figures that show runs and predictions.
 
 namespace beadswim {
 
 enum class Abscissa {
-  period,            ///< T of the driving [time]
-  separation_ratio,  ///< l/lambda, of the closest neighbours
-  amplitude_ratio,   ///< A/B of the driving forces
-  phase,             ///< alpha between them [radian]
+  period,            ///< driving period T [time]
+  separation_ratio,  ///< separation ratio l/λ
+  amplitude_ratio,   ///< ratio A/B of the driving amplitudes
+  phase,             ///< driving phase α [rad]
 };
 
-/// Their keys in the settings of a prediction.
+/// Keys of the abscissas in the settings of a prediction.
 template <>
 inline constexpr auto name_table<Abscissa> =
     std::to_array<NamedValue<Abscissa>>({{Abscissa::period, "period"},
@@ -28,31 +28,33 @@ inline constexpr auto name_table<Abscissa> =
 
 AxisLabel axis_label(Abscissa abscissa, const Units& units);
 
-/// A number or a text among the prediction's settings, if it is there.
+/// Returns the number, or the text, with this key in the settings of a prediction. Returns no value if there
+/// is none.
 std::optional<double> number_setting(const Prediction& prediction, const std::string& key);
 std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key);
 
-/// Throws InputError, naming source and key, if the settings lack it.
+/// Returns the abscissa of a prediction. Throws InputError if its settings do not contain the abscissa.
 double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa);
 
-/// Of a run: the period; or the separation, from the smaller mean arm in these cycles and the radius of the
-/// smallest bead. Throws InputError for what a run record does not say: all else, and the radius of beads
-/// without a lattice.
+/// Returns the abscissa of a swimmer in a run. The separation ratio is the smaller mean arm length in the
+/// chosen cycles, divided by the smallest bead radius. Throws InputError if the run record does not contain
+/// the abscissa. Records of models without a lattice do not contain the bead radius.
 double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
                    const CycleChoice& cycle);
 
 struct PlacedPrediction {
-  double x = 0;  ///< its abscissa
+  double x = 0;  ///< abscissa
   PlottedPrediction plotted;
 };
 
-/// A method's predictions in order of the abscissa.
+/// Predictions by one method in order of the abscissa.
 struct MethodPredictions {
   std::string method;
   std::vector<PlacedPrediction> predictions;
 };
 
-/// In the order of inputs.methods. Throws InputError if a prediction does not say its abscissa.
+/// Returns the predictions of each method in inputs.methods, in this order. Throws InputError if a prediction
+/// does not state its abscissa.
 std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa);
 
 }  // namespace beadswim

@@ -5,24 +5,24 @@
 namespace beadswim {
 namespace {
 
-CLI::Validator id_or_frame() {
+CLI::Validator id_or_frame_number() {
   return whole_number(0, 999999999);
 }
 
-CLI::Validator last_or_frame() {
+CLI::Validator last_or_whole_number() {
   const auto fault = [](const std::string& text) {
-    return text == "last" || id_or_frame()(text).empty()
+    return text == "last" || id_or_frame_number()(text).empty()
                ? std::string{}
-               : fmt::format("\"{}\": must be last or a whole number from 0 on", text);
+               : fmt::format("\"{}\": must be \"last\" or a whole number, 0 or greater", text);
   };
   return CLI::Validator(fault, "");
 }
 
-/// "A=3".
+/// Parses "A=3". Throws InputError if the text has another form.
 SwimmerMark parse_mark(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   const std::string id = sign == std::string::npos ? "" : text.substr(sign + 1);
-  if (sign == 0 || !id_or_frame()(id).empty())
+  if (sign == 0 || !id_or_frame_number()(id).empty())
     throw InputError("--mark", fmt::format("\"{}\": must be a name and a swimmer's id, such as A=3", text));
   return {text.substr(0, sign), std::stoi(id)};
 }
@@ -49,7 +49,7 @@ CLI::Option* add_whole_numbers(CLI::App& command, const std::string& flag, std::
       .add_option_function<std::string>(
           flag, [&numbers](const std::string& text) { numbers = parse_whole_numbers(text); }, help)
       ->type_name("ID,...")
-      ->check(number_list({}, id_or_frame()))
+      ->check(number_list({}, id_or_frame_number()))
       ->default_str(unless_given);
 }
 
@@ -63,7 +63,7 @@ void add_frame(CLI::App& command, std::optional<std::size_t>& frame) {
           },
           "Frame of a trajectory, counted from 0")
       ->type_name("last|N")
-      ->check(last_or_frame())
+      ->check(last_or_whole_number())
       ->default_str("last");
 }
 

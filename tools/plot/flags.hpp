@@ -6,30 +6,31 @@
 
 #include "beadswim/tools/named_flags.hpp"
 
-// Flags that several kinds of figures share, and flags whose values have a form of their own.
+// Flags that several kinds of figures share, and flags whose values need their own parser.
 
 namespace beadswim {
 
-/// A swimmer that the picture names.
+/// A name that is written at a swimmer.
 struct SwimmerMark {
   std::string name;
   int id = 0;
 };
 
-/// --method.
+/// Adds --method.
 void add_methods(CLI::App& command, std::vector<std::string>& methods);
 
-/// --cycle.
+/// Adds --cycle.
 void add_cycle(CLI::App& command, std::string& cycle);
 
-/// A flag that takes whole numbers from 0 on, joined by commas; `unless_given` is shown as its default.
+/// Adds a flag for a list of whole numbers >= 0, separated by commas. The help shows `unless_given` as the
+/// default.
 CLI::Option* add_whole_numbers(CLI::App& command, const std::string& flag, std::vector<int>& numbers,
                                const std::string& unless_given, const std::string& help);
 
-/// --frame: none is the last one.
+/// Adds --frame. `frame` has no value for the last frame.
 void add_frame(CLI::App& command, std::optional<std::size_t>& frame);
 
-/// --mark.
+/// Adds --mark.
 void add_marks(CLI::App& command, std::vector<SwimmerMark>& marks);
 
 }  // namespace beadswim

@@ -16,16 +16,16 @@ struct PlotFiles {
   std::string output = "-";
 };
 
-/// Reads the inputs and returns the figure as an SVG document. Throws InputError.
+/// Reads the inputs and returns the figure as an SVG document. Throws InputError for invalid inputs.
 using Drawing = std::function<std::string(const PlotFiles&)>;
 
-/// A kind of figure, which is a command of the program.
+/// A kind of figure. Each kind is a command of the program.
 struct PlotKind {
   const char* name;
   const char* description;
-  const char* inputs;                       ///< help on the files that the kind reads
-  Drawing (*add_flags)(CLI::App& command);  ///< adds the kind's own flags, and returns what draws by them
-  std::array<const char*, 2> examples;      ///< at the end of its help
+  const char* inputs;                       ///< help on the input files
+  Drawing (*add_flags)(CLI::App& command);  ///< adds flags, and returns the function that draws
+  std::array<const char*, 2> examples;      ///< examples at the end of the help
 };
 
 Drawing add_stroke_flags(CLI::App& command);
@@ -37,7 +37,7 @@ Drawing add_swarm_flags(CLI::App& command);
 Drawing add_swimmer_flags(CLI::App& command);
 Drawing add_product_flags(CLI::App& command);
 
-/// All kinds, in the order of the program's help.
+/// Returns all kinds, in the order of the program's help.
 std::span<const PlotKind> plot_kinds();
 
 }  // namespace beadswim

@@ -16,7 +16,7 @@ using Names = std::vector<std::string>;
 
 constexpr const char* all_methods = "all";
 
-bool holds(const Names& names, const std::string& name) {
+bool contains(const Names& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
@@ -35,22 +35,28 @@ void require_same_units(const std::vector<SourceDocument>& documents) {
     if (same_units(units_of(first.document), units_of(other.document))) continue;
     throw InputError(
         other.source,
-        fmt::format("is in other units than {}; one figure holds one system of units", first.source));
+        fmt::format("the units differ from those of {}; all files of a figure must have the same units",
+                    first.source));
   }
 }
 
-/// The best usable prediction, as beadswim-compare picks it.
+/// Returns the best usable prediction, which beadswim-compare would choose.
 Prediction best_prediction(const PredictionDocument& document, const std::string& source) {
   std::vector<Reference> references;
   for (const Prediction& prediction : document.predictions) {
-    references.push_back({source, prediction.method, prediction.usable, swimming_of(prediction)});
+    references.push_back({.source = source,
+                          .method = prediction.method,
+                          .usable = prediction.usable,
+                          .swimming = swimming_of(prediction)});
   }
   const auto best = best_reference(references, all_values<ComparedQuantity>);
-  if (!best) throw InputError(source, "holds no usable method; name the methods to draw with --method");
+  if (!best)
+    throw InputError(source,
+                     "no prediction in the document is usable; name the methods to draw with --method");
   return document.predictions[*best];
 }
 
-/// In the order of `methods`.
+/// Appends the predictions by these methods, in the order of `methods`.
 void append_named(const PredictionDocument& document, const std::string& source, const Names& methods,
                   std::vector<PlottedPrediction>& result) {
   for (const std::string& method : methods) {
@@ -60,11 +66,11 @@ void append_named(const PredictionDocument& document, const std::string& source,
   }
 }
 
-/// In the order of their first prediction.
+/// Returns the methods in the order of their first predictions.
 Names methods_of(const std::vector<PlottedPrediction>& predictions) {
   Names methods;
   for (const PlottedPrediction& plotted : predictions) {
-    if (!holds(methods, plotted.prediction.method)) methods.push_back(plotted.prediction.method);
+    if (!contains(methods, plotted.prediction.method)) methods.push_back(plotted.prediction.method);
   }
   return methods;
 }
@@ -75,24 +81,26 @@ Names methods_in(const std::vector<SourceDocument>& documents) {
     const auto* document = std::get_if<PredictionDocument>(&file.document);
     if (document == nullptr) continue;
     for (const Prediction& prediction : document->predictions) {
-      if (!holds(methods, prediction.method)) methods.push_back(prediction.method);
+      if (!contains(methods, prediction.method)) methods.push_back(prediction.method);
     }
   }
   return methods;
 }
 
-/// A method that no prediction has is a slip of the pen.
+/// Throws InputError if no prediction has the method. `flag` is the flag that names the method.
 void require_known(const std::string& method, const std::string& flag, const Names& known) {
-  if (holds(known, method)) return;
+  if (contains(known, method)) return;
   if (known.empty()) {
-    throw InputError(flag, fmt::format("\"{}\" is wanted, but no prediction is given; add one", method));
+    throw InputError(
+        flag,
+        fmt::format("the method \"{}\" needs a prediction, but none is given; add a prediction", method));
   }
-  throw InputError(flag, fmt::format("no prediction has \"{}\"{} They have {}", method,
+  throw InputError(flag, fmt::format("no prediction has the method \"{}\"{} The predictions have {}", method,
                                      format_suggestion(method, known), fmt::join(known, ", ")));
 }
 
-/// The choice with "all" replaced by the methods that there are.
-MethodChoice resolved(MethodChoice choice, const Names& known) {
+/// Replaces "all" by the known methods. Throws InputError if a method is not known.
+MethodChoice resolve_methods(MethodChoice choice, const Names& known) {
   if (choice.methods == Names{all_methods}) choice.methods = known;
   for (const std::string& method : choice.methods) require_known(method, "--method", known);
   if (!choice.relative_to.empty()) require_known(choice.relative_to, "--relative-to", known);
@@ -100,16 +108,17 @@ MethodChoice resolved(MethodChoice choice, const Names& known) {
 }
 
 std::vector<SourceDocument> read_documents(const std::vector<std::string>& files) {
-  if (files.empty()) throw InputError("FILES", "no file given; name run records and predictions to draw");
+  if (files.empty()) throw InputError("FILES", "no file is given; name run records and predictions to draw");
   if (std::count(files.begin(), files.end(), "-") > 1) {
-    throw InputError("-", "standard input can be read once; name files for the other inputs");
+    throw InputError("-", "standard input can be read only once; name files for the other inputs");
   }
   std::vector<SourceDocument> documents;
   for (const std::string& path : files) {
     for (const auto& [source, json] : read_json_documents(path, "a run record or a prediction")) {
       if (schema_of(json).starts_with("beadswim/verdict/"))
-        throw InputError(source,
-                         "is a verdict, which speed-against-error alone draws, and without --reference");
+        throw InputError(
+            source,
+            "the document is a verdict; verdicts are drawn only by speed-against-error without --reference");
       documents.push_back({source, swimming_from_json(json, source)});
     }
   }
@@ -131,7 +140,7 @@ void append(const PredictionDocument& document, const std::string& source, const
 PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& wanted) {
   std::vector<SourceDocument> documents = read_documents(files);
   require_same_units(documents);
-  const MethodChoice choice = resolved(wanted, methods_in(documents));
+  const MethodChoice choice = resolve_methods(wanted, methods_in(documents));
   PlotInputs inputs;
   inputs.units = units_of(documents.front().document);
   for (SourceDocument& file : documents) {

@@ -6,7 +6,7 @@
 #include "beadswim/compare/cycle_choice.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 
-// What figures are drawn from.
+// Run records and predictions that a figure shows.
 
 namespace beadswim {
 
@@ -15,28 +15,28 @@ struct PlottedRun {
   RunRecord record;
 };
 
-/// One method of one prediction.
+/// Prediction by one method.
 struct PlottedPrediction {
   std::string source;
   Prediction prediction;
 };
 
-/// All in the same units; each group in the order of the command line.
+/// Inputs of a figure. All have the same units. Each list is in the order of the command line.
 struct PlotInputs {
   Units units;
   std::vector<PlottedRun> runs;
   std::vector<PlottedPrediction> predictions;
-  std::vector<std::string> methods;           ///< of the predictions, in the order of drawing
-  std::vector<PlottedPrediction> references;  ///< by the method that others are drawn relative to
+  std::vector<std::string> methods;           ///< methods of the predictions, in the order of drawing
+  std::vector<PlottedPrediction> references;  ///< predictions by the method MethodChoice::relative_to
 };
 
 struct MethodChoice {
-  std::vector<std::string> methods{};  ///< of each prediction; none: its best usable one; "all": all
-  std::string relative_to{};           ///< the method of the references; empty: none
+  std::vector<std::string> methods{};  ///< methods to draw; empty: the best usable method; "all": all methods
+  std::string relative_to{};           ///< method of the references; empty: no references
 };
 
-/// Reads run records and predictions: files of one document, or of one document a line. Throws InputError
-/// naming file and line, also for differing units and for a method that no prediction has.
+/// Reads run records and predictions. A file contains one document, or one document per line. Throws
+/// InputError if a document is invalid, if units differ, or if no prediction has a method of `choice`.
 PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& choice);
 
 }  // namespace beadswim

@@ -7,8 +7,6 @@
 #include <array>
 #include <filesystem>
 #include <functional>
-#include <limits>
-#include <set>
 #include <utility>
 
 namespace beadswim {
@@ -17,13 +15,14 @@ namespace {
 struct Parameter {
   const char* key;
   const char* symbol;
+  const char* unit = "";  ///< with a space before it
 };
 
 constexpr std::array parameters{Parameter{"period", "T"}, Parameter{"separation_ratio", "l/λ"},
                                 Parameter{"amplitude", "A"}, Parameter{"amplitude_ratio", "A/B"},
-                                Parameter{"phase", "α"}};
+                                Parameter{.key = "phase", .symbol = "α", .unit = " rad"}};
 
-/// "T = 4800", or "T = 1000 to 10000"; empty if a prediction does not say.
+/// Returns "T = 4800" or "T = 1000 to 10000"; an empty text if a prediction does not state the parameter.
 std::string parameter_text(const std::vector<PlottedPrediction>& predictions, const Parameter& parameter) {
   std::vector<double> values;
   for (const PlottedPrediction& plotted : predictions) {
@@ -31,13 +30,10 @@ std::string parameter_text(const std::vector<PlottedPrediction>& predictions, co
     if (!value) return {};
     values.push_back(*value);
   }
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  const std::string first = fmt::format("{} = {:.4g}", parameter.symbol, *low);
-  const std::string last = fmt::format("{} = {:.4g}", parameter.symbol, *high);
-  return first == last ? first : first + fmt::format(" to {:.4g}", *high);
+  return fmt::format("{} = {}{}", parameter.symbol, range_text(values, 4), parameter.unit);
 }
 
-/// Which fluid the predictions are for: "unbounded fluid; inertia-corrected in the layout's box".
+/// Returns the fluid of the predictions: "unbounded fluid; inertia-corrected in the layout's box".
 std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
   std::set<std::string> boxed, open;
   for (const PlottedPrediction& plotted : predictions) {
@@ -47,25 +43,24 @@ std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
   }
   if (boxed.empty()) return "unbounded fluid";
   if (open.empty()) return "in the layout's box";
-  return fmt::format("unbounded fluid; {} in the layout's box", fmt::join(boxed, ", "));
+  return fmt::format("unbounded fluid; {} in the layout's box", summarise_names(boxed, "methods"));
 }
 
-/// "4800", or "1000 to 10000".
-std::string range_text(const std::vector<const PlottedRun*>& runs, int digits,
-                       const std::function<double(const RunRecord&)>& number) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const PlottedRun* run : runs) {
-    low = std::min(low, number(run->record));
-    high = std::max(high, number(run->record));
+/// Returns the range of a number of the runs. Omits runs that do not have it.
+std::string run_range(const PlotInputs& inputs, int digits,
+                      const std::function<std::optional<double>(const RunRecord&)>& number) {
+  std::vector<double> numbers;
+  for (const PlottedRun& run : inputs.runs) {
+    if (const auto value = number(run.record)) numbers.push_back(*value);
   }
-  const std::string first = fmt::format("{:.{}g}", low, digits), last = fmt::format("{:.{}g}", high, digits);
-  return first == last ? first : first + " to " + last;
+  return range_text(numbers, digits);
 }
 
-/// What sets a lattice run apart, in words; its relaxation time as asked for, before it was fitted to the
-/// period, as far as two digits tell.
+/// Model, bead boundary, resolution, relaxation time, precision and box of a run; empty where it has none.
 using SettingTexts = std::array<std::string, 6>;
 
+/// Returns the settings of a run. The relaxation time has only two digits: runs fit it to the period, so that
+/// it differs slightly between runs for which the same relaxation time was requested.
 SettingTexts setting_of(const RunRecord& record) {
   SettingTexts setting{record.model};
   if (const auto& resolution = record.resolution) {
@@ -81,23 +76,31 @@ SettingTexts setting_of(const RunRecord& record) {
   return setting;
 }
 
-/// On runs of one setting.
-std::string note_on(const std::string& label, const std::vector<const PlottedRun*>& runs) {
-  std::string note = fmt::format(
-      "{}: T = {}, δ/λ = {}, Re = {}", label,
-      range_text(runs, 6, [](const RunRecord& record) { return record.driving.period; }),
-      range_text(runs, 3,
-                 [](const RunRecord& record) { return record.dimensionless.penetration_depth_over_radius; }),
-      range_text(runs, 2, [](const RunRecord& record) { return record.dimensionless.reynolds_bead; }));
-  const RunRecord& record = runs.front()->record;
-  const SettingTexts setting = setting_of(record);
-  if (const auto& resolution = record.resolution) {
-    note += fmt::format("; {}, τ = {}, {}, {}", setting[2],
-                        range_text(runs, 4, [](const RunRecord& r) { return r.resolution->relaxation_time; }),
-                        resolution->bead_boundary, resolution->precision);
-  }
-  if (!setting[5].empty()) note += "; " + setting[5];
-  return note;
+/// Returns a setting that all runs share; an empty text if it differs between runs.
+std::string shared_setting(const PlotInputs& inputs, std::size_t position) {
+  const std::string first = setting_of(inputs.runs.front().record)[position];
+  const auto is_first = [&](const PlottedRun& run) { return setting_of(run.record)[position] == first; };
+  return std::ranges::all_of(inputs.runs, is_first) ? first : "";
+}
+
+/// Returns the texts that are not empty, separated by commas.
+std::string join_texts(std::vector<std::string> texts) {
+  std::erase(texts, "");
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+std::string lattice_text(const PlotInputs& inputs) {
+  const auto has_lattice = [](const PlottedRun& run) { return run.record.resolution.has_value(); };
+  if (std::ranges::none_of(inputs.runs, has_lattice)) return {};
+  const auto cells = [](const RunRecord& record) {
+    return record.resolution ? std::optional(record.resolution->cells_per_radius) : std::nullopt;
+  };
+  const auto relaxation_time = [](const RunRecord& record) {
+    return record.resolution ? std::optional(record.resolution->relaxation_time) : std::nullopt;
+  };
+  return join_texts({run_range(inputs, 4, cells) + " cells per radius",
+                     "τ = " + run_range(inputs, 4, relaxation_time), shared_setting(inputs, 1),
+                     shared_setting(inputs, 4)});
 }
 
 }  // namespace
@@ -107,10 +110,17 @@ std::string run_label(const PlotInputs& inputs, const PlottedRun& run) {
   return fmt::format("{} {}", run.record.model, std::filesystem::path(run.source).filename().string());
 }
 
-std::vector<std::string> run_notes(const PlotInputs& inputs) {
-  std::vector<std::string> notes;
-  for (const PlottedRun& run : inputs.runs) notes.push_back(note_on(run_label(inputs, run), {&run}));
-  return notes;
+std::string range_text(const std::vector<double>& numbers, int digits) {
+  if (numbers.empty()) return {};
+  const auto [low, high] = std::ranges::minmax(numbers);
+  const std::string first = fmt::format("{:.{}g}", low, digits), last = fmt::format("{:.{}g}", high, digits);
+  return first == last ? first : first + " to " + last;
+}
+
+std::string summarise_names(const std::set<std::string>& names, const std::string& plural) {
+  constexpr std::size_t max_names = 3;
+  if (names.size() > max_names) return fmt::format("{} {}", names.size(), plural);
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs) {
@@ -134,26 +144,47 @@ std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs) {
   return result;
 }
 
-std::vector<std::string> group_notes(const std::vector<RunGroup>& groups) {
-  std::vector<std::string> notes;
-  for (const RunGroup& group : groups) notes.push_back(note_on(group.label, group.runs));
+Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa) {
+  if (inputs.runs.empty()) return {};
+  const auto period = [](const RunRecord& record) { return std::optional(record.driving.period); };
+  const auto depth = [](const RunRecord& record) {
+    return std::optional(record.dimensionless.penetration_depth_over_radius);
+  };
+  const auto reynolds = [](const RunRecord& record) {
+    return std::optional(record.dimensionless.reynolds_bead);
+  };
+  const std::string reynolds_text = "Re = " + run_range(inputs, 2, reynolds);
+  std::string text =
+      "Runs: " + join_texts({abscissa == Abscissa::period ? "" : "T = " + run_range(inputs, 6, period),
+                             abscissa ? "" : "δ/λ = " + run_range(inputs, 3, depth), reynolds_text});
+  if (const std::string lattice = lattice_text(inputs); !lattice.empty()) text += "; " + lattice;
+  if (const std::string box = shared_setting(inputs, 5); !box.empty()) text += "; " + box;
+  return {.text = text, .summary = fmt::format("{} runs: {}", inputs.runs.size(), reynolds_text)};
+}
+
+std::vector<Note> prediction_notes(const PlotInputs& inputs, Abscissa abscissa) {
+  if (inputs.predictions.empty()) return {};
+  std::vector<std::string> texts;
+  for (const Parameter& parameter : parameters) {
+    if (parameter.key != to_text(abscissa)) texts.push_back(parameter_text(inputs.predictions, parameter));
+  }
+  const std::string fluid = fluid_text(inputs.predictions);
+  texts.push_back(fluid);
+  std::vector<Note> notes;
+  if (const std::string text = join_texts(texts); !text.empty()) {
+    notes.push_back(
+        {.text = "Predictions: " + text, .summary = "Predictions: " + join_texts({texts.front(), fluid})});
+  }
+  const auto usable = [](const PlottedPrediction& plotted) { return plotted.prediction.usable; };
+  if (!std::ranges::all_of(inputs.predictions, usable))
+    notes.push_back({.text = "Thin and pale: unusable predictions."});
   return notes;
 }
 
-std::vector<std::string> prediction_notes(const PlotInputs& inputs, Abscissa abscissa) {
-  if (inputs.predictions.empty()) return {};
-  std::vector<std::string> texts, notes;
-  for (const Parameter& parameter : parameters) {
-    const std::string text = parameter_text(inputs.predictions, parameter);
-    if (!text.empty() && parameter.key != to_text(abscissa)) texts.push_back(text);
-  }
-  if (const std::string fluid = fluid_text(inputs.predictions); !fluid.empty()) texts.push_back(fluid);
-  if (!texts.empty()) notes.push_back(fmt::format("Predictions: {}", fmt::join(texts, ", ")));
-  const auto usable = [](const PlottedPrediction& plotted) { return plotted.prediction.usable; };
-  if (!std::all_of(inputs.predictions.begin(), inputs.predictions.end(), usable)) {
-    notes.push_back("Thin and pale: predictions that are marked as not usable; their validity says why");
-  }
-  return notes;
+Note reading_note(const PlotInputs& inputs) {
+  if (inputs.runs.empty()) return {.text = "Theories agree where their lines coincide."};
+  if (inputs.predictions.empty()) return {.text = "Each mark is one swimmer of a run."};
+  return {.text = "Marks are runs; marks on a line agree with that prediction."};
 }
 
 }  // namespace beadswim

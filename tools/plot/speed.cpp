@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,27 +16,28 @@
 #include "plot_inputs.hpp"
 #include "verdicts.hpp"
 
-// Errors of velocity and of stroke against core-seconds a period. Runs of one setting (model; bead boundary,
-// relaxation time, precision) are joined in order of their resolution. Runs of one resolution, as at several
-// places within a cell, are one point: root mean square of their errors, median of their costs.
+// Figures of the errors of velocity and arm amplitudes as functions of the core-seconds per period. A line
+// joins the runs of one setting in order of their resolution. A setting is a model, or a bead boundary,
+// relaxation time and precision. Runs with equal setting and resolution, for example at several positions
+// within a cell, are one point: the root mean square of their errors and the median of their costs.
 
 namespace beadswim {
 namespace {
 
 struct SpeedFlags {
-  std::vector<std::string> methods;  ///< of a prediction, or of verdicts
+  std::vector<std::string> methods;  ///< methods of the prediction or of the verdicts whose errors are drawn
   std::string cycle = "last";
-  std::string reference;  ///< file of the run or prediction from which errors are measured
+  std::string reference;  ///< file of the run or prediction relative to which errors are measured
 };
 
-/// From which errors are measured: a swimmer by a prediction, or each swimmer by a run.
+/// Values relative to which errors are measured: a prediction of one swimmer, or all swimmers of a run.
 struct ErrorReference {
   std::string name;
-  std::vector<ComparedValues> swimmers;            ///< one for all, or one for each of a run's
-  std::map<ComparedQuantity, double> uncertainty;  ///< relative, where it is known
+  std::vector<ComparedValues> swimmers;  ///< one element for all swimmers, or one per swimmer of a run
+  std::map<ComparedQuantity, double> uncertainty;  ///< relative; contains only known uncertainties
 };
 
-/// Whether two runs are of one scene, as far as their records say: then only resolutions set them apart.
+/// Returns true if two runs have the same box, driving and swimmers according to their records.
 bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
   return a.driving == b.driving && a.domain == b.domain &&
          std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
@@ -45,19 +45,19 @@ bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
 
 void require_one_scene(const PlottedRun& run, const PlottedRun& other) {
   if (are_of_one_scene(run.record, other.record)) return;
-  throw InputError(run.source,
-                   fmt::format("is of another scene (box, driving or swimmers) than {}; errors and "
-                               "speeds of one scene go into a figure",
-                               other.source));
+  throw InputError(run.source, fmt::format("the scene (box, driving or swimmers) differs from that of {}; "
+                                           "all files of this figure must have the same scene",
+                                           other.source));
 }
 
-/// Of the scene of `first`.
+/// Returns the reference that a run gives. Throws InputError if the scene of the run differs from the scene
+/// of `first`.
 ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, const CycleChoice& cycle) {
   require_one_scene(run, first);
   const RunRecord& record = run.record;
   ErrorReference reference{.name = record.model, .swimmers = {}, .uncertainty = {}};
   if (record.resolution) {
-    reference.name = fmt::format("{}, {}, {:g} cells a radius", record.model,
+    reference.name = fmt::format("{}, {}, {:g} cells per radius", record.model,
                                  record.resolution->bead_boundary, record.resolution->cells_per_radius);
   }
   for (const SwimmerRecord& swimmer : record.swimmers)
@@ -65,14 +65,14 @@ ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, cons
   return reference;
 }
 
+/// Returns the reference that a prediction gives. Throws InputError if its period differs from the period of
+/// `first`.
 ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& first) {
   const auto period = number_setting(best.prediction, "period");
   if (period && *period != first.record.driving.period) {
-    throw InputError(
-        best.source,
-        fmt::format(
-            "predicts for a period of {:g}, and {} has {:g}; draw runs of one period, and a prediction of it",
-            *period, first.source, first.record.driving.period));
+    throw InputError(best.source, fmt::format("the prediction is for a period of {:g}, but {} has the period "
+                                              "{:g}; use runs and a prediction of one period",
+                                              *period, first.source, first.record.driving.period));
   }
   ErrorReference reference{
       .name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}, .uncertainty = {}};
@@ -89,18 +89,20 @@ ErrorReference read_reference(const PlotInputs& inputs, const SpeedFlags& flags,
   const PlotInputs read = read_plot_inputs({flags.reference}, {flags.methods});
   if (read.runs.size() + read.predictions.size() != 1) {
     throw InputError(flags.reference,
-                     "holds several; a reference is one run, or one method's prediction: name one with "
-                     "--method, or give a file with one");
+                     "the file contains several references; name one method with --method, or give a file "
+                     "with one run or one prediction");
   }
   const PlottedRun& first = inputs.runs.front();
   if (!same_units(read.units, inputs.units))
-    throw InputError(flags.reference,
-                     fmt::format("is in other units than {}; make both from one layout", first.source));
+    throw InputError(
+        flags.reference,
+        fmt::format("the units differ from those of {}; make both files from one layout", first.source));
   return read.runs.empty() ? reference_of(read.predictions.front(), first)
                            : reference_of(read.runs.front(), first, cycle);
 }
 
-/// Periods of driving that a run did: fractions too, where it has a lattice that says so.
+/// Returns the number of periods of a run. For a run with a lattice it may be a fraction, because the record
+/// states the cell updates; otherwise it is the number of complete cycles.
 double periods_done(const RunRecord& record) {
   if (!record.resolution || !record.domain || !record.cost->cell_updates) {
     const std::vector<CycleStatistics>& cycles = record.swimmers.front().cycles;
@@ -111,15 +113,16 @@ double periods_done(const RunRecord& record) {
          (cells * static_cast<double>(record.resolution->steps_per_cycle));
 }
 
-/// Core-seconds a period.
+/// Returns the core-seconds per period.
 double cost_of(const PlottedRun& run) {
   if (!run.record.cost) {
-    throw InputError(run.source, "does not say its cost, as of a run with --no-provenance; leave it out");
+    throw InputError(run.source,
+                     "the record has no cost, for example because of --no-provenance; leave this file out");
   }
   return run.record.cost->core_seconds / periods_done(run.record);
 }
 
-/// What sets runs apart beside the resolution: "mr, τ = 1.5, single".
+/// Returns the settings of a run except its resolution: "mr, τ = 1.5, single".
 std::string setting_name(const RunRecord& record) {
   if (!record.resolution) return record.model;
   return fmt::format("{}, τ = {:g}, {}", record.resolution->bead_boundary,
@@ -127,15 +130,15 @@ std::string setting_name(const RunRecord& record) {
                      record.resolution->precision);
 }
 
-/// Whether beads are on the lattice what they are in the layout, or what corrections make of them, in both.
+/// Throws InputError if the runs differ in the radius or the density of the beads on the lattice, which the
+/// corrections of radius and delay change.
 void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
   const auto &a = run.record.resolution, &b = other.record.resolution;
   if (!a || (a->radius_on_lattice == b->radius_on_lattice && a->density_on_lattice == b->density_on_lattice))
     return;
-  throw InputError(run.source,
-                   fmt::format("differs from {} in --radius-correction or --delay-correction alone; draw "
-                               "them in figures of their own",
-                               other.source));
+  throw InputError(run.source, fmt::format("the run differs from {} only in --radius-correction or "
+                                           "--delay-correction; draw the two runs in separate figures",
+                                           other.source));
 }
 
 std::vector<CostedRun> costed_runs(const PlotInputs& inputs, const CycleChoice& cycle) {
@@ -143,12 +146,12 @@ std::vector<CostedRun> costed_runs(const PlotInputs& inputs, const CycleChoice& 
   for (const PlottedRun& run : inputs.runs) {
     CostedRun costed{.source = run.source, .setting = setting_name(run.record), .swimmers = {}};
     if (run.record.resolution) costed.resolution = run.record.resolution->cells_per_radius;
-    const auto alike = std::ranges::find_if(runs, [&](const CostedRun& other) {
+    const auto same_setting = std::ranges::find_if(runs, [&](const CostedRun& other) {
       return other.setting == costed.setting && other.resolution == costed.resolution;
     });
     require_one_scene(run, inputs.runs.front());
-    if (alike != runs.end())
-      require_same_corrections(run, inputs.runs[static_cast<std::size_t>(alike - runs.begin())]);
+    if (same_setting != runs.end())
+      require_same_corrections(run, inputs.runs[static_cast<std::size_t>(same_setting - runs.begin())]);
     costed.cost = cost_of(run);
     for (const SwimmerRecord& swimmer : run.record.swimmers)
       costed.swimmers.push_back(swimming_of(run.record, swimmer, cycle, run.source));
@@ -182,25 +185,24 @@ std::string resolutions_note(const std::vector<ErrorsOfSetting>& all) {
     for (const ErrorsAtResolution& errors : each.resolutions) known.insert(errors.resolution);
   }
   known.erase(0);
-  return known.empty()
-             ? ""
-             : fmt::format("From left to right along a line: {:g} cells a radius, as far as it was run",
-                           fmt::join(known, ", "));
+  return known.empty() ? ""
+                       : fmt::format("Lines join runs with {:g} to {:g} cells per radius.", *known.begin(),
+                                     *known.rbegin());
 }
 
 Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
   if (inputs.runs.empty() || !inputs.predictions.empty()) {
-    throw InputError("speed-against-error", "draws runs alone; name a prediction with --reference");
+    throw InputError("speed-against-error",
+                     "this figure draws only runs; name a prediction with --reference");
   }
   const ErrorReference reference = read_reference(inputs, flags, cycle);
   const auto all = errors_by_setting(costed_runs(inputs, cycle), reference.swimmers);
-  std::vector<std::string> notes{
-      fmt::format("Root mean square of relative errors, against {}", reference.name)};
-  if (const std::string resolutions = resolutions_note(all); !resolutions.empty())
-    notes.push_back(resolutions);
+  std::vector<Note> notes{
+      {.text = fmt::format("Root mean square of errors relative to the reference ({}).", reference.name)},
+      {.text = resolutions_note(all)}};
   return error_figure({errors_of(all, reference, ComparedQuantity::velocity, "velocity"),
                        errors_of(all, reference, ComparedQuantity::arm_amplitudes, "arm amplitudes")},
-                      "core-seconds a period", std::move(notes));
+                      "core-seconds per period", std::move(notes));
 }
 
 }  // namespace
@@ -224,8 +226,7 @@ Drawing add_speed_flags(CLI::App& command) {
     }
     if (flags->cycle != SpeedFlags().cycle) {
       throw InputError("--cycle",
-                       "has no meaning for verdicts, which have theirs; leave it out, or draw runs, with "
-                       "--reference");
+                       "each verdict fixes its own cycle; leave the flag out, or draw runs with --reference");
     }
     return figure_to_svg(verdict_figure(files.inputs, flags->methods));
   };

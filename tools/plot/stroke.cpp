@@ -11,15 +11,15 @@
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 
-// Arm amplitudes and sin(delta1 - delta2), cycle by cycle or against a parameter of the driving.
+// Figures of the arm amplitudes and of sin(δ₁ - δ₂), as functions of the cycle or of a driving parameter.
 
 namespace beadswim {
 namespace {
 
-/// One number of a swimmer's stroke, and how it is drawn.
+/// One number of a swimmer's stroke, with its symbol and colour in the figure.
 struct StrokeNumber {
   ComparedQuantity quantity;
-  std::size_t position;  ///< among the quantity's numbers
+  std::size_t position;  ///< index among the numbers of `quantity`
   std::string symbol;
   int colour;
 
@@ -29,9 +29,11 @@ struct StrokeNumber {
 
 using StrokeNumbers = std::vector<StrokeNumber>;
 
-const StrokeNumbers amplitudes{{ComparedQuantity::arm_amplitudes, 0, "d₁", 0},
-                               {ComparedQuantity::arm_amplitudes, 1, "d₂", 1}};
-const StrokeNumbers phase_shift{{ComparedQuantity::sin_phase_shift, 0, "sin(δ₁ − δ₂)", 2}};
+const StrokeNumbers amplitudes{
+    {.quantity = ComparedQuantity::arm_amplitudes, .position = 0, .symbol = "d₁", .colour = 0},
+    {.quantity = ComparedQuantity::arm_amplitudes, .position = 1, .symbol = "d₂", .colour = 1}};
+const StrokeNumbers phase_shift{
+    {.quantity = ComparedQuantity::sin_phase_shift, .position = 0, .symbol = "sin(δ₁ − δ₂)", .colour = 2}};
 
 AxisLabel amplitude_label(const PlotInputs& inputs) {
   return {"arm amplitude", length_unit(inputs.units)};
@@ -54,15 +56,14 @@ CycleRange cycles_of(const PlotInputs& inputs) {
     }
   }
   if (range.first == 0) {
-    throw InputError(
-        "stroke",
-        "no run with a whole cycle is given; add a run record, or draw predictions with --against "
-        "amplitude-ratio or phase");
+    throw InputError("stroke",
+                     "no run with a complete cycle is given; add a run record, or draw predictions with "
+                     "--against amplitude-ratio or phase");
   }
   return range;
 }
 
-/// All swimmers of a run.
+/// Returns one point per cycle of each swimmer of a run.
 PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, const StrokeNumber& number) {
   PointGroup points{number.label(run_label(inputs, run))};
   for (const SwimmerRecord& swimmer : run.record.swimmers) {
@@ -74,9 +75,9 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
   return points;
 }
 
-/// Predictions are levels that reach past the first and the last cycle.
+/// Draws predictions as horizontal lines, which extend beyond the first and the last cycle.
 Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label) {
-  constexpr double overhang = 0.4;  // of a cycle
+  constexpr double overhang = 0.4;  // [cycles]
   const CycleRange cycles = cycles_of(inputs);
   Panel panel{.x_label = {"cycle"}, .y_label = y_label, .x_ticks = TickKind::integers};
   for (const StrokeNumber& number : numbers) {
@@ -91,7 +92,7 @@ Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, con
   return panel;
 }
 
-/// What the panels' x axis is.
+/// The x axis of the panels, and the cycle of each run that is drawn.
 struct Sweep {
   Abscissa abscissa;
   CycleChoice cycle;
@@ -120,7 +121,8 @@ Panel panel_in_sweep(const PlotInputs& inputs, const std::vector<RunGroup>& grou
       curves.push_back({number.label(method)});
       for (const auto& [x, plotted] : predictions) {
         const Prediction& prediction = plotted.prediction;
-        curves.back().points.push_back({x, number.in(swimming_of(prediction)), prediction.usable});
+        curves.back().points.push_back(
+            {.x = x, .y = number.in(swimming_of(prediction)), .usable = prediction.usable});
       }
     }
     append_points_and_curves(points, curves, number.colour, panel);
@@ -128,19 +130,27 @@ Panel panel_in_sweep(const PlotInputs& inputs, const std::vector<RunGroup>& grou
   return panel;
 }
 
+Note cycles_note(const PlotInputs& inputs) {
+  if (inputs.predictions.empty())
+    return {.text = "Marks are cycles of runs. The stroke is periodic where marks have equal height."};
+  return {.text =
+              "Marks are cycles of runs, horizontal lines are predictions. Marks that approach a line agree "
+              "with its prediction."};
+}
+
 Figure stroke_by_cycle(const PlotInputs& inputs) {
   return {.title = "Stroke by cycle",
           .panels = {panel_by_cycle(inputs, amplitudes, amplitude_label(inputs)),
                      panel_by_cycle(inputs, phase_shift, phase_shift_label)},
-          .notes = run_notes(inputs)};
+          .notes = {cycles_note(inputs), run_note(inputs, std::nullopt)}};
 }
 
 Figure stroke_against(const PlotInputs& inputs, Abscissa abscissa, const CycleChoice& cycle) {
   const Sweep sweep{abscissa, cycle};
   const std::vector<RunGroup> groups = runs_by_setting(inputs);
-  std::vector<std::string> notes = prediction_notes(inputs, abscissa);
-  const auto more = group_notes(groups);
-  notes.insert(notes.end(), more.begin(), more.end());
+  std::vector<Note> notes{reading_note(inputs)};
+  std::ranges::move(prediction_notes(inputs, abscissa), std::back_inserter(notes));
+  notes.push_back(run_note(inputs, abscissa));
   return {.title = "Stroke against " + axis_label(abscissa, inputs.units).quantity,
           .panels = {panel_in_sweep(inputs, groups, amplitudes, amplitude_label(inputs), sweep),
                      panel_in_sweep(inputs, groups, phase_shift, phase_shift_label, sweep)},

@@ -10,14 +10,15 @@
 #include "beadswim/scene/units.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
+#include "plot_labels.hpp"
 #include "swarm_scene.hpp"
 
 namespace beadswim {
 
 enum class SwarmColours {
-  blocks,    ///< of neighbouring swimmers, in turn
-  swimmers,  ///< each its own, in turn
-  types,     ///< of the layout
+  blocks,    ///< one colour per block of swimmers; adjacent blocks differ
+  swimmers,  ///< one colour per swimmer
+  types,     ///< one colour per type of the layout
 };
 
 template <>
@@ -27,37 +28,42 @@ inline constexpr auto name_table<SwarmColours> = std::to_array<NamedValue<SwarmC
 namespace {
 
 struct SwarmFlags {
-  std::optional<std::size_t> frame{};  ///< from 0; none: the last
+  std::optional<std::size_t> frame{};  ///< counted from 0; no value: the last frame
   SwarmColours colours = SwarmColours::blocks;
-  std::vector<int> block_swimmers{1, 3, 3};  ///< along each axis; or one number: by id, so many to a block
-  std::array<int, 3> repeat{1, 1, 1};        ///< periodic copies along each axis
+  /// Number of swimmers in a block along x, y, z; or one number, for blocks of swimmers in order of id.
+  std::vector<int> block_swimmers{1, 3, 3};
+  std::array<int, 3> repeat{1, 1, 1};  ///< periodic copies along each axis
   std::vector<SwimmerMark> marks{};
-  bool distances = false;  ///< between neighbours; of layouts alone
+  bool distances = false;  ///< draws distances between neighbours; only for layouts
 };
 
-using Three = std::array<int, 3>;  // along x, y, z
+using Triple = std::array<int, 3>;  // numbers along x, y, z
 
-constexpr std::size_t most_swimmers = 200000;  // that a page has room for
+constexpr std::size_t max_swimmers = 200000;  // keeps the document below about 50 MB
 
-void require_repeatable(const SwarmScene& scene, const Three& repeat) {
+void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
   for (int a = 0; a < 3; ++a) {
     if (repeat[a] == 1 || scene.is_periodic(a)) continue;
-    throw InputError("--repeat", fmt::format("{} along {}, where the box of {} is not periodic; give 1 there",
-                                             repeat[a], "xyz"[a], scene.source));
+    throw InputError(
+        "--repeat",
+        fmt::format(
+            "{} copies along {} are not possible, because the box of {} is not periodic there; give 1",
+            repeat[a], "xyz"[a], scene.source));
   }
   const double swimmers = static_cast<double>(scene.swimmers.size()) * repeat[0] * repeat[1] * repeat[2];
-  if (swimmers > static_cast<double>(most_swimmers)) {
-    throw InputError("--repeat", fmt::format("makes {:g} swimmers, and at most {} can be drawn; give fewer "
-                                             "copies",
-                                             swimmers, most_swimmers));
+  if (swimmers > static_cast<double>(max_swimmers)) {
+    throw InputError(
+        "--repeat",
+        fmt::format("the copies have {:g} swimmers, but at most {} can be drawn; give fewer copies", swimmers,
+                    max_swimmers));
   }
 }
 
-/// One cell of the swarm.
+/// The swarm of the file, of which periodic copies are drawn.
 struct Cell {
   const SwarmScene& scene;
-  std::vector<Layer> layers;  ///< in which the swimmers' middle beads stand in the layout
-  Layer count{};              ///< how many layers there are
+  std::vector<Layer> layers;  ///< per swimmer: indices of its layers in the layout along x, y, z
+  Layer count{};              ///< number of layers along x, y, z
 
   const Swimmer& in_layout(std::size_t swimmer) const {
     return scene.layout.swimmers[scene.in_layout[swimmer]];
@@ -66,18 +72,18 @@ struct Cell {
 
 Cell cell_of(const SwarmScene& scene) {
   const std::vector<Layer> in_layout = swimmer_layers(scene.layout);
-  Cell cell{scene, {}, layer_count(in_layout)};
+  Cell cell{.scene = scene, .layers = {}, .count = layer_count(in_layout)};
   for (const std::size_t index : scene.in_layout) cell.layers.push_back(in_layout[index]);
   return cell;
 }
 
-Layer layer_in_copy(const Cell& cell, std::size_t swimmer, const Three& copy) {
+Layer layer_in_copy(const Cell& cell, std::size_t swimmer, const Triple& copy) {
   Layer layer = cell.layers[swimmer];
   for (int a = 0; a < 3; ++a) layer[a] += copy[a] * cell.count[a];
   return layer;
 }
 
-int colour_of(const Cell& cell, std::size_t swimmer, const Three& copy, const Layer& layer,
+int colour_of(const Cell& cell, std::size_t swimmer, const Triple& copy, const Layer& layer,
               const SwarmFlags& options) {
   const auto& types = cell.scene.layout.types;
   switch (options.colours) {
@@ -93,12 +99,12 @@ int colour_of(const Cell& cell, std::size_t swimmer, const Three& copy, const La
   return 0;
 }
 
-/// The swarm with its copies.
+/// Returns the swimmers of the swarm and of its periodic copies.
 std::vector<PicturedSwimmer> copies_of(const Cell& cell, const SwarmFlags& options) {
   std::vector<PicturedSwimmer> drawn;
   const auto& [nx, ny, nz] = options.repeat;
   for (int i = 0; i < nx * ny * nz; ++i) {
-    const Three copy{i / (ny * nz), i / nz % ny, i % nz};
+    const Triple copy{i / (ny * nz), i / nz % ny, i % nz};
     const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(cell.scene.box);
     for (std::size_t s = 0; s < cell.scene.swimmers.size(); ++s) {
       PicturedSwimmer swimmer = cell.scene.swimmers[s];
@@ -118,7 +124,7 @@ std::vector<PictureKey> keys(const Layout& layout, SwarmColours colours) {
   return keys;
 }
 
-/// At the middle beads, in the swarm itself rather than its copies.
+/// Returns the marks, which are at the middle beads of the first copy of the swarm.
 std::vector<PictureMark> marks(const Cell& cell, const std::vector<SwimmerMark>& wanted) {
   std::vector<int> ids;
   for (std::size_t s = 0; s < cell.scene.swimmers.size(); ++s) ids.push_back(cell.in_layout(s).id);
@@ -127,12 +133,12 @@ std::vector<PictureMark> marks(const Cell& cell, const std::vector<SwimmerMark>&
     const auto found = std::ranges::find(ids, mark.id);
     if (found == ids.end()) throw_unknown_swimmer("--mark", mark.id, ids, cell.scene.source);
     const PicturedSwimmer& swimmer = cell.scene.swimmers[static_cast<std::size_t>(found - ids.begin())];
-    marks.push_back({mark.name, swimmer.beads[1], swimmer.radii[1]});
+    marks.push_back({.name = mark.name, .bead = swimmer.beads[1], .radius = swimmer.radii[1]});
   }
   return marks;
 }
 
-std::string note_on(const SwarmScene& scene, const Three& repeat) {
+std::string scene_text(const SwarmScene& scene, const Triple& repeat) {
   const Vec3& box = scene.box;
   const std::size_t swimmers = scene.swimmers.size();
   std::string note = fmt::format("{} swimmer{} in ", swimmers, swimmers == 1 ? "" : "s");
@@ -141,46 +147,88 @@ std::string note_on(const SwarmScene& scene, const Three& repeat) {
   } else {
     note += fmt::format("a box of {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
   }
-  if (repeat != Three{1, 1, 1}) {
+  if (repeat != Triple{1, 1, 1}) {
     note += fmt::format(", its periodic copies drawn {} × {} × {}", repeat[0], repeat[1], repeat[2]);
   }
   return note + fmt::format(" ({})", unit_names(scene.layout.units));
 }
 
+/// Returns the parameters of all types in one text, with the ranges of numbers, and the number of swimmers
+/// that have their own driving.
+std::string summarise_types(const Layout& layout) {
+  std::vector<double> radii, lengths, stiffnesses, amplitudes, periods;
+  for (const auto& [name, type] : layout.types) {
+    for (const auto& bead : type.beads) radii.push_back(bead.radius);
+    for (const auto& spring : type.springs) {
+      lengths.push_back(spring.rest_length);
+      stiffnesses.push_back(spring.stiffness);
+    }
+    for (const double amplitude : type.driving.amplitude) amplitudes.push_back(amplitude);
+    periods.push_back(type.driving.period);
+  }
+  const std::size_t types = layout.types.size();
+  const std::string text =
+      fmt::format("{} type{}: λ = {}, l = {}, k = {}, A, B = {}, T = {}", types, types == 1 ? "" : "s",
+                  range_text(radii, 4), range_text(lengths, 4), range_text(stiffnesses, 4),
+                  range_text(amplitudes, 4), range_text(periods, 6));
+  const auto own =
+      std::ranges::count_if(layout.swimmers, [](const Swimmer& s) { return s.driving.has_value(); });
+  return own == 0 ? text : text + fmt::format("; {} driven otherwise", own);
+}
+
+Note types_note(const Layout& layout) {
+  const std::string summary = summarise_types(layout);
+  return {.text = layout.types.size() == 1 ? type_notes(layout).front() : summary, .summary = summary};
+}
+
+Note colours_note(SwarmColours colours) {
+  switch (colours) {
+    case SwarmColours::blocks:
+      return {.text = "Blocks of swimmers alternate in colour."};
+    case SwarmColours::swimmers:
+      return {.text = "Each swimmer has a colour."};
+    case SwarmColours::types:
+      return {.text = "Colours show the types of the swimmers."};
+  }
+  return {};
+}
+
 std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vector<PicturedSwimmer>& swimmers,
                                        const std::vector<int>& block_swimmers) {
-  if (!scene.laid_out) {
+  if (!scene.is_layout) {
     throw InputError(
         "--distances",
-        fmt::format("{} is a trajectory, whose swimmers have moved; give the layout", scene.source));
+        fmt::format("{} is a trajectory, in which the swimmers have moved; give the layout", scene.source));
   }
   if (block_swimmers.size() != 3)
-    throw InputError("--distances", "blocks by id have no axes; give --block-swimmers as NX,NY,NZ");
+    throw InputError("--distances",
+                     "blocks of swimmers by id have no axes; give --block-swimmers as NX,NY,NZ");
   auto found = swarm_distances(swimmers, block_swimmers);
   if (!found.empty()) return found;
-  throw InputError("--distances",
-                   "no swimmer has a neighbour along an axis; draw periodic copies too, "
-                   "as with --repeat 2,2,2");
+  throw InputError(
+      "--distances",
+      "no swimmer has a neighbour along an axis; draw periodic copies too, for example with --repeat 2,2,2");
 }
 
 SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlags& options) {
   if (files.size() != 1) {
     throw InputError(
-        "FILES",
-        fmt::format("{} given; a swarm is drawn from one layout, or one trajectory (.h5md)", files.size()));
+        "FILES", fmt::format("{} files are given; a swarm is drawn from one layout or one trajectory (.h5md)",
+                             files.size()));
   }
   const SwarmScene scene = read_swarm_scene(files.front(), options.frame);
-  const Three& repeat = options.repeat;
+  const Triple& repeat = options.repeat;
   require_repeatable(scene, repeat);
   const Cell cell = cell_of(scene);
-  SwarmPicture picture{.title = "Swarm " + scene.when,
-                       .box = scene.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2])),
-                       .swimmers = copies_of(cell, options),
-                       .keys = keys(scene.layout, options.colours),
-                       .marks = marks(cell, options.marks),
-                       .notes = {note_on(scene, repeat)}};
+  SwarmPicture picture{
+      .title = "Swarm " + scene.time_text,
+      .box = scene.box.cwiseProduct(Vec3(repeat[0], repeat[1], repeat[2])),
+      .swimmers = copies_of(cell, options),
+      .keys = keys(scene.layout, options.colours),
+      .marks = marks(cell, options.marks),
+      .notes = {
+          {.text = scene_text(scene, repeat)}, colours_note(options.colours), types_note(scene.layout)}};
   if (options.distances) picture.distances = distances(scene, picture.swimmers, options.block_swimmers);
-  std::ranges::copy(type_notes(scene.layout), std::back_inserter(picture.notes));
   return picture;
 }
 

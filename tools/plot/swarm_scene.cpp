@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-/// By its name, or, whatever its name, by the first bytes of HDF5 files.
+/// Returns true if the name of the file ends as the name of a trajectory, or if the file is HDF5.
 bool is_trajectory(const std::string& path) {
   if (path.ends_with(".h5md") || path.ends_with(".h5md.part")) return true;
   const std::string signature = "\x89HDF";
@@ -23,19 +23,20 @@ bool is_trajectory(const std::string& path) {
   return file && start == signature;
 }
 
-std::size_t chosen_frame(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
+std::size_t select_frame(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
   const std::size_t last = file.reader.frames() - 1;
   const std::size_t frame = wanted.value_or(last);
   if (frame <= last) return frame;
-  throw InputError("--frame", fmt::format("no frame {} in {}; the last is {}", frame, file.source, last));
+  throw InputError("--frame",
+                   fmt::format("there is no frame {} in {}; the last frame is {}", frame, file.source, last));
 }
 
 SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
   const TrajectoryHeader& header = file.reader.header();
-  const TrajectoryFrame frame = file.reader.frame(chosen_frame(file, wanted));
+  const TrajectoryFrame frame = file.reader.frame(select_frame(file, wanted));
   SwarmScene scene{.source = file.source,
-                   .when = fmt::format("after {:.4g} cycles", frame.time / file.period()),
-                   .laid_out = false,
+                   .time_text = fmt::format("after {:.4g} cycles", frame.time / file.period()),
+                   .is_layout = false,
                    .layout = file.layout,
                    .in_layout = file.in_layout,
                    .swimmers = {}};
@@ -52,8 +53,8 @@ SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wante
 
 SwarmScene scene_of(Layout layout, const std::string& source) {
   SwarmScene scene{.source = source,
-                   .when = "as laid out",
-                   .laid_out = true,
+                   .time_text = "as laid out",
+                   .is_layout = true,
                    .layout = std::move(layout),
                    .in_layout = {},
                    .swimmers = {}};
@@ -71,8 +72,8 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
 
 SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> frame) {
   if (frame && !is_trajectory(path)) {
-    throw InputError("--frame",
-                     fmt::format("{} is a layout, which has no frames; leave it out", source_name(path)));
+    throw InputError("--frame", fmt::format("{} is a layout, and layouts have no frames; leave the flag out",
+                                            source_name(path)));
   }
   SwarmScene scene = is_trajectory(path) ? scene_of(open_trajectory(path), frame)
                                          : scene_of(read_layout(path).layout, source_name(path));

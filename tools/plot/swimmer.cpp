@@ -14,11 +14,13 @@
 #include "beadswim/scene/units.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
+#include "plot_labels.hpp"
 
 namespace beadswim {
 namespace {
 
-const Swimmer& chosen(const Layout& layout, std::optional<int> id, const std::string& source) {
+/// Returns the swimmer with this id, or the first swimmer without an id. Throws InputError if there is none.
+const Swimmer& find_swimmer(const Layout& layout, std::optional<int> id, const std::string& source) {
   if (!id) return layout.swimmers.front();
   const auto found = std::ranges::find(layout.swimmers, *id, &Swimmer::id);
   if (found != layout.swimmers.end()) return *found;
@@ -27,7 +29,7 @@ const Swimmer& chosen(const Layout& layout, std::optional<int> id, const std::st
   throw_unknown_swimmer("--swimmers", *id, ids, source);
 }
 
-/// "λ = 4" for each, or "λ₁ = 4" if they differ; units but in lattice units.
+/// Returns one label per value: "λ = 4", or "λ₁ = 4" if the values differ. `unit` follows the value.
 template <std::size_t Count>
 std::array<std::string, Count> labels(const std::string& symbol, const std::array<double, Count>& values,
                                       const std::string& unit) {
@@ -39,20 +41,29 @@ std::array<std::string, Count> labels(const std::string& symbol, const std::arra
   return labels;
 }
 
-/// (2.1), with the phase by which swimmers of a swarm are set apart.
+/// Returns the formulas of the driving forces: (2.1) of the paper (Pickl et al. 2017), with the phase offset
+/// φ.
 std::array<std::string, 3> force_labels(const Driving& driving) {
   const std::string offset = driving.phase_offset == 0 ? "" : " + φ";
   const std::string first = offset.empty() ? "A sin ωt" : fmt::format("A sin(ωt{})", offset);
   return {"F₁ = " + first, "F₂ = −F₁ − F₃", fmt::format("F₃ = B sin(ωt + α{})", offset)};
 }
 
-/// From the swimmer's axis to the field's direction, x; other frames have none.
+/// Returns the angle between the swimmer's axis and the driving forces [rad]. It is 0 except in the lab
+/// frame, in which forces are along x.
 double force_angle(const Swimmer& swimmer, const Driving& driving) {
   if (driving.frame != DrivingFrame::lab) return 0;
   return std::acos(std::clamp(swimmer.axis.x(), -1.0, 1.0));
 }
 
-std::string fluid_note(const Layout& layout) {
+/// Returns the parameters of beads and springs that labels of the sketch do not contain.
+std::string unlabelled_parameters(const SwimmerType& type) {
+  std::vector<double> densities;
+  for (const auto& bead : type.beads) densities.push_back(bead.density);
+  return fmt::format("Bead density {}, KA = {:.4g}", range_text(densities, 4), type.angular_stiffness);
+}
+
+std::string fluid_text(const Layout& layout) {
   std::string note =
       fmt::format("Fluid: ρ = {:.4g}, ν = {:.4g}; ", layout.fluid.density, layout.fluid.kinematic_viscosity);
   if (!layout.domain) return note + "unbounded";
@@ -62,9 +73,10 @@ std::string fluid_note(const Layout& layout) {
 
 SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optional<int> id) {
   if (files.size() != 1)
-    throw InputError("FILES", fmt::format("{} given; a swimmer is drawn from one layout", files.size()));
+    throw InputError("FILES",
+                     fmt::format("{} files are given; a swimmer is drawn from one layout", files.size()));
   const Layout layout = read_layout(files.front()).layout;
-  const Swimmer& swimmer = chosen(layout, id, source_name(files.front()));
+  const Swimmer& swimmer = find_swimmer(layout, id, source_name(files.front()));
   const SwimmerType type = layout.resolved_type(swimmer);
   const Units& units = layout.units;
   const std::string length = units.lattice ? "" : " " + units.length.name;
@@ -83,9 +95,11 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
   sketch.length_labels = labels("l", sketch.rest_lengths, length);
   for (std::size_t arm = 0; arm < 2; ++arm)
     if (type.springs[arm].damping == 0) sketch.dashpot_labels[arm].clear();
-  sketch.notes = {body_parameters(type), driving_parameters(type.driving) + "; ω = 2π/T", fluid_note(layout),
-                  "In " + unit_names(units) + "; beads and springs to scale, at rest",
-                  "Arm 1, trailing, and arm 2, leading: Lᵢ(t) = mean + dᵢ cos(ωt + δᵢ)"};
+  sketch.notes = {{.text = unlabelled_parameters(type)},
+                  {.text = driving_parameters(type.driving) + "; ω = 2π/T"},
+                  {.text = fluid_text(layout)},
+                  {.text = "At rest, to scale, in " + unit_names(units)},
+                  {.text = "Arm 1 trails, arm 2 leads."}};
   return sketch;
 }
 
@@ -97,7 +111,8 @@ Drawing add_swimmer_flags(CLI::App& command) {
       ->type_name("ID");
   return [ids](const PlotFiles& files) {
     if (ids->size() > 1)
-      throw InputError("--swimmers", fmt::format("{} given; a sketch is of one swimmer", ids->size()));
+      throw InputError("--swimmers",
+                       fmt::format("{} swimmers are given; a sketch shows one swimmer", ids->size()));
     const auto id = ids->empty() ? std::nullopt : std::optional(ids->front());
     return swimmer_sketch_to_svg(swimmer_figure(files.inputs, id));
   };

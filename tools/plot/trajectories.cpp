@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <set>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
@@ -13,43 +14,47 @@
 #include "beadswim/scene/units.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
+#include "plot_labels.hpp"
 
 namespace beadswim {
 namespace {
 
 struct TrajectoryFlags {
-  std::vector<int> swimmers;  ///< their ids; none: all
-  std::vector<int> beads{2};  ///< 1, 2, 3
-  int axis = 0;               ///< of the coordinate that is drawn: x, y, z
+  std::vector<int> swimmers;  ///< ids; empty: all swimmers
+  std::vector<int> beads{2};  ///< numbers 1 to 3 along the axis of the swimmer
+  int axis = 0;               ///< coordinate that is drawn: 0, 1, 2 for x, y, z
 };
 
-constexpr std::size_t most_curves = 12;  // that the legend has room for, and eyes can tell apart
+constexpr std::size_t max_curves = 12;  // more curves cannot be distinguished
 
 std::vector<TrajectoryFile> open_all(const std::vector<std::string>& paths) {
-  if (paths.empty()) throw InputError("FILES", "no file given; name trajectories (.h5md) to draw");
+  if (paths.empty()) throw InputError("FILES", "no file is given; name trajectories (.h5md) to draw");
   std::vector<TrajectoryFile> files;
   for (const std::string& path : paths) files.push_back(open_trajectory(path));
   for (const TrajectoryFile& file : files) {
     if (same_units(file.layout.units, files.front().layout.units)) continue;
     throw InputError(
         file.source,
-        fmt::format("is in other units than {}; one figure holds one system of units", files.front().source));
+        fmt::format("the units differ from those of {}; all files of a figure must have the same units",
+                    files.front().source));
   }
   return files;
 }
 
-std::vector<int> wanted_swimmers(const TrajectoryFile& file, const TrajectoryFlags& options) {
+std::vector<int> selected_swimmers(const TrajectoryFile& file, const TrajectoryFlags& options) {
   return options.swimmers.empty() ? file.swimmers() : options.swimmers;
 }
 
-std::size_t first_bead(const TrajectoryFile& file, int swimmer) {
+/// Returns the index of a swimmer's first bead in the trajectory. Throws InputError if there is no such
+/// swimmer.
+std::size_t first_bead_index(const TrajectoryFile& file, int swimmer) {
   const std::vector<int>& of_bead = file.reader.header().swimmer;
   const auto found = std::ranges::find(of_bead, swimmer);
   if (found == of_bead.end()) throw_unknown_swimmer("--swimmers", swimmer, file.swimmers(), file.source);
   return static_cast<std::size_t>(found - of_bead.begin());
 }
 
-/// "run, swimmer 0, bead 2", without what all curves share.
+/// Returns a label such as "run, swimmer 0, bead 2". Omits the file and the bead if all curves share them.
 std::string curve_label(const TrajectoryFile& file, bool several_files, int swimmer, int bead,
                         bool several_beads) {
   std::string label = fmt::format("swimmer {}", swimmer);
@@ -58,13 +63,13 @@ std::string curve_label(const TrajectoryFile& file, bool several_files, int swim
   return label;
 }
 
-/// The curves of a file, by swimmer, then by bead.
+/// Returns the curves of a file, sorted by swimmer and then by bead.
 std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, const TrajectoryFlags& flags) {
   std::vector<std::size_t> beads;  // indices in the trajectory
   std::vector<Series> curves;
-  for (const int swimmer : wanted_swimmers(file, flags)) {
+  for (const int swimmer : selected_swimmers(file, flags)) {
     for (const int bead : flags.beads) {
-      beads.push_back(first_bead(file, swimmer) + static_cast<std::size_t>(bead - 1));
+      beads.push_back(first_bead_index(file, swimmer) + static_cast<std::size_t>(bead - 1));
       curves.push_back({curve_label(file, several_files, swimmer, bead, flags.beads.size() > 1)});
     }
   }
@@ -79,11 +84,10 @@ std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, co
 }
 
 void require_few(std::size_t curves) {
-  if (curves <= most_curves) return;
-  throw InputError("--swimmers",
-                   fmt::format("{} curves, but at most {} can be told apart; name fewer swimmers "
-                               "or beads",
-                               curves, most_curves));
+  if (curves <= max_curves) return;
+  throw InputError("--swimmers", fmt::format("the figure would have {} curves, but at most {} can be "
+                                             "distinguished; name fewer swimmers or beads",
+                                             curves, max_curves));
 }
 
 std::string space_of(const TrajectoryFile& file) {
@@ -92,11 +96,21 @@ std::string space_of(const TrajectoryFile& file) {
   return fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
 }
 
-std::string note_on(const TrajectoryFile& file) {
-  const double end = file.reader.frame(file.reader.frames() - 1).time / file.period();
-  return fmt::format("{}: {} swimmer{}, T = {:g}, {}; {:.4g} cycles",
-                     std::filesystem::path(file.source).stem().string(), file.swimmers().size(),
-                     file.swimmers().size() == 1 ? "" : "s", file.period(), space_of(file), end);
+/// Returns a note on the scenes and lengths of all trajectories, with the ranges of numbers.
+Note scenes_note(const std::vector<TrajectoryFile>& files) {
+  std::vector<double> swimmers, periods, cycles;
+  std::set<std::string> spaces;
+  for (const TrajectoryFile& file : files) {
+    swimmers.push_back(static_cast<double>(file.swimmers().size()));
+    periods.push_back(file.period());
+    cycles.push_back(file.reader.frame(file.reader.frames() - 1).time / file.period());
+    spaces.insert(space_of(file));
+  }
+  const std::string count = range_text(swimmers, 6);
+  return {.text = fmt::format("{} swimmer{}, T = {}, {}; {} cycles", count, count == "1" ? "" : "s",
+                              range_text(periods, 6),
+                              spaces.size() == 1 ? *spaces.begin() : fmt::format("{} boxes", spaces.size()),
+                              range_text(cycles, 4))};
 }
 
 std::string title_of(const TrajectoryFlags& options) {
@@ -109,17 +123,18 @@ std::string title_of(const TrajectoryFlags& options) {
 Figure trajectory_figure(const std::vector<std::string>& paths, const TrajectoryFlags& options) {
   const std::vector<TrajectoryFile> files = open_all(paths);
   std::size_t swimmers = 0;
-  for (const TrajectoryFile& file : files) swimmers += wanted_swimmers(file, options).size();
+  for (const TrajectoryFile& file : files) swimmers += selected_swimmers(file, options).size();
   require_few(swimmers * options.beads.size());
   Panel panel{.x_label = {"time", "cycles of the driving"},
               .y_label = {std::string(1, "xyz"[options.axis]), length_unit(files.front().layout.units)}};
-  std::vector<std::string> notes;
-  for (const TrajectoryFile& file : files) {
+  for (const TrajectoryFile& file : files)
     std::ranges::move(curves_of(file, files.size() > 1, options), std::back_inserter(panel.series));
-    notes.push_back(note_on(file));
-  }
   style_bead_curves(static_cast<int>(options.beads.size()), panel.series);
-  return {.title = title_of(options), .panels = {std::move(panel)}, .notes = std::move(notes)};
+  return {.title = title_of(options),
+          .panels = {std::move(panel)},
+          .notes = {{.text = "Coordinates are not wrapped into the box. The mean slope over a cycle is the "
+                             "velocity, mean flow included."},
+                    scenes_note(files)}};
 }
 
 }  // namespace

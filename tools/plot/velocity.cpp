@@ -12,8 +12,9 @@
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 
-// Velocity along the axis, against the fluid: runs as points, predictions as curves in order of the abscissa;
-// or the difference of all from one method's predictions, at the same abscissa, in percent.
+// Figures of the velocity along the swimmer's axis relative to the mean flow. Runs are marks, and predictions
+// are curves in order of the abscissa. With --relative-to, the figure shows the difference of each velocity
+// from the prediction by one method at the same abscissa [%].
 
 namespace beadswim {
 namespace {
@@ -24,28 +25,29 @@ struct VelocityFlags {
   Axes axes = Axes::automatic;
 };
 
-/// The reference's prediction at that abscissa. Throws InputError naming `source`, whose velocity is to be
-/// compared, if there is none or if there are several that differ.
+/// Returns the prediction by the reference method at abscissa x. Throws InputError if there is none, or if
+/// there are several with different velocities. `source` is the file whose velocity is compared with the
+/// prediction; the error message names it.
 const Prediction& reference_at(const PlotInputs& inputs, Abscissa abscissa, double x,
                                const std::string& source) {
-  constexpr double tolerance = 1e-9;  // relative: both come from one layout, and are copied, not computed
+  constexpr double tolerance = 1e-9;  // relative; both abscissas are copies of one number in the layout
   const PlottedPrediction* found = nullptr;
   for (const PlottedPrediction& reference : inputs.references) {
     if (std::abs(abscissa_of(reference, abscissa) - x) > tolerance * std::abs(x)) continue;
     if (found != nullptr && found->prediction.velocity != reference.prediction.velocity) {
-      throw InputError(
-          reference.source,
-          fmt::format("predicts another velocity than {}, both by {} at {} {:g}; give one of them",
-                      found->source, reference.prediction.method, to_text(abscissa), x));
+      throw InputError(reference.source,
+                       fmt::format("the predicted velocity differs from that in {}, although both are by {} "
+                                   "at {} {:g}; give one of the two files",
+                                   found->source, reference.prediction.method, to_text(abscissa), x));
     }
     found = &reference;
   }
   if (found != nullptr) return found->prediction;
-  throw InputError(source, fmt::format("no prediction by {} at {} {:g} to compare with; add one",
+  throw InputError(source, fmt::format("there is no prediction by {} at {} {:g} to compare with; add one",
                                        inputs.references.front().prediction.method, to_text(abscissa), x));
 }
 
-/// 100 (v / v_reference - 1), in percent.
+/// Returns 100 (v / v_reference - 1) [%].
 double relative_difference(double velocity, const Prediction& reference) {
   return 100 * (velocity / reference.velocity - 1);
 }
@@ -58,7 +60,8 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<R
                                    Abscissa abscissa, const CycleChoice& cycle) {
   if (is_relative(inputs) && abscissa != Abscissa::period && !inputs.runs.empty()) {
     throw InputError(inputs.runs.front().source,
-                     "is a run, and runs are compared at equal period; leave it out, or --relative-to");
+                     "the file is a run, and runs can be compared only against the period; leave out this "
+                     "file or --relative-to");
   }
   std::vector<PointGroup> all;
   for (const RunGroup& group : groups) {
@@ -82,9 +85,11 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<R
 CurvePoint curve_point(const PlotInputs& inputs, Abscissa abscissa, const PlacedPrediction& placed) {
   const auto& [x, plotted] = placed;
   const Prediction& prediction = plotted.prediction;
-  if (!is_relative(inputs)) return {x, prediction.velocity, prediction.usable};
+  if (!is_relative(inputs)) return {.x = x, .y = prediction.velocity, .usable = prediction.usable};
   const Prediction& reference = reference_at(inputs, abscissa, x, plotted.source);
-  return {x, relative_difference(prediction.velocity, reference), prediction.usable && reference.usable};
+  return {.x = x,
+          .y = relative_difference(prediction.velocity, reference),
+          .usable = prediction.usable && reference.usable};
 }
 
 std::vector<Curve> prediction_curves(const PlotInputs& inputs, Abscissa abscissa) {
@@ -109,16 +114,22 @@ AxisLabel velocity_label(const PlotInputs& inputs) {
   return {"difference in velocity", "%"};
 }
 
+Note velocity_reading_note(const PlotInputs& inputs) {
+  if (!is_relative(inputs)) return reading_note(inputs);
+  return {.text = fmt::format("Marks and lines at 0 % agree with {}.",
+                              inputs.references.front().prediction.method)};
+}
+
 Figure velocity_figure(const PlotInputs& inputs, Abscissa abscissa, const VelocityFlags& flags) {
   const std::vector<RunGroup> groups = runs_by_setting(inputs);
   Panel panel{.x_label = axis_label(abscissa, inputs.units), .y_label = velocity_label(inputs)};
   append_points_and_curves(run_points(inputs, groups, abscissa, parse_cycle_choice(flags.cycle)),
                            prediction_curves(inputs, abscissa), std::nullopt, panel);
   set_axes(flags.axes, abscissa == Abscissa::separation_ratio ? Axes::log_log : Axes::log_y, panel);
-  std::vector<std::string> notes = prediction_notes(inputs, abscissa);
-  if (has_omitted_values(panel))
-    notes.push_back("Lines break where the velocity is not positive: the axis is logarithmic");
-  std::ranges::move(group_notes(groups), std::back_inserter(notes));
+  std::vector<Note> notes{velocity_reading_note(inputs)};
+  std::ranges::move(prediction_notes(inputs, abscissa), std::back_inserter(notes));
+  if (has_omitted_values(panel)) notes.push_back({.text = "Lines break where the velocity is not positive."});
+  notes.push_back(run_note(inputs, abscissa));
   return {.title = title_of(inputs, abscissa), .panels = {std::move(panel)}, .notes = notes};
 }
 

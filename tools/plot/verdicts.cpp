@@ -13,6 +13,7 @@
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 #include "beadswim/figure/error_figure.hpp"
+#include "plot_labels.hpp"
 
 namespace beadswim {
 namespace {
@@ -20,40 +21,46 @@ namespace {
 struct PlottedVerdict {
   std::string source;
   VerdictDocument verdict;
-  std::string method;  ///< whose errors are drawn
+  std::string method;  ///< method relative to which errors are drawn
 };
 
-/// The one named, if the verdict has it, else the deciding one.
+/// Returns the named method, or the method that determined the verdict if none is named. Throws InputError if
+/// the verdict does not have the named method.
 std::string method_of(const VerdictDocument& verdict, const std::vector<std::string>& named,
                       const std::string& source) {
   if (named.empty()) return verdict.decided_by;
   if (named.size() > 1)
-    throw InputError("--method", fmt::format("{} given; name one, whose errors are drawn", named.size()));
+    throw InputError(
+        "--method",
+        fmt::format("{} methods are given; name the one method whose errors are drawn", named.size()));
   std::set<std::string> known;
   for (const ComparisonRow& row : verdict.rows) known.insert(row.method);
   if (known.contains(named.front())) return named.front();
   const std::vector<std::string> names(known.begin(), known.end());
-  throw InputError("--method", fmt::format("{} has no \"{}\"{} It has {}", source, named.front(),
-                                           format_suggestion(named.front(), names), fmt::join(names, ", ")));
+  throw InputError("--method",
+                   fmt::format("{} has no method \"{}\"{} The verdict has {}", source, named.front(),
+                               format_suggestion(named.front(), names), fmt::join(names, ", ")));
 }
 
 PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::string>& methods) {
   const std::string schema = schema_of(document.json);
   if (schema.starts_with("beadswim/run/")) {
     throw InputError("--reference",
-                     fmt::format("none given; name a prediction or a run from which errors of {} "
-                                 "are measured, or draw verdicts of beadswim-compare",
+                     fmt::format("no reference is given; name a prediction or a run relative to which errors "
+                                 "of {} are measured, or draw verdicts of beadswim-compare",
                                  document.source));
   }
   if (!schema.starts_with("beadswim/verdict/")) {
-    throw InputError(document.source,
-                     fmt::format("is \"{}\"; verdicts (\"beadswim/verdict/1\"), or run records with "
-                                 "--reference, are drawn here",
-                                 schema));
+    throw InputError(
+        document.source,
+        fmt::format(
+            "the document is \"{}\"; give verdicts (\"beadswim/verdict/1\"), or run records with --reference",
+            schema));
   }
   VerdictDocument verdict = verdict_from_json(document.json, document.source);
   if (!verdict.cost) {
-    throw InputError(document.source, "does not say its cost, as of runs with --no-provenance; leave it out");
+    throw InputError(document.source,
+                     "the verdict has no costs, for example because of --no-provenance; leave this file out");
   }
   std::string method = method_of(verdict, methods, document.source);
   return {document.source, std::move(verdict), std::move(method)};
@@ -62,7 +69,7 @@ PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::str
 std::vector<PlottedVerdict> read_verdicts(const std::vector<std::string>& files,
                                           const std::vector<std::string>& methods) {
   if (files.empty())
-    throw InputError("FILES", "no file given; name verdicts, or run records and --reference");
+    throw InputError("FILES", "no file is given; name verdicts, or run records and --reference");
   std::vector<PlottedVerdict> verdicts;
   for (const std::string& path : files) {
     for (const SourceJson& document : read_json_documents(path, "a verdict"))
@@ -71,7 +78,7 @@ std::vector<PlottedVerdict> read_verdicts(const std::vector<std::string>& files,
   return verdicts;
 }
 
-/// One for each verdict that knows the quantity.
+/// Returns one series per verdict that compares the quantity.
 std::vector<ErrorSeries> errors_of(const std::vector<PlottedVerdict>& verdicts, ComparedQuantity quantity) {
   std::vector<ErrorSeries> all;
   for (const PlottedVerdict& plotted : verdicts) {
@@ -81,17 +88,22 @@ std::vector<ErrorSeries> errors_of(const std::vector<PlottedVerdict>& verdicts, 
     }
     if (errors.empty()) continue;
     const std::string name = std::filesystem::path(plotted.source).filename().string();
-    all.push_back(
-        {name, {{name, plotted.source, plotted.verdict.cost->core_seconds, root_mean_square(errors)}}});
+    all.push_back({name,
+                   {{.name = name,
+                     .source = plotted.source,
+                     .cost = plotted.verdict.cost->core_seconds,
+                     .error = root_mean_square(errors)}}});
   }
   return all;
 }
 
-std::string methods_note(const std::vector<PlottedVerdict>& verdicts) {
+Note methods_note(const std::vector<PlottedVerdict>& verdicts) {
   std::set<std::string> methods;
   for (const PlottedVerdict& plotted : verdicts) methods.insert(plotted.method);
-  return fmt::format("Root mean square of the relative errors of verdicts, against {}",
-                     fmt::join(methods, ", "));
+  return {.text = fmt::format(
+              "Marks are verdicts: root mean square of errors relative to {}, and core-seconds of "
+              "complete runs.",
+              summarise_names(methods, "methods"))};
 }
 
 }  // namespace
@@ -105,12 +117,11 @@ Figure verdict_figure(const std::vector<std::string>& files, const std::vector<s
     if (!all.empty()) quantities.push_back({name, std::move(all)});
   }
   if (quantities.empty()) {
-    throw InputError(verdicts.front().source,
-                     "compares neither velocity nor arm_amplitudes, which are drawn here");
+    throw InputError(
+        verdicts.front().source,
+        "the verdict compares neither velocity nor arm_amplitudes; this figure needs one of them");
   }
-  return error_figure(
-      quantities, "core-seconds",
-      {methods_note(verdicts), "Core-seconds of all runs that a verdict is on, from start to end"});
+  return error_figure(quantities, "core-seconds", {methods_note(verdicts)});
 }
 
 }  // namespace beadswim

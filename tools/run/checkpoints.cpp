@@ -32,7 +32,8 @@ void rename_old_checkpoint(const std::string& path) {
   if (!std::filesystem::exists(path, failure)) return;
   std::filesystem::rename(path, path + ".old", failure);
   if (failure)
-    throw SolverError(fmt::format("{}, of an older run, cannot be renamed: {}", path, failure.message()));
+    throw SolverError(
+        fmt::format("the file {} of an older run cannot be renamed: {}", path, failure.message()));
 }
 
 /// Returns whether the file exists for rank 0; the same on all ranks. Collective.
@@ -62,14 +63,13 @@ std::unique_ptr<CheckpointReader> latest_complete_checkpoint(const std::string& 
     }
   }
   if (!last) {
-    throw InputError(
-        "--restart",
-        fmt::format("{0}{1} has no checkpoint to go on from; run with --checkpoint-every (no file {1}.ckpt.0 "
-                    "or .1 is there and sound)",
-                    faults, trajectory));
+    throw InputError("--restart",
+                     fmt::format("{0}{1} has no checkpoint to continue from: neither {1}.ckpt.0 nor "
+                                 "{1}.ckpt.1 exists and is valid; write checkpoints with --checkpoint-every",
+                                 faults, trajectory));
   }
   if (!faults.empty() && communicator.is_root())
-    print_to_stderr(fmt::format("beadswim-run: {}going on from {}\n", faults, last->path()));
+    print_to_stderr(fmt::format("beadswim-run: {}continuing from {}\n", faults, last->path()));
   return last;
 }
 
@@ -94,7 +94,9 @@ FlagValues flags_of(const CheckpointReader& checkpoint) {
   try {
     return parse_json(checkpoint.text(flags_section), checkpoint.path()).get<FlagValues>();
   } catch (const Json::exception&) {
-    throw InputError(checkpoint.path(), "holds no flags as this version of the program writes them");
+    throw InputError(
+        checkpoint.path(),
+        "this version of the program cannot read the flags in the checkpoint; begin without --restart");
   }
 }
 
@@ -102,10 +104,9 @@ void require_same_result_flags(const RunOptions& options, const FlagValues& flag
   for (const auto& [flag, value] : result_flags(options.settings)) {
     const auto of_checkpoint = flags.find(flag);
     if (of_checkpoint == flags.end() || of_checkpoint->second == value) continue;
-    throw InputError(flag,
-                     fmt::format("{} is not {}, as of the checkpoint's run; leave it out, or begin anew "
-                                 "without --restart",
-                                 value, of_checkpoint->second));
+    throw InputError(flag, fmt::format("the value {} differs from {}, the value of the checkpoint's run; "
+                                       "leave the flag out, or begin without --restart",
+                                       value, of_checkpoint->second));
   }
 }
 
@@ -124,7 +125,8 @@ RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& che
   const std::string writer = checkpoint.text(program_section);
   if (writer != this_program() && communicator.is_root()) {
     print_to_stderr(
-        fmt::format("beadswim-run: warning: {} was written by {}, and this is {}; the last bits may differ\n",
+        fmt::format("beadswim-run: warning: {} was written by {}, but this program is {}; the last bits of "
+                    "results may differ\n",
                     checkpoint.path(), writer, this_program()));
   }
   RunHistory history;
@@ -132,13 +134,14 @@ RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& che
   moment(history.steps_done);
   if (history.steps_done < 0)
     throw SolverError(checkpoint.path() +
-                      ": its run has not begun; take the other checkpoint, or begin without --restart");
+                      ": the checkpoint's number of steps is negative; take the other checkpoint, or begin "
+                      "without --restart");
   model.restore(history.steps_done, moment, checkpoint);
   moment(history.wall_seconds, history.core_seconds);
   if (!moment.is_at_end())
-    throw SolverError(
-        checkpoint.path() +
-        ": is of another version of the program; go on with that one, or begin without --restart");
+    throw SolverError(checkpoint.path() +
+                      ": the checkpoint was written by another version of the program; continue with that "
+                      "version, or begin without --restart");
   recorder.restore(communicator.is_root()
                        ? checkpoint.bytes(record_section, 0, checkpoint.size(record_section))
                        : std::vector<char>{},

@@ -33,9 +33,10 @@ class RunFailed : public SolverError {
 void require_steps_left(const ModelPlan& plan, long done) {
   const double cycles = plan.options.settings.cycles;
   if (done == 0 || done < total_steps(cycles, plan.steps_per_cycle)) return;
-  throw InputError("--cycles",
-                   fmt::format("{} are behind this checkpoint, of cycle {:.6g}; ask for more", cycles,
-                               static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
+  throw InputError(
+      "--cycles",
+      fmt::format("{} is too small, because the checkpoint is already at cycle {:.6g}; give more cycles",
+                  cycles, static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
 }
 
 void warn(const std::vector<std::string>& warnings) {
@@ -48,8 +49,8 @@ void announce(const ModelPlan& plan, const Request& request) {
   if (plan.options.progress != ProgressStyle::none) {
     print_to_stderr(fmt::format("{}: {}\n", program_name, plan.announcement));
     if (request.checkpoint) {
-      print_to_stderr(fmt::format("{}: going on from {}, step {}\n", program_name, request.checkpoint->path(),
-                                  request.steps_done));
+      print_to_stderr(fmt::format("{}: continuing from {}, step {}\n", program_name,
+                                  request.checkpoint->path(), request.steps_done));
     }
   }
   warn(plan.warnings);
@@ -57,7 +58,8 @@ void announce(const ModelPlan& plan, const Request& request) {
 
 void print_restart_flag(const Checkpoints& checkpoints) {
   if (checkpoints.last().empty()) return;
-  print_to_stderr(fmt::format("{}: the state is kept: --restart {}\n", program_name, checkpoints.last()));
+  print_to_stderr(
+      fmt::format("{}: the state is saved; continue with --restart {}\n", program_name, checkpoints.last()));
 }
 
 void print_record(const RunRecord& record, const RunOptions& options) {
@@ -70,7 +72,8 @@ void write_paraview_index(const std::string& path) {
   try {
     write_xdmf(path);
   } catch (const std::exception& error) {
-    print_to_stderr(fmt::format("{}: warning: no index for ParaView: {}\n", program_name, error.what()));
+    print_to_stderr(
+        fmt::format("{}: warning: the index for ParaView is missing: {}\n", program_name, error.what()));
   }
 }
 
@@ -118,9 +121,9 @@ void apply_plan(const LayoutDocument& document, Request& request, const Communic
   request.options.settings = planned.settings;
   request.options.given.erase("--tolerance");  // it was the tolerance of the plan, not of the mobility
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
-  print_to_stderr(fmt::format("{}: planned: {}, with errors of {:.2g} % expected, at {:.3g} core-seconds\n",
-                              program_name, flags_of(planned, request.options), 100 * planned.error.largest(),
-                              planned.core_seconds));
+  print_to_stderr(fmt::format(
+      "{}: chosen run: {}, with an expected error of {:.2g} % and a cost of {:.3g} core-seconds\n",
+      program_name, flags_of(planned, request.options), 100 * planned.error.largest(), planned.core_seconds));
 }
 
 /// Runs the program and returns its exit status. All ranks throw InputError if the input is invalid, before

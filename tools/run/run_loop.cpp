@@ -39,9 +39,9 @@ std::optional<StopRequest> stop_request(double start, const RunOptions& options,
   if (requests[1] == 0) return std::nullopt;
   return StopRequest{
       RunStatus::stopped_time,
-      fmt::format("the time limit of {} s is over; a longer --time-limit, or more ranks, take the run "
-                  "to its end",
-                  *options.time_limit)};
+      fmt::format(
+          "the time limit of {} s is reached; to complete the run, use a longer --time-limit or more ranks",
+          *options.time_limit)};
 }
 
 /// Steps at which outputs and checks are due. An interval of 0 means never.

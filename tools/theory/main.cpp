@@ -114,9 +114,9 @@ struct Tally {
       print_to_stderr(fmt::format(
           "beadswim-theory: {} of {} layouts have warnings: see \"warnings\" of each\n", warned, layouts));
     if (incomplete > 0) {
-      print_to_stderr(
-          fmt::format("beadswim-theory: {} of {} layouts left methods out: see \"left_out\" of each\n",
-                      incomplete, layouts));
+      print_to_stderr(fmt::format(
+          "beadswim-theory: methods were left out for {} of {} layouts: see \"left_out\" of each\n",
+          incomplete, layouts));
     }
   }
 };

@@ -15,11 +15,10 @@ const SwimmerRecord& find_swimmer_record(const RunRecord& run, std::optional<int
   const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(), is_requested);
   if (found != run.swimmers.end()) return *found;
   if (run.swimmers.empty()) {
-    throw InputError(
-        "--stroke-from " + path,
-        fmt::format("holds statistics of the swarm alone, as records of over {} swimmers do; run "
-                    "a smaller cell of the scene (beadswim-layout reduce)",
-                    max_swimmers_listed));
+    throw InputError("--stroke-from " + path,
+                     fmt::format("the record contains only statistics of the swarm, because the run has more "
+                                 "than {} swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
+                                 max_swimmers_listed));
   }
   const std::string which = id ? fmt::format("swimmer {}", *id) : "swimmers one by one";
   throw InputError(
@@ -34,7 +33,7 @@ MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> 
   const SwimmerRecord& record = find_swimmer_record(run, swimmer, path);
   if (record.cycles.empty()) {
     throw InputError("--stroke-from " + path,
-                     fmt::format("swimmer {} has not finished a cycle; run at least one", record.id));
+                     fmt::format("swimmer {} has not finished a cycle; run at least one cycle", record.id));
   }
   const CycleStatistics& last = record.cycles.back();
   return {.source = path,

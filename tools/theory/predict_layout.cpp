@@ -9,8 +9,8 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/scene/units.hpp"
-#include "beadswim/theory/surroundings.hpp"
 #include "beadswim/theory/methods.hpp"
+#include "beadswim/theory/surroundings.hpp"
 
 namespace beadswim {
 namespace {
@@ -43,10 +43,10 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
   const CollinearSwimmer shape = collinear(layout, first, source);
   for (const Swimmer& other : layout.swimmers) {
     if (collinear(layout, other, source) == shape) continue;
-    throw InputError(source,
-                     fmt::format("swimmers {} and {} differ, and a prediction is for one; name it with "
-                                 "--swimmer ID, or take a smaller cell with beadswim-layout reduce",
-                                 first.id, other.id));
+    throw InputError(
+        source, fmt::format("swimmers {} and {} differ, but a prediction is for one swimmer; name the "
+                            "swimmer with --swimmer ID, or make a smaller cell with beadswim-layout reduce",
+                            first.id, other.id));
   }
   return first;
 }
@@ -55,14 +55,15 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
 Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured) {
   const std::string where = "--stroke-from " + measured.source;
   if (!same_units(layout.units, measured.units)) {
-    throw InputError(where,
-                     "its units of length and time are not the layout's; give a run of the same layout");
+    throw InputError(
+        where, "the run's units of length and time differ from the layout's; give a run of the same layout");
   }
   constexpr double period_tolerance = 1e-9;  // relative, for rounding errors
   if (std::abs(measured.period / swimmer.period - 1) > period_tolerance) {
-    throw InputError(where,
-                     fmt::format("its driving has period {}, the layout's {}; give a run of the same layout",
-                                 measured.period, swimmer.period));
+    throw InputError(
+        where,
+        fmt::format("the driving period is {} in the run but {} in the layout; give a run of the same layout",
+                    measured.period, swimmer.period));
   }
   return measured.stroke;
 }
@@ -101,7 +102,8 @@ void predict_by(const std::vector<std::string>& names, const Question& question,
   if (names == std::vector<std::string>{all_methods}) return predict_by_all(question, document);
   for (const std::string& name : names) {
     if (name == all_methods)
-      throw InputError("--method", "all stands alone; leave it out, or the other names");
+      throw InputError("--method",
+                       "\"all\" cannot be combined with other names; leave out \"all\" or the other names");
     document.predictions.push_back(predict(find_method(name), question));
   }
 }
@@ -119,12 +121,12 @@ void check_stroke_is_used(const PredictionDocument& document, const Question& qu
   if (std::any_of(document.predictions.begin(), document.predictions.end(), uses_it)) return;
   for (const LeftOutMethod& left_out : document.left_out) {
     if (std::find(users.begin(), users.end(), left_out.method) == users.end()) continue;
-    throw InputError("--stroke-from",
-                     fmt::format("no method can use the stroke; {}: {}", left_out.method, left_out.reason));
+    throw InputError("--stroke-from", fmt::format("no method can use the measured stroke; {}: {}",
+                                                  left_out.method, left_out.reason));
   }
-  throw InputError(
-      "--stroke-from",
-      fmt::format("no method asked for uses a stroke; add one of {} to --method", fmt::join(users, ", ")));
+  throw InputError("--stroke-from",
+                   fmt::format("none of the named methods uses a measured stroke; add one of {} to --method",
+                               fmt::join(users, ", ")));
 }
 
 }  // namespace

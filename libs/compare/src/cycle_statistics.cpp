@@ -26,18 +26,18 @@ void require_one_cycle(int index, Samples samples, double period) {
   };
   if (samples.size() < 4) {
     fail(
-        fmt::format("{} samples; it needs at least 4, both ends of the period among them; run "
-                    "with more {}",
+        fmt::format("the cycle has {} samples, but needs at least 4, including both ends of the period; "
+                    "use more {}",
                     samples.size(), Setting::frames_per_cycle));
   }
   const auto not_later = [](const SwimmerSample& a, const SwimmerSample& b) { return !(a.time < b.time); };
   if (std::adjacent_find(samples.begin(), samples.end(), not_later) != samples.end()) {
-    fail("the samples' times do not increase; the record is damaged, run again");
+    fail("the times of the samples do not increase; the record is damaged, run again");
   }
   const double span = samples.back().time - samples.front().time;
   if (!(std::abs(span - period) <= period_tolerance * period)) {
-    fail(fmt::format("the samples span {} and not one period of {}; the record is damaged, run again", span,
-                     period));
+    fail(fmt::format("the samples span a time of {}, not one period of {}; the record is damaged, run again",
+                     span, period));
   }
 }
 

@@ -42,14 +42,14 @@ StrokeFit fit_stroke(std::span<const double> times, std::span<const double> leng
                      double angular_frequency) {
   if (times.size() != lengths.size() || times.size() < 3) {
     throw InputError("stroke fit",
-                     fmt::format("{} times and {} lengths; it needs as many of both, at least 3",
+                     fmt::format("there are {} times and {} lengths; the fit needs equal numbers, at least 3",
                                  times.size(), lengths.size()));
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(harmonic_design(times, angular_frequency));
   qr.setThreshold(rank_threshold);
   if (qr.rank() < 3) {
     throw InputError("stroke fit",
-                     "the samples' times do not determine mean, amplitude and phase; "
+                     "the times of the samples do not determine mean, amplitude and phase; "
                      "sample the cycle at three phases or more that are not half a period apart");
   }
   const auto n = static_cast<Eigen::Index>(lengths.size());

@@ -31,7 +31,7 @@ std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator&
   MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator.get());
   if (std::accumulate(sizes.begin(), sizes.end(), 0L) > std::numeric_limits<int>::max())
     throw SolverError(
-        "over 2 GiB for one rank to gather: too many swimmers; take fewer, or a smaller cell of the scene "
+        "one rank cannot gather more than 2 GiB; use fewer swimmers, or a smaller cell of the scene "
         "(beadswim-layout reduce)");
   std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
   std::vector<char> all(communicator.is_root() ? starts.back() + sizes.back() : 0);

@@ -8,16 +8,16 @@
 namespace beadswim {
 
 void OrderFreeSum::throw_out_of_range(double x) {
-  throw NotFiniteError(
-      fmt::format("a term of {} in a sum of terms below {}: the run has become unstable; drive beads "
-                  "less, or take more {}",
-                  x, largest_term, Setting::cells_per_radius));
+  throw NotFiniteError(fmt::format(
+      "a sum contains the term {}, but terms must be below {}: the run has become unstable; reduce the "
+      "driving amplitude or use more {}",
+      x, largest_term, Setting::cells_per_radius));
 }
 
 void OrderFreeSum::throw_overflow() {
   throw SolverError(
-      fmt::format("a sum over cells or links has grown too large to be held: the run has become unstable; "
-                  "drive beads less, or take more {}",
+      fmt::format("a sum over cells or links exceeds the range of its numbers: the run has become unstable; "
+                  "reduce the driving amplitude or use more {}",
                   Setting::cells_per_radius));
 }
 

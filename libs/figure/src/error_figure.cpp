@@ -12,11 +12,16 @@ namespace {
 
 constexpr int black = 6;  // index in the palette
 
+// A string, not a literal: for literals GCC 12 reports a memcpy out of bounds (-Warray-bounds), which is
+// wrong.
+const std::string front_text = "On the front, no other run is both cheaper and more accurate.";
+
 void require_plottable(const ErrorPoint& point, const std::string& quantity, const std::string& cost) {
   if (point.error > 0 && std::isfinite(point.error) && point.cost > 0 && std::isfinite(point.cost)) return;
-  throw InputError(point.source, fmt::format("has an error of {:g} in its {} and takes {:g} {}, which "
-                                             "no logarithmic axis holds; is it the reference itself?",
-                                             point.error, quantity, point.cost, cost));
+  throw InputError(point.source,
+                   fmt::format("has an error of {:g} in the {} and a cost of {:g} {}; a logarithmic axis "
+                               "needs positive finite numbers; is this file the reference itself?",
+                               point.error, quantity, point.cost, cost));
 }
 
 /// Returns the Pareto front in order of increasing cost: each of its points has a smaller error than all
@@ -40,18 +45,6 @@ Series uncertainty_line(const std::vector<ErrorPoint>& points, double error) {
           .emphasis = Emphasis::faint};
 }
 
-/// Breaks a list of names into lines that fit into the width of the figure.
-std::vector<std::string> wrap_names(const std::string& beginning, const std::vector<ErrorPoint>& points) {
-  constexpr std::size_t width = 110;
-  std::vector<std::string> lines{beginning};
-  for (const ErrorPoint& point : points) {
-    const std::string more = point.name + (&point == &points.back() ? "" : ";");
-    if (lines.back().size() + more.size() > width) lines.emplace_back("   ");
-    lines.back() += " " + more;
-  }
-  return lines;
-}
-
 void append(const std::vector<ErrorPoint>& points, Series& series) {
   for (const ErrorPoint& point : points) {
     series.x.push_back(point.cost);
@@ -59,7 +52,7 @@ void append(const std::vector<ErrorPoint>& points, Series& series) {
   }
 }
 
-/// Adds a panel, and a note that names the points on its front.
+/// Adds a panel, and a note that names its most accurate point.
 void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& figure) {
   Panel panel{.x_label = {cost, "s"},
               .y_label = {"error of the " + errors.quantity, "%"},
@@ -84,15 +77,15 @@ void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& fi
   panel.series.push_back(std::move(line));
   if (errors.uncertainty) panel.series.push_back(uncertainty_line(points, *errors.uncertainty));
   figure.panels.push_back(std::move(panel));
-  std::ranges::move(wrap_names(fmt::format("Front of the {}:", errors.quantity), front),
-                    std::back_inserter(figure.notes));
+  figure.notes.push_back({.text = fmt::format("Most accurate {}: {}.", errors.quantity, front.back().name)});
 }
 
 }  // namespace
 
 Figure error_figure(const std::vector<QuantityErrors>& quantities, const std::string& cost,
-                    std::vector<std::string> notes) {
+                    std::vector<Note> notes) {
   Figure figure{.title = "Speed against error", .panels = {}, .notes = std::move(notes)};
+  figure.notes.emplace_back(front_text);
   for (const QuantityErrors& errors : quantities) add_panel(errors, cost, figure);
   return figure;
 }

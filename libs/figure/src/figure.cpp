@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "beadswim/core/error.hpp"
+#include "note_block.hpp"
 #include "palette.hpp"
 #include "svg.hpp"
 #include "visible_stretches.hpp"
@@ -30,7 +31,7 @@ constexpr double legend_left = plot_left + plot_width + 18;
 constexpr double legend_key_width = 30;
 constexpr double line_pitch = 18;
 constexpr double tick_length = 5, minor_tick_length = 3;
-constexpr double title_size = 14, label_size = 12.5, tick_size = 11, note_size = 10;
+constexpr double title_size = 14, label_size = 12.5, tick_size = 11;
 
 const svg::Stroke frame_stroke{.colour = "#000000", .width = 1, .dashes = ""};
 const svg::Stroke grid_stroke{.colour = "#e4e4e4", .width = 0.8, .dashes = ""};
@@ -89,7 +90,7 @@ PanelRange panel_range(const Panel& panel) {
   }
   if (all.is_empty()) {
     const bool logarithmic = panel.y_scale == ScaleKind::logarithmic;
-    throw InputError("figure", fmt::format("no {} point to draw for \"{}\"",
+    throw InputError("figure", fmt::format("there is no {} point to draw for \"{}\"",
                                            logarithmic ? "positive" : "finite", panel.y_label.quantity));
   }
   return {all.x, plain.is_empty() ? all.y : plain.y};
@@ -222,8 +223,6 @@ std::string draw_panel(const Panel& panel, double top) {
 
 double page_width(const Figure& figure) {
   double right = std::max(plot_left + plot_width, plot_left + svg::text_width(figure.title, title_size));
-  for (const std::string& note : figure.notes)
-    right = std::max(right, plot_left + svg::text_width(note, note_size));
   for (const Panel& panel : figure.panels) {
     for (const Series& series : panel.series) {
       right = std::max(right, legend_left + legend_key_width + 8 + svg::text_width(series.label, tick_size));
@@ -242,11 +241,10 @@ std::string figure_to_svg(const Figure& figure) {
     elements += draw_panel(panel, top);
     top += panel_distance(panel);
   }
-  for (const std::string& note : figure.notes) {
-    elements += svg::text({plot_left, top}, note, {note_size});
-    top += line_pitch - 3;
-  }
-  return svg::document(page_width(figure), top + margin - line_pitch / 2, figure.title, elements);
+  const double width = page_width(figure);
+  const NoteBlock notes = draw_notes(figure.notes, {plot_left, top}, width - plot_left - margin);
+  return svg::document(width, notes.bottom + margin + line_pitch / 3, figure.title,
+                       elements + notes.elements);
 }
 
 }  // namespace beadswim

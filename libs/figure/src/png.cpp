@@ -26,10 +26,10 @@ using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
 
 TemporaryFile temporary_file(const std::string& content) {
   TemporaryFile file(std::tmpfile());
-  if (!file) throw SolverError(fmt::format("no temporary file: {}", std::strerror(errno)));
+  if (!file) throw SolverError(fmt::format("a temporary file cannot be created: {}", std::strerror(errno)));
   const std::size_t written = std::fwrite(content.data(), 1, content.size(), file.get());
   if (written != content.size() || std::fflush(file.get()) != 0) {
-    throw SolverError(fmt::format("temporary file: {}", std::strerror(errno)));
+    throw SolverError(fmt::format("the temporary file cannot be written: {}", std::strerror(errno)));
   }
   std::rewind(file.get());
   return file;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "beadswim/core/error.hpp"
+#include "note_block.hpp"
 #include "palette.hpp"
 #include "perspective.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 // Dimensions of the page [px], unless stated otherwise.
 constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
-constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
+constexpr double title_size = 14, label_size = 12.5, line_pitch = 16;
 constexpr double arm_width = 0.26;  // relative to the radius of the first bead
 constexpr double mark_size = 17, halo = 3.5;
 const svg::Stroke edge_stroke{.colour = "#8a8a8a", .width = 0.8, .dashes = ""};
@@ -187,7 +188,7 @@ std::string draw_keys(const SwarmPicture& picture, double top) {
 }
 
 void require_swimmers(const SwarmPicture& picture) {
-  if (picture.swimmers.empty()) throw InputError("figure", "no swimmer to draw");
+  if (picture.swimmers.empty()) throw InputError("figure", "there is no swimmer to draw");
 }
 
 struct Block {
@@ -239,11 +240,8 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   elements += draw_edges(picture, view, false) + draw_axis_names(picture, view);
   elements += draw_distances(picture, view) + draw_marks(picture, view);
   if (!picture.keys.empty()) elements += draw_keys(picture, top += line_pitch);
-  for (const std::string& note : picture.notes) {
-    top += line_pitch;
-    elements += svg::text({margin, top}, note, {note_size});
-  }
-  return svg::document(width, top + margin, picture.title, elements);
+  const NoteBlock notes = draw_notes(picture.notes, {margin, top + line_pitch}, width - 2 * margin);
+  return svg::document(width, notes.bottom + margin, picture.title, elements + notes.elements);
 }
 
 }  // namespace beadswim

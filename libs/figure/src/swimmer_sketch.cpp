@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "note_block.hpp"
 #include "palette.hpp"
 #include "svg.hpp"
 
@@ -18,7 +19,7 @@ constexpr double max_width = 620,
 constexpr double forces_height = 44;   // space above the largest bead for horizontal forces
 constexpr double lengths_height = 66;  // distance from the largest bead to the notes below
 constexpr double force_length = 64, force_gap = 14;
-constexpr double title_size = 14, label_size = 12.5, note_size = 10, line_pitch = 16;
+constexpr double title_size = 14, label_size = 12.5, line_pitch = 16;
 // `arm_offset` is the distance of a spring, and of its dashpot, from the axis of the swimmer.
 constexpr double spring_height = 8, dashpot_height = 7, arm_offset = 13;
 constexpr int spring_turns = 7;
@@ -157,11 +158,8 @@ std::string draw_axis(const PageLayout& page) {
 }
 
 double page_width(const SwimmerSketch& sketch, const PageLayout& page) {
-  double right = page.end() + 90;
-  for (const std::string& note : sketch.notes)
-    right = std::max(right, margin + svg::text_width(note, note_size));
-  return std::max(right, page.centres[2].x + svg::text_width(sketch.force_labels[2], label_size) / 2) +
-         margin;
+  const double label_end = page.centres[2].x + svg::text_width(sketch.force_labels[2], label_size) / 2;
+  return std::max(page.end() + 90, label_end) + margin;
 }
 
 }  // namespace
@@ -175,10 +173,10 @@ std::string swimmer_sketch_to_svg(const SwimmerSketch& sketch) {
     elements += draw_bead(sketch, page, bead) + draw_force(sketch, page, bead);
   for (std::size_t arm = 0; arm < 2; ++arm)
     elements += draw_arm(sketch, page, arm) + draw_length(sketch, page, arm);
-  double top = page.bottom + lengths_height + (labels_fit(sketch, page) ? 0 : 2 * line_pitch);
-  for (const std::string& note : sketch.notes)
-    elements += svg::text({margin, top += line_pitch}, note, {note_size});
-  return svg::document(page_width(sketch, page), top + margin, sketch.title, elements);
+  const double top = page.bottom + lengths_height + (labels_fit(sketch, page) ? 0 : 2 * line_pitch);
+  const double width = page_width(sketch, page);
+  const NoteBlock notes = draw_notes(sketch.notes, {margin, top + line_pitch}, width - 2 * margin);
+  return svg::document(width, notes.bottom + margin, sketch.title, elements + notes.elements);
 }
 
 }  // namespace beadswim

@@ -207,10 +207,10 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
            const std::array<Boundary, 3>& boundary, HaloContent content)
     : comm_(communicator.get()), rank_(communicator.rank()), content_(content) {
   if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
-    throw InputError(fmt::format(
-        "a block is a single cell thick on {} ranks, too thin for what multireflection reads; use "
-        "fewer ranks, or another {}",
-        communicator.size(), Setting::bead_boundary));
+    throw InputError(
+        fmt::format("a block is only one cell thick on {} ranks, but multireflection needs two cells; use "
+                    "fewer ranks or another {}",
+                    communicator.size(), Setting::bead_boundary));
   }
   const Index3 position = decomposition.grid_position(rank_);
   for (int axis = 0; axis < 3; ++axis) {

@@ -14,11 +14,10 @@ namespace {
 void check_no_slip_walls(const Layout& layout, const std::string& source) {
   for (int a = 0; a < 3 && layout.domain; ++a) {
     if (layout.domain->boundary[a] != Boundary::no_slip) continue;
-    throw InputError(
-        fmt::format("{}:/domain/boundary/{}", source, a),
-        fmt::format("is no-slip, for which there is no mobility here; make the layout with {} periodic or "
-                    "free-slip, or run it with {} lbm",
-                    Setting::boundary, Setting::model));
+    throw InputError(fmt::format("{}:/domain/boundary/{}", source, a),
+                     fmt::format("the boundary is no-slip, but mobility models lack such walls; make the "
+                                 "layout with {} periodic or free-slip, or use {} lbm",
+                                 Setting::boundary, Setting::model));
   }
 }
 
@@ -28,10 +27,10 @@ void require_room(const OverdampedScene& scene, const std::string& source) {
   constexpr double radii = 4.4;  // no bead may be in contact with two images of the same bead
   for (int a = 0; a < 3 && scene.box; ++a) {
     if (scene.box->lengths[a] >= radii * largest) continue;
-    throw InputError(fmt::format("{}:/domain/lengths/{}", source, a),
-                     fmt::format("{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box, "
-                                 "or run it with {} lbm",
-                                 scene.box->lengths[a], radii, radii * largest, Setting::model));
+    throw InputError(
+        fmt::format("{}:/domain/lengths/{}", source, a),
+        fmt::format("{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box or use {} lbm",
+                    scene.box->lengths[a], radii, radii * largest, Setting::model));
   }
 }
 

@@ -171,7 +171,7 @@ void OverdampedSystem::restore(OverdampedState state) {
       !std::ranges::all_of(state.velocities, has_all_beads) ||
       !std::ranges::all_of(state.distant, has_all_beads))
     throw SolverError(
-        fmt::format("the checkpoint is of another scene; take the other checkpoint, or begin without {}",
+        fmt::format("the checkpoint belongs to another scene; take the other checkpoint, or begin without {}",
                     Setting::restart));
   state_ = std::move(state);
 }

@@ -92,7 +92,7 @@ LatticeSpeed::LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions)
            std::ranges::max(own.seconds_per_area) < longest;
   };
   if (precisions_.size() != all_values<Precision>.size() || !std::ranges::all_of(precisions_, is_sound))
-    throw InputError("precisions", "are not what this version writes");
+    throw InputError("precisions", "the table is not as this version writes it");
 }
 
 LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {

@@ -58,23 +58,23 @@ std::vector<double> commensurate_resolutions(const Layout& layout) {
 std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, double roundoff) {
   if (mach > max_incompressible_mach)
     return fmt::format(
-        "beads would reach Mach {:.2g}, where the fluid is compressible; take a smaller {}, "
-        "more {}, or drive them less",
+        "beads would reach Mach {:.2g}, where the fluid is compressible; use a smaller {} or more {}, or "
+        "reduce the driving amplitude",
         mach, Setting::relaxation_time, Setting::cells_per_radius);
   if (on_lattice.density_on_lattice() < min_stable_density)
     return fmt::format(
-        "beads of {:.2g} times the fluid's density on the lattice may be shaken; take a larger {} "
-        "or {} psm",
+        "beads of {:.2g} times the fluid's density on the lattice may become unstable; use a larger {} or {} "
+        "psm",
         on_lattice.density_on_lattice(), Setting::relaxation_time, Setting::bead_boundary);
   if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time)
-    return fmt::format("tau {:.4g} is too near 1/2; take {} or more", on_lattice.lattice.relaxation_time,
-                       min_stable_relaxation_time);
+    return fmt::format("relaxation time {:.4g} is too close to 1/2; use {} or more",
+                       on_lattice.lattice.relaxation_time, min_stable_relaxation_time);
   constexpr double contact = 0.1;  // [cell]; smaller gaps cause errors of 100 % (docs/hard-cases.md)
   if (on_lattice.smallest_gap < contact)
-    return "beads touch at rest, or all but touch, and a stroke would be the contact's own give; move them "
-           "apart";
+    return "beads touch or nearly touch at rest, so contact forces would determine the stroke; move the "
+           "beads apart";
   if (!std::isfinite(roundoff))
-    return fmt::format("its velocity would be the roundoff of single precision; take {} double",
+    return fmt::format("the velocity would be only roundoff of single precision; use {} double",
                        Setting::precision);
   return {};
 }
@@ -99,7 +99,8 @@ ErrorEstimate error_of(const SceneOnLattice& on_lattice, const SceneFacts& facts
                                    .sound_speed = scales.velocity() / std::numbers::sqrt3,
                                    .corrects_delay = on_lattice.corrects_delay}};
   ErrorEstimate error = scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
-    if (!swimmer_facts.lag) throw InputError("theory has no motion for a swimmer: " + swimmer_facts.obstacle);
+    if (!swimmer_facts.lag)
+      throw InputError("theory cannot predict the motion of a swimmer: " + swimmer_facts.obstacle);
     return lattice_error(*swimmer_facts.lag, swimmer_facts.best, run);
   });
   if (std::isfinite(roundoff) && error.velocity > 0) error.velocity += roundoff;

@@ -25,7 +25,7 @@ SwimmerFacts evaluate_swimmer(Representative representative) {
   swimmer_facts.obstacle = reason_against([&] {
     swimmer_facts.lag.emplace(question);
     if (std::hypot(axial_amplitude[0], axial_amplitude[1]) < negligible * std::hypot(driven[0], driven[1]))
-      throw InputError("it is driven across its line alone, which bends it");
+      throw InputError("the driving is perpendicular to the axis and only bends the swimmer");
     swimmer_facts.best = best_prediction(question);
   });
   return swimmer_facts;
@@ -86,14 +86,14 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
 }
 
 std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
-  if (!swimmer_facts.best) return "theory has no motion for it: " + swimmer_facts.obstacle;
+  if (!swimmer_facts.best) return "theory cannot predict the motion: " + swimmer_facts.obstacle;
   constexpr double thin = 0.5;  // [radius]
   if (swimmer_facts.best->smallest_stroke_gap >=
       thin * *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius))
     return {};
   return fmt::format(
-      "beads come as near as {:.3g} in their stroke, where films between them matter, which mobility models "
-      "lack or have badly",
+      "the smallest gap between beads in the stroke is {:.3g}, where lubrication matters; mobility models "
+      "lack lubrication or approximate it poorly",
       swimmer_facts.best->smallest_stroke_gap);
 }
 

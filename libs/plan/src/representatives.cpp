@@ -56,7 +56,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
   question.fluid_density = cell.fluid.density;
   question.box = surroundings.box;
   if (!cell.domain && cell.swimmers.size() > 1) {
-    result.approximation = "alone in open space, without its neighbours";
+    result.approximation = "alone in open space, without neighbours";
   } else if (!surroundings.obstacle.empty()) {
     question.box = share_of(*cell.domain, cell.swimmers.size(), question.swimmer, swimmer.axis);
     const std::string& why = surroundings.obstacle;  // the remedy follows a semicolon
@@ -64,7 +64,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
   }
   if (across) {
     if (!result.approximation.empty()) result.approximation += "; ";
-    result.approximation += "driven along its own line, by that part of forces along x";
+    result.approximation += "driven only by the component of its forces along its axis";
   }
   question = with_exact_reference(std::move(question));
   return result;

@@ -14,8 +14,9 @@ long total_steps(double cycles, long steps_per_cycle) {
   const double steps = cycles * static_cast<double>(steps_per_cycle);
   constexpr double max_steps = 1e15;  // doubles are exact up to here
   if (steps > max_steps) {
-    throw InputError(Setting::cycles,
-                     fmt::format("{:.3g} cycles are {:.3g} steps; at most {:.3g}", cycles, steps, max_steps));
+    throw InputError(
+        Setting::cycles,
+        fmt::format("{:.3g} cycles are {:.3g} steps; at most {:.3g} are possible", cycles, steps, max_steps));
   }
   return std::max(1L, std::lround(steps));
 }

@@ -27,8 +27,8 @@ void mark_runs_beyond_memory(std::vector<PlannedRun>& runs, const Communicator& 
     const double needed = run.memory_bytes / communicator.size();
     if (run.refused.empty() && needed > bytes_of_rank)
       run.refused = fmt::format(
-          "needs {:.3g} GB a rank, of which there are {:.3g}; take more machines, {} single, fewer "
-          "{}, or a smaller scene",
+          "the run needs {:.3g} GB per rank, but only {:.3g} GB are installed; use more machines, {} single, "
+          "fewer {} or a smaller scene",
           1e-9 * needed, 1e-9 * bytes_of_rank, Setting::precision, Setting::cells_per_radius);
   }
 }
@@ -42,7 +42,7 @@ void choose(RunPlan& plan, const Communicator& communicator) {
   for (int r = 0; r < std::ssize(plan.runs); ++r) {
     PlannedRun& run = plan.runs[r];
     if (run.refused.empty() && !std::isfinite(run.error.largest() + run.core_seconds))
-      run.refused = "its error is beyond reckoning";
+      run.refused = "the error cannot be estimated";
     if (!run.refused.empty()) continue;
     if (best == none || run.error.largest() < plan.runs[best].error.largest()) best = r;
     if (run.error.largest() > plan.tolerance) continue;
@@ -65,26 +65,29 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
   const auto add = [&](const std::string& what) { plan.hard.push_back(who + ": " + what); };
   if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) add(film);
   if (!best.is_swimming) {
-    add("does not swim, or by no more than roundoff; errors are of strokes alone");
+    add("the velocity is zero or only roundoff; error estimates are for the stroke alone");
   } else if (constexpr double much = 3; best.cancellation > much) {
     add(
-        fmt::format("its velocity is a small difference, 1/{:.2g} of what the same stroke makes in open "
-                    "space, and errors of it are large",
+        fmt::format("the velocity is only 1/{:.2g} of the velocity with the same stroke in open space, so "
+                    "its relative errors are large",
                     best.cancellation));
   }
   if (!swimmer_facts.representative.approximation.empty())
-    add("errors are of a swimmer " + swimmer_facts.representative.approximation + ", doubled");
+    add("error estimates are for a swimmer " + swimmer_facts.representative.approximation +
+        ", and are doubled");
   if (constexpr double tips_over = 20; swimmer_facts.tilt_growth > tips_over)
     add(
-        fmt::format("driving along fixed axes presses it together for so long that a tilt grows {:.2g} "
-                    "times, and it turns over; straight it stays so until something disturbs it",
+        fmt::format("driving along a fixed direction compresses the swimmer for so long that a tilt grows "
+                    "{:.2g} times and the swimmer turns over; without a disturbance it stays straight",
                     swimmer_facts.tilt_growth));
   reason_against([&] {  // if this throws, the row of the candidate contains the message
     const ErrorEstimate stokes =
         mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}.steps_per_cycle);
     const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
-      add(fmt::format("inertia, and what no mobility model knows, change v by up to {} and arms by up to {}",
+      add(
+          fmt::format("inertia and other effects that mobility models neglect change the velocity by up to "
+                      "{} and arms by up to {}",
                       in_percent(stokes.velocity), in_percent(std::max(first, second))));
   });
 }
@@ -94,23 +97,24 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
     if (swimmer_facts.best) {
       add_hard_cases_of(plan, swimmer_facts);
     } else {
-      plan.hard.push_back(
-          fmt::format("swimmer {}: {}, and estimates are of the lattice's lag and cells alone",
-                      swimmer_facts.representative.swimmer, film_obstacle(swimmer_facts)));
+      plan.hard.push_back(fmt::format(
+          "swimmer {}: {}; error estimates include only the time lag and the cells of the lattice",
+          swimmer_facts.representative.swimmer, film_obstacle(swimmer_facts)));
     }
   }
   if (constexpr double much = 1.5; facts.disorder_growth > much)
-    plan.hard.push_back(fmt::format(
-        "swimmers that differ part from their order: departures grow {:.2g} times in the run, and "
-        "errors of single swimmers with them",
-        facts.disorder_growth));
+    plan.hard.push_back(
+        fmt::format("differences between swimmers grow {:.2g} times in the run, and the errors of single "
+                    "swimmers grow with them",
+                    facts.disorder_growth));
 }
 
 void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts) {
   if (const int copies = facts.cells.prod(); copies > 1) {
     const Vec3& box = facts.cell.domain->lengths;
     plan.proposals.push_back({fmt::format(
-        "the scene is {} times a cell of {:g} x {:g} x {:g} with {} of {} swimmers, at 1/{} of the cost",
+        "the scene consists of {} copies of a cell of {:g} x {:g} x {:g} with {} of {} swimmers; a run of "
+        "the cell has 1/{} of the cost",
         copies, box[0], box[1], box[2], facts.cell.swimmers.size(), layout.swimmers.size(), copies)});
   }
   const SwimmerFacts& swimmer_facts = facts.swimmer_facts.front();
@@ -125,9 +129,8 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
   layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);
   Vec3 lengths;
   for (int a = 0; a < 3; ++a) lengths[(along + a) % 3] = box->lengths[a];
-  plan.proposals.push_back({fmt::format("the layout made anew with this box: alone, the swimmer needs no "
-                                        "larger one; theory finds {} of change in "
-                                        "velocity and strokes",
+  plan.proposals.push_back({fmt::format("make the layout with this box: a single swimmer needs no larger "
+                                        "box; theory predicts a change of {} in velocity and stroke",
                                         in_percent(box->change)),
                             lengths});
 }

@@ -31,9 +31,9 @@ void check_unit(Quantity quantity, const Units::Unit& unit, const char* place, F
   const Units::Unit* known = find_known_unit(quantity, unit.name);
   constexpr double tolerance = 1e-9;
   if (!known || std::abs(unit.si_factor / known->si_factor - 1) < tolerance) return;
-  faults.push_back(
-      {fmt::format("{}/si_factor", place), fmt::format("{}: one {} is {} in SI; give that, or another name",
-                                                       unit.si_factor, unit.name, known->si_factor)});
+  faults.push_back({fmt::format("{}/si_factor", place),
+                    fmt::format("{}: one {} is {} in SI; give that factor or another unit name",
+                                unit.si_factor, unit.name, known->si_factor)});
 }
 
 void check_units(const Units& units, Faults& faults) {
@@ -51,8 +51,9 @@ void check_types(const std::map<std::string, SwimmerType>& types, Faults& faults
       if (length > contact) continue;
       faults.push_back(
           {fmt::format("/types/{}/springs/{}/rest_length", name, arm),
-           fmt::format("{}: beads {} and {} overlap; must be greater than {}, the sum of their radii", length,
-                       arm + 1, arm + 2, contact)});
+           fmt::format(
+               "{}: beads {} and {} overlap; the rest length must be greater than {}, the sum of their radii",
+               length, arm + 1, arm + 2, contact)});
     }
   }
 }
@@ -96,8 +97,9 @@ void check_positions(const Box& domain, const std::vector<Swimmer>& swimmers, Fa
     if ((x.array() >= 0).all() && (x.array() <= domain.lengths.array()).all()) continue;
     faults.push_back(
         {swimmer_place(i, "position"),
-         fmt::format("{}: bead 2 lies outside the box; each coordinate must be between 0 and the box's, {}",
-                     in_words(x), in_words(domain.lengths))});
+         fmt::format(
+             "{}: bead 2 lies outside the box; each coordinate must be between 0 and the box length, {}",
+             in_words(x), in_words(domain.lengths))});
   }
 }
 
@@ -111,8 +113,8 @@ void check_walls(const Box& domain, const std::vector<PlacedBead>& beads, Faults
       if (bead.centre[axis] > lowest && bead.centre[axis] < highest) continue;
       faults.push_back(
           {swimmer_place(bead.swimmer, "position"),
-           fmt::format("bead {}, of radius {} at {}, is not wholly inside the walls along {}: its "
-                       "centre must be between {} and {}; move the swimmer or widen the box",
+           fmt::format("bead {} of radius {} at {} is not completely between the walls along {}: its centre "
+                       "must be between {} and {}; move the swimmer or enlarge the box",
                        bead.bead + 1, bead.radius, in_words(bead.centre), axis_names[axis], lowest,
                        highest)});
     }

@@ -32,8 +32,8 @@ std::size_t resolved_count(const ShareOrCount& share_or_count, std::size_t all, 
     return static_cast<std::size_t>(std::lround(*fraction * static_cast<double>(all)));
   const auto count = static_cast<std::size_t>(std::get<std::int64_t>(share_or_count));
   if (count <= all) return count;
-  throw InputError(Setting::count,
-                   fmt::format("{}: more than there are {}, {}; take fewer", count, things, all));
+  throw InputError(Setting::count, fmt::format("{} is greater than the number of {}, {}; reduce the count",
+                                               count, things, all));
 }
 
 /// Draws `count` of the indices 0 ... keys.size() - 1: the indices whose keys have the smallest random
@@ -52,7 +52,8 @@ std::vector<std::size_t> draw_keys(const std::vector<std::uint64_t>& keys, std::
 
 const Box& required_box(const Layout& layout, const char* defect) {
   if (layout.domain) return *layout.domain;
-  throw InputError("/domain", fmt::format("is null (unbounded fluid), which {} has no places in", defect));
+  throw InputError("/domain",
+                   fmt::format("the domain is null (unbounded fluid), but {} requires a box", defect));
 }
 
 /// Returns the gap that added or separated beads should have to other surfaces [length].
@@ -66,10 +67,9 @@ Driving own_driving(const Layout& layout, const Swimmer& swimmer) {
 
 double positive_factor(const Swimmer& swimmer, double factor, const char* what) {
   if (factor > 0) return factor;
-  throw InputError(Setting::sigma,
-                   fmt::format("the {} of swimmer {} would change by a factor of {:.3g}; a smaller "
-                               "{}, or another {}, keeps it positive",
-                               what, swimmer.id, factor, Setting::sigma, Setting::seed));
+  throw InputError(Setting::sigma, fmt::format("the {} of swimmer {} would be multiplied by {:.3g} and must "
+                                               "stay positive; reduce {} or choose another {}",
+                                               what, swimmer.id, factor, Setting::sigma, Setting::seed));
 }
 
 /// Displacement of a swimmer with several overlapping beads: the mean of the displacements required by beads,
@@ -117,8 +117,8 @@ void add_vacancies(Layout& layout, const ShareOrCount& share_or_count, std::uint
   std::vector<Swimmer> left;
   const std::vector<std::size_t> gone = draw_swimmer_indices(layout, share_or_count, seed);
   if (gone.size() == layout.swimmers.size())
-    throw InputError("vacancy", fmt::format("leaves no swimmer; take a smaller {} or {}", Setting::count,
-                                            Setting::fraction));
+    throw InputError("vacancy", fmt::format("the defect would remove all swimmers; reduce {} or {}",
+                                            Setting::count, Setting::fraction));
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     if (!std::ranges::binary_search(gone, s)) left.push_back(layout.swimmers[s]);
   }
@@ -153,10 +153,11 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
   for (const Swimmer& swimmer : layout.swimmers) added.id = std::max(added.id, swimmer.id);
   const auto ids_left = static_cast<std::size_t>(std::numeric_limits<int>::max() - added.id);
   if (count > ids_left) {
-    throw InputError("interstitial",
-                     fmt::format("ids end at {}, and swimmers have ids up to {} already; give them "
-                                 "smaller ones",
-                                 std::numeric_limits<int>::max(), added.id));
+    throw InputError(
+        "interstitial",
+        fmt::format(
+            "the largest possible id is {}, and the swimmers have ids up to {}; give them smaller ids",
+            std::numeric_limits<int>::max(), added.id));
   }
   const SwimmerType& type = layout.types.at(added.type);
   constexpr int max_trials = 100000;
@@ -171,10 +172,11 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
               is_free(centres[2], type.beads[2].radius);
     }
     if (!found) {
-      throw InputError("interstitial",
-                       fmt::format("no free place for swimmer {} in {} trials; the box is too "
-                                   "full, add fewer",
-                                   added.id, max_trials));
+      throw InputError(
+          "interstitial",
+          fmt::format(
+              "no free place for swimmer {} was found in {} trials; the box is too full: add fewer swimmers",
+              added.id, max_trials));
     }
     const auto centres = rest_positions(type, added.position, added.axis);
     for (int b = 0; b < 3; ++b)
@@ -300,10 +302,11 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
       double more = spacing.sigma * KeyedRandom(seed, n, Purpose::layer).normal();
       if (spacing.whole > 0) more = spacing.whole * std::round(more / spacing.whole);
       if (here - before + more <= 0) {
-        throw InputError(Setting::sigma,
-                         fmt::format("of {} layers, two are {:.4g} apart, which would change by {:.4g}; "
-                                     "take a smaller one or another {}, and jitter afterwards",
-                                     layers.size(), here - before, more, Setting::seed));
+        throw InputError(
+            Setting::sigma,
+            fmt::format("two of {} layers are {:.4g} apart, and this distance would change by {:.4g}; reduce "
+                        "the value or choose another {}, and add jitter only afterwards",
+                        layers.size(), here - before, more, Setting::seed));
       }
       shift += more;
     }
@@ -351,8 +354,8 @@ void repair_overlaps(Layout& layout) {
       layout.swimmers[s].position = wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain);
   }
   throw InputError(Setting::repair,
-                   fmt::format("beads are still too close after {} passes; there is too little room for "
-                               "them where they are",
+                   fmt::format("beads are still too close after {} passes; there is too little space around "
+                               "them; enlarge the box or reduce the defects",
                                max_passes));
 }
 

@@ -74,7 +74,7 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   if (!layout.domain) {
     throw InputError(
         "/domain",
-        fmt::format("is null (unbounded fluid), which does not repeat; make the layout with {} X,Y,Z",
+        fmt::format("the domain is null (unbounded fluid) and does not repeat; make the layout with {} X,Y,Z",
                     Setting::box));
   }
   const std::size_t all = layout.swimmers.size();
@@ -108,8 +108,9 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
     firsts.push_back(result.layout.swimmers[s]);
   }
   if (static_cast<double>(firsts.size()) * result.cells.cast<double>().prod() != static_cast<double>(all)) {
-    throw InputError(Setting::tolerance,
-                     "is so large that swimmers are taken for one another; take a smaller one");
+    throw InputError(
+        Setting::tolerance,
+        "the tolerance is so large that different swimmers match each other; reduce the tolerance");
   }
   result.layout.swimmers = std::move(firsts);
   return result;

@@ -70,10 +70,9 @@ int substeps_for(const SwimmerType& type, double step) {
   const double substeps = std::ceil(4 * step * std::max(frequency, damping_rate));
   constexpr double max_substeps = 10000;
   if (!(substeps <= max_substeps)) {
-    throw InputError("springs",
-                     fmt::format("so stiff or damped that a step needs {:.3g} sub-steps, over {}; soften "
-                                 "them or take a smaller step",
-                                 substeps, max_substeps));
+    throw InputError("springs", fmt::format("the springs are so stiff or damped that a step needs {:.3g} "
+                                            "sub-steps, more than {}; use softer springs or a smaller step",
+                                            substeps, max_substeps));
   }
   return std::max(1, static_cast<int>(substeps));
 }

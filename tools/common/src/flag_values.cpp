@@ -97,7 +97,7 @@ CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each)
   const auto fault = [counts = std::move(counts), each = std::move(each)](const std::string& text) {
     const std::vector<std::string> parts = split_at_commas(text);
     if (!counts.empty() && std::find(counts.begin(), counts.end(), parts.size()) == counts.end()) {
-      return fmt::format("\"{}\": {} values, but {} are needed, joined by commas", text, parts.size(),
+      return fmt::format("\"{}\" has {} values, but {} are needed, separated by commas", text, parts.size(),
                          fmt::join(counts, " or "));
     }
     for (const std::string& part : parts) {

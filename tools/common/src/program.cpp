@@ -59,15 +59,15 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
   const std::string word = name.substr(std::min(name.find_first_not_of('-'), name.size()));
   const std::vector<std::string> known = long_names(command);
   if (std::find(known.begin(), known.end(), word) != known.end())
-    throw InputError(name,
-                     fmt::format("stands where no flag is read; write it after \"{}\"", full_name(command)));
+    throw InputError(
+        name, fmt::format("the flag is in the wrong place; write the flag after \"{}\"", full_name(command)));
   if (const auto others = others_with_flag(word, command); !others.empty()) {
-    throw InputError(name, fmt::format("has no meaning for {}, but for {}; leave it out", command.get_name(),
-                                       fmt::join(others, ", ")));
+    throw InputError(name, fmt::format("has no meaning for {}, only for {}; remove the flag",
+                                       command.get_name(), fmt::join(others, ", ")));
   }
   const std::string nearest = nearest_name(word, known);
   throw InputError(
-      name, fmt::format("unknown flag{} \"{} --help\" lists all",
+      name, fmt::format("unknown flag{} \"{} --help\" lists all flags",
                         nearest.empty() ? "." : "; did you mean --" + nearest + "?", full_name(command)));
 }
 
@@ -104,7 +104,7 @@ void refuse_values(const CLI::App& command, const std::string& message) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_items_expected_max() == 0 &&
         message.find(option->get_name() + " = ") != std::string::npos)
-      throw InputError(option->get_name(), "takes no value; leave \"=\" and what follows out");
+      throw InputError(option->get_name(), "takes no value; remove \"=\" and the text after it");
   }
 }
 
@@ -115,7 +115,7 @@ void refuse_empty_values(const CLI::App& command) {
     const std::vector<std::string>& values = option->results();
     if (option->get_items_expected_max() == 0 || std::find(values.begin(), values.end(), "") == values.end())
       continue;
-    throw InputError(option->get_name(), "is given nothing; is a variable not set?");
+    throw InputError(option->get_name(), "has an empty value; is a variable not set?");
   }
   for (const CLI::App* chosen : command.get_subcommands()) refuse_empty_values(*chosen);
 }
@@ -125,7 +125,7 @@ void refuse_absent(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
     throw InputError(option->get_name(),
-                     fmt::format("is needed, and not given; see \"{} --help\"", full_name(command)));
+                     fmt::format("is required but not given; see \"{} --help\"", full_name(command)));
   }
 }
 
@@ -137,12 +137,13 @@ void refuse_combinations(const CLI::App& command) {
     for (const CLI::Option* other : option->get_excludes()) {
       if (other->count() == 0) continue;
       throw InputError(option->get_name(),
-                       fmt::format("cannot go with {}; leave one out", other->get_name()));
+                       fmt::format("cannot be combined with {}; remove one of the two", other->get_name()));
     }
     for (const CLI::Option* other : option->get_needs()) {
       if (other->count() > 0) continue;
       throw InputError(option->get_name(),
-                       fmt::format("has no effect without {}; add it, or leave this out", other->get_name()));
+                       fmt::format("has no effect without {}; add the missing flag or remove this one",
+                                   other->get_name()));
     }
   }
 }
@@ -236,7 +237,7 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
 void require_other_file(const std::string& input, const std::string& output) {
   std::error_code not_there;
   if (input == "-" || !std::filesystem::equivalent(input, output, not_there)) return;
-  throw InputError(output, "is the input, which the output would replace; name another file");
+  throw InputError(output, "the output would replace the input file; name another file");
 }
 
 Json provenance_record(const CLI::App& program) {

@@ -18,15 +18,15 @@ const std::array<AbsentFeature, 3>& absent_features() {
   static const std::array<AbsentFeature, 3> features{
       {{{"flow", "background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate",
          "strain_rate", "velocity_gradient", "pressure_gradient", "wall_velocity", "wall_velocities"},
-        "this version has no imposed flow: swimmers alone move the fluid, and walls are at rest; leave the "
-        "key out"},
+        "this version has no imposed flow: only swimmers move the fluid, and walls are at rest; remove the "
+        "key"},
        {{"stroke", "strokes", "prescribed_stroke", "kinematics", "gait", "waveform", "arm_length",
          "arm_lengths", "arm_amplitudes", "arm_phases", "rest_length", "rest_lengths"},
         "this version has no prescribed stroke: harmonic forces drive the beads (amplitude, phase, period of "
-        "\"driving\"), and the stroke follows from them; leave the key out"},
+        "\"driving\"), and the stroke follows from the forces; remove the key"},
        {{"gravity", "body_force", "external_force", "temperature", "kT", "thermal_noise", "noise"},
         "this version has neither external forces nor thermal noise: only springs, driving, contacts and the "
-        "fluid act on beads; leave the key out"}}};
+        "fluid act on beads; remove the key"}}};
   return features;
 }
 

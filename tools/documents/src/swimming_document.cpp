@@ -45,9 +45,11 @@ std::vector<SourceJson> documents_by_line(const std::string& text, const std::st
 RunRecord require_swimmers(RunRecord record, const std::string& source) {
   if (!record.swimmers.empty()) return record;
   throw InputError(
-      source, fmt::format("holds statistics of the swarm alone, as records of over {} swimmers do; use the "
-                          "run's trajectory (.h5md): beadswim-plot trajectories or swarm, beadswim-view",
-                          max_swimmers_listed));
+      source,
+      fmt::format(
+          "contains only statistics of the swarm, as all records of more than {} swimmers do; use the "
+          "run's trajectory (.h5md): beadswim-plot trajectories or swarm, beadswim-view",
+          max_swimmers_listed));
 }
 
 }  // namespace
@@ -83,7 +85,8 @@ SwimmingDocument swimming_from_json(const Json& document, const std::string& sou
   if (schema.starts_with("beadswim/prediction/")) return predictions_from_json(document, source);
   throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
                                        "(\"beadswim/prediction/1\") is needed here",
-                                       schema.empty() ? "does not say what it is" : "is \"" + schema + "\""));
+                                       schema.empty() ? "the document does not name its schema"
+                                                      : "is \"" + schema + "\""));
 }
 
 SwimmingDocument read_swimming(const std::string& path) {
@@ -114,7 +117,7 @@ const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::strin
   if (found != run.swimmers.end()) return *found;
   std::vector<int> ids;
   for (const SwimmerRecord& swimmer : run.swimmers) ids.push_back(swimmer.id);
-  throw InputError(source, fmt::format("holds no swimmer {}; it holds {}", id, fmt::join(ids, ", ")));
+  throw InputError(source, fmt::format("contains no swimmer {}; the ids are {}", id, fmt::join(ids, ", ")));
 }
 
 std::optional<double> driving_period(const PredictionDocument& document) {

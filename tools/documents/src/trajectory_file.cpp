@@ -21,17 +21,17 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   const auto found = parameters.find("layout");
   const std::string place = path + ":/parameters/layout";
   if (found == parameters.end()) {
-    throw InputError(place, "is missing; give a trajectory as beadswim-run wrote it");
+    throw InputError(place, "the layout is missing; give a trajectory file of beadswim-run");
   }
   Layout layout = layout_from_json(parse_json(found->second, place), place).layout;
   if (layout.swimmers.size() * 3 != reader.header().swimmer.size()) {
-    throw InputError(place, fmt::format("has {} swimmers, and the trajectory {}; give a trajectory as "
-                                        "beadswim-run wrote it",
+    throw InputError(place, fmt::format("the layout has {} swimmers, but the trajectory has {}; give a "
+                                        "trajectory file of beadswim-run",
                                         layout.swimmers.size(), reader.header().swimmer.size() / 3));
   }
   if (!have_equal_lengths(reader.header().box, layout.domain)) {
     throw InputError(path + ":/particles/beads/box/edges",
-                     "is not the layout's box; give a trajectory as beadswim-run wrote it");
+                     "the box differs from the box of the layout; give a trajectory file of beadswim-run");
   }
   return layout;
 }
@@ -48,8 +48,9 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
     if (found == index_of.end()) {
       throw InputError(
           path + ":/particles/beads/swimmer",
-          fmt::format("{} is not in the layout, or comes twice; give a trajectory as beadswim-run wrote it",
-                      of_bead[bead]));
+          fmt::format(
+              "swimmer {} is not in the layout, or occurs twice; give a trajectory file of beadswim-run",
+              of_bead[bead]));
     }
     indices.push_back(found->second);
     index_of.erase(found);
@@ -85,8 +86,8 @@ void throw_unknown_swimmer(const std::string& flag, int id, const std::vector<in
   const auto distance = [id](int other) { return std::abs(static_cast<long>(other) - id); };
   const int nearest = *std::ranges::min_element(ids, {}, distance);
   const auto [low, high] = std::ranges::minmax(ids);
-  throw InputError(flag, fmt::format("no swimmer {} in {}; the nearest is {}, ids are {} to {}", id, source,
-                                     nearest, low, high));
+  throw InputError(flag, fmt::format("there is no swimmer {} in {}; the nearest is {}, ids are {} to {}", id,
+                                     source, nearest, low, high));
 }
 
 }  // namespace beadswim

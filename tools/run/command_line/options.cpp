@@ -11,7 +11,9 @@ CLI::Validator relaxation_time() {
   const auto fault = [](const std::string& text) {
     std::string why = finite_positive()(text);
     if (!why.empty() || std::stod(text) > 0.5) return why;
-    return text + " is not above 0.5, where the viscosity (tau - 1/2)/3 vanishes; 0.6 to 1.5 work well";
+    return text +
+           " is not above 0.5, so the viscosity (tau - 1/2)/3 would not be positive; values from 0.6 to 1.5 "
+           "work well";
   };
   return CLI::Validator(fault, "");
 }
@@ -172,15 +174,15 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   for (const auto& [flag, value] : defaults) {
     CLI::Option* option = program->get_option_no_throw(flag);
     if (option == nullptr || option->get_items_expected_max() == 0)
-      throw InputError(
-          "--restart",
-          fmt::format("the checkpoint's run has the flag {}, which this program does not know", flag));
+      throw InputError("--restart",
+                       fmt::format("this program does not know the flag {} of the checkpoint's run", flag));
     try {
       option->default_val(value);
     } catch (const CLI::Error& error) {
       throw InputError(
           "--restart",
-          fmt::format("the checkpoint's run has a value that this program does not know: {}", error.what()));
+          fmt::format("this program does not know the value of a flag of the checkpoint's run: {}",
+                      error.what()));
     }
   }
   if (const auto status = parse_command_line(*program, argc, argv)) return *status;
@@ -188,7 +190,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
     if (option->count() > 0) options.given.insert(option->get_name());
   }
   if (options.output.empty() && options.restart.empty() && !options.plan)
-    throw InputError("--output", "is missing; name the trajectory to write, -o FILE.h5md");
+    throw InputError("--output", "the flag is missing; name the trajectory to write with -o FILE.h5md");
   const bool is_to_be_planned = options.plan || options.given.contains("--tolerance");
   if (options.settings.model == RunModel::automatic && !is_to_be_planned)
     options.settings.model = RunModel::lbm;
@@ -204,10 +206,11 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
 }
 
 void refuse_lattice_flags(const RunOptions& options, RunModel model) {
-  refuse_flags(options,
-               {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
-                "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
-               "is of the lattice; leave it out, or run with --model lbm instead of " + to_text(model));
+  refuse_flags(
+      options,
+      {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
+       "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
+      "the flag applies to the lattice only; leave it out, or use --model lbm instead of " + to_text(model));
 }
 
 FlagValues result_flags(const RunSettings& settings) {

@@ -62,9 +62,9 @@ LayoutDocument read_layout(const Request& request, const Communicator& communica
   if (!request.checkpoint) return given();
   const LayoutDocument kept = parse(layout_of(*request.checkpoint), request.checkpoint->path());
   if (is_given && scene_text(given()) != scene_text(kept)) {
-    throw InputError(
-        request.source(),
-        "is not the layout of the checkpoint's run; leave it out, or begin anew without --restart");
+    throw InputError(request.source(),
+                     "this layout is not the layout of the checkpoint's run; leave the layout out, or begin "
+                     "without --restart");
   }
   return kept;
 }

@@ -25,58 +25,60 @@ std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_s
   const double density = on_lattice.density_on_lattice(), tau = on_lattice.lattice.relaxation_time;
   if (density < min_stable_density) {
     return fmt::format(
-        "beads of {:.3g} times the fluid's density on the lattice are too light for the "
-        "explicit coupling: take {}--bead-boundary psm, or a larger --relaxation-time",
+        "the beads' density on the lattice, {:.3g} times the fluid's, is too low for the explicit coupling; "
+        "use {}--bead-boundary psm, or a larger --relaxation-time",
         density, on_lattice.corrects_delay ? "" : "--delay-correction on, ");
   }
   if (tau < min_stable_relaxation_time) {
     return fmt::format(
-        "at tau {:.4g} the fluid's viscosity hardly damps what cells do not resolve: take a "
-        "larger --relaxation-time, or more --cells-per-radius",
+        "the relaxation time {:.4g} is so close to 1/2 that viscosity hardly damps unresolved flow; use a "
+        "larger --relaxation-time or --cells-per-radius",
         tau);
   }
   const std::string smaller_step =
-      "take a smaller step by a smaller --relaxation-time or more --cells-per-radius";
+      "reduce the time step by a smaller --relaxation-time or a larger --cells-per-radius";
   if (mach_so_far > max_incompressible_mach)
-    return fmt::format("beads have been at Mach {:.2g}: drive them less, or {}", mach_so_far, smaller_step);
-  return fmt::format("drive beads less, or {}", smaller_step);
+    return fmt::format("beads have reached Mach {:.2g}; reduce the driving amplitude, or {}", mach_so_far,
+                       smaller_step);
+  return fmt::format("reduce the driving amplitude, or {}", smaller_step);
 }
 
 std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far) {
   const LatticeScales& scales = on_lattice.lattice.scales;
   switch (fault.kind) {
     case FaultKind::speed:
-      return fmt::format("{} moves {:.3g} cells a step, its turning included, over the limit of {}; {}",
+      return fmt::format("{} moves {:.3g} cells per step, rotation included, above the limit of {}; {}",
                          place_of(fault, scales), fault.value, speed_limit,
                          cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::torn_arm:
       return fmt::format(
-          "the arm from {} to bead {} is torn: {:.3g} times its rest length, over {}; weaker "
-          "driving or stiffer springs keep it whole",
+          "the arm from {} to bead {} is torn: its length is {:.3g} times the rest length, above {}; use "
+          "weaker driving or stiffer springs",
           place_of(fault, scales), fault.other.bead + 1, fault.value, max_stretch);
     case FaultKind::wall:
       return fmt::format(
-          "{} touches a wall: its surface is {:.3g} from it, and must stay {:.3g} off, half "
-          "a cell; a larger box or weaker driving keeps it off",
+          "{} is too close to a wall: the gap between bead and wall is {:.3g}, less than {:.3g}, half a "
+          "cell; use a larger box or weaker driving",
           place_of(fault, scales), fault.value * scales.cell, min_wall_gap * scales.cell);
     case FaultKind::overlap:
       return fmt::format(
-          "{} and {} are pressed into each other by {:.3g} of the smaller one's radius, over "
-          "{}; weaker driving or stiffer springs keep them apart",
+          "{} and {} overlap by {:.3g} of the smaller radius, above the limit of {}; use weaker driving or "
+          "stiffer springs",
           place_of(fault, scales), name_of(fault.other), fault.value, max_overlap);
     case FaultKind::not_finite:
-      return fmt::format("the fluid{} has become unstable, its numbers are none any more; {}",
+      return fmt::format("the fluid{} has become unstable: its state is non-finite; {}",
                          fault.names_bead() ? " at " + place_of(fault, scales) : "",
                          cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::mass:
-      return fmt::format("fluid and beads have lost {:.3g} of their mass; the fluid is becoming unstable: {}",
-                         fault.value, cause_of_instability(on_lattice, mach_so_far));
+      return fmt::format(
+          "fluid and beads have lost a fraction {:.3g} of their mass: the fluid is becoming unstable; {}",
+          fault.value, cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::momentum:
       return fmt::format(
-          "fluid and beads have gained momentum, {:.3g} of what the beads have at their "
-          "fastest; {}",
+          "the momentum of fluid and beads has changed by {:.3g} times the beads' momentum at their largest "
+          "speed; {}",
           fault.value,
-          on_lattice.scene.precision == Precision::fp32 ? "take --precision double"
+          on_lattice.scene.precision == Precision::fp32 ? "use --precision double"
                                                         : cause_of_instability(on_lattice, mach_so_far));
   }
   return "unknown fault";

@@ -35,9 +35,10 @@ FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scale
   int reason = failure.value();
   MPI_Bcast(&reason, 1, MPI_INT, 0, communicator_.get());
   if (reason != 0) {
-    throw InputError("--flow-every",
-                     fmt::format("the folder {} cannot be created: {}; move what is in its way", stem_,
-                                 std::strerror(reason)));
+    throw InputError(
+        "--flow-every",
+        fmt::format("the folder {} cannot be created: {}; remove or rename any file of that name", stem_,
+                    std::strerror(reason)));
   }
   if (done > 0 && communicator_.is_root()) remove_after(done);
   for (long step = interval; step <= done; step += interval) {

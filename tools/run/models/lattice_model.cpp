@@ -22,8 +22,8 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
   const Index3& cells = on_lattice.scene.cells;
   const LatticeChoice& lattice = on_lattice.lattice;
   return fmt::format(
-      "{} x {} x {} cells of {:.6g}, step {:.6g}, tau {:.6g}, {} steps a cycle, {} swimmers, {} precision, "
-      "{:.2g} GB on {} ranks",
+      "{} x {} x {} cells of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps per cycle, {} "
+      "swimmers, {} precision, {:.2g} GB on {} ranks",
       cells[0], cells[1], cells[2], lattice.scales.cell, lattice.scales.step, lattice.relaxation_time,
       lattice.steps_per_period, on_lattice.scene.swimmers.size(), to_text(on_lattice.scene.precision),
       1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
@@ -41,8 +41,9 @@ std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) 
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                          const Communicator& ranks)
     : communicator(ranks), on_lattice(put_on_lattice(layout, requested.settings.lattice, source)) {
-  refuse_flags(requested, {"--tolerance", "--steps-per-cycle"},
-               "is of the mobility models; leave it out, or add --model rpy, rpy+near or oseen");
+  refuse_flags(
+      requested, {"--tolerance", "--steps-per-cycle"},
+      "the flag applies to mobility models only; leave it out, or add --model rpy, rpy+near or oseen");
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
   options = requested;
@@ -69,7 +70,7 @@ std::unique_ptr<Model> LatticePlan::make(long flow_until) const {
     return std::make_unique<LatticeModel>(*this, flow_until);
   } catch (const std::bad_alloc&) {
     throw SolverError(fmt::format(
-        "out of memory: the lattice needs about {:.2g} GB on {} ranks; take fewer --cells-per-radius, "
+        "out of memory: the lattice needs about {:.2g} GB on {} ranks; use a smaller --cells-per-radius, "
         "--precision single, a smaller box, more machines, or a higher limit (ulimit -v)",
         1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
   }

@@ -54,18 +54,18 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
   const std::uint64_t total_bytes = file.size(swimmers_section), chunk_bytes = 4096 * snapshot_size();
   const std::vector<PlacedSwimmer>& of_scene = system.scene().swimmers;
   if (total_bytes != of_scene.size() * snapshot_size())
-    throw SolverError(
-        file.path() +
-        ": has swimmers of another scene; take the other checkpoint, or begin without --restart");
+    throw SolverError(file.path() +
+                      ": the checkpoint contains swimmers of another scene; take the other checkpoint, or "
+                      "begin without --restart");
   auto next = of_scene.begin();
   std::vector<SwimmerSnapshot> owned;
   for (std::uint64_t first = 0; first < total_bytes; first += chunk_bytes) {
     for (SwimmerSnapshot& swimmer : snapshots_from_bytes(
              file.bytes(swimmers_section, first, std::min(chunk_bytes, total_bytes - first)))) {
       if (!is_sound(swimmer.state, *next++))
-        throw SolverError(
-            file.path() +
-            ": has swimmers of another scene; take the other checkpoint, or begin without --restart");
+        throw SolverError(file.path() +
+                          ": the checkpoint contains swimmers of another scene; take the other checkpoint, "
+                          "or begin without --restart");
       if (system.owns(swimmer.state)) owned.push_back(std::move(swimmer));
     }
   }

@@ -33,7 +33,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
     periods.push_back(type.driving.period / time_step);
     radii.push_back({first.radius, second.radius, third.radius});
   }
-  announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps a cycle, on {} ranks",
+  announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps per cycle, on {} ranks",
                              to_text(scene.model), swimmers.size(), scene.box ? "a box" : "open space",
                              scene.tolerance, steps_per_cycle, communicator.size());
 }
@@ -85,30 +85,33 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
   const Vec3& p = fault.position;
   const std::string place =
       fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
-  const std::string other_model =
-      plan_.scene.model == MobilityModel::oseen ? ", or --model rpy, which is sound for near beads too" : "";
+  const std::string other_model = plan_.scene.model == MobilityModel::oseen
+                                      ? ", or use --model rpy, which is also valid for close beads"
+                                      : "";
   switch (fault.kind) {
     case OverdampedFaultKind::torn_arm:
       return fmt::format(
-          "arm {} {} is torn: {:.3g} times its rest length, over 2; weaker driving or stiffer springs keep "
-          "it whole",
+          "arm {} {} is torn: its length is {:.3g} times the rest length, above 2; use weaker driving or "
+          "stiffer springs",
           fault.bead, place, fault.value);
     case OverdampedFaultKind::speed:
       return fmt::format(
-          "bead {} {} moves {:.3g} radii in a step, over 1; take more --steps-per-cycle, or drive it less{}",
+          "bead {} {} moves {:.3g} radii per step, above the limit of 1; increase --steps-per-cycle, or "
+          "reduce the driving amplitude{}",
           fault.bead, place, fault.value, other_model);
     case OverdampedFaultKind::wall:
       return fmt::format(
-          "bead {} {} is {:.3g} beyond a wall; take more --steps-per-cycle, drive it less, or enlarge the "
-          "box",
+          "bead {} {} is {:.3g} beyond a wall; increase --steps-per-cycle, reduce the driving amplitude, or "
+          "enlarge the box",
           fault.bead, place, fault.value);
     case OverdampedFaultKind::not_converged:
-      return "velocities and forces that go together were not found; take more --steps-per-cycle, drive it "
-             "less, or take weaker dashpots" +
+      return "the solver for the velocities and forces of a step did not converge; increase "
+             "--steps-per-cycle, or reduce the driving amplitude or the damping" +
              other_model;
     case OverdampedFaultKind::not_finite:
       return fmt::format(
-          "bead {} {} has no finite place any more; take more --steps-per-cycle, or drive it less{}",
+          "the position of bead {} {} is non-finite; increase --steps-per-cycle, or reduce the driving "
+          "amplitude{}",
           fault.bead, place, other_model);
   }
   return "unknown fault";
@@ -149,11 +152,12 @@ std::vector<std::string> OverdampedModel::warnings() const {
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return {};
   const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
-  return {fmt::format(
-      "beads came as near as {:.3g} to each other or a wall and were repelled; {}: check the run "
-      "against --model lbm",
-      gap,
-      knows_films ? "the repulsion is no physics" : "point models know nothing of the film between them")};
+  return {
+      fmt::format("beads came within {:.3g} of each other or of a wall and were repelled; {}; compare this "
+                  "run with a run by --model lbm",
+                  gap,
+                  knows_films ? "the repulsion is not physical"
+                              : "models of point forces lack the film between close surfaces")};
 }
 
 void OverdampedModel::write_history(OutgoingMessage& history) const {
@@ -176,8 +180,8 @@ void OverdampedModel::restore(long steps_done, IncomingMessage& history, const C
   OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
   if (!message.is_at_end())
     throw SolverError(
-        "the checkpoint's beads are of another version of the program; go on with that one, or begin without "
-        "--restart");
+        "the checkpoint's beads were written by another version of the program; continue with that version, "
+        "or begin without --restart");
   system_.restore(std::move(state));
 }
 

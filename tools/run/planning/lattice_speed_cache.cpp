@@ -70,7 +70,9 @@ LatticeSpeed speed_of_this_machine(const Communicator& communicator) {
   broadcast(text, communicator);
   if (text.empty()) {
     if (communicator.is_root())
-      print_to_stderr("beadswim-run: measuring how fast this machine steps a lattice, once, some seconds\n");
+      print_to_stderr(
+          "beadswim-run: measuring the lattice speed of this machine; this is done once and takes some "
+          "seconds\n");
     const LatticeSpeed speed = LatticeSpeed::measured(communicator);
     if (communicator.is_root()) write_cache(lattice_speed_to_json(speed), communicator.size());
     return speed;

@@ -18,7 +18,7 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
     if (settings.model != RunModel::lbm) {
       refuse_lattice_flags(options, settings.model);
     } else {
-      refuse_flags(options, {"--steps-per-cycle"}, "is of the mobility models; leave it out");
+      refuse_flags(options, {"--steps-per-cycle"}, "the flag applies to mobility models only; leave it out");
     }
   };
   request.lattice_speed = [&communicator] { return speed_of_this_machine(communicator); };
@@ -54,11 +54,12 @@ const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
                                    ": " + plan.runs.back().refused);
   const PlannedRun& best = plan.runs[*plan.best];
   const auto in_percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
-  throw InputError("--tolerance",
-                   fmt::format("no run is expected to be within {}; the best, {}, is within {}: allow that, "
-                               "leave out flags that close "
-                               "others, or change the scene as --plan proposes",
-                               in_percent(plan.tolerance), flags(best), in_percent(best.error.largest())));
+  throw InputError(
+      "--tolerance",
+      fmt::format(
+          "no run has an expected error within {}; the best run, {}, has {}: raise the tolerance to that "
+          "value, leave out flags that exclude other runs, or change the scene as --plan proposes",
+          in_percent(plan.tolerance), flags(best), in_percent(best.error.largest())));
 }
 
 }  // namespace beadswim

@@ -92,7 +92,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
   for (const PlannedRun* run : front)
     text += row(*run, options, communicator, run == choice ? "<- cheapest" : "");
   for (const auto& [kind, runs] : refused) {
-    const std::string others = runs.size() > 1 ? fmt::format(", and {} like it", runs.size() - 1) : "";
+    const std::string others = runs.size() > 1 ? fmt::format(", and {} similar runs", runs.size() - 1) : "";
     text +=
         fmt::format("refused: {}{}: {}\n", flags_of(*runs.front(), options), others, runs.front()->refused);
   }

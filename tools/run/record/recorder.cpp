@@ -206,11 +206,12 @@ void Recorder::restore(std::vector<char> state, long steps_done) {
       transfer(message);
     } catch (const SolverError&) {
       throw SolverError(
-          "the checkpoint's record is cut; take the other checkpoint, or begin without --restart");
+          "the checkpoint's record is incomplete; take the other checkpoint, or begin without --restart");
     }
     if (!message.is_at_end() || !is_consistent_with(steps_done))
       throw SolverError(
-          "the checkpoint's record is of another run; take the other checkpoint, or begin without --restart");
+          "the checkpoint's record belongs to another run; take the other checkpoint, or begin without "
+          "--restart");
   }
   MPI_Bcast(&next_frame_, 1, MPI_LONG, 0, communicator_.get());
 }

@@ -44,16 +44,15 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   if (lack <= 0) return;
   const bool has_walls =
       std::ranges::count(scene.boundary, Boundary::no_slip) > 0;  // mobility models have no no-slip walls
-  const std::string model = has_walls ? "" : fmt::format(", {} rpy, which has no cells,", Setting::model);
+  const std::string model = has_walls ? "" : fmt::format(", {} rpy (without cells)", Setting::model);
   const std::string precision =
       scene.precision == Precision::fp64 ? fmt::format("{} single, ", Setting::precision) : "";
   throw InputError(
-      "box",
-      fmt::format("its {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; take "
-                  "{}fewer {}, a smaller {} in the layout (beadswim-layout reduce, if it repeats){} or "
-                  "more machines",
-                  scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack, precision,
-                  Setting::cells_per_radius, Setting::box, model));
+      "box", fmt::format(
+                 "the {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; use {}fewer {}, a "
+                 "smaller {} in the layout (beadswim-layout reduce, if the scene repeats){} or more machines",
+                 scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack, precision,
+                 Setting::cells_per_radius, Setting::box, model));
 }
 
 }  // namespace beadswim

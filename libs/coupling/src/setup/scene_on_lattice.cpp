@@ -29,11 +29,10 @@ constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
   if (layout.domain) return;
-  throw InputError(
-      source + ":/domain",
-      fmt::format("is null (unbounded fluid), which a lattice cannot hold; make the layout with {} "
-                  "X,Y,Z and {}, run it with {} rpy, or ask beadswim-theory",
-                  Setting::box, Setting::boundary, Setting::model));
+  throw InputError(source + ":/domain",
+                   fmt::format("the domain is null (unbounded fluid), but a lattice needs a box; make the "
+                               "layout with {} X,Y,Z and {}, or use {} rpy or beadswim-theory",
+                               Setting::box, Setting::boundary, Setting::model));
 }
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
@@ -48,8 +47,8 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
         const double gap = to_wall - type.beads[b].radius;
         if (gap >= min_wall_gap * cell) continue;
         throw InputError(fmt::format("{}:/swimmers/{}/position", source, s),
-                         fmt::format("bead {} is {:.3g} from a wall across {}; a run needs half a cell, "
-                                     "{:.3g}; move the swimmer, or take more {}",
+                         fmt::format("bead {} is {:.3g} from a wall perpendicular to {}; the gap must be at "
+                                     "least half a cell, {:.3g}; move the swimmer or use more {}",
                                      b + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
       }
     }
@@ -61,8 +60,8 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
 void require_viscosity(BeadScheme scheme, double relaxation_time) {
   if (!has_links(scheme) || relaxation_time >= min_stable_relaxation_time) return;
   throw InputError(Setting::relaxation_time,
-                   fmt::format("{:.6g} is so near 1/2 that the surface of beads is unstable with "
-                               "{} {}; take {} or more, or {} psm",
+                   fmt::format("{:.6g} is so close to 1/2 that the flow at bead surfaces is unstable with {} "
+                               "{}; use {} or more, or {} psm",
                                relaxation_time, Setting::bead_boundary, to_text(scheme),
                                min_stable_relaxation_time, Setting::bead_boundary));
 }
@@ -72,10 +71,11 @@ void require_slip(BeadScheme scheme, double relaxation_time) {
   constexpr double nearest = 1e-4;
   const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
   if (scheme != BeadScheme::mr || std::abs(1 - antisymmetric_time) > nearest) return;
-  throw InputError(Setting::relaxation_time,
-                   fmt::format("{:.6g} leaves multireflection ({} mr) no trace of what it corrects: "
-                               "take 0.87 or 0.88, or another {}",
-                               relaxation_time, Setting::bead_boundary, Setting::bead_boundary));
+  throw InputError(
+      Setting::relaxation_time,
+      fmt::format(
+          "{:.6g} makes the correction of multireflection ({} mr) undefined; use 0.87 or 0.88, or another {}",
+          relaxation_time, Setting::bead_boundary, Setting::bead_boundary));
 }
 
 Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) {
@@ -86,11 +86,12 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
     const double whole = std::round(exact);
     const std::string place = fmt::format("{}:/domain/lengths/{}", source, a);
     if (whole > max_cells)
-      throw InputError(place, fmt::format("{} is {:.3g} cells, over {}; take a smaller box, or fewer {}",
-                                          lengths[a], exact, max_cells, Setting::cells_per_radius));
+      throw InputError(place,
+                       fmt::format("{} is {:.3g} cells, above the limit of {}; use a smaller box or fewer {}",
+                                   lengths[a], exact, max_cells, Setting::cells_per_radius));
     if (whole < 1 || std::abs(exact - whole) > roundoff * whole) {
-      throw InputError(place, fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest are "
-                                          "{:.10g} and {:.10g}, or choose another {}",
+      throw InputError(place, fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest "
+                                          "lengths are {:.10g} and {:.10g}; use one of them or another {}",
                                           lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
                                           (std::floor(exact) + 1) * cell, Setting::cells_per_radius));
     }
@@ -109,21 +110,20 @@ LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, do
   constexpr double latest = 0.3;  // [rad]
   const LatticeChoice lattice = choose_lattice(smallest_radius(layout), resolution, layout.fluid, period);
   if (resolution.cells_per_radius < smallest_bead) {
-    throw InputError(Setting::cells_per_radius,
-                     fmt::format("{} leaves beads that may cover no cell at all; at least {}, and "
-                                 "3 or more to resolve them",
-                                 resolution.cells_per_radius, smallest_bead));
+    throw InputError(
+        Setting::cells_per_radius,
+        fmt::format(
+            "with {}, a bead may cover no cell at all; use at least {}, or 3 or more to resolve the beads",
+            resolution.cells_per_radius, smallest_bead));
   }
   const double steps = shortest_period(layout) / lattice.scales.step, late = phase_of_delay(lattice, steps);
   if (late <= latest) return lattice;
-  throw InputError(
-      Setting::relaxation_time,
-      fmt::format(
-          "{} makes a step so long that a period has {:.6g} of them, and the fluid's force comes late by "
-          "{:.2g} radians of it; strokes would be wrong by as much or more. At most {} radians: take a "
-          "smaller {} or more {}",
-          resolution.relaxation_time, steps, late, latest, Setting::relaxation_time,
-          Setting::cells_per_radius));
+  throw InputError(Setting::relaxation_time,
+                   fmt::format("{} makes the time step so long that a period has {:.6g} steps and the force "
+                               "of the fluid is late by a phase of {:.2g} rad; strokes would be wrong by as "
+                               "much or more. At most {} rad are allowed: use a smaller {} or more {}",
+                               resolution.relaxation_time, steps, late, latest, Setting::relaxation_time,
+                               Setting::cells_per_radius));
 }
 
 SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {

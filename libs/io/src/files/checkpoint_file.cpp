@@ -60,13 +60,14 @@ H5Handle open_file(const std::string& path, const Communicator& communicator) {
   const bool is_hdf5 = !communicator.is_root() || H5Fis_hdf5(path.c_str()) > 0;
   if (!all_agree(is_hdf5, communicator))
     throw InputError(
-        path, "is no checkpoint, or cannot be read; name a file FILE.h5md.ckpt.0 or .1, or its FILE.h5md");
+        path, "is not a checkpoint, or cannot be read; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1 or FILE.h5md");
   const H5Handle access = parallel_access(communicator, path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (!all_agree(file >= 0, communicator))
     throw InputError(
-        path, fmt::format("is no checkpoint, or damaged; take the other checkpoint, or begin without {}",
-                          Setting::restart));
+        path,
+        fmt::format("is not a checkpoint, or is damaged; take the other checkpoint, or begin without {}",
+                    Setting::restart));
   return {file, H5Fclose, path};
 }
 
@@ -143,13 +144,15 @@ std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::str
   if (H5Sget_simple_extent_ndims(space) != static_cast<int>(dimensions))
     throw SolverError(
         what +
-        fmt::format(": has another number of dimensions; take the other checkpoint, or begin without {}",
+        fmt::format(": the dataset has a wrong number of dimensions; take the other checkpoint, or begin "
+                    "without {}",
                     Setting::restart));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   if (!has_plausible_extents(dataset, shape))
     throw SolverError(
         what +
-        fmt::format(": claims to hold more than is stored; take the other checkpoint, or begin without {}",
+        fmt::format(": the dataset declares more data than the file contains; take the other checkpoint, or "
+                    "begin without {}",
                     Setting::restart));
   return shape;
 }
@@ -229,7 +232,9 @@ void CheckpointWriter::add_file(const std::string& section, const std::string& p
     std::error_code failure;
     size = std::filesystem::file_size(path, failure);
     if (!file || failure)
-      throw SolverError(path + ": cannot be read for a checkpoint; was it moved or removed during the run?");
+      throw SolverError(
+          path +
+          ": the file cannot be copied into a checkpoint; was the file moved or removed during the run?");
   }
   MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator_.get());
   const H5Handle dataset = create(section, H5T_STD_I8LE, std::array{hsize_t(size)});
@@ -240,7 +245,9 @@ void CheckpointWriter::add_file(const std::string& section, const std::string& p
   for (std::uint64_t done = 0; done < size;) {
     const std::uint64_t count = std::min<std::uint64_t>(buffer.size(), size - done);
     if (!file.read(buffer.data(), static_cast<std::streamsize>(count)))
-      throw SolverError(path + ": cannot be read for a checkpoint; was it moved or removed during the run?");
+      throw SolverError(
+          path +
+          ": the file cannot be copied into a checkpoint; was the file moved or removed during the run?");
     write_bytes(dataset, done, std::span(buffer).first(count));
     done += count;
   }
@@ -273,7 +280,7 @@ void CheckpointWriter::finish() {
   MPI_Barrier(communicator_.get());
   if (communicator_.is_root()) {
     if (const int reason = name_finished_file(path_)) {
-      throw SolverError(fmt::format("{} cannot be put on the disk as {}: {}", part_name(path_), path_,
+      throw SolverError(fmt::format("{} cannot be stored on the disk as {}: {}", part_name(path_), path_,
                                     std::strerror(reason)));
     }
   }
@@ -294,7 +301,7 @@ CheckpointReader::~CheckpointReader() {
 void CheckpointReader::require_undamaged() const {
   const auto require = [this](bool is_undamaged) {
     if (!all_agree(is_undamaged, communicator_))
-      throw InputError(path_, fmt::format("is damaged: its contents are not those of its hash; take the "
+      throw InputError(path_, fmt::format("is damaged: the contents do not match the stored hash; take the "
                                           "other checkpoint, or begin without {}",
                                           Setting::restart));
   };
@@ -315,12 +322,13 @@ void CheckpointReader::require_undamaged() const {
   require(is_read);
   if (!all_agree(!format.empty(), communicator_))
     throw InputError(path_,
-                     "is no checkpoint of Beadswim, but another HDF5 file; name FILE.h5md.ckpt.0 or .1, or "
-                     "its FILE.h5md");
+                     "is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, "
+                     "FILE.h5md.ckpt.1 or FILE.h5md");
   if (!all_agree(format == format_name, communicator_))
-    throw InputError(path_, fmt::format("is no checkpoint of this version, {}; go on with the version that "
-                                        "wrote it, or begin without {}",
-                                        format_name, Setting::restart));
+    throw InputError(path_,
+                     fmt::format("does not have the checkpoint format of this version, {}; continue with "
+                                 "the version that wrote the file, or begin without {}",
+                                 format_name, Setting::restart));
   lattice = sum_over_ranks(lattice, communicator_);
   require(!communicator_.is_root() || finish_hash(hash, lattice) == hash_on_file);
 }
@@ -372,8 +380,9 @@ std::vector<char> CheckpointReader::bytes(const std::string& section, std::uint6
   if (count == 0) return {};
   const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
   if (first + count > shape_of<1>(dataset, path_ + ":/" + section)[0])
-    throw SolverError(fmt::format("{}:/{}: ends too early; take the other checkpoint, or begin without {}",
-                                  path_, section, Setting::restart));
+    throw SolverError(
+        fmt::format("{}:/{}: the data end too early; take the other checkpoint, or begin without {}", path_,
+                    section, Setting::restart));
   std::vector<char> result(count);
   const Selection selection = select(dataset, std::array{hsize_t(first)}, std::array{hsize_t(count)}, path_);
   check_hdf5(H5Dread(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
@@ -417,7 +426,8 @@ void CheckpointReader::read_lattice(const LatticePart& part, int components,
   if (shape_of<4>(dataset, path_) != wanted)
     throw SolverError(
         path_ +
-        fmt::format(": its lattice is of another scene; take the other checkpoint, or begin without {}",
+        fmt::format(": the lattice in the checkpoint belongs to another scene; take the other checkpoint, or "
+                    "begin without {}",
                     Setting::restart));
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
   for (int c = 0; c < components; ++c) {

@@ -29,7 +29,7 @@ std::string creation_fault(const std::string& path, int& part) {
   struct stat existing {};
   if (path == "-" || path.ends_with('/')) return "not the name of a file";
   if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
-    return path + " exists and is no regular file";
+    return path + " exists and is not a regular file";
   part = open(part_name(path).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (part < 0) return fmt::format("{} cannot be created: {}", part_name(path), std::strerror(errno));
   if (flock(part, LOCK_EX | LOCK_NB) != 0) return part_name(path) + " is being written by another run";
@@ -192,9 +192,10 @@ void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vect
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::vector<hsize_t> extent(row.size() + 1);
   if (H5Sget_simple_extent_ndims(space) != std::ssize(extent))
-    throw SolverError(what + fmt::format(": the checkpoint's trajectory is of another kind; take the other "
-                                         "checkpoint, or begin without {}",
-                                         Setting::restart));
+    throw SolverError(what +
+                      fmt::format(": the checkpoint contains this dataset with other dimensions; take the "
+                                  "other checkpoint, or begin without {}",
+                                  Setting::restart));
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   series_.emplace(
       name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type, .rows = extent[0]});

@@ -39,7 +39,8 @@ void write_dataset_data(hid_t parent, const std::string& name, hid_t type, hid_t
 
 H5Handle::H5Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
   if (id < 0)
-    throw SolverError(what + ": HDF5 cannot open or create it; is the file damaged, or the disk full?");
+    throw SolverError(what +
+                      ": HDF5 cannot open or create this object; is the file damaged or the disk full?");
 }
 
 H5Handle::~H5Handle() {
@@ -71,7 +72,8 @@ void H5Handle::close_checked(const std::string& what) {
 
 void check_hdf5(herr_t status, const std::string& what) {
   if (status < 0)
-    throw SolverError(what + ": HDF5 cannot read or write it; is the file damaged, or the disk full?");
+    throw SolverError(what +
+                      ": HDF5 cannot read or write this object; is the file damaged or the disk full?");
 }
 
 bool has_plausible_extents(hid_t dataset, std::span<const hsize_t> extents) {

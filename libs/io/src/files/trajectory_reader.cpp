@@ -17,7 +17,7 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* remedy = "give a trajectory as beadswim-run wrote it (.h5md or .h5md.part)";
+constexpr const char* remedy = "give a trajectory file of beadswim-run (.h5md or .h5md.part)";
 constexpr hsize_t max_beads = 100'000'000;  // a larger number indicates a damaged file
 
 [[noreturn]] void throw_input_error(const std::string& place, const std::string& what) {
@@ -40,14 +40,15 @@ void require_regular_file(const std::string& path) {
 }
 
 void require_read(herr_t status, const std::string& place) {
-  if (status < 0) throw_input_error(place, "is broken");
+  if (status < 0) throw_input_error(place, "is damaged");
 }
 
 /// Refuses HDF5 files of other programs.
 void require_groups(hid_t file, const std::string& path) {
   for (const char* group : {"h5md", "particles", "particles/beads", "particles/beads/species"}) {
     if (H5Lexists(file, group, H5P_DEFAULT) > 0) continue;
-    throw_input_error(path, fmt::format("is HDF5, but no trajectory of Beadswim: it has no /{}", group));
+    throw_input_error(path,
+                      fmt::format("is an HDF5 file but not a trajectory of Beadswim: /{} is missing", group));
   }
 }
 
@@ -58,15 +59,15 @@ H5Handle open_file(const std::string& path) {
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_file_locking(access, false, true), path);
   H5Handle file = checked_handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
-                                 "is no HDF5 file, or a broken one");
+                                 "is not an HDF5 file, or is damaged");
   require_groups(file, path);
   return file;
 }
 
 std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
-  const H5Handle space = checked_handle(H5Dget_space(dataset), H5Sclose, place, "is broken");
+  const H5Handle space = checked_handle(H5Dget_space(dataset), H5Sclose, place, "is damaged");
   const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 0) throw_input_error(place, "has no extents");
+  if (rank < 0) throw_input_error(place, "the shape of the dataset cannot be read");
   std::vector<hsize_t> extents(rank);
   H5Sget_simple_extent_dims(space, extents.data(), nullptr);
   return extents;
@@ -104,7 +105,7 @@ std::vector<std::string> split_padded_texts(const std::string& padded, std::size
 /// Throws InputError if a dataset declares more data than the file stores.
 void require_storage(hid_t dataset, std::span<const hsize_t> extents, const std::string& place) {
   if (!has_plausible_extents(dataset, extents))
-    throw_input_error(place, "claims to hold more than is stored");
+    throw_input_error(place, "the dataset declares more data than the file contains");
 }
 
 /// Returns the length of a text of this type [byte], or 0 if the type is not a string of fixed length.
@@ -119,17 +120,18 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
   const H5Handle attribute =
       checked_handle(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                      place, fmt::format("has no attribute \"{}\"", name));
-  const H5Handle type = checked_handle(H5Aget_type(attribute), H5Tclose, place, "is broken");
-  const H5Handle space = checked_handle(H5Aget_space(attribute), H5Sclose, place, "is broken");
+  const H5Handle type = checked_handle(H5Aget_type(attribute), H5Tclose, place, "is damaged");
+  const H5Handle space = checked_handle(H5Aget_space(attribute), H5Sclose, place, "is damaged");
   const std::size_t length = text_length(type);
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
   hsize_t file_size = 0;
   require_read(H5Fget_filesize(file, &file_size), place);
   if (static_cast<double>(length) * static_cast<double>(count) > static_cast<double>(file_size))
-    throw_input_error(place, fmt::format("attribute \"{}\" claims to be longer than the file", name));
+    throw_input_error(place,
+                      fmt::format("the attribute \"{}\" declares more data than the file contains", name));
   std::string padded(length * count, '\0');
   if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
-    throw_input_error(place, fmt::format("attribute \"{}\" is no text", name));
+    throw_input_error(place, fmt::format("the attribute \"{}\" is not a readable text", name));
   }
   return split_padded_texts(padded, length);
 }
@@ -149,8 +151,10 @@ TrajectoryReader::TrajectoryReader(const std::string& path)
       velocity_(open_series("particles/beads/velocity/value", {beads_, 3})),
       mean_flow_(open_series("observables/mean_flow/value", {3})),
       momentum_(open_series("observables/momentum/value", {3})) {
-  if (frames_ == 0) throw InputError(path, "holds no frame yet; wait for the run's first, or run it again");
-  if (beads_ == 0 || beads_ > max_beads) throw_input_error(path, fmt::format("has {} beads", beads_));
+  if (frames_ == 0)
+    throw InputError(path, "contains no frame yet; wait for the first frame of the run, or run again");
+  if (beads_ == 0 || beads_ > max_beads)
+    throw_input_error(path, fmt::format("has an invalid number of beads, {}", beads_));
   read_header();
 }
 
@@ -158,12 +162,12 @@ TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
                                                      std::vector<hsize_t> row) const {
   const std::string place = path_ + ":/" + name;
   H5Handle dataset =
-      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
+      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or damaged");
   Table table{.place = place, .dataset = std::move(dataset), .extents = {}};
   table.extents = extents_of(table.dataset, place);
   if (table.extents.size() != row.size() + 1 ||
       !std::equal(row.begin(), row.end(), table.extents.begin() + 1)) {
-    throw_input_error(place, "has another shape than docs/formats/h5md.md says");
+    throw_input_error(place, "the dataset does not have the shape given in docs/formats/h5md.md");
   }
   require_storage(table.dataset, table.extents, place);
   return table;
@@ -183,16 +187,17 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   size[0] = count;
   hsize_t numbers = 1;
   for (const hsize_t n : size) numbers *= n;
-  const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place, "is broken");
-  if (!holds<Number>(type)) throw_input_error(table.place, "is not of numbers as docs/formats/h5md.md says");
-  const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place, "is broken");
+  const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place, "is damaged");
+  if (!holds<Number>(type))
+    throw_input_error(table.place, "the dataset does not have the number type given in docs/formats/h5md.md");
+  const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place, "is damaged");
   const H5Handle in_memory =
-      checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place, "is broken");
+      checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place, "is damaged");
   require_read(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
                table.place);
   std::vector<Number> values(numbers);
   if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
-    throw_input_error(table.place, "cannot be read as numbers");
+    throw_input_error(table.place, "the numbers of the dataset cannot be read");
   }
   return values;
 }
@@ -202,7 +207,7 @@ std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t firs
   std::vector<Number> values = read_raw_rows<Number>(table, first, count);
   const auto is_number = [](Number value) { return std::isfinite(static_cast<double>(value)); };
   if (!std::all_of(values.begin(), values.end(), is_number)) {
-    throw_input_error(table.place, "holds a number that is not finite");
+    throw_input_error(table.place, "contains a non-finite number");
   }
   return values;
 }
@@ -210,7 +215,8 @@ std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t firs
 template <typename Number>
 std::vector<Number> TrajectoryReader::read_all(const std::string& name) const {
   const Table table = open_table(name, {});
-  if (table.extents[0] != beads_) throw_input_error(table.place, fmt::format("is not of {} beads", beads_));
+  if (table.extents[0] != beads_)
+    throw_input_error(table.place, fmt::format("does not have {} entries, one per bead", beads_));
   return read_rows<Number>(table, 0, beads_);
 }
 
@@ -224,14 +230,14 @@ std::vector<Vec3> TrajectoryReader::vectors(const Table& table, std::size_t fram
 std::string TrajectoryReader::text(const std::string& name) const {
   const std::string place = path_ + ":/" + name;
   const H5Handle dataset =
-      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or broken");
-  const H5Handle type = checked_handle(H5Dget_type(dataset), H5Tclose, place, "is broken");
+      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or damaged");
+  const H5Handle type = checked_handle(H5Dget_type(dataset), H5Tclose, place, "is damaged");
   const std::size_t length = text_length(type);
   require_storage(dataset, {}, place);
   std::string padded(length, '\0');
   if (length == 0 || !extents_of(dataset, place).empty() ||
       H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
-    throw_input_error(place, "is no text");
+    throw_input_error(place, "is not a readable text");
   }
   return split_padded_texts(padded, length).front();
 }
@@ -239,7 +245,7 @@ std::string TrajectoryReader::text(const std::string& name) const {
 std::map<std::string, std::string> TrajectoryReader::texts(const std::string& group) const {
   const std::string place = path_ + ":/" + group;
   const H5Handle opened_group =
-      checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, "is missing or broken");
+      checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, "is missing or damaged");
   H5G_info_t info{};
   require_read(H5Gget_info(opened_group, &info), place);
   std::map<std::string, std::string> result;
@@ -247,7 +253,7 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
     std::array<char, 256> name{};
     if (H5Lget_name_by_idx(opened_group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
                            H5P_DEFAULT) < 0) {
-      throw_input_error(place, "is broken");
+      throw_input_error(place, "is damaged");
     }
     result[name.data()] = text(group + "/" + name.data());
   }
@@ -257,7 +263,8 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
 std::array<Boundary, 3> TrajectoryReader::boundary() const {
   const std::string box = "particles/beads/box";
   const std::vector<std::string> names = text_attribute(file_, path_, box, "boundary");
-  if (names.size() != 3) throw_input_error(path_ + ":/" + box, "has not three boundaries");
+  if (names.size() != 3)
+    throw_input_error(path_ + ":/" + box, "the attribute \"boundary\" does not have three entries");
   std::array<Boundary, 3> boundary;
   for (int a = 0; a < 3; ++a) boundary[a] = names[a] == "periodic" ? Boundary::periodic : Boundary::free_slip;
   return boundary;
@@ -268,7 +275,7 @@ std::optional<Box> TrajectoryReader::box(std::size_t frame) const {
   const Box box{.lengths = {edges[0], edges[4], edges[8]}, .boundary = boundary_};
   for (int a = 0; a < 3; ++a) {
     if (!(box.lengths[a] > 0) && (box.is_periodic(a) || box.lengths[a] != 0)) {
-      throw_input_error(edges_.place, "holds a box without volume");
+      throw_input_error(edges_.place, "contains a box edge that is not positive");
     }
   }
   return box.lengths == Vec3::Zero() ? std::nullopt : std::optional(box);
@@ -281,7 +288,7 @@ void TrajectoryReader::read_header() {
   header_.bead = read_all<int>("particles/beads/species");
   header_.radius = read_all<double>("particles/beads/radius");
   if (!std::ranges::all_of(header_.radius, [](double radius) { return radius > 0; }))
-    throw_input_error(path_ + ":/particles/beads/radius", "holds a radius that is not positive");
+    throw_input_error(path_ + ":/particles/beads/radius", "contains a radius that is not positive");
   header_.creator_version = text_attribute(file_, path_, "h5md/creator", "version").front();
   header_.parameters = texts("parameters");
   require_complete_swimmers();
@@ -294,7 +301,8 @@ void TrajectoryReader::require_complete_swimmers() const {
         header_.bead[b] == static_cast<int>(b % 3) + 1 && header_.swimmer[b] == header_.swimmer[b - b % 3];
   }
   if (!is_complete)
-    throw_input_error(path_ + ":/particles/beads/species", "is not 1, 2, 3 of one swimmer after another");
+    throw_input_error(path_ + ":/particles/beads/species",
+                      "must be 1, 2, 3 for the three consecutive beads of each swimmer");
 }
 
 std::vector<double> TrajectoryReader::times() const {
@@ -312,7 +320,7 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   for (std::size_t b = 0; b < beads_ && frame_box; ++b)
     frame.positions[b] += images[b].cwiseProduct(frame_box->lengths);
   if (!std::ranges::all_of(frame.positions, [](const Vec3& position) { return position.allFinite(); }))
-    throw_input_error(image_.place, "leads to a position that is not finite");
+    throw_input_error(image_.place, "gives a bead position that is not finite");
   frame.mean_flow = vectors(mean_flow_, index)[0];
   frame.momentum = vectors(momentum_, index)[0];
   return frame;
@@ -340,7 +348,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
       std::vector<double>& numbers = cycle.columns[i].numbers = read_raw_rows<double>(tables[i], c, 1);
       const auto is_infinite = [](double number) { return std::isinf(number); };
       if (std::ranges::any_of(numbers, is_infinite))
-        throw_input_error(tables[i].place, "holds an infinite number");
+        throw_input_error(tables[i].place, "contains an infinite number");
     }
   }
   return cycles;

@@ -35,11 +35,12 @@ bool stopped_at_non_finite_word(const std::string& text, std::size_t byte) {
 /// Returns an explanation of a syntax error: for common errors a specific text, otherwise the message of the
 /// parser without its prefix.
 std::string explanation(const std::string& text, std::size_t byte, const std::string& parser_message) {
-  if (text.find_first_not_of(" \t\r\n") == std::string::npos) return "empty; a JSON document is needed";
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+    return "the input is empty; a JSON document is needed";
   if (stopped_at_non_finite_word(text, byte))
     return "NaN and infinity are not JSON; a finite number is needed";
   if (byte >= text.size()) {
-    return "the text ends before the document does; is the file truncated?";
+    return "the text ends before the JSON document is complete; is the file truncated?";
   }
   const std::size_t column = parser_message.find("column ");
   const std::size_t colon = parser_message.find(": ", column == std::string::npos ? 0 : column);
@@ -73,7 +74,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     auto& members = open_.back()->get_ref<Json::object_t&>();
     if (!keys_.back().insert(key).second) {
       throw InputError(source_ + ":" + open_pointer() + pointer_step(key),
-                       "this key is given twice in one object; leave one");
+                       "this key is given twice in one object; remove one of the two");
     }
     members.emplace_back(std::move(key), nullptr);
     return true;
@@ -84,8 +85,8 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     const std::string what =
         error.id == number_overflow ? fmt::format("{} is beyond the range of a double", token)
         : is_second_document(byte)
-            ? "a second document begins, where one is read; select one, for example with head or jq "
-              "(beadswim-plot, and beadswim-theory for streams of layouts, read one per line)"
+            ? "a second document begins here, but only one is read; select one, for example with head or jq "
+              "(beadswim-plot, and beadswim-theory for streams of layouts, read one document per line)"
             : explanation(text_, byte, error.what());
     throw InputError(source_, line_and_column(text_, byte) + ": " + what);
   }
@@ -101,7 +102,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   void open(Json container) {
     if (open_.size() == max_levels)
       throw InputError(source_,
-                       fmt::format("is nested more than {} levels deep; no document is", max_levels));
+                       fmt::format("is nested more than {} levels deep; no valid document is", max_levels));
     open_.push_back(add(std::move(container)));
   }
 
@@ -141,7 +142,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 Json parse_json(const std::string& text, const std::string& source) {
   if (text.starts_with("\x89HDF")) {
     throw InputError(
-        source, "is HDF5, as trajectories are; give the JSON document: layout, run record or prediction");
+        source, "is an HDF5 file, like a trajectory; give a JSON document: layout, run record or prediction");
   }
   DocumentBuilder builder(text, source);
   Json::sax_parse(text, &builder);

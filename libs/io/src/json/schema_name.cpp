@@ -34,8 +34,8 @@ std::string disagreement(const SchemaName& found, const SchemaName& wanted, cons
     return fmt::format("\"{}\" is newer than this program, which reads version {}; update Beadswim",
                        found_text, wanted.version);
   }
-  return fmt::format("\"{}\" is a version that this program does not read; it reads version {}", found_text,
-                     wanted.version);
+  return fmt::format("\"{}\" is a version that this program cannot read; the program reads version {}",
+                     found_text, wanted.version);
 }
 
 }  // namespace
@@ -51,8 +51,10 @@ void check_schema_name(const Json& document, const std::string& expected, const 
       if (!nearest_name(key, {"schema"}).empty())
         throw InputError(source + ":" + pointer_step(key), "unknown key; did you mean \"schema\"?");
     }
-    throw InputError(source,
-                     fmt::format("lacks the key \"schema\"; add \"schema\": \"{}\" if it is one", expected));
+    throw InputError(
+        source,
+        fmt::format("lacks the key \"schema\"; add \"schema\": \"{}\" if the document has this format",
+                    expected));
   }
   const std::string place = source + ":/schema";
   const auto found = entry->is_string() ? parse_schema_name(entry->get<std::string>()) : std::nullopt;

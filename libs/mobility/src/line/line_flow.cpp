@@ -52,7 +52,7 @@ void check_alpha(std::complex<double> alpha) {
   if (is_valid) return;
   throw InputError("flow on a line", "alpha is " + std::to_string(alpha.real()) + " + " +
                                          std::to_string(alpha.imag()) +
-                                         " i; take the root of i omega rho / eta with positive real part");
+                                         " i; use the root of i omega rho / eta with positive real part");
 }
 
 }  // namespace

@@ -33,24 +33,26 @@ struct Solution {
 
 void check_positive(double number, const std::string& name) {
   if (!(number > 0) || !std::isfinite(number)) {
-    throw InputError(name, fmt::format("{} is not above 0 and finite", number));
+    throw InputError(name, fmt::format("{} must be greater than 0 and finite", number));
   }
 }
 
 void check_line(std::span<const double> radii, std::span<const double> positions) {
   if (radii.empty() || radii.size() != positions.size()) {
-    throw InputError("spheres on a line",
-                     fmt::format("{} radii and {} positions; give as many of both, at least one",
-                                 radii.size(), positions.size()));
+    throw InputError(
+        "spheres on a line",
+        fmt::format("there are {} radii and {} positions; give equal numbers of both, at least one",
+                    radii.size(), positions.size()));
   }
   for (std::size_t i = 0; i < radii.size(); ++i) {
     check_positive(radii[i], fmt::format("radius of sphere {}", i + 1));
     if (i == 0) continue;
     const double distance = positions[i] - positions[i - 1], touching = radii[i] + radii[i - 1];
     if (!(distance > touching) || !std::isfinite(distance)) {
-      throw InputError(fmt::format("spheres {} and {}", i, i + 1),
-                       fmt::format("{} apart, centre to centre; it must be above {}, where they touch",
-                                   distance, touching));
+      throw InputError(
+          fmt::format("spheres {} and {}", i, i + 1),
+          fmt::format("their centres are {} apart; the distance must be above {}, where the spheres touch",
+                      distance, touching));
     }
   }
 }

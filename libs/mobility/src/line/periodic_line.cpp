@@ -16,7 +16,7 @@ void check(const Box& box) {
     const double length = box.lengths[axis];
     if (std::isfinite(length) && length > 0) continue;
     throw InputError("box", std::string("its length along ") + axis_names[axis] + " is " +
-                                std::to_string(length) + "; it must be finite and positive");
+                                std::to_string(length) + "; the length must be finite and positive");
   }
 }
 

@@ -85,8 +85,10 @@ EwaldPlan plan_ewald(const EwaldScene& scene) {
   const double min_cutoff = 2 * scene.largest_radius;  // the sum over pairs must include all overlaps
   if (max_cutoff < min_cutoff)
     throw InputError(
-        "box", fmt::format("its edge of {} is less than four radii of {}; enlarge it, or take none ({})",
-                           shortest, scene.largest_radius, Setting::unbounded));
+        "box",
+        fmt::format(
+            "the edge {} is less than four times the bead radius {}; enlarge the box or use open space ({})",
+            shortest, scene.largest_radius, Setting::unbounded));
   EwaldPlan best;
   double minimum = INFINITY;
   constexpr int trials = 60;

@@ -19,16 +19,16 @@ namespace {
 constexpr std::size_t min_spheres_on_mesh = 1000;
 
 void check(const MobilityScene& scene) {
-  if (scene.radii.empty()) throw InputError("mobility", "no sphere");
+  if (scene.radii.empty()) throw InputError("mobility", "there is no sphere");
   for (const double radius : scene.radii)
     if (!(radius > 0 && std::isfinite(radius)))
-      throw InputError("mobility", fmt::format("radius {}", radius));
+      throw InputError("mobility", fmt::format("the radius {} is invalid", radius));
   if (!(scene.viscosity > 0 && std::isfinite(scene.viscosity)))
-    throw InputError("mobility", fmt::format("viscosity {}", scene.viscosity));
+    throw InputError("mobility", fmt::format("the viscosity {} is invalid", scene.viscosity));
   if (!scene.box) return;
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
-      throw InputError("mobility", fmt::format("box edge {}", length));
+      throw InputError("mobility", fmt::format("the box edge {} is invalid", length));
 }
 
 int mirrors(const std::optional<Box>& box) {

@@ -76,7 +76,7 @@ NearField::NearField(std::vector<double> radii, std::optional<Box> box)
     : radii_(std::move(radii)), box_(box), lengths_(mirrored_lengths(box)) {
   if (radii_.size() % 3 != 0)
     throw InputError("mobility of near beads",
-                     fmt::format("{} spheres are no swimmers of three", radii_.size()));
+                     fmt::format("the {} spheres are not a multiple of three", radii_.size()));
   std::map<std::array<double, 3>, int> tables;
   for (std::size_t b = 0; b < radii_.size(); b += 3) {
     const std::array<double, 3> own{radii_[b], radii_[b + 1], radii_[b + 2]};

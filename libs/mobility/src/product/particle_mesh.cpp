@@ -195,8 +195,8 @@ void ParticleMesh::Mesh::fit_to_beads(std::span<const Vec3> positions) {
   const Vec3 wanted = 2 * ((high - low) / plan.spacing + Vec3::Constant(plan.window));
   if (!(wanted.prod() < max_points)) {
     throw SolverError(
-        fmt::format("beads are {:.3g} x {:.3g} x {:.3g} apart, too far for a mesh of spacing {:.3g}; "
-                    "have they been torn away?",
+        fmt::format("the beads span {:.3g} x {:.3g} x {:.3g}, too much for a mesh of spacing {:.3g}; "
+                    "swimmers may have been torn apart",
                     high[0] - low[0], high[1] - low[1], high[2] - low[2], plan.spacing));
   }
   std::array<int, 3> points;

@@ -39,7 +39,7 @@ void add_limits(const Question& question, double second_order, Prediction& predi
 std::optional<std::string> box_obstacle(const Question& question) {
   if (auto obstacle = overlap_obstacle(question)) return obstacle;
   if (!question.box_obstacle.empty()) return question.box_obstacle;
-  if (!question.box) return "the layout is unbounded; rpy-perturbation and rpy-ode treat it";
+  if (!question.box) return "the fluid of the layout is unbounded; use rpy-perturbation or rpy-ode";
   return image_overlap(question.swimmer, *question.box);
 }
 

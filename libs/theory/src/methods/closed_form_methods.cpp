@@ -15,7 +15,7 @@ namespace beadswim {
 
 namespace {
 
-constexpr const char* remedy = "the -perturbation methods treat any";
+constexpr const char* remedy = "use a -perturbation method";
 
 bool equal(double a, double b) {
   constexpr double roundoff = 1e-12;  // relative error of a unit conversion
@@ -25,11 +25,11 @@ bool equal(double a, double b) {
 std::optional<std::string> unequal_shape(const CollinearSwimmer& swimmer) {
   const auto& radius = swimmer.radius;
   if (!equal(radius[0], radius[1]) || !equal(radius[0], radius[2])) {
-    return fmt::format("radii {}, {}, {} differ and its closed form is for equal ones; {}", radius[0],
+    return fmt::format("the radii {}, {}, {} differ, but the closed form requires equal radii; {}", radius[0],
                        radius[1], radius[2], remedy);
   }
   if (!equal(swimmer.arm[0], swimmer.arm[1])) {
-    return fmt::format("arms {}, {} differ and its closed form is for equal ones; {}", swimmer.arm[0],
+    return fmt::format("the arms {}, {} differ, but the closed form requires equal arms; {}", swimmer.arm[0],
                        swimmer.arm[1], remedy);
   }
   return std::nullopt;
@@ -37,12 +37,12 @@ std::optional<std::string> unequal_shape(const CollinearSwimmer& swimmer) {
 
 std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer) {
   if (!equal(swimmer.stiffness[0], swimmer.stiffness[1])) {
-    return fmt::format("stiffnesses {}, {} differ and its closed form is for equal ones; {}",
+    return fmt::format("the stiffnesses {}, {} differ, but the closed form requires equal ones; {}",
                        swimmer.stiffness[0], swimmer.stiffness[1], remedy);
   }
   if (swimmer.damping[0] != 0 || swimmer.damping[1] != 0) {
-    return fmt::format("its closed form has no dampers, and theirs are {}, {}; {}", swimmer.damping[0],
-                       swimmer.damping[1], remedy);
+    return fmt::format("the closed form has no damping, but the springs have damping {}, {}; {}",
+                       swimmer.damping[0], swimmer.damping[1], remedy);
   }
   return std::nullopt;
 }
@@ -161,7 +161,8 @@ std::optional<std::string> rpy_force_printed_obstacle(const Question& question) 
   if (auto obstacle = equal_parts_obstacle(question)) return obstacle;
   const auto& [A, B] = question.swimmer.amplitude;
   if (equal(A, B)) return std::nullopt;
-  return fmt::format("(4.23) is printed for A = B, and they are {}, {}; rpy-force-repaired treats any", A, B);
+  return fmt::format(
+      "(4.23) of the paper requires A = B, but the amplitudes are {}, {}; use rpy-force-repaired", A, B);
 }
 
 std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
@@ -172,7 +173,7 @@ std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
 std::optional<std::string> measured_stroke_obstacle(const Question& question) {
   if (auto obstacle = exact_obstacle(question)) return obstacle;
   if (question.measured_stroke) return std::nullopt;
-  return fmt::format("it needs a measured stroke; give one with {}", Setting::stroke_record);
+  return fmt::format("the method needs a measured stroke; give one with {}", Setting::stroke_record);
 }
 
 Prediction predict_oseen_force(const Question& question) {

@@ -25,8 +25,8 @@ std::optional<std::string> penetration_depth_obstacle(const Question& question) 
   const double kappa = std::abs(inverse_penetration_depth(swimmer, question.fluid_density)) * largest;
   if (kappa < largest_kappa) return std::nullopt;
   return fmt::format(
-      "the penetration depth is {:.3g} times smaller than a bead, far from the slow flow that it is for; "
-      "lengthen {} or raise {}",
+      "the penetration depth is {:.3g} times smaller than a bead, but the method is for slow flow; increase "
+      "{} or {}",
       kappa / std::sqrt(2.0), Setting::period, Setting::viscosity);
 }
 

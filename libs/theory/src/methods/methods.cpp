@@ -68,10 +68,9 @@ Prediction predict(const Method& method, const Question& question) {
       phase = std::remainder(phase + offset, 2 * std::numbers::pi);
   }
   if (!is_finite(prediction)) {
-    throw InputError(
-        name_of(Setting::method) + " " + method.name,
-        "cannot treat this swimmer: its answer is not a number, from a pole of its formula or from values "
-        "beyond the range of arithmetic");
+    throw InputError(name_of(Setting::method) + " " + method.name,
+                     "cannot treat this swimmer: the result is non-finite, because of a pole of the formula "
+                     "or of values beyond the range of a double");
   }
   prediction.method = method.name;
   return prediction;

@@ -30,8 +30,8 @@ std::optional<std::string> overlap_obstacle(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
   if (smallest_gap(swimmer, rest_positions(swimmer)) >= 0) return std::nullopt;
   return fmt::format(
-      "beads overlap at rest: arms {:.6g}, {:.6g} with radii {:.6g}, {:.6g}, {:.6g}; it needs arms "
-      "longer than the sum of the radii at their ends",
+      "beads overlap at rest: arms {:.6g}, {:.6g} with radii {:.6g}, {:.6g}, {:.6g}; each arm must be longer "
+      "than the sum of the radii at its ends",
       swimmer.arm[0], swimmer.arm[1], swimmer.radius[0], swimmer.radius[1], swimmer.radius[2]);
 }
 
@@ -39,8 +39,8 @@ std::optional<std::string> exact_obstacle(const Question& question) {
   if (auto obstacle = overlap_obstacle(question)) return obstacle;
   if (question.exact) return std::nullopt;
   return fmt::format(
-      "beads all but touch at rest (l/lambda {:.5g}), where the multipole series needs more terms than it "
-      "is given; rpy-perturbation treats them, coarsely",
+      "beads nearly touch at rest (l/lambda {:.5g}), and the multipole series would need too many terms; use "
+      "rpy-perturbation, with lower accuracy",
       separation_ratio(question.swimmer));
 }
 

@@ -41,21 +41,22 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
   if (layout.swimmers.size() > 1) {
     return {.box = {},
             .obstacle = fmt::format(
-                "its box holds {} swimmers, and theory knows one in a box; beadswim-layout reduce finds the "
-                "cell of one, and a layout without box ({}) leaves "
-                "neighbours out",
+                "the box holds {} swimmers, but theory treats only one per box; find the cell of one with "
+                "beadswim-layout reduce, or neglect its neighbours in a layout without box ({})",
                 layout.swimmers.size(), Setting::unbounded)};
   }
   const auto& boundary = layout.domain->boundary;
   if (std::find(boundary.begin(), boundary.end(), Boundary::no_slip) != boundary.end()) {
-    return {.box = {}, .obstacle = "its box has no-slip walls, and theory knows periodic and free-slip ones"};
+    return {
+        .box = {},
+        .obstacle = "the box has no-slip walls, but theory treats only periodic and free-slip boundaries"};
   }
   const std::optional<int> axis = coordinate_axis(swimmer.axis);
   if (!axis)
     return {.box = {},
             .obstacle =
-                "it lies aslant in its box, where images push it off its line; theory treats axes along x, y "
-                "or z"};
+                "the swimmer is not parallel to a box axis, so its images push it sideways; theory requires "
+                "an axis along x, y or z"};
   return {.box = box_place(*layout.domain, swimmer, *axis), .obstacle = {}};
 }
 

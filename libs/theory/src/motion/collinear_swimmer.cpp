@@ -18,11 +18,12 @@ double driving_direction(DrivingFrame frame, const Vec3& axis) {
   if (frame != DrivingFrame::lab) return 1;
   constexpr double largest_sine = 1e-9;  // sine of the angle to x: roundoff of a normalised axis
   if (axis.cross(Vec3::UnitX()).norm() > largest_sine * axis.norm()) {
-    throw InputError("axis",
-                     fmt::format("[{}, {}, {}] is not along x, but the driving is (frame \"lab\"), so the "
-                                 "swimmer leaves its line; theory treats axes along x, or driving of frame "
-                                 "\"initial-axis\" or \"body\"",
-                                 axis.x(), axis.y(), axis.z()));
+    throw InputError(
+        "axis",
+        fmt::format(
+            "[{}, {}, {}] is not along x, but the driving is (frame \"lab\"), so the motion is not along the "
+            "axis; theory requires an axis along x, or driving of frame \"initial-axis\" or \"body\"",
+            axis.x(), axis.y(), axis.z()));
   }
   return axis.x() > 0 ? 1 : -1;
 }
@@ -31,8 +32,8 @@ void check_stiffness(const SwimmerType& type) {
   for (int arm = 0; arm < 2; ++arm) {
     if (!(type.springs[arm].stiffness > 0)) {
       throw InputError(fmt::format("springs/{}/stiffness", arm),
-                       fmt::format("{} does not hold the arm's mean length, so no periodic motion exists; "
-                                   "theory needs a stiffness above 0",
+                       fmt::format("a stiffness of {} does not fix the mean arm length, so no periodic "
+                                   "motion exists; theory needs a stiffness above 0",
                                    type.springs[arm].stiffness));
     }
   }

@@ -220,9 +220,9 @@ State first_order_state(const CollinearSwimmer& swimmer, const LinePositions& re
 
 std::string contact_message(double reached, double min_gap) {
   return fmt::format(
-      "no periodic motion without contact was found: the driving can be turned up to about {:.2g} of its "
-      "amplitude before beads come nearer than {:.3g} to each other or a soft spring gives way; lower "
-      "{}, or raise {}, {} or {}",
+      "no periodic motion without contact was found: above about {:.2g} of the driving amplitude, a gap "
+      "between beads becomes smaller than {:.3g} or a soft spring collapses; reduce {}, or increase {}, {} "
+      "or {}",
       reached, min_gap, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
 }
 
@@ -279,9 +279,11 @@ PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositi
     state = continue_to_full_driving(swimmer, balance, state, min_gap);
     if (unresolved_part(state.motion) < resolved) return motion_result(swimmer, balance, state.motion);
   }
-  throw InputError("stroke", fmt::format("its motion has more than {} harmonics; lower {}, so that "
-                                         "beads come less near to each other",
-                                         max_nodes / 2, Setting::amplitude));
+  throw InputError(
+      "stroke",
+      fmt::format(
+          "the motion has more than {} harmonics; reduce {}, so that the gaps between beads stay larger",
+          max_nodes / 2, Setting::amplitude));
 }
 
 }  // namespace beadswim

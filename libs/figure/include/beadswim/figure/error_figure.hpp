@@ -10,7 +10,7 @@ namespace beadswim {
 
 /// Error and cost of a run.
 struct ErrorPoint {
-  std::string name;    ///< name of the run in notes
+  std::string name;    ///< name of the run in a note
   std::string source;  ///< file of the run, for error messages
   double cost = 0;     ///< [s]
   double error = 0;    ///< relative error
@@ -31,10 +31,10 @@ struct QuantityErrors {
 
 /// Returns a figure with one panel per quantity, which shows errors in percent as a function of their costs,
 /// on logarithmic axes. A faint line connects the Pareto front: points for which no other point is both
-/// cheaper and more accurate. A note names these points. The uncertainty of the reference is a horizontal
-/// line. `cost` is the label of the cost axis, and `notes` precede the notes of the panels. Throws InputError
-/// if a cost or an error is not positive and finite.
+/// cheaper and more accurate. A note per panel names the most accurate point. The uncertainty of the
+/// reference is a horizontal line. `cost` is the label of the cost axis, and `notes` precede these notes.
+/// Throws InputError if a cost or an error is not positive and finite.
 Figure error_figure(const std::vector<QuantityErrors>& quantities, const std::string& cost,
-                    std::vector<std::string> notes);
+                    std::vector<Note> notes);
 
 }  // namespace beadswim

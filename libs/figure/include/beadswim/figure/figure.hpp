@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "beadswim/figure/axis_scale.hpp"
+#include "beadswim/figure/note.hpp"
 
 // Figures as SVG documents. Equal figures have equal bytes: palette and number formats are fixed, and no date
 // is written.
@@ -42,11 +43,11 @@ struct Panel {
   ScaleKind x_scale = ScaleKind::linear, y_scale = ScaleKind::linear;
 };
 
-/// Panels in one column, each with its legend to the right, and notes (parameters, sources) below the panels.
+/// Panels in one column, each with its legend to the right, and notes below the panels.
 struct Figure {
   std::string title;
   std::vector<Panel> panels;
-  std::vector<std::string> notes{};
+  std::vector<Note> notes{};
 };
 
 /// Returns the figure as a complete SVG document. Throws InputError if a panel has no point that can be

@@ -6,6 +6,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/figure/note.hpp"
 
 // Perspective picture of a swarm in its box as SVG: x points to the right, y away from the viewer and z up.
 // Equal pictures have equal bytes.
@@ -46,7 +47,7 @@ struct SwarmPicture {
   std::vector<PictureKey> keys{};
   std::vector<PictureMark> marks{};
   std::vector<PictureDistance> distances{};
-  std::vector<std::string> notes{};
+  std::vector<Note> notes{};
 };
 
 /// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and arms are lines. Near

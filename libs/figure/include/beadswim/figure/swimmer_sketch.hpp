@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/figure/note.hpp"
+
 // Labelled sketch of one swimmer, to scale, as in figure 1 of the paper (Pickl et al. 2017). Equal sketches
 // have equal bytes.
 
@@ -18,7 +20,7 @@ struct SwimmerSketch {
   std::array<std::string, 3> radius_labels{}, force_labels{};
   std::array<std::string, 2> length_labels{}, spring_labels{}, dashpot_labels{};
   double force_angle = 0;  ///< from the swimmer's axis to the forces on beads 1 and 3, counterclockwise [rad]
-  std::vector<std::string> notes{};
+  std::vector<Note> notes{};
 };
 
 /// Returns a complete SVG document with beads, springs and dashpots. Forces are drawn above the beads,
