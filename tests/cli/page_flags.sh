@@ -2,7 +2,7 @@
 # Each --flag that README and pages name is one of a program's, or of the few that are other people's.
 source "$(dirname "$0")/harness.sh"
 
-for program in "$(dirname "$(command -v beadswim-run)")"/beadswim-*; do "$program" --help; done >help
+for program in layout run theory compare plot view bench; do "beadswim-$program" --help; done >help
 for program in layout plot; do beadswim-$program --help-all; done >>help
 flags() { grep -ohE -- '(^|[^-[:alnum:]])--[a-z][a-z-]+' "$@" | grep -oE -- '--[a-z-]+' | sort -u; }
 check "the programs have flags" test "$(flags help | wc -l)" -gt 50

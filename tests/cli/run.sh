@@ -273,9 +273,9 @@ beadswim-layout swimmer --preset paper-single --box 6000,4000,4000 >huge.json
 refuses 'GB more than this machine has; use --precision single, .*beadswim-layout reduce.*, --model rpy \(without cells\) or more machines' beadswim-run huge.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary no-slip \
   --position 16,2.2,8 >wall.json
-refuses '/swimmers/0/position: bead 1 is 0.2 from a wall across y' beadswim-run wall.json -o x.h5md
+refuses '/swimmers/0/position: bead 1 is 0.2 from a wall perpendicular to y' beadswim-run wall.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --unbounded >open.json
-refuses '/domain: is null' beadswim-run open.json -o x.h5md
+refuses '/domain: the domain is null' beadswim-run open.json -o x.h5md
 head -c 100 layout.json >cut.json
 refuses 'cut.json' beadswim-run cut.json -o x.h5md
 check "a refused run leaves nothing behind" test -z "$(ls x.h5md* 2>/dev/null)"

@@ -76,7 +76,7 @@ refuses '--output: "page.svg" does not end in .html; name a file that does' bead
 refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0
 refuses '--block-swimmers' beadswim-view swarm.h5md -o kept.html --block-swimmers 1,2
 refuses '--evry: unknown flag; did you mean --every' beadswim-view swarm.h5md -o kept.html --evry 2
-refuses '--output: is needed' beadswim-view swarm.h5md
+refuses '--output: is required but not given' beadswim-view swarm.h5md
 refuses 'no/such/folder' beadswim-view swarm.h5md -o no/such/folder/page.html
 check "what was there is gone" test "$(cat kept.html)" = kept
 

@@ -43,12 +43,13 @@ ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
 /// Returns all errors, multiplied by `factor`.
 ErrorEstimate scaled(double factor, ErrorEstimate error);
 
-/// Factor by which the error estimate is multiplied if the Question of a swimmer approximates its neighbours,
-/// its box or its driving.
+/// Factor of the error estimate if the prediction for a swimmer was made for simplified neighbours, a simplified
+/// box or a simplified driving.
 constexpr double approximation_factor = 2;
 
-/// Returns the largest errors of all representatives, multiplied by the factors for approximations, for
-/// growth of tilt and for growth of disorder. `error_of` returns the ErrorEstimate for one SwimmerFacts.
+/// Returns the largest expected errors of the swimmers that represent the scene. Each error is multiplied by
+/// the factor for approximations, by the growth of an initial tilt during the run and by the growth of
+/// disorder. `error_of` returns the ErrorEstimate for one SwimmerFacts.
 template <class ErrorOf>
 ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
   ErrorEstimate error;

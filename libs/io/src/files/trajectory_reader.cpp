@@ -131,7 +131,7 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
                       fmt::format("the attribute \"{}\" declares more data than the file contains", name));
   std::string padded(length * count, '\0');
   if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
-    throw_input_error(place, fmt::format("the attribute \"{}\" is not a readable text", name));
+    throw_input_error(place, fmt::format("the HDF5 attribute \"{}\" is not a string; the file is damaged or of another program", name));
   }
   return split_padded_texts(padded, length);
 }
@@ -237,7 +237,7 @@ std::string TrajectoryReader::text(const std::string& name) const {
   std::string padded(length, '\0');
   if (length == 0 || !extents_of(dataset, place).empty() ||
       H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
-    throw_input_error(place, "is not a readable text");
+    throw_input_error(place, "the HDF5 dataset is not a string; the file is damaged or of another program");
   }
   return split_padded_texts(padded, length).front();
 }
