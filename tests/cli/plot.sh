@@ -383,7 +383,7 @@ refuses '--method: no prediction has the method "multipol"; did you mean "multip
   beadswim-plot stroke run.json prediction.json --method multipol
 refuses '--method: no prediction has the method "foo"\. The predictions have rpy-force-printed, oseen' \
   beadswim-plot stroke run.json prediction.json --method foo
-refuses '--method: the method "foo" needs a prediction, but none is given' beadswim-plot stroke run.json --method foo
+refuses '--method: the method "foo" selects from prediction files, but no prediction file is given' beadswim-plot stroke run.json --method foo
 refuses '--relative-to: no prediction has the method "multipol"; did you mean "multipole-ode"' \
   beadswim-plot velocity-against-period prediction.json --relative-to multipol
 refuses '--relative-to: has no meaning for stroke, only for velocity-against-period, separation; remove the flag' \

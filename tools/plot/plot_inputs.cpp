@@ -93,7 +93,7 @@ void require_known(const std::string& method, const std::string& flag, const Nam
   if (known.empty()) {
     throw InputError(
         flag,
-        fmt::format("the method \"{}\" needs a prediction, but none is given; add a prediction", method));
+        fmt::format("the method \"{}\" selects from prediction files, but no prediction file is given; add one (beadswim-theory)", method));
   }
   throw InputError(flag, fmt::format("no prediction has the method \"{}\"{} The predictions have {}", method,
                                      format_suggestion(method, known), fmt::join(known, ", ")));

@@ -93,7 +93,7 @@ void predict_by_all(const Question& question, PredictionDocument& document) {
     }
   }
   if (document.predictions.empty()) {
-    throw InputError("--method all", "no method can treat this swimmer: " + document.left_out.front().reason);
+    throw InputError("--method all", "no method can predict this swimmer; the first one cannot because " + document.left_out.front().reason);
   }
 }
 

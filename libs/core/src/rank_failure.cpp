@@ -9,14 +9,14 @@
 namespace beadswim {
 namespace {
 
-constexpr double patience = 2;  // [s] within which ranks fail together
+constexpr double max_wait = 2;  // longest time between the failures of two ranks that fail together [s]
 
-/// Whether all ranks come here within the patience.
-bool do_all_ranks_come(const Communicator& communicator) {
+/// Returns true if all ranks call this function within max_wait. Collective if it returns true.
+bool all_ranks_fail_together(const Communicator& communicator) {
   MPI_Request barrier = MPI_REQUEST_NULL;
   MPI_Ibarrier(communicator.get(), &barrier);
   const double start = MPI_Wtime();
-  for (int is_complete = 0; MPI_Wtime() - start < patience;) {
+  for (int is_complete = 0; MPI_Wtime() - start < max_wait;) {
     MPI_Test(&barrier, &is_complete, MPI_STATUS_IGNORE);
     if (is_complete) return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -33,7 +33,8 @@ bool do_all_ranks_come(const Communicator& communicator) {
 
 int end_after_failure(const std::string& program, const Communicator& failures) {
   constexpr int failed = static_cast<int>(ExitStatus::failed);
-  if (do_all_ranks_come(failures)) return failures.is_root() ? report_current_exception(program) : failed;
+  if (all_ranks_fail_together(failures))
+    return failures.is_root() ? report_current_exception(program) : failed;
   report_current_exception(program);
   abort_ranks(failures, failed);
 }
@@ -41,7 +42,7 @@ int end_after_failure(const std::string& program, const Communicator& failures) 
 void abort_after_failure(const std::string& program, const Communicator& failures) {
   constexpr int failed = static_cast<int>(ExitStatus::failed);
   // If rank 0 fails too, it reports and ends this rank meanwhile.
-  if (!failures.is_root()) std::this_thread::sleep_for(std::chrono::duration<double>(patience));
+  if (!failures.is_root()) std::this_thread::sleep_for(std::chrono::duration<double>(max_wait));
   report_current_exception(program);
   if (failures.size() == 1) std::_Exit(failed);
   abort_ranks(failures, failed);

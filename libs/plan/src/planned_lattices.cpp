@@ -100,7 +100,9 @@ ErrorEstimate error_of(const SceneOnLattice& on_lattice, const SceneFacts& facts
                                    .corrects_delay = on_lattice.corrects_delay}};
   ErrorEstimate error = scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
     if (!swimmer_facts.lag)
-      throw InputError("the expected error is unknown, because no method of theory predicts the motion of a swimmer: " + swimmer_facts.obstacle);
+      throw InputError(
+          "the expected error is unknown, because no method of theory predicts the motion of a swimmer: " +
+          swimmer_facts.obstacle);
     return lattice_error(*swimmer_facts.lag, swimmer_facts.best, run);
   });
   if (std::isfinite(roundoff) && error.velocity > 0) error.velocity += roundoff;

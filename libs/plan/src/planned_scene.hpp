@@ -43,8 +43,8 @@ ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
 /// Returns all errors, multiplied by `factor`.
 ErrorEstimate scaled(double factor, ErrorEstimate error);
 
-/// Factor of the error estimate if the prediction for a swimmer was made for simplified neighbours, a simplified
-/// box or a simplified driving.
+/// Factor of the error estimate if the prediction for a swimmer was made for simplified neighbours, a
+/// simplified box or a simplified driving.
 constexpr double approximation_factor = 2;
 
 /// Returns the largest expected errors of the swimmers that represent the scene. Each error is multiplied by

@@ -31,7 +31,8 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   }
   if (!have_equal_lengths(reader.header().box, layout.domain)) {
     throw InputError(path + ":/particles/beads/box/edges",
-                     "the box of the frames differs from the box of the layout in the file; the file is damaged or was edited: give a trajectory file as beadswim-run wrote it");
+                     "the box of the frames differs from the box of the layout in the file; the file is "
+                     "damaged or was edited: give a trajectory file as beadswim-run wrote it");
   }
   return layout;
 }

@@ -70,7 +70,7 @@ class TemporaryFile {
 
   void replace_target() {
     if (::rename(path_.c_str(), target_.c_str()) != 0) {
-      throw SolverError(fmt::format("{}: cannot be replaced: {}", target_.string(), system_message()));
+      throw SolverError(fmt::format("{}: the existing file cannot be replaced by the new one: {}", target_.string(), system_message()));
     }
     path_.clear();
   }

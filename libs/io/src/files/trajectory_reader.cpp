@@ -131,7 +131,10 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
                       fmt::format("the attribute \"{}\" declares more data than the file contains", name));
   std::string padded(length * count, '\0');
   if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
-    throw_input_error(place, fmt::format("the HDF5 attribute \"{}\" is not a string; the file is damaged or of another program", name));
+    throw_input_error(
+        place,
+        fmt::format("the HDF5 attribute \"{}\" is not a string; the file is damaged or of another program",
+                    name));
   }
   return split_padded_texts(padded, length);
 }

@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t min_spheres_on_mesh = 1000;
 
 void check(const MobilityScene& scene) {
-  if (scene.radii.empty()) throw InputError("mobility", "there is no sphere");
+  if (scene.radii.empty()) throw InputError("mobility", "the list of radii is empty; give at least one sphere");
   for (const double radius : scene.radii)
     if (!(radius > 0 && std::isfinite(radius)))
       throw InputError("mobility", fmt::format("the radius {} is invalid", radius));

@@ -11,13 +11,13 @@ struct SwimmerState {
   int type = 0;  ///< index into CoupledScene::types
   Vec3 initial_axis = Vec3::UnitX();
   SwimmerMotion motion;
-  /// Fluid mass beyond density 1 that each bead has taken up and not yet returned.
+  /// Excess mass (density - 1) of fluid that each bead has covered and not yet returned through its links.
   std::array<double, 3> held_mass{};
-  std::array<double, 3> mass_source{};  ///< BeadOnLattice::mass_source of the next step
+  std::array<double, 3> mass_source{};  ///< returned mass of the next step, see BeadOnLattice
   SwimmerLoads last_impulse;            ///< impulses of the fluid on the beads in the previous step
   SwimmerLoads inner_momentum;          ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
-  std::array<BeadVelocity, 3> predicted{};   ///< BeadOnLattice::predicted of the next step
-  std::array<double, 3> removed_fraction{};  ///< BeadOnLattice::removed_fraction
+  std::array<BeadVelocity, 3> predicted{};   ///< velocities at the end of the next step without close beads
+  std::array<double, 3> removed_fraction{};  ///< from close pairs, see BeadOnLattice
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);
