@@ -215,7 +215,7 @@ refuses 'nothing.h5md.ckpt.1 does not exist' beadswim-run --restart nothing.h5md
 cp layout.json fake.h5md.ckpt.0
 refuses 'fake.h5md.ckpt.0: is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.0
 cp whole.h5md fake.h5md.ckpt.1
-refuses 'fake.h5md.ckpt.1: is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.1
+refuses 'fake.h5md.ckpt.1: is an HDF5 file but not a checkpoint of Beadswim' beadswim-run --restart fake.h5md.ckpt.1
 refuses '--output: the flag is missing; name the trajectory' beadswim-run layout.json
 refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
 accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'
