@@ -46,7 +46,7 @@ class Bandwidth {
   void copy();
   void scale_in_place();
 
-  static constexpr long num_elements = 1L << 25;  ///< of each array
+  static constexpr long num_elements = 1L << 25;  ///< length of each array
 
  private:
   struct Free {

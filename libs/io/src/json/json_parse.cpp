@@ -92,7 +92,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   }
 
  private:
-  /// Whether the parser stopped at an object or array after the end of the document.
+  /// Returns true if the parser stopped at an object or array after the end of the document.
   bool is_second_document(std::size_t byte) const {
     const bool is_document_complete = open_.empty() && (root_.is_object() || root_.is_array());
     return is_document_complete && byte > 0 && byte <= text_.size() &&

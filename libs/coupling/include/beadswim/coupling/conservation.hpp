@@ -9,7 +9,7 @@ namespace beadswim {
 
 /// Totals of the complete scene, in lattice units.
 struct SceneTotals {
-  Vec3 momentum = Vec3::Zero();  ///< of fluid and beads; includes impulses not yet applied to the beads
+  Vec3 momentum = Vec3::Zero();  ///< momentum of fluid and beads, with impulses not yet applied to the beads
   /// Mean velocity over the volume of the box. Cells within a bead count with the velocity of the bead.
   Vec3 mean_flow = Vec3::Zero();
   /// Sum of (density - 1) over the fluid cells, plus the fluid mass that the beads have taken up and not yet

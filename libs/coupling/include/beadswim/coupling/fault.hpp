@@ -26,7 +26,7 @@ struct Fault {
   long step = 0;
   BeadName bead{.swimmer = -1, .bead = 0};  ///< swimmer < 0: no bead is known
   BeadName other{.swimmer = -1, .bead = 0};
-  Vec3 position = Vec3::Zero();  ///< of the bead
+  Vec3 position = Vec3::Zero();  ///< centre of the bead
   double value = 0;              ///< quantity and unit as listed at FaultKind
 
   static void visit_fields(auto&& visit, auto& fault) {

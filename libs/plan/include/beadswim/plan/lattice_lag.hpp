@@ -35,7 +35,7 @@ namespace beadswim {
 struct LatticeTiming {
   double step = 0;             ///< time step [time]
   double sound_speed = 0;      ///< cell/(sqrt(3) step) [length/time]
-  bool corrects_delay = true;  ///< whether the delay correction adds the mass zeta t_d to beads
+  bool corrects_delay = true;  ///< true: the delay correction adds the mass zeta t_d to beads
 };
 
 /// Relative errors of arm amplitudes and velocity, caused by finite time steps.

@@ -15,7 +15,7 @@ struct Representative {
   Question question;
   /// States how `question` approximates the neighbours, the box or the driving; empty if it does not.
   std::string approximation;
-  bool is_slanted = false;  ///< whether driving forces have a component normal to the axis
+  bool is_slanted = false;  ///< true: driving forces have a component normal to the axis
 };
 
 /// Returns one representative for each type and each driving of this type. Drivings that differ only in phase

@@ -25,7 +25,7 @@ struct PlanRequest {
   std::optional<RunModel> model;       ///< nullopt: all models
   std::optional<Precision> precision;  ///< nullopt: both precisions
   std::optional<double> tolerance;     ///< for velocity and arm amplitudes; nullopt: 0.03
-  bool has_advice = false;             ///< whether to fill RunPlan::hard and proposals
+  bool has_advice = false;             ///< true: RunPlan::hard and proposals are filled
 
   /// Throws InputError if the user has set an option that has no effect in a run with these settings.
   std::function<void(const RunSettings&)> require_choices_apply;

@@ -12,7 +12,7 @@ namespace beadswim {
 
 /// Motion of a spherical bead. Its orientation is not stored, because nothing depends on it.
 struct BeadMotion {
-  Vec3 position = Vec3::Zero();  ///< of the centre, unwrapped [length]
+  Vec3 position = Vec3::Zero();  ///< unwrapped position of the centre [length]
   Vec3 velocity = Vec3::Zero();
   Vec3 angular_velocity = Vec3::Zero();
 

@@ -126,7 +126,7 @@ struct LatticeResolution {
 /// Lubrication and contact of beads that are close to each other or to images of beads.
 struct NearContactRecord {
   std::optional<double> smallest_gap;  ///< nullopt if no pair came within one cell [length]
-  bool lubrication = true;             ///< whether the lubrication correction is on
+  bool lubrication = true;             ///< true: the lubrication correction is on
   double normal_cut_off = 0;           ///< gap below which lubrication corrects normal motion [length]
   double tangential_cut_off = 0;       ///< gap below which lubrication corrects tangential motion [length]
   double friction = 0;                 ///< coefficient of Coulomb friction
