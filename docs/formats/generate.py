@@ -31,7 +31,7 @@ class Page:
     def __init__(self, schema, homes=None):
         self.schema = schema
         self.homes = homes or {}  # page of each definition that has its table elsewhere, by name and text
-        self.described = set()  # definitions whose meaning a row of this page states
+        self.described = {}  # row of this page that states the meaning of a definition
         self.tables = []  # (name and meaning of the object, rows)
         self.named = []  # definitions with a table on this page, in the order of their first use
         self.faults = []
@@ -75,10 +75,11 @@ class Page:
             self.faults.append(f"{self.where}{place}: its description ends with no unit in brackets; [1] says that there is none")
         if "$ref" in value and "description" not in value:
             if value["$ref"] in self.described:
-                meaning, unit = "as above", ""
-            self.described.add(value["$ref"])
+                meaning, unit = f"as {self.described[value['$ref']]}", ""
+            else:
+                self.described[value["$ref"]] = f"`{place}`" + (f" of {self.where.replace('_', ' ')}".rstrip() if self.where else "")
         values = [] if required else ["optional" if "default" not in value else f"default `{json.dumps(value['default'])}`"]
-        values += [] if meaning == "as above" or not allowed(target) else [allowed(target)]
+        values += [] if meaning.startswith("as `") or not allowed(target) else [allowed(target)]
         rows.append({"key": place, "type": self.type_of(value), "values": "; ".join(values),
                      "meaning": meaning if unit in ("", "1") else f"{meaning} [{unit}]"})
         self.add_members(place, value, rows)

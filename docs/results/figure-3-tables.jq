@@ -16,7 +16,8 @@ def foreseen: {v: .velocity, d1: .arm_amplitudes[0], d2: .arm_amplitudes[1], sin
 def off($run; $theory; $what): ($run[$what] / $theory[$what]) - 1;
 def box: .run.domain.lengths | map(tostring) | join(" x ");
 def seconds: .run | .cost.core_seconds / .swimmers[0].cycles[-1].index;  # per cycle
-def setting: {fine: "mr, 4", staircase: "staircase, 4", three: "mr, 3, single", coarse: "mr, 2, single"}[.];
+def setting: {fine: "`mr`, 4 cells", staircase: "`staircase`, 4 cells", three: "`mr`, 3 cells, single", coarse: "`mr`, 2 cells, single"}[.];
+def deviations: map("with " + setting) | .[0] |= "error of d1, d2, v [%] " + .;
 def row: "| " + join(" | ") + " |";
 def rule: map("---") | "|" + join("|") + "|";
 def table($head): ($head | row, rule), .[];
@@ -37,8 +38,8 @@ def pi: 3.141592653589793;
  | map((.[] | select(.name == "fine")) as $fine | ($fine.run | seen) as $r
      | [($fine.run.driving.period | tostring), "\($r.d1 | digits(4)), \($r.d2 | digits(4)), \($r.sine | rounded(3)), \($r.v | small)"]
        + columns($settings) + [$fine | uncertainty] | row)
- | table(["T", "d1, d2, sin β, v [1e-5] of mr, 4"] + ($settings | map(setting)) + ["uncertainty of theory, v [%]"])),
-"\nCore-seconds per cycle, T = 4800: " + ($settings | map(. as $name
+ | table(["period T", "d1, d2, sin β, v [1e-5] with `mr`, 4 cells"] + ($settings | deviations) + ["uncertainty of predicted v [%]"])),
+"\nCost at T = 4800, in core-seconds per cycle: " + ($settings | map(. as $name
    | $all | map(select(.name == "cost-" + $name)) | .[0] // empty | "\(seconds | digits(2)) (\($name | setting))") | join(", ")) + ".",
 
 "\n### Amplitude ratio and phase\n",
@@ -47,13 +48,13 @@ def pi: 3.141592653589793;
    (sweep("by-phase") | group_by(.run.driving.phase)[]
     | {at: (.[0].run.driving.phase / pi | rounded(2)), runs: .} | select(.at == 0.25) | .at |= "α = \(.) π")]
  | map([.at] + (.runs | columns($sweeps) + [.[0] | uncertainty]) | row)
- | table(["driving"] + ($sweeps | map(setting)) + ["uncertainty of theory, v [%]"])),
+ | table(["driving"] + ($sweeps | deviations) + ["uncertainty of predicted v [%]"])),
 
 "\n### Almost no inertia\n",
 ($all | map(select(.name == "slow") | (.run | seen(1)) as $r | (.theory["inertia-corrected"] | foreseen) as $t
    | (.theory["multipole-ode"].velocity * .theory["rpy-box-ode"].velocity / .theory["rpy-ode"].velocity) as $exact
    | ["\(.run.resolution.cells_per_radius)", ($r.v / $exact - 1 | percent), (off($r; $t; "v") | percent)] | row)
- | table(["cells per radius", "v relative to exact quasi-static theory [%]", "to `inertia-corrected` [%]"])),
+ | table(["cells per radius", "error of v relative to exact quasi-static theory [%]", "error of v relative to `inertia-corrected` [%]"])),
 
 "\n### Boxes\n",
 ($all | map(select(.name == "walls" and (.run.domain | .lengths[0] == 60 or .lengths[0] == 600 or (.lengths[0] == 120 and .boundary[0] == "periodic")))
@@ -61,10 +62,10 @@ def pi: 3.141592653589793;
    | ($i.velocity - $i.settings.velocity_by_box) as $open
    | [box, .run.domain.boundary[0], ($r.v / $i.velocity - 1 | percent), ($i.velocity / $open - 1 | percent),
       ($t["rpy-box-ode"].velocity / $t["rpy-ode"].velocity - 1 | percent)] | row)
- | table(["box", "boundary", "run relative to theory [%]", "effect of the box on v, theory [%]", "without inertia [%]"])),
+ | table(["box", "boundary", "error of v relative to `inertia-corrected` [%]", "change of v by the box, `inertia-corrected` [%]", "change of v by the box, theory without inertia [%]"])),
 
 "\n### Staircase runs and equal weights\n",
-"Difference of v of staircase runs from (4.3) and from equal weights, without the effect of the box; then the change of v by each step from equal weights to the staircase run [%].\n",
+"Columns 2 and 3: v of the `staircase` run without the effect of the box, relative to equation (4.3) of the paper and to Rotne-Prager theory with equal bead weights. Other columns: changes of v that lead from this theory to the `staircase` run.\n",
 (sweep("by-period") | map(select(.name == "fine" and .run.driving.period > 4000) | .run.driving.period as $T | .theory as $t
    | ($t["inertia-corrected"] | .settings) as $s | (.run | seen.v) as $mr
    | (sweep("by-period")[] | select(.name == "staircase" and .run.driving.period == $T) | .run | seen.v) as $stairs
@@ -74,4 +75,4 @@ def pi: 3.141592653589793;
    | [$start, $s.velocity_quasi_static, $inert, $inert + $s.velocity_by_amplitude, $t["inertia-corrected"].velocity, $mr, $stairs] as $steps
    | ["\($T)"] + [$t["oseen-force-closed"].velocity, $start | $stairs / $box / . - 1 | percent]
      + [range(1; 7) as $n | $steps[$n] / $steps[$n - 1] - 1 | percent] | row)
- | table(["T", "(4.3)", "equal weights", "truncation and weights", "inertia", "amplitude", "box", "mr run", "staircase"]))
+ | table(["period T", "run relative to equation (4.3) [%]", "run relative to equal weights [%]", "change of v [%]: exact flow", "inertia", "finite amplitude", "box", "lattice with `mr`", "`staircase` instead of `mr`"]))

@@ -7,7 +7,7 @@ def percent: if . == null then "" else . * 1000 | round / 10 | tostring end;
 def ratio($expected; $measured): ([$expected, least] | max) / ([$measured, least] | max);
 def mean_ratio: if length == 0 then "" else map(log) | add / length | exp | two end;
 def of_ratios: if length == 0 then "" else
-  "\(map(log) | add / length | exp | two) (\(min | two) to \(max | two))" end;
+  "mean \(map(log) | add / length | exp | two), range \(min | two) to \(max | two)" end;
 def largest: [.velocity] + .arm_amplitudes | max;
 def lattices: select(.flags | startswith("--model lbm"));
 def mobilities: select(.flags | startswith("--model lbm") | not);
@@ -26,15 +26,15 @@ def judged($scene): . as {$tolerance, $choice}
 def words: if .kind == "right" and .error == null then "none (right)" elif .kind == "cautious" then "none (cautious)"
   elif .kind == "not measured" then .kind else "\(.error | percent)\(if .kind == "dear" then " (\(.excess | two))" else "" end)" end;
 map(. as $scene | . + {judged: [.choices[] | judged($scene)]}) as $scenes | $scenes |
-"| scene | lattices: v | mobility: v | cost | for 10 % | 3 % | 1 % |",
+"| scene | expected/measured error of v, lattice runs | expected/measured error of v, mobility models | expected/measured cost | error [%] of the choice for 10 % | choice for 3 % | choice for 1 % |",
 "|---|---|---|---|---|---|---|",
 (.[] | "| \(.scene) | \([made | lattices | velocity] | mean_ratio) | "
   + "\([made | mobilities | velocity] | mean_ratio) | \([made | cost] | mean_ratio) | "
   + "\(.judged | map(words) | join(" | ")) |"),
 "",
-([$scenes[].judged[].kind] | group_by(.) | map("\(.[0]): \(length)") | join(", ") | "Choices: \(.)."),
-([$scenes[] | made | lattices | velocity] | "Lattices, v: \(of_ratios); within a factor of 2: \(map(select(. >= 0.5 and . <= 2)) | length) of \(length), below half: \(map(select(. < 0.5)) | length)."),
-([$scenes[] | made | lattices | arms] | "Lattices, strokes: \(of_ratios); within a factor of 2: \(map(select(. >= 0.5 and . <= 2)) | length) of \(length), below half: \(map(select(. < 0.5)) | length)."),
-([$scenes[] | made | mobilities | velocity] | "Mobility models, v: \(of_ratios); below half: \(map(select(. < 0.5)) | length) of \(length)."),
-([$scenes[] | made | mobilities | arms] | "Mobility models, strokes: \(of_ratios); below half: \(map(select(. < 0.5)) | length) of \(length)."),
-([$scenes[] | made | cost] | "Costs: \(of_ratios); within a factor of 2: \(map(select(. >= 0.5 and . <= 2)) | length) of \(length).")
+([$scenes[].judged[].kind] | group_by(.) | map("\(.[0]): \(length)") | join(", ") | "Numbers of choices: \(.)."),
+([$scenes[] | made | lattices | velocity] | "Expected/measured error of v, lattice runs: \(of_ratios); within a factor of 2: \(map(select(. >= 0.5 and . <= 2)) | length) of \(length), below half: \(map(select(. < 0.5)) | length)."),
+([$scenes[] | made | lattices | arms] | "Expected/measured error of strokes, lattice runs: \(of_ratios); within a factor of 2: \(map(select(. >= 0.5 and . <= 2)) | length) of \(length), below half: \(map(select(. < 0.5)) | length)."),
+([$scenes[] | made | mobilities | velocity] | "Expected/measured error of v, mobility models: \(of_ratios); below half: \(map(select(. < 0.5)) | length) of \(length)."),
+([$scenes[] | made | mobilities | arms] | "Expected/measured error of strokes, mobility models: \(of_ratios); below half: \(map(select(. < 0.5)) | length) of \(length)."),
+([$scenes[] | made | cost] | "Expected/measured cost: \(of_ratios).")

@@ -7,7 +7,7 @@ def row: "| " + join(" | ") + " |";
 
 map(select(.resolution | .precision == "double" and .relaxation_time == 1.5 and .cells_per_radius <= 4))
 | (map(.resolution.cells_per_radius) | unique) as $cells
-| (["beads", "corrections"] + ($cells | map("\(.) cells per radius")) | row, (map("---") | "|" + join("|") + "|")),
+| (["bead boundary", "corrections"] + ($cells | map("\(.) cells per radius") | .[0] += ": error of v, d1, sin β [%]") | row, (map("---") | "|" + join("|") + "|")),
 (group_by([(.resolution.bead_boundary | {"staircase": 0, "cli": 1, "psm": 2, "mr": 3}[.]), .resolution.density_on_lattice != 1])[]
   | . as $runs | .[0].resolution as $r
   | [$r.bead_boundary, (if $r.density_on_lattice == 1 then "off" else "on" end)]

@@ -12,12 +12,12 @@ jq -rs '
   | (["weak", "strong"][] as $group
      | ($all | map(select(.group == $group))) as $rows
      | "### \(if $group == "weak" then "Weak: nine swimmers and 48³ cells per rank" else "Strong: 72 swimmers and 96³ cells" end)\n\n"
-       + "| ranks | ms per step | speedup | neighbours | messages, kB per step |\n|---|---|---|---|---|\n"
+       + "| ranks | time per step [ms] | speedup | neighbouring ranks | messages, kB per rank and step |\n|---|---|---|---|---|\n"
        + ($rows | map("| \(.ranks) | \(.time * 1e3 | short) | \((.cells / .time) / ($rows[0].cells / $rows[0].time) | short) | \(.neighbours) | \(.messages_per_step | round), \(.bytes_per_step / 1e3 | round) |") | join("\n")) + "\n")' "$records"
 
 jq -rs '
   map(select(.group != "weak" and .group != "strong"))
-  | "### Largest, on two ranks in single precision\n\n| scene | swimmers | cells | GiB | bytes per cell | s per step |\n|---|---|---|---|---|---|\n"
+  | "### Largest, on two ranks in single precision\n\n| scene | swimmers | cells | memory [GiB] | bytes per cell | time per step [s] |\n|---|---|---|---|---|---|\n"
     + (map("| \(.group) | \(.swimmers) | \(.cells) | \(.memory / 1073741824 * 10 | round / 10) | \(.memory / .cells * 10 | round / 10) | \(.seconds / .steps * 100 | round / 100) |") | join("\n"))' "$records"
 
 # Time of a step with the paper's block of nine swimmers in 96^3 cells on each rank, as the page says.
@@ -26,8 +26,8 @@ jq -rs '
   (map(select(.group == "weak" and .ranks == 2)) | map(.cells / (.seconds / .steps) / 2) | median) as $speed
   | {cells: 884736, swimmers: 9, halo: (3 * 2 * 98 * 98 * 15 * 8), messages: 64, latency: 2e-6, bandwidth: 1e9, frames: 40,
      steps: 2000, state: 844, root: 1e9} as $m
-  | "\n### Model\n\n| ranks | ms per step: sweep and beads, messages, frames | all | efficiency [%] |\n|---|---|---|---|\n"
-    + ([1, 1280, 10000, 100000] | map(
+  | "\n### Model\n\n| ranks | time per step [ms]: cells and beads, messages, frames | total [ms] | parallel efficiency [%] |\n|---|---|---|---|\n"
+    + ([1, 1280, 100000] | map(
         . as $ranks
         | ($m.cells / $speed) as $work
         | (if $ranks == 1 then 0 else $m.halo / $m.bandwidth + $m.messages * $m.latency end) as $send

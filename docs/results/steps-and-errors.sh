@@ -8,10 +8,15 @@ cd "$(dirname "$0")/../.."
 # Of its columns: the method, products and errors.
 typical() {
   awk -F' *[|] *' '
-    /^[|] by /    { print "| method | products per cycle | error of positions | of swimming |"; next }
+    /^## turned/  { print "## turned: three such swimmers with different axes, which bend"; next }
+    /^## cell/    { print "## cell: one swimmer in the unit cell of the paper\047s uniform swarm"; next }
+    /^## dense/   { sub(/, 16 apart, disturbed/, " at a distance of 16, slightly displaced and tilted") }
+    /^From rest/  { sub(/From rest over 1 cycle: beads displaced by/, "In one cycle from rest, beads move by"); sub(/the swarm by/, "the swarm moves by") }
+    /^[|] by /    { print "| method | products per cycle | error of positions | error of swimming |"; next }
     /^[|]---/     { print "|---|---|---|---|"; next }
     /^[|] CVODE/  { if ($2 !~ /differences, 1e-0[357]$/) next }
     /^[|] own/    { if ($2 !~ /, (50|100|200)$/) next }
+    /^[|]/        { sub(/differences, /, "tolerance "); if (sub(/own steps/, "`libs/overdamped`")) sub(/, [0-9]+/, "& steps") }
     /^[|]/        { printf "| %s | %s | %s | %s |\n", $2, $4, $5, $6; next }
     { print }'
 }
@@ -20,16 +25,16 @@ typical() {
   cat <<'TEXT'
 # Mobility products and errors of time steps
 
-A mobility product evaluates the velocities of all beads from the forces on them. With the default of 100 time steps per cycle, the integrator of `libs/overdamped` ("own steps") needs 110 to 370 products per cycle and has relative errors of 2e-5 to 3e-4 in the positions. CVODE of SUNDIALS, which chooses its own step sizes, needs as many products for the same error in swarms of parallel swimmers, and fewer in dense swarms. For errors of 1e-4 to 3e-4 in swarms of parallel swimmers both need 60 to 140 products per cycle.
+A mobility product evaluates the velocities of all beads from the forces on them. With the default of 100 time steps per cycle, the integrator of `libs/overdamped` needs 110 to 370 products per cycle, and the relative errors of the bead positions are 2e-5 to 3e-4. For swarms of parallel swimmers, CVODE of SUNDIALS, which chooses its step sizes, needs as many products for the same error: 60 to 140 per cycle for errors of 1e-4 to 3e-4. For dense swarms CVODE needs fewer products than `libs/overdamped`.
 
-The tables contain errors of the time steps alone, relative to CVODE at tolerance 1e-10.
+The tables contain errors of time integration alone, relative to CVODE at tolerance 1e-10.
 
 - "Error of positions": root mean square error of the bead positions, divided by the root mean square displacement of the beads.
-- "Of swimming": relative error of the swarm's mean displacement.
-- CVODE: backward differences of orders 1 to 5, with the stated tolerance for the local error in units of the arm rest length; GMRES with one preconditioner block per swimmer.
-- Products: evaluated to a tolerance of 1e-4. All are counted, including those of the start.
+- "Error of swimming": relative error of the mean displacement of the swarm.
+- "CVODE, tolerance": backward differences of orders 1 to 5; the tolerance limits the local error, in units of the arm rest length. The Jacobian is evaluated by difference quotients, the linear solver is GMRES with one preconditioner block per swimmer.
+- Products are evaluated to a tolerance of 1e-4; the number includes the products of the first step.
 
 `docs/results/steps-and-errors.sh` repeats the measurement.
 TEXT
-  build/release/bin/overdamped_steps_and_errors --product-tolerance 1e-4 | typical
+  build/release/bin/overdamped_steps_and_errors open turned cell dense-16 --product-tolerance 1e-4 | typical
 } >docs/results/steps-and-errors.md
