@@ -1,7 +1,8 @@
 #!/bin/bash
-# Installs the missing Debian packages that are needed to build and test Beadswim and to draw figures.
+# Installs the missing Debian packages with which Beadswim is built and tested and figures are drawn.
 #   .ci/install-packages.sh [--with-readers]
-# --with-readers adds the packages that only tests/extended.sh needs: readers of results and documents, and a browser.
+# With --with-readers, also installs packages that only tests/extended.sh needs: programs of other projects that read Beadswim's
+# files, and a browser.
 set -euo pipefail
 
 packages=(
@@ -16,8 +17,8 @@ packages=(
   jq python3                                                             # scripts
 )
 readers=(python3-h5py python3-mdanalysis python3-jsonschema paraview python3-paraview)
-readers+=(chromium)                                                      # the page of beadswim-view
-# Node.js builds this page. An installation without the Debian package is sufficient.
+readers+=(chromium)                                                      # tests of the page of beadswim-view
+# Node.js builds the page of beadswim-view. A Node.js that was not installed as a Debian package is sufficient, too.
 command -v node >/dev/null && command -v npm >/dev/null || packages+=(nodejs npm)
 
 case "${1:-}" in

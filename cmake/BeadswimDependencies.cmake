@@ -1,6 +1,7 @@
-# Finds the external libraries. This file is used by the build of Beadswim and by find_package(Beadswim) in other projects.
+# Finds the external libraries that Beadswim needs, both when Beadswim is built and when another project calls
+# find_package(Beadswim).
 find_package(MPI REQUIRED COMPONENTS C)
-add_compile_definitions(OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)  # uses only the C interface
+add_compile_definitions(OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)  # Beadswim uses only the C interface of MPI
 
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 1.10 REQUIRED COMPONENTS C)

@@ -7,7 +7,7 @@ add_custom_target(programs)  # builds all programs without the tests
 foreach(program ${programs})
   add_dependencies(programs beadswim-${program})
   install(TARGETS beadswim-${program} RUNTIME)
-  # Bash finds the file with the completions of a program by the name of the program.
+  # Bash finds the completion file of a program by the name of the program, so each program gets a copy of the file.
   install(FILES ${PROJECT_SOURCE_DIR}/tools/completion/beadswim.bash
           DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME beadswim-${program})
 endforeach()
@@ -15,11 +15,11 @@ endforeach()
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs PATTERN results EXCLUDE PATTERN generate.py EXCLUDE)
 install(FILES docs/results/steps-and-errors.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs/results)
-install(DIRECTORY schemas packaging DESTINATION ${CMAKE_INSTALL_DOCDIR})  # links in the documents point to these folders
+install(DIRECTORY schemas packaging DESTINATION ${CMAKE_INSTALL_DOCDIR})  # the installed pages link to these folders
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} USE_SOURCE_PERMISSIONS)
 install(DIRECTORY schemas DESTINATION ${CMAKE_INSTALL_DATADIR}/beadswim)
 
-# The libraries, for use with find_package(Beadswim). examples/library is an example.
+# Installs the libraries for use with find_package(Beadswim); examples/library is an example of such a use.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Beadswim)
 install(EXPORT BeadswimTargets NAMESPACE Beadswim:: DESTINATION ${package_folder} COMPONENT development)
@@ -27,7 +27,7 @@ write_basic_package_version_file(${CMAKE_BINARY_DIR}/BeadswimConfigVersion.cmake
 install(FILES cmake/BeadswimConfig.cmake cmake/BeadswimDependencies.cmake ${CMAKE_BINARY_DIR}/BeadswimConfigVersion.cmake
         DESTINATION ${package_folder} COMPONENT development)
 
-# The manual pages are made from the help texts of the programs.
+# Makes the manual pages from the help texts of the programs.
 find_program(HELP2MAN help2man)
 set(name_of_layout "make, disturb, reduce and check layouts of bead-spring microswimmers")
 set(name_of_run "run a layout of bead-spring microswimmers in a viscous fluid")
@@ -41,7 +41,7 @@ if(HELP2MAN AND NOT BEADSWIM_SANITIZE)
     set(page ${CMAKE_BINARY_DIR}/man/beadswim-${program}.1)
     set(help --help)
     if(program MATCHES "layout|plot")
-      set(help --help-all)  # includes the flags of the commands
+      set(help --help-all)  # with the flags of all subcommands
     endif()
     add_custom_command(
       OUTPUT ${page}
@@ -70,7 +70,7 @@ set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME beadswim)
 set(CPACK_DEBIAN_UNSPECIFIED_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)                       # depends on the libraries that the programs are linked with
-set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)                # Open MPI needs its daemon even for one rank
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin, jq")      # for figures as PNG; for the commands in the documents
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)                       # adds the linked libraries to the dependencies
+set(CPACK_DEBIAN_PACKAGE_DEPENDS openmpi-bin)                # Open MPI starts its daemon even for a run on one rank
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "librsvg2-bin, jq")      # PNG figures; commands in the documentation
 include(CPack)

@@ -1,6 +1,6 @@
-# Builds the page of beadswim-view: copies SOURCE to FOLDER, builds the page there with NODE and NPM, writes it as the C++ file
-# OUTPUT, and creates the file STAMP. If the build of the page fails, OUTPUT contains the reason, which beadswim-view prints.
-# There is then no STAMP, so that the next build tries again.
+# Builds the web page of beadswim-view: copies the folder SOURCE to FOLDER, builds the page there with the programs NODE and NPM,
+# writes the page as the C++ file OUTPUT, and creates the file STAMP. If the page cannot be built, OUTPUT contains the reason
+# instead, which beadswim-view prints when it is started. STAMP is then not created, so that the next build tries again.
 file(REMOVE ${STAMP})
 # Writes OUTPUT without a page, and warns with the reason.
 function(write_missing_page reason)

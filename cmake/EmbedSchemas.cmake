@@ -1,4 +1,5 @@
-# Writes the C++ file OUTPUT, which defines the table of embedded_schemas.hpp with the text of each *.schema.json in FOLDER.
+# Writes the C++ file OUTPUT, which contains the text of each file *.schema.json in FOLDER: the table that embedded_schemas.hpp
+# declares.
 file(GLOB schemas ${FOLDER}/*.schema.json)
 list(SORT schemas)
 set(entries "")

@@ -1,5 +1,6 @@
 cmake_minimum_required(VERSION 3.25)
-# Writes the header OUTPUT with the git revision of SOURCE. The file changes only if the revision has changed.
+# Writes the header file OUTPUT with the git revision of the folder SOURCE. Does not touch the file if the revision has not
+# changed.
 execute_process(COMMAND git -C ${SOURCE} describe --always --dirty --abbrev=10 --exclude=*
                 OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(NOT revision)

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Draws figure 1 of the paper: the bead-spring swimmer, to scale, with its driving forces.
+# Draws figure 1 of the paper (Pickl et al. 2017): the bead-spring swimmer, to scale, with its driving forces.
 #   examples/figure-1.sh [FOLDER [FLAGS of beadswim-layout swimmer...]]   writes to FOLDER (default: out/figure-1):
 #     swimmer.json   the layout
 #     figure-1.svg   the sketch of the swimmer

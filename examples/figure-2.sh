@@ -1,18 +1,19 @@
 #!/bin/bash
-# Draws figure 2 of the paper: the velocity as a function of l/λ, by the paper's four formulas and by theories without
-# truncation in λ/l.
+# Draws figure 2 of the paper (Pickl et al. 2017): the velocity against l/λ, the arm length l divided by the bead radius λ, by the
+# paper's four formulas and by theories that are not expansions in λ/l.
 #   examples/figure-2.sh [FOLDER [RUN.json...]]     writes figure-2.svg to FOLDER (default: out/figure-2)
-# Run records are drawn as points. Their swimmers must have the period and amplitude below.
+# Run records are drawn as points. Their swimmers must have the period and amplitude that this script sets below.
 set -euo pipefail
 
+# Methods by which the velocity is drawn, each below its equation in the paper:
 #        (4.3)              (4.2)               (4.23)            (4.24)             not truncated
 methods=oseen-force-closed,oseen-stroke-closed,rpy-force-printed,rpy-stroke-printed,rpy-perturbation,multipole-perturbation
-radius=4          # λ, in lattice units like all lengths, times and forces below
+radius=4          # bead radius λ; all numbers here are in lattice units
 period=4800
-amplitude=0.1     # A = B; small enough that beads do not touch at the smallest separation; velocity ∝ A²
+amplitude=0.1     # A = B; so small that beads do not touch at the smallest separation
 smallest=3        # smallest l/λ
 largest=30        # largest l/λ
-separations=41    # number of separations, with a constant ratio
+separations=41    # number of values of l/λ, at equal ratios
 
 out=${1:-out/figure-2}
 shift "$(($# > 0))"

@@ -1,16 +1,17 @@
 #!/bin/bash
-# Performs the runs of figure 3: the paper's single swimmer in a small periodic box, with the lattice-Boltzmann model.
-#   examples/figure-3-runs.sh FOLDER [NAME...] [FLAGS of beadswim-run...]   writes the named run records, or all, to FOLDER:
-#     by-period.jsonl            T from 1000 to 10000, A = B = 0.2, α = π/2
-#     by-amplitude-ratio.jsonl   A/B from 0.25 to 2, T = 4800
+# Performs the runs of figure 3 of the paper (Pickl et al. 2017): its single swimmer, in a small periodic box, with the
+# lattice-Boltzmann model.
+#   examples/figure-3-runs.sh FOLDER [NAME...] [FLAGS of beadswim-run...]   writes the named files (default: all) to FOLDER:
+#     by-period.jsonl            driving period T from 1000 to 10000, amplitudes A = B = 0.2, driving phase α = π/2
+#     by-amplitude-ratio.jsonl   amplitude ratio A/B from 0.25 to 2, T = 4800
 #     by-phase.jsonl             α from -3π/4 to π, T = 4800
-# The runs take half an hour on 2 idle cores at the paper's resolution, and half a minute with --cells-per-radius 2
-# --precision single. Existing files are kept. examples/figure-3.sh draws the runs and the theory.
+# Each line of a file is one run record. All runs take half an hour on 2 idle cores at the paper's resolution, and half a minute
+# with --cells-per-radius 2 --precision single. Existing files are kept. examples/figure-3.sh draws the runs and the theory.
 set -euo pipefail
 
-box=120,80,80     # periodic; lattice units, as everywhere in this script
-amplitude=0.2     # A = B; only B in by-amplitude-ratio
-period=4800       # except in by-period
+box=120,80,80     # periodic box; all numbers are in lattice units
+amplitude=0.2     # A = B; in by-amplitude-ratio only B
+period=4800       # driving period, except in by-period
 ranks=2
 
 out=${1:?a folder for the records}
@@ -26,8 +27,8 @@ while [[ ${1:-} == by-* ]]; do
   shift
 done
 flags=("$@")
-# Prints a run record as one line. The transients take about 4000 steps; in this box, those of the springs last longer
-# than those of the fluid.
+# Runs a swimmer and prints the run record as one line. The run must be longer than the transients, which take about 4000 steps.
+# In this box, the transients of the springs take longer than those of the fluid.
 simulate() { # PERIOD LAYOUT-FLAGS...
   local period=$1 cycles=$((3 + 4000 / $1))
   shift
@@ -37,7 +38,7 @@ simulate() { # PERIOD LAYOUT-FLAGS...
   rm "$out"/run.h5md{,.xdmf2}
 }
 
-# Writes the records of one sweep. The file appears only after all runs have succeeded.
+# Writes the run records of one sweep to a file, which appears only after all runs of the sweep have succeeded.
 keep() { # NAME
   [ ! -e "$out/$1.jsonl" ] || return 0
   "$1" >"$out/$1.part"

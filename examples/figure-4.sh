@@ -1,13 +1,14 @@
 #!/bin/bash
-# Draws figure 4 of the paper: the setup of a swarm, with the distances of neighbours and the swimmers A and B.
+# Draws figure 4 of the paper (Pickl et al. 2017): the setup of a swarm, with the distances of neighbours and the swimmers A and
+# B.
 #   examples/figure-4.sh [FOLDER [FLAGS of beadswim-layout swarm...]]   writes to FOLDER (default: out/figure-4):
 #     swarm.json     the layout: one block of 1 x 3 x 3 swimmers in a periodic box
-#     figure-4.svg   the block and the neighbouring blocks
-# With --preset paper-uniform it draws the uniform swarm.
+#     figure-4.svg   the block and its periodic copies
+# With --preset paper-uniform, draws the uniform swarm instead of the swarm with a defect.
 set -euo pipefail
 
 preset=paper-defect
-copies=2,2,2      # copies of the block; a single block would not show the distance D between blocks
+copies=2,2,2      # periodic copies of the block, to show the distance D between blocks
 A=0               # id of swimmer A, at y = z = 23; ids increase along y first
 B=3               # id of swimmer B, at y = 23, z = 60
 

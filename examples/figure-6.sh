@@ -1,14 +1,15 @@
 #!/bin/bash
-# Draws figure 6 of the paper: the swarm with layers of unequal distance, nine swimmers in 120 x 120 x 120.
+# Draws figure 6 of the paper (Pickl et al. 2017): the swarm whose layers have unequal distances, nine swimmers in a periodic box
+# of 120 x 120 x 120.
 #   examples/figure-6.sh [FOLDER [FLAGS of beadswim-run...]]     writes to FOLDER (default: out/figure-6):
-#     defect.h5md, defect.json   the run; kept if it exists
+#     defect.h5md, defect.json   the run; an existing run is kept
 #     figure-6a.svg              x of the middle beads of swimmers A and B
-#     figure-6b.svg              z of the beads of A, at a corner of its block
-#     figure-6c.svg              y of the beads of B, at the edge of its block along y and in the middle along z
-#     figure-6-swarm.svg         the swarm at the end
-# A cycle takes 50 s on one core at the paper's resolution, and 1 to 2 s with --cells-per-radius 3 --precision single.
-# --cycles N changes the number of cycles (default: 124). The environment variable SWARM_FLAGS contains flags of
-# beadswim-layout swarm, for example SWARM_FLAGS='--stiffness 0.0347'.
+#     figure-6b.svg              z of the beads of swimmer A, at a corner of its block
+#     figure-6c.svg              y of the beads of swimmer B, at the edge of its block along y and in the middle along z
+#     figure-6-swarm.svg         the swarm at the end of the run
+# A cycle takes 50 s on one core at the paper's resolution, and 1 to 2 s with --cells-per-radius 3 --precision single. --cycles N
+# changes the number of cycles (default: 124). The environment variable SWARM_FLAGS contains additional flags of beadswim-layout
+# swarm, for example SWARM_FLAGS='--stiffness 0.0347'.
 set -euo pipefail
 
 cycles=124
@@ -26,8 +27,8 @@ if [ ! -e "$out/defect.h5md" ]; then
   status=0
   beadswim-layout swarm --preset paper-defect ${SWARM_FLAGS:-} |
     beadswim-run - -o "$out/defect.h5md" --frames-per-cycle "$frames_per_cycle" "$@" >"$out/defect.json" || status=$?
-  # Status 4 or 3: the run stopped early because a bead was too fast or beads overlapped. This is a result here, and
-  # the files contain the run up to this time.
+  # Exit status 4 or 3: the run stopped early, because a bead was too fast or beads overlapped. This is also a result; the files
+  # contain the run until it stopped.
   [ "$status" -eq 0 ] || [ "$status" -eq 4 ] || [ "$status" -eq 3 ] || exit "$status"
 fi
 

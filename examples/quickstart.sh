@@ -1,18 +1,18 @@
 #!/bin/bash
-# From a clean clone to a simulated swimmer and its prediction: installs missing packages, builds the programs and runs
-# one swimmer in a lattice-Boltzmann fluid. Writes the results and a figure to out/quickstart/. The run takes about
-# 2 minutes on two cores.
+# Simulates a swimmer in a lattice-Boltzmann fluid, starting from a clean clone of the repository: installs missing packages,
+# builds the programs, runs the simulation and compares it with theory. Writes the results and a figure to out/quickstart/. The
+# simulation takes about 2 minutes on two cores.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-# The scene: the paper's single swimmer in a smaller, periodic box, in lattice units.
+# Scene: the single swimmer of the paper (Pickl et al. 2017) in a smaller, periodic box. All numbers are in lattice units.
 preset=paper-single
 box=120,80,80
 boundary=periodic
 period=4800
 amplitude=0.2
-cycles=4        # cycles after the second differ by 0.2 % in velocity
-tolerance=0.1   # relative error that the verdict allows
+cycles=4        # velocities of the cycles after the second differ by 0.2 %
+tolerance=0.1   # largest relative error between run and prediction that passes
 ranks=2
 
 out=out/quickstart

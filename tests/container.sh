@@ -1,7 +1,7 @@
 #!/bin/bash
-# Tests examples/containers/beadswim.def without Apptainer. Creates two minimal Debian 12 systems by debootstrap, and runs the
-# sections of the definition in them by chroot: the files and %post of both stages, then %environment with %test.
-# Needs root, debootstrap and a network. Takes about ten minutes.
+# Tests the container definition examples/containers/beadswim.def without Apptainer. Creates two minimal Debian 12 systems with
+# debootstrap. Runs the sections of the definition in them with chroot: the files and %post of both stages, then %environment and
+# %test. Needs root, debootstrap and a network connection; takes about ten minutes.
 #   tests/container.sh FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/.."

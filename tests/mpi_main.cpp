@@ -1,5 +1,5 @@
-// Runs GoogleTest cases on all ranks; the process fails if any rank's case failed. Failures are printed by
-// every rank, results by rank 0 alone.
+// Runs GoogleTest cases on all ranks. The process fails if a case fails on any rank. Every rank prints its
+// failures; only rank 0 prints the results.
 #include <gtest/gtest.h>
 #include <mpi.h>
 

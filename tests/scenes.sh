@@ -3,14 +3,14 @@
 #
 #   tests/scenes.sh FOLDER      (with the built programs on PATH; about half a minute on two cores)
 #
-# It shows that a change of the code changes no result: build the revisions before and after the change with the same
-# compiler on the same machine, run the script with each build's programs, and compare the hashes.
+# The script shows that a change of the code changes no result: build the revisions before and after the change with the same
+# compiler on the same machine, run the script with the programs of each build, and compare the hashes.
 #
 #   PATH=BEFORE/build/release/bin:$PATH tests/scenes.sh before
 #   PATH=AFTER/build/release/bin:$PATH tests/scenes.sh after
 #   diff before/SHA256SUMS after/SHA256SUMS     (no output: all results are equal, byte for byte)
 #
-# The results contain no measured time and no revision. A trajectory is stored as the text that h5dump writes of it.
+# The results contain no measured times and no revision. Each trajectory is stored as text, the output of h5dump.
 # shellcheck disable=SC2086  # the flags of a scene are separate words
 set -euo pipefail
 export LC_ALL=C
@@ -22,7 +22,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# Settings of Open MPI for root in a container, and for more ranks than cores.
+# Settings of Open MPI that allow runs as root, as in a container, and more ranks than cores.
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_btl_vader_single_copy_mechanism=none
 
@@ -132,8 +132,8 @@ scene_layouts() {
     beadswim-layout check --json "$name.json" | jq 'del(.provenance)' >"$folder/$name.check.json"
   done
 }
-# The lattice speed is set to fixed values, so that the costs in the plan are reproducible. The times of mobility models are
-# always measured; they are removed from the plan.
+# Predicts errors and costs of runs. The speed of the lattice is set to fixed values, so that the costs in the plan are
+# reproducible. The times of mobility models are always measured, so they are removed from the plan.
 scene_plan() {
   export XDG_CACHE_HOME=$scratch
   mkdir beadswim

@@ -4,7 +4,8 @@
 
 namespace beadswim {
 
-/// What `operations` roundings of numbers of order one may add up to.
+/// Returns an upper bound of the error that this number of rounding operations with numbers of order one can
+/// cause.
 constexpr double roundoff(double operations) {
   return operations * std::numeric_limits<double>::epsilon();
 }

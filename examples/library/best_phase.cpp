@@ -1,5 +1,6 @@
-// Finds the driving phase with the largest velocity of the paper's swimmer, in exact Stokes flow to second order in
-// amplitude. Then evaluates the velocity at this phase and at finite amplitude.
+// Finds the driving phase with which the swimmer of the paper (Pickl et al. 2017) is fastest, in exact Stokes
+// flow to second order in the driving amplitude. Then evaluates the velocity at this phase with the full
+// amplitude.
 //
 //   best-phase [AMPLITUDE]     amplitude of the driving forces; default: the paper's value
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# beadswim-bench: its document on 1 and 2 ranks, its table, and what it refuses. No speed is tested.
+# Tests beadswim-bench: its JSON document on 1 and 2 ranks, its table, and the input that it refuses. Speeds are not tested.
 source "$(dirname "$0")/harness.sh"
 
 accepts beadswim-bench --help
@@ -8,7 +8,7 @@ accepts beadswim-bench --version
 
 run mpirun -n 2 beadswim-bench --json --edge 32,40 --rounds 1
 has_status 0
-err_has '4 of 4: edge 40, 2 ranks'
+err_has 'measurement 4 of 4: lattice edge of 40 cells, 2 ranks'
 cp out bench.json
 check "schema" test "$(jq -r .schema bench.json)" = beadswim/bench/1
 check "a row each of 5 cases, 2 precisions, 2 edges, 1 and 2 ranks" \
@@ -45,11 +45,11 @@ run beadswim-bench --beads 90 --rounds 1
 has_status 0
 out_has 'open'
 
-refuses '--tolerance: has no effect without --beads' beadswim-bench --tolerance 1e-3
-refuses 'edge: the flag applies to the lattice only; leave it out with --beads' beadswim-bench --beads 90 --edge 64
+refuses '--tolerance: the flag has no effect without --beads' beadswim-bench --tolerance 1e-3
+refuses 'edge: the flag applies to the lattice only, but --beads measures mobility products; leave out the flag or --beads' beadswim-bench --beads 90 --edge 64
 refuses '--edge: "16": must be a whole number from 32 to 4096' beadswim-bench --edge 16
-refuses '--bead-boundary: unknown "sphere". There are staircase, cli, mr, psm' beadswim-bench --bead-boundary sphere
-refuses '--precision: unknown "half". There are double, single' beadswim-bench --precision half
+refuses '--bead-boundary: unknown value "sphere". Valid values: staircase, cli, mr, psm' beadswim-bench --bead-boundary sphere
+refuses '--precision: unknown value "half". Valid values: double, single' beadswim-bench --precision half
 refuses 'did you mean --edge' beadswim-bench --egde 64
 refuses 'GB that are free; use a smaller edge' beadswim-bench --edge 4096
 finish

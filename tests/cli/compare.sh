@@ -1,5 +1,5 @@
 #!/bin/bash
-# beadswim-compare: verdicts as exit statuses, who decides, what it refuses.
+# Tests beadswim-compare: the verdict as exit status, the choice of the method that determines the verdict, and refused input.
 source "$(dirname "$0")/harness.sh"
 cp "$BEADSWIM_SOURCE"/tests/data/compare/*.json .
 
@@ -20,7 +20,7 @@ edited() { jq "$2" "$1"; } # FILE JQ-EDIT
 accepts beadswim-compare --help
 for flag in reference method quantity tolerance cycle; do out_has "^  --$flag"; done
 accepts beadswim-compare --version
-refuses '--tolerance: "5%": must be a finite number greater than 0; write 5 % as 0.05' \
+refuses '--tolerance: "5%": the value must be a finite number greater than 0; write 5 % as 0.05' \
   beadswim-compare run.json prediction.json --tolerance 5%
 
 # --- the verdict is the exit status
@@ -46,7 +46,7 @@ judged 0 beadswim-compare run.json run.json --reference prediction.json
 holds '.decided_by == "run" and ([.rows[].method] | unique | length == 5)'
 judged 1 beadswim-compare run.json run.json --reference prediction.json --method rpy-perturbation --tolerance 0.04
 edited prediction.json '.predictions |= map(.usable = false)' >unusable.json
-refuses 'unusable.json: contains no usable method' beadswim-compare run.json unusable.json
+refuses 'unusable.json: the prediction contains no usable method' beadswim-compare run.json unusable.json
 refuses '--method: the method "rpy-force-printed" is marked unusable' \
   beadswim-compare run.json prediction.json --method rpy-force-printed
 refuses '--method: no reference contains the method "multipole-od"; did you mean "multipole-ode"' \
@@ -68,7 +68,7 @@ judged 0 beadswim-compare two.json prediction.json
 holds '[.rows[].swimmer] | unique == [0]'
 judged 0 beadswim-compare two.json two.json
 holds '[.rows[].swimmer] | unique == [0, 1]'
-refuses 'run.json: contains no swimmer 1; the ids are 0' beadswim-compare run.json two.json
+refuses 'run.json: the run record contains no swimmer with the id 1; the ids in the record are 0' beadswim-compare run.json two.json
 edited run.json 'del(.cost)' >free.json
 judged 0 beadswim-compare free.json prediction.json
 holds '.cost == null'
@@ -82,32 +82,32 @@ same_bytes 'beadswim-compare run.json - <prediction.json | sed "s/standard input
 refuses 'standard input can be read only once' beadswim-compare - -
 
 # --- what it refuses
-refuses 'no file given' beadswim-compare
-refuses 'one file given' beadswim-compare run.json
-refuses 'missing.json: cannot be read' beadswim-compare missing.json prediction.json
-refuses 'run.h5md: is a trajectory; give the run record' beadswim-compare run.h5md prediction.json
-refuses 'run.h5md: is a trajectory; give the run record' beadswim-compare run.json run.h5md
+refuses 'no file is given' beadswim-compare
+refuses 'one file is given' beadswim-compare run.json
+refuses 'missing.json: the file cannot be read' beadswim-compare missing.json prediction.json
+refuses 'run.h5md: the file is a trajectory; give the run record' beadswim-compare run.h5md prediction.json
+refuses 'run.h5md: the file is a trajectory; give the run record' beadswim-compare run.json run.h5md
 echo '{ "schema": "beadswim/layout/1" }' >layout.json
 refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json prediction.json
-refuses 'layout.json: is "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json
+refuses 'layout.json: the document has the schema "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json
 echo '[]' >list.json
 refuses 'list.json: the document does not name its schema' beadswim-compare run.json list.json
-refuses 'driving period 2000, but run.json has 4800' beadswim-compare run.json prediction_shorter_period.json
+refuses 'driving period 2000, but the run run.json has the driving period 4800' beadswim-compare run.json prediction_shorter_period.json
 edited run.json '.units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >si.json
 judged 0 beadswim-compare si.json si.json
-refuses 'run.json: has other units than si.json' beadswim-compare si.json run.json
+refuses 'run.json: the reference has other units than si.json' beadswim-compare si.json run.json
 edited run.json '.status = "failed"' >failed.json
-refuses 'failed.json: is the record of a failed run' beadswim-compare failed.json prediction.json
+refuses 'failed.json: the file is the record of a failed run' beadswim-compare failed.json prediction.json
 edited run.json '.status = "stopped-time"' >stopped.json
 judged 0 beadswim-compare stopped.json prediction.json
 edited run.json '.swimmers[0].cycles = []' >short.json
-refuses 'short.json: contains no complete cycle' beadswim-compare short.json prediction.json
+refuses 'short.json: the run record contains no complete cycle' beadswim-compare short.json prediction.json
 edited run.json '.swimmers[0].cycles[0].velocty = 1' >typo.json
 refuses 'typo.json:/swimmers/0/cycles/0/velocty: unknown key; did you mean "velocity"' \
   beadswim-compare typo.json prediction.json
 refuses 'does not contain cycle 4, only cycles 1 to 3' beadswim-compare run.json prediction.json --cycle 4
 refuses '--cycle: "frist"' beadswim-compare run.json prediction.json --cycle frist
-refuses '--quantity: unknown "velocty"; did you mean "velocity"' \
+refuses '--quantity: unknown value "velocty"; did you mean "velocity"' \
   beadswim-compare run.json prediction.json --quantity velocty
 for number in 0 -1 nan inf; do
   refuses '--tolerance: ' beadswim-compare run.json prediction.json "--tolerance=$number"

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Every help page ends with two examples, which run one after another in one folder, and names a page of docs that is there.
+# Tests that the help of each program and command ends with two examples and the name of an existing page of docs/, and that all
+# examples run, one after another in one folder.
 source "$(dirname "$0")/harness.sh"
 
 examples_of() { # COMMAND...   one per line
@@ -33,7 +34,7 @@ beadswim-view run.h5md -o page.html 2>err
 grep -q 'npm\|Node.js' err || run_examples beadswim-view
 check "commands have no help" test "$(wc -l <done)" -gt 40
 
-# The help of all commands, of which the manual pages are made, has the examples of each.
+# The help of all commands together, from which the manual pages are made, must contain the examples of each command.
 for program in layout plot; do
   beadswim-$program --help-all >all
   while IFS= read -r example; do

@@ -1,7 +1,7 @@
 #!/bin/bash
-# What goes wrong outside the programs: standard output and disks that are full, folders that cannot be written to,
-# files that vanish, ranks that die. Each program says so, ends with the status of docs/exit-status.md, and leaves what
-# was there before; runs go on to the bits of an unbroken one.
+# Tests faults outside the programs: full disks, closed standard output, folders without permission to write, files that
+# disappear, ranks that die. Each program must report the fault, end with the exit status of docs/exit-status.md, and leave
+# existing files unchanged. A run that continues after such a fault must give the same bits as an uninterrupted run.
 source "$(dirname "$0")/harness.sh"
 
 swimmer() { beadswim-layout swimmer --preset paper-single --box "$1" --boundary periodic "${@:2}"; }
@@ -19,7 +19,7 @@ beadswim-theory layout.json --method rpy-ode >prediction.json
 views=()  # beadswim-view, where Node.js made its page
 beadswim-view run.h5md -o page.html 2>/dev/null && views=("view run.h5md -o -")
 
-# Exit status 3, and why, as the program's own words.
+# Runs a command and checks that it ends with exit status 3 and that its own message on standard error matches REGEX.
 fails() { # REGEX COMMAND...
   run "${@:2}"
   has_status 3
@@ -32,9 +32,9 @@ for command in 'layout swimmer --preset paper-single' 'layout swarm --preset pap
   'theory layout.json --method rpy-ode' 'theory --jsonl layout.jsonl --method rpy-ode' \
   'compare run.json prediction.json --tolerance 9' 'plot stroke run.json prediction.json -o -' \
   "run $rpy -o full.h5md --cycles 1" "${views[@]}"; do
-  fails 'stdout: cannot be written: No space left on device' bash -c "beadswim-$command >/dev/full"
+  fails 'standard output: the text cannot be written: No space left on device' bash -c "beadswim-$command >/dev/full"
 done
-fails 'stdout: cannot be written' bash -c "beadswim-layout swimmer --preset paper-single >&-"
+fails 'standard output: the text cannot be written' bash -c "beadswim-layout swimmer --preset paper-single >&-"
 check "the run's trajectory is whole" h5diff run.h5md full.h5md
 
 # --- inputs that are not there, or cannot be: no folder on the way, a name that is too long
@@ -44,7 +44,7 @@ for file in $missing; do
     "theory layout.json --stroke-from $file" "compare $file prediction.json" "compare run.json $file" \
     "plot stroke $file -o figure.svg" "plot trajectories $file -o figure.svg" "run $file -o never.h5md" \
     "${views[@]/run.h5md/$file}"; do
-    refuses 'cannot be read: (No such file|Not a directory|File name too long)' beadswim-$command
+    refuses 'the file cannot be read: (No such file|Not a directory|File name too long)' beadswim-$command
   done
   refuses 'does not exist|has no checkpoint to continue from' beadswim-run --restart "$file.h5md.ckpt.0"
 done
@@ -59,7 +59,7 @@ for folder in nothing layout.json "$(printf 'x%.0s' $(seq 300))"; do
   refuses 'cannot be created: (No such file|Not a directory|File name too long)' \
     beadswim-run $rpy --progress none -o "$folder/run.h5md"
 done
-refuses 'loop.svg: cannot be created: Too many levels of symbolic links' beadswim-plot stroke run.json -o loop.svg
+refuses 'loop.svg: the file cannot be created: Too many levels of symbolic links' beadswim-plot stroke run.json -o loop.svg
 
 # --- a disk that is full or read-only, where this machine lets us mount one
 disk() { # SIZE SHELL-COMMANDS: in an empty folder on a disk of so many kilobytes, with what they print in ../disk.out
@@ -71,7 +71,7 @@ if unshare -m bash -c 'mkdir -p disk && mount -t tmpfs none disk' 2>/dev/null; t
   for kind in svg png; do
     disk 4 "echo older >a.$kind; beadswim-plot trajectories ../run.h5md -o a.$kind; echo \$? >../status; ls; cat a.$kind"
     check "plot: status 3" test "$(<status)" = 3
-    err_has "beadswim-plot: a.$kind: cannot be written: No space left"
+    err_has "beadswim-plot: a.$kind: the file cannot be written: No space left"
     out_is "a.$kind
 older"
     disk 99 "echo older >a.$kind; mount -o remount,ro \"\$PWD\"; beadswim-plot stroke ../run.json -o a.$kind; echo \$? >../status; cat a.$kind"
@@ -104,7 +104,7 @@ fails "$needed" bash -c "ulimit -v 1000000; beadswim-run $large"
 fails "$needed" bash -c "ulimit -v 1000000; mpirun -n 2 beadswim-run $large"
 check "one rank alone reports" test "$(grep -c '^beadswim-run: ' err)" -eq 1
 check "Open MPI reports an abort" test "$(grep -c MPI_ABORT err)" -eq 0
-fails 'out of memory; use fewer swimmers or cells' \
+fails 'out of memory; use fewer swimmers or lattice cells' \
   bash -c "ulimit -v 400000; beadswim-layout swarm --preset paper-uniform --blocks 40,60,40"
 out_empty
 

@@ -1,5 +1,6 @@
 #!/bin/bash
-# docs/figure-3.md: its coarsest runs against period anew, beside theory; and the page says what the records say.
+# Tests docs/figure-3.md: repeats its coarsest runs for several driving periods and compares them with theory, and checks that the
+# page agrees with the stored records.
 source "$(dirname "$0")/harness.sh"
 results=$BEADSWIM_SOURCE/docs/results
 records=$results/figure-3

@@ -1,5 +1,5 @@
 #!/bin/bash
-# examples/figure-2.sh and figure-3.sh: the paper's theory curves, from layouts to figures.
+# Tests examples/figure-2.sh and examples/figure-3.sh, which draw the theory curves of the paper, from layouts to figures.
 source "$(dirname "$0")/harness.sh"
 examples=$BEADSWIM_SOURCE/examples
 

@@ -1,5 +1,6 @@
 #!/bin/bash
-# Each flag of each program, given values that nobody means, is refused by its name and in the program's own words.
+# Tests that each program refuses nonsensical values of each flag, with a message that names the flag and does not come from a
+# library.
 source "$(dirname "$0")/harness.sh"
 
 beadswim-layout swimmer --preset paper-single --unbounded >one.json
@@ -22,7 +23,8 @@ refused() { # COMMAND...   whose last word or last but one begins with $flag
   check "it speaks in a library's words" bash -c '! grep -qE "sto[dil]|std::|[Cc]ould not convert|terminate|MPI_" err'
 }
 
-# The inputs are sound: nothing else is to be refused. Any word may be the name of a file.
+# Checks that the command refuses nonsensical values of all its flags. The input files are valid, so nothing else can be refused.
+# Flags whose value is a file name are tested with an empty value only, because any other word may be a file name.
 refuses_nonsense() { # COMMAND... -- INPUT...
   local command=() flag value
   while [ "$1" != -- ]; do command+=("$1"); shift; done

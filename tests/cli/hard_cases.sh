@@ -1,11 +1,12 @@
 #!/bin/bash
-# Hard cases: some of them anew, with the outcomes on record; and the page says what the records say.
+# Tests the hard cases of docs/hard-cases.md (scenes that are difficult to simulate): repeats some of them and compares the
+# outcomes with the stored records, and checks that the page agrees with these records.
 source "$(dirname "$0")/harness.sh"
 
 results=$BEADSWIM_SOURCE/docs/results
 page=$BEADSWIM_SOURCE/docs/hard-cases.md
 
-# Group, case, and what came of it: what a change of the code must not change unseen.
+# Prints group, case and outcome of each record, without numbers. A change of the code must not change these outcomes unnoticed.
 outcomes() { jq -c '[.group, .case, .exit, .status, (.reason | gsub("[0-9.e+-]+"; "#"))]' "$1"; }
 run bash "$results/hard-cases.sh" speed springs  # groups
 has_status 0

@@ -1,21 +1,21 @@
 # shellcheck shell=bash
-# Checks of programs from outside: standard output, standard error, exit status, pipes. Source this file.
+# Functions to test programs from outside: standard output, standard error, exit status, pipes. Scripts source this file.
 #
-#   run COMMAND...           runs it; then $status, and the files out and err, are there for the checks
-#   has_status N             the exit status
-#   out_is TEXT              standard output, without its last newline, is TEXT
-#   out_has REGEX, err_has REGEX   some line of it matches (grep -E)
-#   out_empty, err_empty
-#   notes_have REGEX         the notes of the figure in out, as one line, match; they have at most 60 words, are below the
-#                            drawing and inside the page (figure_notes.py)
-#   accepts COMMAND...       runs it; exit status 0, nothing on standard error
-#   refuses REGEX COMMAND... runs it; exit status 2, nothing on standard output, REGEX on standard error, which
-#                            starts with the program's name
-#   same_bytes A B           two shell commands (given as text) write the same, and something
+#   run COMMAND...           runs the command; sets $status and writes the files out and err, which the checks below use
+#   has_status N             checks the exit status
+#   out_is TEXT              checks that standard output, without its last newline, is TEXT
+#   out_has REGEX, err_has REGEX   checks that a line of standard output or standard error matches (grep -E)
+#   out_empty, err_empty     checks that standard output or standard error is empty
+#   notes_have REGEX         checks that the notes of the figure in the file out, as one line, match REGEX, that they have at
+#                            most 60 words, and that they are below the drawing and inside the page (figure_notes.py)
+#   accepts COMMAND...       runs the command; checks for exit status 0 and nothing on standard error
+#   refuses REGEX COMMAND... runs the command; checks for exit status 2, nothing on standard output, and standard error that
+#                            matches REGEX and begins with the name of the program
+#   same_bytes A B           checks that two shell commands, given as text, write the same bytes, and not nothing
 #   skip REASON              ends the script as skipped
-#   finish                   ends the script: exit status 1 if a check failed
+#   finish                   ends the script, with exit status 1 if a check failed
 #
-# The script works in an empty folder of its own, which goes when it ends.
+# Each script runs in an empty folder of its own, which is removed at the end.
 
 set -uo pipefail
 
@@ -38,7 +38,7 @@ failed() {
   sed 's/^/  stderr: /' err | head -5
 }
 
-# The line of the script, outside this file, that is running.
+# Prints the line number of the script, outside this file, that is running.
 caller_line() {
   local frame=0 line file
   while read -r line _ file < <(caller $frame); do
@@ -96,7 +96,7 @@ same_bytes() {
   check "the outputs differ" cmp -s out out.other
 }
 
-# A condition on a JSON document, to check.
+# Returns success if the jq condition $1 is true for the JSON document in the file $2.
 holds() { jq -e "$1" "$2" >/dev/null; }
 
 skip() {

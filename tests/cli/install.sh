@@ -1,8 +1,9 @@
 #!/bin/bash
-# What `cmake --install` and the Debian package hold: programs that work from there, manual pages, completion, documents.
+# Tests what `cmake --install` and the Debian package install: programs that work from the installed folder, manual pages, command
+# completion, documents.
 source "$(dirname "$0")/harness.sh"
 
-# A scene by the programs of a prefix, and nothing of the build.
+# Runs a scene with the programs that are installed under PREFIX, without any file of the build folder.
 scene_from() { # PREFIX
   local path=$1/bin:/usr/bin:/bin
   run env PATH="$path" bash -euo pipefail -c '

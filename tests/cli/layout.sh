@@ -1,5 +1,5 @@
 #!/bin/bash
-# beadswim-layout: what it writes, what it says of itself, and that it joins with pipes.
+# Tests beadswim-layout: the layouts that it writes, its help and messages, and its use in pipes.
 source "$(dirname "$0")/harness.sh"
 
 # --- what it says of itself
@@ -22,32 +22,32 @@ refuses 'swimer: unknown command' beadswim-layout swimer --help
 refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all flags' beadswim-layout --no-such-flag
 refuses '--raduis: unknown flag; did you mean --radius' beadswim-layout swimmer --raduis=4
 refuses 'required flags are missing: --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99
-refuses '--preset: unknown "paper-singel"; did you mean "paper-single"' beadswim-layout swimmer --preset paper-singel
-refuses '--preset: unknown "paper-uniform". There are paper-single; swimmers and swarms have different presets' \
+refuses '--preset: unknown value "paper-singel"; did you mean "paper-single"' beadswim-layout swimmer --preset paper-singel
+refuses '--preset: unknown value "paper-uniform". Valid values: paper-single; the commands swimmer and swarm have different presets' \
   beadswim-layout swimmer --preset paper-uniform
-refuses '--radius: "-4": must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
+refuses '--radius: "-4": the value must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
 refuses '--beads: no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm describe them' \
   beadswim-layout swimmer --preset paper-single --beads 4
 refuses '--beads: no such flag: a swimmer has three beads' beadswim-layout swarm --preset paper-uniform --num-beads=4
 refuses '--bead: unknown flag; did you mean --bead-density' beadswim-layout swimmer --preset paper-single --bead 4
 refuses '--tolerance: "5%": must be a number from 0 to 0.5; write 5 % as 0.05' \
   beadswim-layout reduce layout.json --tolerance 5%
-refuses '--amplitude: "5 %": must be a finite number, 0 or greater; write 5 % as 0.05' \
+refuses '--amplitude: "5 %": the value must be a finite number, 0 or greater; write 5 % as 0.05' \
   beadswim-layout swimmer --preset paper-single --amplitude '5 %'
 refuses '--radius: "4,5" has 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5
-refuses '--radius: given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
-refuses '--axis: is required but not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
-refuses '--axis: unknown "w"\. There are x, y, z' beadswim-layout defect spacing layout.json --axis w
+refuses '--radius: the flag is given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
+refuses '--axis: the flag is required but not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
+refuses '--axis: unknown value "w"\. Valid values: x, y, z' beadswim-layout defect spacing layout.json --axis w
 refuses '--fraction: "2": must be a number from 0 to 1' beadswim-layout defect vacancy layout.json --fraction 2
-refuses '--radius: needs a value' beadswim-layout swimmer --preset paper-single --radius
-refuses '--period: "": must be' beadswim-layout swimmer --preset paper-single --period ""
+refuses '--radius: the flag needs a value' beadswim-layout swimmer --preset paper-single --radius
+refuses '--period: "": the value must be' beadswim-layout swimmer --preset paper-single --period ""
 for word in nan inf -inf 1e999 4x ""; do
   refuses '--amplitude: ' beadswim-layout swimmer --preset paper-single "--amplitude=1,$word"
 done
-refuses '--box: cannot be combined with --unbounded; remove one of the two' beadswim-layout swimmer --preset paper-single --unbounded --box 99,99,99
-refuses '--boundary: unknown "perodic"; did you mean "periodic"' beadswim-layout swimmer --preset paper-single --boundary perodic
-refuses '--frame: unknown "labb"; did you mean "lab"' beadswim-layout swimmer --preset paper-single --frame labb
-refuses '--units: unknown "pgg"; did you mean "pg"' beadswim-layout swimmer --preset paper-single --units um,s,pgg
+refuses '--box: the flag cannot be combined with --unbounded; remove one of the two flags' beadswim-layout swimmer --preset paper-single --unbounded --box 99,99,99
+refuses '--boundary: unknown value "perodic"; did you mean "periodic"' beadswim-layout swimmer --preset paper-single --boundary perodic
+refuses '--frame: unknown value "labb"; did you mean "lab"' beadswim-layout swimmer --preset paper-single --frame labb
+refuses '--units: unknown value "pgg"; did you mean "pg"' beadswim-layout swimmer --preset paper-single --units um,s,pgg
 refuses 'bead 1 .* not completely between the walls along x' beadswim-layout swimmer --preset paper-single --box 20,20,20
 refuses 'overlaps .* through the periodic boundary' \
   beadswim-layout swimmer --preset paper-single --box 20,20,20 --boundary periodic
@@ -96,7 +96,7 @@ err_has 'warning: /types/a: the predicted amplitude .* exceeds the gap'
 # --- a full disk is not the user's mistake
 run bash -c 'beadswim-layout swimmer --preset paper-single >/dev/full'
 has_status 3
-err_has 'stdout: cannot be written: No space left'
+err_has 'standard output: the text cannot be written: No space left'
 for flag in --help --version; do
   run bash -c "beadswim-layout $flag >/dev/full"
   has_status 3

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The schemas, and what the programs write, by a second validator: python3-jsonschema.
+# Tests the schemas, and documents that the programs write, with a second validator: python3-jsonschema.
 source "$(dirname "$0")/harness.sh"
 
 python=/usr/bin/python3

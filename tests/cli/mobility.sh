@@ -1,5 +1,6 @@
 #!/bin/bash
-# beadswim-run --model rpy|rpy+near|oseen: runs without a lattice, by the same files.
+# Tests beadswim-run with the models rpy, rpy+near and oseen: runs without a lattice, which write the same types of files as
+# lattice runs.
 source "$(dirname "$0")/harness.sh"
 
 small() { # RANKS ARGUMENT...
@@ -60,7 +61,7 @@ for model in rpy+near rpy; do
   check "the record of $model is that of an unbroken run" cmp -s out whole.json
   check "all datasets of $model are those of an unbroken run" h5diff whole.h5md part.h5md
 done
-refuses '^beadswim-run: --model: the value lbm differs from rpy, ' beadswim-run --restart part.h5md --model lbm --cycles 3
+refuses '^beadswim-run: --model: the value lbm of the flag differs from rpy, ' beadswim-run --restart part.h5md --model lbm --cycles 3
 
 # --- beads that are driven together repel each other, and the run says so
 beadswim-layout swimmer --preset paper-single --unbounded --arm 14 --amplitude 0.4 >close.json
@@ -73,7 +74,7 @@ check "the gap stays open" holds '.mobility.smallest_gap | . > 0 and . < 0.8' ou
 beadswim-layout swimmer --preset paper-single --unbounded --amplitude 3 >torn.json
 run small 2 torn.json --model rpy -o torn.h5md --steps-per-cycle 200
 has_status 3
-err_has 'arm . of swimmer 0 .* is torn: its length is .* times the rest length, above 2'
+err_has 'arm . of swimmer 0 .* is torn: its length is .* times the rest length, above the limit of 2'
 check "the record reaches up to it" holds '.status == "failed" and .state_sha256 == null' out
 
 # --- what the model cannot do

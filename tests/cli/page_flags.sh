@@ -1,5 +1,6 @@
 #!/bin/bash
-# Each --flag that README and pages name is one of a program's, or of the few that are other people's.
+# Tests that each --flag that README.md and the pages in docs/ mention is a flag of a program of Beadswim, or one of a few known
+# flags of other software.
 source "$(dirname "$0")/harness.sh"
 
 for program in layout run theory compare plot view bench; do "beadswim-$program" --help; done >help
@@ -15,7 +16,7 @@ lengthy() { # lines beyond 100 columns, and flags with over two lines of text
 }
 check "help is too long: $(lengthy | head -3)" test -z "$(lengthy)"
 flags help >known
-# Of scripts, cmake, srun, mpirun, jq and beadswim-verification.
+# Flags of scripts, cmake, srun, mpirun, jq and beadswim-verification.
 printf '%s\n' --build --install --prefix --mpi --signal --oversubscribe --slurpfile --quiet --report --with-readers >>known
 
 while read -r flag; do

@@ -1,5 +1,6 @@
 #!/bin/bash
-# beadswim-run --plan and --model auto: what is expected of runs, which is chosen, and whether it keeps what it promises.
+# Tests beadswim-run with --plan and --model auto: the expected errors and costs of runs, the run that is chosen, and whether the
+# chosen run is as accurate as expected.
 source "$(dirname "$0")/harness.sh"
 
 export XDG_CACHE_HOME=$PWD/cache
@@ -9,7 +10,7 @@ beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic
 # --- a plan: a table for people, JSON for programs, nothing run
 run beadswim-run cell.json --plan
 has_status 0
-err_has 'measuring the lattice speed of this machine'
+err_has 'measuring how fast this machine updates lattice cells'
 err_has '<- cheapest'
 err_has '^hard: swimmer 0: inertia'
 cp out plan.json
@@ -34,7 +35,7 @@ for broken in 'no JSON' "$(jq -c '.precisions[1].seconds_per_cell[2] = 0' cache/
   echo "$broken" >cache/beadswim/lattice-speed-1.json
   run beadswim-run cell.json --plan
   has_status 0
-  err_has 'measuring the lattice speed'
+  err_has 'measuring how fast this machine'
 done
 
 # --- flags close what they name
@@ -139,7 +140,7 @@ run beadswim-run hard.json --plan --model lbm --cells-per-radius 2 --relaxation-
 check "stiff springs are refused as by the run" holds '.runs[0].refused | test("sub-steps")' out
 beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,1 --stiffness 0.0347 | beadswim-layout defect jitter --sigma 0.01 --seed 1 >swarm.json
 run beadswim-run swarm.json --plan --cycles 60
-err_has '^hard: differences between swimmers grow'
+err_has '^hard: small differences between swimmers grow'
 check "its swimmers cannot be foretold" holds '.choice == null' out
 
 # --- drivings of swimmers' own: one at rest does not stand for the others, nor a weak one for a strong one
@@ -157,7 +158,7 @@ check "errors are of the shortest period" holds '.runs[0] | .refused or (.error.
 # --- driven across its line, a swimmer bends, and no theory knows it; and a disorder beyond all numbers
 beadswim-layout swimmer --preset paper-single --box 60,60,60 --boundary periodic --axis 0,1,0 >across.json
 run beadswim-run across.json --plan
-err_has '^hard: swimmer 0: theory cannot predict the motion: the driving is perpendicular to the axis'
+err_has '^hard: swimmer 0: theory cannot predict the motion: the driving forces are perpendicular to the swimmer.s axis'
 run beadswim-run swarm.json --plan --cycles 100000
 has_status 2
 check "it ends with a plan" holds '.schema == "beadswim/plan/1"' out

@@ -1,5 +1,6 @@
 #!/bin/bash
-# beadswim-plot: figures that are well-formed, the same on every run, and hold what they were given.
+# Tests beadswim-plot: its figures must be well-formed, equal on every run of the program, and contain the data of the input
+# files.
 source "$(dirname "$0")/harness.sh"
 cp "$BEADSWIM_SOURCE"/tests/data/compare/*.json .
 
@@ -55,7 +56,7 @@ out_has '>arm amplitude \(um\)<'
 # A swarm of over 64 swimmers has none in its record.
 jq 'del(.swimmers) | .swarm = []' run.json >swarm.json
 for kind in stroke velocity-against-period separation; do
-  refuses 'swarm.json: contains only statistics of the swarm, .* more than 64 swimmers do; use .*trajectory .*: beadswim-plot trajectories' \
+  refuses 'swarm.json: the run record contains only statistics of the swarm, .* more than 64 swimmers; draw .*trajectory .* with beadswim-plot trajectories' \
     beadswim-plot $kind swarm.json
 done
 
@@ -167,12 +168,12 @@ out_has '>50<'     # the level of the line: a tick of it
 check 'the line is not level' test "$(series '#0072B2' | cut -d, -f2 | sort -u | wc -l)" -eq 1
 accepts beadswim-plot velocity-against-period by_period.jsonl run.json --relative-to oseen-force-closed
 drawn 6 circle     # one run, three predictions, and the legends
-refuses 'run_shorter_period.json: there is no prediction by oseen-force-closed at period 2000' \
+refuses 'run_shorter_period.json: there is no prediction by oseen-force-closed at period = 2000' \
   beadswim-plot velocity-against-period by_period.jsonl run_shorter_period.json --relative-to oseen-force-closed
-refuses 'the predicted velocity differs from that in prediction.json, although both are by multipole-ode' \
+refuses 'the predicted velocity differs from the velocity in prediction.json, although both predictions are by multipole-ode' \
   beadswim-plot velocity-against-period prediction.json by_period.jsonl --relative-to multipole-ode
 accepts beadswim-plot separation by_separation.jsonl --relative-to oseen-force-closed
-refuses 'run.json: the file is a run, and runs can be compared only against the period' \
+refuses 'run.json: the file is a run record, and with --relative-to run records can be drawn only with --against period' \
   beadswim-plot separation by_separation.jsonl run.json --relative-to oseen-force-closed
 
 # --- stroke against the driving
@@ -186,9 +187,9 @@ for x in -3.14 0 1.57; do swept phase $x '.sin_phase_shift = 0.3 * $x'; done >by
 accepts beadswim-plot stroke --against phase by_phase.jsonl
 out_has '>phase of the driving, α \(rad\)<'
 check 'the sine is not proportional to the phase' straight < <(series '#009E73')
-refuses 'run.json: the record lacks the phase of the driving, α; leave the run out' \
+refuses 'run.json: the run record lacks the phase of the driving, α; leave the run out' \
   beadswim-plot stroke --against phase by_phase.jsonl run.json
-refuses 'line 1: the settings of multipole-ode lack the number "amplitude_ratio".*left out where B = 0' \
+refuses 'line 1: the prediction by multipole-ode lacks the setting "amplitude_ratio".*left out where B = 0' \
   beadswim-plot stroke --against amplitude-ratio by_phase.jsonl
 
 # --- files
@@ -203,8 +204,8 @@ run env PATH=/nowhere "$(command -v beadswim-plot)" stroke run.json prediction.j
 has_status 2
 err_has '^beadswim-plot: other.png: .*install the package librsvg2-bin'
 check 'a refused figure left a file behind' test ! -e other.png
-refuses '/no/such/folder/x.svg: cannot be created' beadswim-plot stroke run.json -o /no/such/folder/x.svg
-refuses '--output: "x.pdf" ends in neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
+refuses '/no/such/folder/x.svg: the file cannot be created' beadswim-plot stroke run.json -o /no/such/folder/x.svg
+refuses '--output: the file name "x.pdf" ends in neither .svg nor .png' beadswim-plot stroke run.json -o x.pdf
 
 # --- speed against error: rms of errors and median of costs of runs at one resolution, joined by setting
 scaled() { # FACTOR CELLS SECONDS [JQ]   the run with a stroke and velocity so many times as large, and that cost
@@ -237,7 +238,7 @@ check "a run has no uncertainty" bash -c '! grep -q uncertainty out'
 refuses '--reference: no reference is given' beadswim-plot speed-against-error several.jsonl
 refuses 'several.jsonl: the file contains several references' \
   beadswim-plot speed-against-error several.jsonl --reference several.jsonl
-refuses 'this figure draws only runs; name a prediction with --reference' \
+refuses 'this figure draws only run records; name run records as files, and a prediction with --reference' \
   beadswim-plot speed-against-error run.json prediction.json --reference prediction.json
 accepts beadswim-plot speed-against-error several.jsonl --reference prediction.json --method rpy-perturbation
 notes_have 'relative to the reference \(rpy-perturbation\)'
@@ -246,19 +247,19 @@ accepts beadswim-plot speed-against-error several.jsonl --reference uncertain.js
 out_has '>uncertainty of the reference<'
 refuses 'prediction.json: the file contains several references' \
   beadswim-plot speed-against-error run.json --reference prediction.json --method all
-refuses 'prediction_shorter_period.json: the prediction is for a period of 2000, but run.json has the period 4800' \
+refuses 'prediction_shorter_period.json: the prediction is for a period of 2000, but the run run.json has the period 4800' \
   beadswim-plot speed-against-error run.json --reference prediction_shorter_period.json
-refuses 'run_shorter_period.json: the scene .* differs from that of run.json' \
+refuses 'run_shorter_period.json: the scene .* differs from the scene of run.json' \
   beadswim-plot speed-against-error run.json run_shorter_period.json --reference prediction.json
-refuses 'run.json: has an error of 0 in the velocity.*is this file the reference itself' \
+refuses 'run.json: the run has an error of 0 in the velocity.*leave this file out if it is the reference itself' \
   beadswim-plot speed-against-error run.json --reference run.json
 { cat several.jsonl; scaled 1.02 2 5 '| .resolution.density_on_lattice = 2'; } >corrections.jsonl
-refuses 'corrections.jsonl line 5: the run differs from .* line 1 only in --radius-correction or --delay-correction' \
+refuses 'corrections.jsonl line 5: this run differs from .* line 1 only in --radius-correction or --delay-correction' \
   beadswim-plot speed-against-error corrections.jsonl --reference run.json
 jq 'del(.cost)' run.json >free.json
-refuses 'free.json: the record has no cost' beadswim-plot speed-against-error free.json --reference run.json
+refuses 'free.json: the run record does not contain the cost' beadswim-plot speed-against-error free.json --reference run.json
 refuses 'si.json: the units differ from those of run.json' beadswim-plot speed-against-error run.json --reference si.json
-refuses '--reference: has no meaning for stroke, only for speed-against-error; remove the flag' beadswim-plot stroke run.json --reference run.json
+refuses '--reference: the command "stroke" does not have this flag; only these commands have the flag: speed-against-error; remove the flag' beadswim-plot stroke run.json --reference run.json
 
 # --- verdicts: a point each, its error as the verdict has it, of arms the root mean square
 verdict_of() { # VELOCITY ARM1 ARM2 SECONDS   relative errors, by multipole-ode; those by another method are ten times as large
@@ -292,18 +293,18 @@ same_bytes 'positions cheap.verdict.json dear.verdict.json --method oseen-force-
 refuses '--method: cheap.verdict.json has no method "oseen-force"; did you mean "oseen-force-closed"' \
   beadswim-plot speed-against-error cheap.verdict.json --method oseen-force
 refuses '--method: 2 methods are given; name the one' beadswim-plot speed-against-error cheap.verdict.json --method a,b
-refuses '--cycle: each verdict fixes its own cycle' beadswim-plot speed-against-error cheap.verdict.json --cycle 2
+refuses '--cycle: each verdict already states which cycle was compared' beadswim-plot speed-against-error cheap.verdict.json --cycle 2
 jq '.cost = null' cheap.verdict.json >free.verdict.json
-refuses 'free.verdict.json: the verdict has no costs' beadswim-plot speed-against-error free.verdict.json
+refuses 'free.verdict.json: the verdict does not contain the costs' beadswim-plot speed-against-error free.verdict.json
 refuses '--reference: no reference is given; .* errors of run.json' beadswim-plot speed-against-error cheap.verdict.json run.json
-refuses 'prediction.json: the document is "beadswim/prediction/1"; give verdicts' beadswim-plot speed-against-error prediction.json
-refuses 'cheap.verdict.json: the document is a verdict; verdicts are drawn only by speed-against-error without --reference' \
+refuses 'prediction.json: the document has the schema "beadswim/prediction/1"; give verdicts' beadswim-plot speed-against-error prediction.json
+refuses 'cheap.verdict.json: the document is a verdict, but only beadswim-plot speed-against-error without --reference draws verdicts' \
   beadswim-plot speed-against-error cheap.verdict.json --reference run.json
 jq '.rows |= map(.quantity = "sin_phase_shift" | del(.arm))' cheap.verdict.json >phases.verdict.json
 refuses 'phases.verdict.json: the verdict compares neither velocity nor arm_amplitudes' beadswim-plot speed-against-error phases.verdict.json
 jq '.rows[0].relative_error = null' cheap.verdict.json >infinite.verdict.json
-refuses 'infinite.verdict.json: has an error of inf in the velocity' beadswim-plot speed-against-error infinite.verdict.json
-refuses '--axes: has no meaning for speed-against-error' \
+refuses 'infinite.verdict.json: the run has an error of inf in the velocity' beadswim-plot speed-against-error infinite.verdict.json
+refuses '--axes: the command "speed-against-error" does not have this flag' \
   beadswim-plot speed-against-error run.json --reference run.json --axes linear
 
 # --- the figures and tables of docs/resolution.md and docs/speed-against-error.md are those of the records
@@ -381,36 +382,36 @@ refuses 'no run with a complete cycle' beadswim-plot stroke prediction.json
 refuses 'the units differ from those of ' beadswim-plot stroke si.json run.json
 refuses '--method: no prediction has the method "multipol"; did you mean "multipole-ode"' \
   beadswim-plot stroke run.json prediction.json --method multipol
-refuses '--method: no prediction has the method "foo"\. The predictions have rpy-force-printed, oseen' \
+refuses '--method: no prediction has the method "foo"\. The predictions have the methods rpy-force-printed, oseen' \
   beadswim-plot stroke run.json prediction.json --method foo
 refuses '--method: the method "foo" selects from prediction files, but no prediction file is given' beadswim-plot stroke run.json --method foo
 refuses '--relative-to: no prediction has the method "multipol"; did you mean "multipole-ode"' \
   beadswim-plot velocity-against-period prediction.json --relative-to multipol
-refuses '--relative-to: has no meaning for stroke, only for velocity-against-period, separation; remove the flag' \
+refuses '--relative-to: the command "stroke" does not have this flag; only these commands have the flag: velocity-against-period, separation; remove the flag' \
   beadswim-plot stroke run.json --relative-to multipole-ode
-refuses '--against: has no meaning for separation' beadswim-plot separation prediction.json --against phase
-refuses '--against: unknown "phas"; did you mean "phase"' beadswim-plot stroke prediction.json --against phas
-refuses '--axes: unknown "log"; did you mean "log-y"' beadswim-plot separation prediction.json --axes log
+refuses '--against: the command "separation" does not have this flag' beadswim-plot separation prediction.json --against phase
+refuses '--against: unknown value "phas"; did you mean "phase"' beadswim-plot stroke prediction.json --against phas
+refuses '--axes: unknown value "log"; did you mean "log-y"' beadswim-plot separation prediction.json --axes log
 jq 'del(.predictions[].settings.period)' prediction.json >timeless.json
-refuses 'timeless.json: the settings of multipole-ode lack the number "period"' beadswim-plot velocity-against-period timeless.json
-refuses 'prediction.json: .* lack the number "separation_ratio"' beadswim-plot separation prediction.json
+refuses 'timeless.json: the prediction by multipole-ode lacks the setting "period"' beadswim-plot velocity-against-period timeless.json
+refuses 'prediction.json: .* lacks the setting "separation_ratio"' beadswim-plot separation prediction.json
 (cat by_period.jsonl && echo && echo '{ "schema": ') >cut.jsonl
 refuses 'cut.jsonl line 5: line 1, column' beadswim-plot velocity-against-period cut.jsonl
 (head -1 by_period.jsonl && jq -c '.swimmer = "x"' prediction.json) >typo.jsonl
 refuses 'typo.jsonl line 2:/swimmer: ' beadswim-plot velocity-against-period typo.jsonl
 refuses 'standard input line 2:/swimmer: ' beadswim-plot velocity-against-period - < <(cat typo.jsonl)
 echo '{ "schema": "beadswim/layout/1" }' >layout.json
-refuses 'layout.json: is "beadswim/layout/1"; a run record .* or a prediction' beadswim-plot stroke layout.json
+refuses 'layout.json: the document has the schema "beadswim/layout/1"; a run record .* or a prediction' beadswim-plot stroke layout.json
 : >empty.json
-refuses 'empty.json: is empty' beadswim-plot stroke empty.json
+refuses 'empty.json: the input is empty' beadswim-plot stroke empty.json
 refuses 'standard input can be read only once' beadswim-plot stroke - -
 
 # What products of a mobility cost: the page's figure.
 same_bytes "beadswim-plot mobility-products $BEADSWIM_SOURCE/docs/results/mobility-products.json -o -" \
   "cat $BEADSWIM_SOURCE/docs/images/mobility-products.svg"
-refuses 'the document has no "mobility_products"; make one with' beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/bench.json"
-refuses 'cycle: has no meaning for mobility-products' \
+refuses 'the document has no key "mobility_products"; make a document with' beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/bench.json"
+refuses 'cycle: the command "mobility-products" does not have this flag' \
   beadswim-plot mobility-products "$BEADSWIM_SOURCE/docs/results/mobility-products.json" --cycle 2
-refuses 'run.h5md: is a trajectory' beadswim-plot stroke run.h5md
+refuses 'run.h5md: the file is a trajectory' beadswim-plot stroke run.h5md
 
 finish

@@ -1,5 +1,5 @@
 #!/bin/bash
-# beadswim-plot swarm and swimmer of layouts: what was laid out, with its names, distances and forces.
+# Tests beadswim-plot swarm and beadswim-plot swimmer for layouts: positions, names, distances and forces in the figures.
 source "$(dirname "$0")/harness.sh"
 
 well_formed() { # FILE
@@ -44,17 +44,17 @@ beadswim-layout swimmer --preset paper-single --unbounded | jq '.units = {
 accepts beadswim-plot swarm open
 notes_have '1 swimmer in open space, a box drawn around \(um, s, pg\)'
 
-refuses '--distances: no swimmer has a neighbour along an axis; draw periodic copies too' beadswim-plot swarm open --distances
-refuses '--distances: blocks of swimmers by id have no axes; give --block-swimmers as NX,NY,NZ' \
+refuses '--distances: there is no distance to draw, because no swimmer has a neighbour along an axis; draw periodic copies too' beadswim-plot swarm open --distances
+refuses '--distances: distances between neighbours along an axis need .*; give --block-swimmers as NX,NY,NZ' \
   beadswim-plot swarm defect.json --distances --block-swimmers 9
-refuses '--mark: there is no swimmer 12 in defect.json; the nearest is 8, ids are 0 to 8' beadswim-plot swarm defect.json --mark A=12
+refuses '--mark: there is no swimmer with the id 12 in defect.json; the nearest id is 8, and the ids range from 0 to 8' beadswim-plot swarm defect.json --mark A=12
 for mark in A A= =3 A=x A=-1; do
-  refuses "--mark: \"$mark\": must be a name and a swimmer's id, such as A=3" beadswim-plot swarm defect.json "--mark=$mark"
+  refuses "--mark: \"$mark\": must be a label and a swimmer's id, such as A=3" beadswim-plot swarm defect.json "--mark=$mark"
 done
 refuses '--frame: defect.json is a layout, and layouts have no frames; leave the flag out' beadswim-plot swarm defect.json --frame 3
-refuses '--mark: has no meaning for swimmer' beadswim-plot swimmer defect.json --mark A=3
-refuses '--distances: has no meaning for trajectories' beadswim-plot trajectories defect.json --distances
-refuses 'none.json: cannot be read' beadswim-plot swarm none.json
+refuses '--mark: the command "swimmer" does not have this flag' beadswim-plot swimmer defect.json --mark A=3
+refuses '--distances: the command "trajectories" does not have this flag' beadswim-plot trajectories defect.json --distances
+refuses 'none.json: the file cannot be read' beadswim-plot swarm none.json
 
 # --- swimmer
 beadswim-layout swimmer --preset paper-single >single.json
@@ -90,7 +90,7 @@ accepts beadswim-plot swimmer open
 drawn 3 '>λ = 4 um<'
 drawn 2 '>k = 0.0347 pg/s²<'
 notes_have 'to scale, in um, s, pg'
-refuses '--swimmers: there is no swimmer 12 in own.json; the nearest is 8, ids are 0 to 8' beadswim-plot swimmer own.json --swimmers 12
+refuses '--swimmers: there is no swimmer with the id 12 in own.json; the nearest id is 8, and the ids range from 0 to 8' beadswim-plot swimmer own.json --swimmers 12
 refuses '--swimmers: 2 swimmers are given; a sketch shows one swimmer' beadswim-plot swimmer own.json --swimmers 1,2
 refuses 'FILES: 2 files are given; a swimmer is drawn from one layout' beadswim-plot swimmer own.json single.json
 refuses 'FILES: 0 files are given' beadswim-plot swimmer

@@ -1,5 +1,5 @@
 #!/bin/bash
-# beadswim-plot trajectories and swarm: figures of what beadswim-run wrote.
+# Tests beadswim-plot trajectories and beadswim-plot swarm: figures of trajectories that beadswim-run has written.
 source "$(dirname "$0")/harness.sh"
 
 well_formed() { # FILE
@@ -105,7 +105,7 @@ out_has '>one<'
 out_has '>seven<'
 cp eight.h5md eight.any
 same_bytes 'beadswim-plot swarm eight.h5md' 'beadswim-plot swarm eight.any'
-refuses '--mark: there is no swimmer 8 in eight.h5md; the nearest is 7, ids are 0 to 7' beadswim-plot swarm eight.h5md --mark A=8
+refuses '--mark: there is no swimmer with the id 8 in eight.h5md; the nearest id is 7, and the ids range from 0 to 7' beadswim-plot swarm eight.h5md --mark A=8
 refuses '--distances: eight.h5md is a trajectory, in which the swimmers have moved; give the layout' \
   beadswim-plot swarm eight.h5md --distances
 
@@ -133,32 +133,32 @@ accepts beadswim-plot swarm killed.h5md.part
 # --- what it refuses
 refuses 'FILES: no file is given; name trajectories' beadswim-plot trajectories
 refuses 'FILES: 2 files are given; a swarm is drawn from one layout or one trajectory' beadswim-plot swarm cell.h5md eight.h5md
-refuses '^beadswim-plot: no.h5md: cannot be read: No such file or directory; give a trajectory' beadswim-plot swarm no.h5md
+refuses '^beadswim-plot: no.h5md: the file cannot be read: No such file or directory; give a trajectory' beadswim-plot swarm no.h5md
 h5copy -i cell.h5md -o foreign.h5md -s /parameters -d /parameters
-refuses 'foreign.h5md: is an HDF5 file but not a trajectory of Beadswim: /h5md is missing; give a trajectory' beadswim-plot trajectories foreign.h5md
-refuses 'cell.record: is not an HDF5 file, or is damaged; give a trajectory' beadswim-plot trajectories cell.record
+refuses 'foreign.h5md: the file is an HDF5 file but not a trajectory of Beadswim: the group /h5md is missing; give a trajectory' beadswim-plot trajectories foreign.h5md
+refuses 'cell.record: the file is not an HDF5 file, or is damaged; give a trajectory' beadswim-plot trajectories cell.record
 refuses 'a trajectory cannot be read from standard input; name the file' beadswim-plot trajectories -
 head -c 3000 cell.h5md >cut.h5md
 refuses 'cut.h5md: ' beadswim-plot swarm cut.h5md
-refuses '--swimmers: there is no swimmer 9 in eight.h5md; the nearest is 7, ids are 0 to 7' \
+refuses '--swimmers: there is no swimmer with the id 9 in eight.h5md; the nearest id is 7, and the ids range from 0 to 7' \
   beadswim-plot trajectories eight.h5md --swimmers 0,9
 refuses '--swimmers: "-1": must be a whole number' beadswim-plot trajectories eight.h5md --swimmers=-1
 refuses '--swimmers: the figure would have 24 curves, but at most 12 can be distinguished' beadswim-plot trajectories eight.h5md --beads 1,2,3
-refuses '--beads: unknown "4"\. There are 1, 2, 3' beadswim-plot trajectories cell.h5md --beads 4
-refuses '--along: unknown "w"\. There are x, y, z' beadswim-plot trajectories cell.h5md --along w
-refuses '--frame: there is no frame 41 in cell.h5md; the last frame is 40' beadswim-plot swarm cell.h5md --frame 41
-refuses '--frame: "lst": must be "last" or a whole number' beadswim-plot swarm cell.h5md --frame lst
-refuses '--colours: unknown "block"; did you mean "blocks"' beadswim-plot swarm cell.h5md --colours block
+refuses '--beads: unknown value "4"\. Valid values: 1, 2, 3' beadswim-plot trajectories cell.h5md --beads 4
+refuses '--along: unknown value "w"\. Valid values: x, y, z' beadswim-plot trajectories cell.h5md --along w
+refuses '--frame: there is no frame 41 in cell.h5md; give a frame from 0 to 40' beadswim-plot swarm cell.h5md --frame 41
+refuses '--frame: "lst": the frame must be "last" or a whole number' beadswim-plot swarm cell.h5md --frame lst
+refuses '--colours: unknown value "block"; did you mean "blocks"' beadswim-plot swarm cell.h5md --colours block
 refuses '--repeat: "2,2" has 2 values, but 3 are needed' beadswim-plot swarm cell.h5md --repeat 2,2
 refuses '--repeat: "0": must be a whole number from 1' beadswim-plot swarm cell.h5md --repeat 0,1,1
 refuses '--repeat: the copies have 1e\+06 swimmers, but at most 200000' beadswim-plot swarm cell.h5md --repeat 100,100,100
 refuses '--block-swimmers: "1,3" has 2 values, but 1 or 3' beadswim-plot swarm cell.h5md --block-swimmers 1,3
-refuses '--repeat: has no meaning for trajectories' beadswim-plot trajectories cell.h5md --repeat 2,2,2
-refuses '--along: has no meaning for swarm' beadswim-plot swarm cell.h5md --along y
-refuses '--method: has no meaning for swarm' beadswim-plot swarm cell.h5md --method all
-refuses '--cycle: has no meaning for trajectories' beadswim-plot trajectories cell.h5md --cycle 1
+refuses '--repeat: the command "trajectories" does not have this flag' beadswim-plot trajectories cell.h5md --repeat 2,2,2
+refuses '--along: the command "swarm" does not have this flag' beadswim-plot swarm cell.h5md --along y
+refuses '--method: the command "swarm" does not have this flag' beadswim-plot swarm cell.h5md --method all
+refuses '--cycle: the command "trajectories" does not have this flag' beadswim-plot trajectories cell.h5md --cycle 1
 refuses 'trajectory: unknown command; did you mean "trajectories"' beadswim-plot trajectory cell.h5md
 beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary free-slip | simulate closed --cycles 0.05
-refuses '--repeat: 2 copies along y are not possible, because the box of closed.h5md is not periodic there; give 1' beadswim-plot swarm closed.h5md --repeat 1,2,1
+refuses '--repeat: 2 copies along y are not possible, because the box of closed.h5md is not periodic along this axis; give 1' beadswim-plot swarm closed.h5md --repeat 1,2,1
 accepts beadswim-plot swarm closed.h5md
 finish

@@ -1,5 +1,5 @@
 #!/bin/bash
-# A swarm whose swimmers cross the seams between ranks gives the same bytes on any number of ranks.
+# Tests that a swarm whose swimmers cross the boundaries between ranks gives the same bytes on any number of ranks.
 source "$(dirname "$0")/harness.sh"
 
 # Middle beads, whose ranks own the swimmers, go to and fro across the planes in which ranks meet in a box of 48: 24 between
@@ -26,7 +26,8 @@ for scheme in mr psm; do
   done
 done
 
-# h5dump's numbers are bead by bead, x, y, z; of middle beads those that have been on both sides of a plane.
+# Prints how many middle beads have been on both sides of the plane at PLACE across AXIS. h5dump prints positions bead by bead, in
+# the order x, y, z.
 crossings() { # AXIS PLACE
   h5dump -d /particles/beads/position/value -w 0 -y -m %.6f mr1.h5md | awk -v axis="$1" -v place="$2" '
     /^ *[-0-9.]+,?$/ {

@@ -1,6 +1,6 @@
 #!/bin/bash
-# A run that is stopped, killed, or short of disk goes on from its last whole checkpoint, on any number of ranks, and
-# ends with the bits of an unbroken one.
+# Tests restarts: a run that was stopped, killed, or ended by a full disk continues from its last complete checkpoint, on any
+# number of ranks, and ends with the same bits as an uninterrupted run.
 source "$(dirname "$0")/harness.sh"
 
 layout() { # FLAG...
@@ -10,7 +10,7 @@ layout() { # FLAG...
 small() { # RANKS ARGUMENT...
   mpirun -n "$1" beadswim-run "${@:2}" --progress none --no-provenance
 }
-# A file's record and trajectory against the unbroken run's, NAME.json and NAME.h5md.
+# Checks that record and trajectory of a run are equal to NAME.json and NAME.h5md, the files of the uninterrupted run.
 same_as() { # NAME RECORD TRAJECTORY
   check "the record is that of an unbroken run" cmp -s "$1.json" "$2"
   check "state_sha256 is there" grep -q '"state_sha256": "[0-9a-f]\{64\}"' "$2"
@@ -149,10 +149,10 @@ size=$(stat -c %s "$newest")
 printf '\x55' | dd of="$newest" bs=1 seek=$((size / 2)) conv=notrunc status=none
 run small 2 --restart "$newest" --cycles 4
 has_status 2
-err_has 'is damaged: the contents do not match the stored hash'
+err_has 'is damaged: its contents do not match the stored hash'
 run small 2 --restart hurt.h5md --cycles 3
 has_status 0
-err_has "$newest: is damaged.*continuing from hurt.h5md.ckpt.[01]"
+err_has "$newest: the checkpoint is damaged.*continuing from the checkpoint hurt.h5md.ckpt.[01]"
 cp out hurt.json
 same_as whole hurt.json hurt.h5md
 head -c 5000 kept.h5md.ckpt.0 >cut.h5md.ckpt.0
@@ -196,16 +196,16 @@ AGAIN
 done
 
 # --- refusals
-refuses "--bead-boundary: the value psm differs from mr, the value of the checkpoint's run; leave the flag out" \
+refuses "--bead-boundary: the value psm of the flag differs from mr, the value in the run of the checkpoint; leave the flag out" \
   beadswim-run --restart kept.h5md --cycles 9 --bead-boundary psm
-refuses '--cells-per-radius: the value 4 differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
-refuses '--precision: the value single differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single
+refuses '--cells-per-radius: the value 4 of the flag differs from 2, ' beadswim-run --restart kept.h5md --cycles 9 --cells-per-radius 4
+refuses '--precision: the value single of the flag differs from double, ' beadswim-run --restart kept.h5md --cycles 9 --precision single
 jq '.fluid.density = 1.01' layout.json >other.json
 refuses 'other.json: this layout is not the layout of the checkpoint' beadswim-run other.json --restart kept.h5md --cycles 9
-refuses '--cycles: 1 is too small, because the checkpoint is already at cycle' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
+refuses '--cycles: the number of cycles, 1, is too small, because the checkpoint is already at cycle' beadswim-run --restart kept.h5md.ckpt.0 --cycles 1
 h5copy -i whole.h5md -o foreign.h5md -s /h5md -d /h5md
 cp foreign.h5md foreign.h5md.ckpt.0
-refuses 'foreign.h5md.ckpt.0: is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1' \
+refuses 'foreign.h5md.ckpt.0: the file is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1' \
   beadswim-run --restart foreign.h5md.ckpt.0
 rm foreign.h5md.ckpt.0
 refuses 'foreign.h5md has no checkpoint to continue from: neither foreign.h5md.ckpt.0 nor foreign.h5md.ckpt.1 exists and is valid' beadswim-run --restart foreign.h5md
@@ -213,9 +213,9 @@ refuses '--restart: nothing.h5md has no checkpoint to continue from: .*; write c
   beadswim-run --restart nothing.h5md
 refuses 'nothing.h5md.ckpt.1 does not exist' beadswim-run --restart nothing.h5md.ckpt.1
 cp layout.json fake.h5md.ckpt.0
-refuses 'fake.h5md.ckpt.0: is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.0
+refuses 'fake.h5md.ckpt.0: the file is not a checkpoint' beadswim-run --restart fake.h5md.ckpt.0
 cp whole.h5md fake.h5md.ckpt.1
-refuses 'fake.h5md.ckpt.1: is an HDF5 file but not a checkpoint of Beadswim' beadswim-run --restart fake.h5md.ckpt.1
+refuses 'fake.h5md.ckpt.1: the file is an HDF5 file but not a checkpoint of Beadswim' beadswim-run --restart fake.h5md.ckpt.1
 refuses '--output: the flag is missing; name the trajectory' beadswim-run layout.json
 refuses '--checkpoint-every' beadswim-run layout.json -o x.h5md --checkpoint-every 0
 accepts bash -c 'beadswim-run layout.json --restart kept.h5md -o same.h5md --cycles 3.1 --cells-per-radius 2.0 --progress none'

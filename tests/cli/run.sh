@@ -1,11 +1,13 @@
 #!/bin/bash
-# beadswim-run: a tiny scene on several ranks, its outputs, its exit statuses, and what it refuses.
+# Tests beadswim-run with the lattice model: a small scene on several ranks, its output files, its exit statuses, and refused
+# input.
 source "$(dirname "$0")/harness.sh"
 
 small() {
   beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic "$@"
 }
-# A condition, as it goes on after "ratio", on each arm amplitude of RUN over that of OTHER, in their last cycles.
+# Checks in two run records the ratio of each arm amplitude in the last cycle, RUN divided by OTHER. CONDITION is the jq text
+# after the ratio, such as "> 1".
 stroke_over() { # OTHER RUN CONDITION
   jq -se "map(.swimmers[0].cycles[-1].arm_amplitudes) | [.[1], .[0]] | transpose | map(.[0] / .[1] $3) | all" \
     "$1" "$2" >/dev/null
@@ -93,16 +95,16 @@ check "3 ranks end in another state" test "$(jq .state_sha256 out)" = "$(jq .sta
 small --period 200 --amplitude 1e-4 >slow.json
 run beadswim-run slow.json -o slow.h5md --cycles 0.1 --precision single --progress none
 has_status 0
-err_has 'warning: in single precision the velocity may be wrong by .* of its value: .* --precision double'
+err_has 'warning: in single precision the relative error of the velocity may be .*: .* --precision double'
 small --period 200 --amplitude 0.2 --phase 0 >scallop.json
 run beadswim-run scallop.json -o scallop.h5md --cycles 0.1 --precision single --progress none
-err_has 'more than its value, because the velocity is zero to second order'
+err_has 'more than 1, because the velocity is zero to second order'
 run beadswim-run slow.json -o slow.h5md --cycles 0.1 --progress none
 err_empty
 small --period 200 --amplitude 1e-6 >slower.json
 run beadswim-run slower.json -o slow.h5md --cycles 0.1 --progress none
-err_has 'so little per cycle that roundoff may change its velocity by .* of its value'
-refuses '--precision: unknown "half"' beadswim-run layout.json -o x.h5md --precision half
+err_has 'so little per cycle that roundoff may cause a relative error of its velocity of '
+refuses '--precision: unknown value "half"' beadswim-run layout.json -o x.h5md --precision half
 
 # --- interpolated links: another law at the bead, nearly the same swimmer, on record, the same bits on any ranks
 for ranks in 2 3; do
@@ -166,9 +168,9 @@ has_status 0
 err_empty
 run beadswim-run light.json -o light.h5md --cycles 0.1 --progress none --delay-correction off
 err_has 'warning: the beads. density on the lattice is 0.2 times the fluid'
-refuses '--delay-correction: unknown "maybe"' beadswim-run layout.json -o x.h5md --delay-correction maybe
-refuses '--radius-correction: unknown "maybe"' beadswim-run layout.json -o x.h5md --radius-correction maybe
-refuses '--bead-boundary: unknown "sphere"' beadswim-run layout.json -o x.h5md --bead-boundary sphere
+refuses '--delay-correction: unknown value "maybe"' beadswim-run layout.json -o x.h5md --delay-correction maybe
+refuses '--radius-correction: unknown value "maybe"' beadswim-run layout.json -o x.h5md --radius-correction maybe
+refuses '--bead-boundary: unknown value "sphere"' beadswim-run layout.json -o x.h5md --bead-boundary sphere
 
 # --- stopped early on purpose: results are there, and exit status 4
 small --period 100 --amplitude 0,1e4 --stiffness 1e-6 >wild.json
@@ -215,7 +217,7 @@ small --bead-density 0.3 --period 400 --amplitude 0.1 >unstable.json
 run timeout 60 mpirun -n 2 beadswim-run unstable.json -o unstable.h5md --progress none --delay-correction off \
   --relaxation-time 0.6
 has_status 4
-err_has 'bead [123] of swimmer 0 at .* limit of 0.5; .* too low for the explicit coupling; use --delay-correction on'
+err_has 'bead [123] of swimmer 0 at .* limit of 0.5 cells per step; .* too low for the explicit coupling of beads and fluid; use --delay-correction on'
 
 # --- beads that collide: they touch, are not pressed into each other, and nothing is lost
 small --period 400 --amplitude 1.3 --stiffness 0.12 >collide.json
@@ -232,16 +234,16 @@ has_status 0
 check "without the film they touch" holds '.near_contact | .smallest_gap < 0 and .smallest_gap > -0.2 and .normal_cut_off == 0' out
 check "the record says so" holds '.near_contact | .lubrication == false and .friction == 0' out
 check "beads that stay apart have no gap on record" holds '.near_contact.smallest_gap == null' 1.json
-refuses '--lubrication: unknown "maybe"' beadswim-run layout.json -o x.h5md --lubrication maybe
-refuses 'friction: "-1": must be' beadswim-run layout.json -o x.h5md --friction=-1
+refuses '--lubrication: unknown value "maybe"' beadswim-run layout.json -o x.h5md --lubrication maybe
+refuses 'friction: "-1": the value must be' beadswim-run layout.json -o x.h5md --friction=-1
 
 # --- refusals leave nothing behind
 refuses 'relaxation-time: 0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
 refuses 'cannot be created' beadswim-run layout.json -o no/such/folder/x.h5md
 refuses 'cannot be read' beadswim-run missing.json -o x.h5md
-refuses '--model: unknown "lbn"; did you mean "lbm"\? There are lbm, rpy, rpy\+near, oseen, auto' \
+refuses '--model: unknown value "lbn"; did you mean "lbm"\? Valid values: lbm, rpy, rpy\+near, oseen, auto' \
   beadswim-run layout.json -o x.h5md --model lbn
-refuses '--progress: unknown "quiet"\. There are' beadswim-run layout.json -o x.h5md --progress quiet
+refuses '--progress: unknown value "quiet"\. Valid values:' beadswim-run layout.json -o x.h5md --progress quiet
 refuses '--frames-per-cycle: "3": must be a whole number from 4 to 1000000' \
   beadswim-run layout.json -o x.h5md --frames-per-cycle 3
 refuses 'did you mean --cycles' beadswim-run layout.json -o x.h5md --cycels 3
@@ -273,7 +275,7 @@ beadswim-layout swimmer --preset paper-single --box 6000,4000,4000 >huge.json
 refuses 'GB more than this machine has; use --precision single, .*beadswim-layout reduce.*, --model rpy \(without cells\) or more machines' beadswim-run huge.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary no-slip \
   --position 16,2.2,8 >wall.json
-refuses '/swimmers/0/position: bead 1 is 0.2 from a wall perpendicular to y' beadswim-run wall.json -o x.h5md
+refuses '/swimmers/0/position: bead 1 has a gap of 0.2 to a wall perpendicular to y' beadswim-run wall.json -o x.h5md
 beadswim-layout swimmer --preset paper-single --unbounded >open.json
 refuses '/domain: the domain is null' beadswim-run open.json -o x.h5md
 head -c 100 layout.json >cut.json

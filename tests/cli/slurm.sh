@@ -1,6 +1,6 @@
 #!/bin/bash
-# The job scripts of examples/slurm, with stand-ins for srun and scontrol: a job that is told to stop queues itself again and
-# ends with the bits of an unbroken run.
+# Tests the job scripts of examples/slurm, with scripts in place of srun and scontrol: a job that Slurm tells to stop queues
+# itself again, and the run ends with the same bits as an uninterrupted run.
 source "$(dirname "$0")/harness.sh"
 jobs=$BEADSWIM_SOURCE/examples/slurm
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# beadswim-layout swarm, defect and reduce: filters that compose, and a run of a reduced cell in place of the swarm's.
+# Tests beadswim-layout swarm, defect and reduce: their use in pipes, and a run of the reduced periodic box in place of the swarm.
 source "$(dirname "$0")/harness.sh"
 
 # --- layouts
@@ -60,7 +60,7 @@ run beadswim-layout reduce swarm.json
 has_status 0
 cp out cell.json
 check 'not one swimmer in 96 x 32 x 32' holds '(.swimmers | length) == 1 and .domain.lengths == [96, 32, 32]' cell.json
-err_has '2 x 6 x 6 cells, swimmers: 72 -> 1, in a box of 96 x 32 x 32; largest shift'
+err_has '2 x 6 x 6 copies of one cell; the new layout is this cell, with 72 swimmers reduced to 1, in a box of 96 x 32 x 32; largest displacement'
 run beadswim-layout reduce defect.json
 check 'not nine in 120 x 120 x 120' holds '(.swimmers | length) == 9 and .domain.lengths == [120, 120, 120]' out
 run bash -c 'beadswim-layout defect vacancy --count 1 swarm.json | beadswim-layout reduce'

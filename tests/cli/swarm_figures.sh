@@ -1,5 +1,6 @@
 #!/bin/bash
-# docs/swarm-figures.md: the first cycles of both swarms anew, by the examples; and the page says what the records say.
+# Tests docs/swarm-figures.md: repeats the first cycles of both swarms with the scripts in examples/, and checks that the page
+# agrees with the stored records.
 source "$(dirname "$0")/harness.sh"
 results=$BEADSWIM_SOURCE/docs/results
 records=$results/swarms
@@ -7,7 +8,7 @@ records=$results/swarms
 well_formed() { # FILE
   check "$1 is not well-formed XML" python3 -c 'import sys, xml.dom.minidom as xml; xml.parse(sys.argv[1])' "$1"
 }
-# What is kept of a run, as docs/results/swarms.sh does it.
+# Extracts the data of a run that are stored in the records, as docs/results/swarms.sh does.
 kept() { # LAYOUT RUN
   jq -c --arg name new --slurpfile layouts "$1" '$layouts[0] as $layout | '"$(cat "$results/swarms.jq")" "$2"
 }

@@ -1,14 +1,15 @@
 #!/bin/bash
-# docs/swarm-stability.md: two swimmers abreast anew for a few cycles; and the page says what the records say.
+# Tests docs/swarm-stability.md: repeats a few cycles of two swimmers side by side, and checks that the page agrees with the
+# stored records.
 source "$(dirname "$0")/harness.sh"
 results=$BEADSWIM_SOURCE/docs/results
 records=$results/stability
 
 swarm() { beadswim-layout swarm --preset paper-uniform --block-swimmers 1,1,1 --blocks "$@"; }
 moved() { beadswim-layout defect jitter --sigma "$1" --seed "$2"; }
-# By X along each axis.
+# Displaces all swimmers by X along each axis.
 shifted() { jq --argjson by "$1" '.swimmers[].position |= map(. + $by)'; }
-# What is kept of a run, as docs/results/stability.sh does it, in NAME.json.
+# Runs a layout and extracts the data that are stored in the records, as docs/results/stability.sh does, to NAME.json.
 simulate() { # NAME LAYOUT LATTICE CYCLES
   accepts beadswim-run "$2" -o run.h5md --cells-per-radius 3 --progress none --cycles "$4"
   jq -c --arg name "$1" --argjson exit 0 --slurpfile layouts "$2" --slurpfile lattices "$3" -f "$results/stability.jq" out >"$1.json"
@@ -19,7 +20,7 @@ compare() { # MESSAGE CONDITION FILE...
   jq -s . "$@" >together.json
   check "$message" holds "$condition" together.json
 }
-# Size of the mean departure across x after cycle 5 I, by which factor it grew in ten cycles.
+# Returns the size of the mean deviation of the swimmers from the lattice, across x, after cycle 5 I.
 mean_size='def mean_size($i): .modes[0].amplitudes[$i][1:] | map(. * .) | add | sqrt;'
 
 swarm 1,2,1 >lattice.json

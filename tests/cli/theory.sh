@@ -1,12 +1,12 @@
 #!/bin/bash
-# beadswim-theory: predictions of a layout's swimmer, from a file, a pipe and a stream of layouts.
+# Tests beadswim-theory: predictions for a swimmer of a layout, from a file, from a pipe and from a stream of layouts.
 source "$(dirname "$0")/harness.sh"
 
 schema=$BEADSWIM_SOURCE/schemas/prediction.schema.json
 can_validate=no
 /usr/bin/python3 -c 'import jsonschema' 2>/dev/null && can_validate=yes
 
-# The document in file out is valid, to a validator that is not ours.
+# Checks that the document in the file out is valid for a validator of another project (python3-jsonschema).
 out_is_valid() {
   [ $can_validate = no ] || check "not a valid prediction" /usr/bin/python3 -W ignore -m jsonschema -i out "$schema"
 }
@@ -39,8 +39,8 @@ same_bytes 'beadswim-theory paper.json' 'cd / && LC_ALL=C TZ=UTC beadswim-theory
 accepts beadswim-theory --method rpy-perturbation,oseen-force-closed paper.json
 check "methods are not those named" test "$(grep -oE '"method": "[^"]+"' out | cut -d'"' -f4 | xargs)" = \
   "rpy-perturbation oseen-force-closed"
-refuses '--method: unknown "rpy-pertubation"; did you mean "rpy-perturbation"' beadswim-theory --method rpy-pertubation paper.json
-refuses '"all" cannot be combined with other names' beadswim-theory --method all,rpy-perturbation paper.json
+refuses '--method: unknown value "rpy-pertubation"; did you mean "rpy-perturbation"' beadswim-theory --method rpy-pertubation paper.json
+refuses '"all" stands for all methods and cannot be combined with names' beadswim-theory --method all,rpy-perturbation paper.json
 
 # --- units: lengths in um, so velocities in um/s
 beadswim-layout swimmer --radius 4 --arm 20 --stiffness 0.0347 --amplitude 0.2 --period 4800 --viscosity 0.3333333333333333 \
@@ -55,10 +55,10 @@ paper --radius 4,4,5 --damping 0,3 >unequal.json
 run beadswim-theory unequal.json
 has_status 0
 out_is_valid
-err_has 'left out oseen-force-closed, .*rpy-equal-weight: the radii 4, 4, 5 differ'
+err_has 'methods left out: oseen-force-closed, .*rpy-equal-weight; reason: the bead radii 4, 4, 5 differ'
 check "a closed form treats unequal radii" test "$(jq '[.predictions[].method | select(test("closed|printed|weight"))] | length' out)" -eq 0
 check "what was left out is not in the document" test "$(jq '.left_out | length' out)" -eq 8
-refuses 'oseen-force-closed: cannot treat .* radii 4, 4, 5 differ' beadswim-theory --method oseen-force-closed unequal.json
+refuses 'oseen-force-closed: this method cannot treat .* radii 4, 4, 5 differ' beadswim-theory --method oseen-force-closed unequal.json
 
 # --- no motion, no NaN
 paper --amplitude 0 >rest.json
@@ -70,7 +70,7 @@ paper --amplitude 0,0.2 >one_force.json
 run beadswim-theory one_force.json
 has_status 0
 out_is_valid
-err_has 'left out rpy-force-printed: \(4.23\) of the paper requires A = B' 
+err_has 'methods left out: rpy-force-printed; reason: \(4.23\) of the paper requires A = B' 
 
 # --- orientation: the lab field drives a swimmer along -x backwards, and none across it
 accepts beadswim-theory --method rpy-perturbation paper.json
@@ -95,7 +95,7 @@ refuses 'swimmers 0 and 7 differ.*--swimmer ID.*reduce' beadswim-theory differen
 accepts beadswim-theory --swimmer 7 different.json
 out_is_valid
 out_has '"swimmer": 7'
-refuses '--swimmer: different.json has no swimmer of id 3; its ids are 0 to 7' beadswim-theory --swimmer 3 different.json
+refuses '--swimmer: the layout different.json has no swimmer with the id 3; the ids range from 0 to 7' beadswim-theory --swimmer 3 different.json
 
 # --- a stroke from a run
 cat >run.json <<'END'
@@ -123,13 +123,13 @@ refuses 'multipole-stroke: .* needs a measured stroke' beadswim-theory --method 
 paper --period 5000 >slower.json
 refuses 'the driving period is 4800 in the run but 5000 in the layout' beadswim-theory --stroke-from run.json slower.json
 refuses 'none of the named methods uses a measured stroke; add one of oseen-stroke-closed' beadswim-theory --method rpy-perturbation --stroke-from run.json paper.json
-refuses 'oseen-stroke-closed: cannot treat .* radii' beadswim-theory --method oseen-stroke-closed --stroke-from run.json unequal.json
+refuses 'oseen-stroke-closed: this method cannot treat .* radii' beadswim-theory --method oseen-stroke-closed --stroke-from run.json unequal.json
 refuses 'units of length and time differ' beadswim-theory --stroke-from run.json units.json
 jq 'del(.swimmers) | .swarm = []' run.json >swarm_run.json
-refuses 'swarm_run.json: the record contains only statistics of the swarm, .*; run a smaller cell of the scene \(beadswim-layout reduce\)' \
+refuses 'swarm_run.json: the run record contains only statistics of the swarm, .*; run a smaller cell of the scene \(beadswim-layout reduce\)' \
   beadswim-theory --stroke-from swarm_run.json paper.json
 cat paper.json paper.json >two.json
-refuses 'two.json: line [0-9]+, column 1: a second document begins.*beadswim-theory for streams of layouts' beadswim-theory two.json
+refuses 'two.json: line [0-9]+, column 1: a second JSON document begins.*beadswim-theory for streams of layouts' beadswim-theory two.json
 refuses 'does not list swimmer 7' beadswim-theory --swimmer 7 --stroke-from run.json alike.json
 refuses 'paper.json.*another kind' beadswim-theory --stroke-from paper.json paper.json
 sed -E '/"index": 1/,/"index": 2/d; /"arm_amplitudes": \[3/d; s/"cycles": \[$/"cycles": [] }],/' run.json >no_cycle.json
@@ -181,13 +181,13 @@ paper --amplitude 0.6 >collide.json
 run beadswim-theory collide.json
 has_status 0
 out_is_valid
-err_has 'warning: beads meet within the stroke: .* swing by 10\.[0-9]+ and 15\.[0-9]+, with gaps of 12 and 12'
-err_has 'at rest; lower --amplitude or raise --stiffness, --damping or --arm$'
-err_has 'left out .*rpy-ode.*: stroke: no periodic motion without contact .* above about 0\.[0-9]+ of the driving amplitude'
+err_has 'warning: beads would touch during the stroke: .* are 10\.[0-9]+ and 15\.[0-9]+, but the gaps .* are 12 and 12'
+err_has '12 and 12; lower --amplitude or raise --stiffness, --damping or --arm$'
+err_has 'methods left out: .*rpy-ode.*; reason: stroke: no periodic motion without contact .* exceeds about 0\.[0-9]+ times the given amplitude'
 check "contact within the stroke is usable" test "$(jq '[.predictions[] | select(.usable)] | length' out)" -eq 0
 paper --amplitude 0.4 >large.json
 run beadswim-theory --method rpy-perturbation large.json
-err_has 'warning: the driving is beyond small amplitude: .* leave out about \+[0-9.]+ %'
+err_has 'warning: the driving amplitude is not small: .* neglect about \+[0-9.]+ %'
 accepts beadswim-theory --method rpy-perturbation --tolerance 0.2 large.json
 refuses '--tolerance' beadswim-theory --tolerance 0 paper.json
 
@@ -202,7 +202,7 @@ done
 
 # --- wrong command lines and files
 refuses '--no-such-flag: unknown flag' beadswim-theory --no-such-flag
-refuses 'missing.json: cannot be read' beadswim-theory missing.json
+refuses 'missing.json: the file cannot be read' beadswim-theory missing.json
 refuses 'swimmer' beadswim-theory --swimmer x paper.json
 run bash -c 'beadswim-theory paper.json >/dev/full'
 has_status 3

@@ -1,5 +1,5 @@
 #!/bin/bash
-# beadswim-view: pages that hold the trajectory. What browsers make of them is tests/view's.
+# Tests beadswim-view: the data in its pages must be those of the trajectory. tests/view tests the pages in a browser.
 source "$(dirname "$0")/harness.sh"
 
 beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,1,1 | beadswim-layout defect jitter --sigma 0.5 --seed 1 >swarm.json 2>err
@@ -67,16 +67,16 @@ check "the name is not kept" holds '.file == "<b>&.h5md" and .cycle_times == []'
 
 # --- what cannot be shown
 echo kept >kept.html
-refuses 'absent.h5md: cannot be read' beadswim-view absent.h5md -o kept.html
+refuses 'absent.h5md: the file cannot be read' beadswim-view absent.h5md -o kept.html
 h5copy -i swarm.h5md -o foreign.h5md -s /h5md -d /h5md
-refuses 'foreign.h5md: is an HDF5 file but not a trajectory of Beadswim: /particles is missing; give a trajectory file of beadswim-run' \
+refuses 'foreign.h5md: the file is an HDF5 file but not a trajectory of Beadswim: the group /particles is missing; give a trajectory file of beadswim-run' \
   beadswim-view foreign.h5md -o kept.html
-refuses 'swarm.json: is not an HDF5 file' beadswim-view swarm.json -o kept.html
-refuses '--output: "page.svg" does not end in .html; name a file that does' beadswim-view swarm.h5md -o page.svg
+refuses 'swarm.json: the file is not an HDF5 file' beadswim-view swarm.json -o kept.html
+refuses '--output: the file name "page.svg" does not end in .html; give a name that ends in .html' beadswim-view swarm.h5md -o page.svg
 refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0
 refuses '--block-swimmers' beadswim-view swarm.h5md -o kept.html --block-swimmers 1,2
 refuses '--evry: unknown flag; did you mean --every' beadswim-view swarm.h5md -o kept.html --evry 2
-refuses '--output: is required but not given' beadswim-view swarm.h5md
+refuses '--output: the flag is required but not given' beadswim-view swarm.h5md
 refuses 'no/such/folder' beadswim-view swarm.h5md -o no/such/folder/page.html
 check "what was there is gone" test "$(cat kept.html)" = kept
 

@@ -8,7 +8,8 @@
 namespace beadswim {
 namespace {
 
-/// Cycles with the given indices; a restarted run may begin later than 1.
+/// Returns cycle statistics with the given cycle numbers. The numbers of a restarted run may begin later than
+/// 1.
 std::vector<CycleStatistics> cycles_numbered(std::initializer_list<int> indices) {
   std::vector<CycleStatistics> cycles;
   for (const int index : indices) {

@@ -21,7 +21,7 @@ constexpr double tolerance = 100 * roundoff(200);  // positions are of order 100
 
 const Vec3 tilted_axis = Vec3(2, -1, 2) / 3;
 
-/// A swimmer that drifts along its axis while its mean bead position also oscillates once a period.
+/// Returns a swimmer that drifts along its axis while its mean bead position also oscillates once per period.
 SwimmerSample swimmer_at(double time) {
   const double angle = 2 * pi * time / period;
   std::array<double, 2> arm{};

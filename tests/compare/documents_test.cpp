@@ -12,7 +12,7 @@
 namespace beadswim {
 namespace {
 
-/// A record in which every optional member is present and no two numbers are alike.
+/// Returns a record in which every optional member has a value and all numbers are different.
 RunRecord full_record() {
   RunRecord record;
   record.model = "lbm";
@@ -62,7 +62,8 @@ RunRecord full_record() {
   return record;
 }
 
-/// The record after a way through text, as between two programs.
+/// Returns the record after it was written to text and read from it, as when one program passes it to
+/// another.
 RunRecord through_text(const RunRecord& record) {
   const std::string text = dump_json(run_record_to_json(record, RecordProvenance::written));
   return run_record_from_json(parse_json(text, "r.json"), "r.json");

@@ -1,4 +1,5 @@
-// Nearest neighbours against pairs of all images, and against lattices.
+// Tests of nearest-neighbour distances: comparison with a search over all pairs of images, and with regular
+// lattices.
 
 #include <gtest/gtest.h>
 
@@ -36,7 +37,7 @@ std::vector<Vec3> random_points(const Box& box, std::uint64_t count) {
   return points;
 }
 
-/// All images up to two boxes away of points in the box.
+/// Returns nearest-neighbour distances by a search over all images of the points, up to two boxes away.
 std::vector<double> brute_force(const std::vector<Vec3>& points, const Box& box) {
   const auto reach = [&](int axis) { return box.is_periodic(axis) ? 2 : 0; };
   std::vector<double> nearest(points.size(), infinity);
@@ -102,7 +103,7 @@ TEST(NearestNeighbours, DoNotDependOnWholePeriods) {
   }
 }
 
-/// n^3 points of a simple cubic lattice, its first at the origin.
+/// Returns the n^3 points of a simple cubic lattice whose first point is the origin.
 std::vector<Vec3> cubic_lattice(int n, double spacing) {
   std::vector<Vec3> points;
   for (int i = 0; i < n * n * n; ++i) points.push_back(spacing * Vec3(i % n, i / n % n, i / n / n));

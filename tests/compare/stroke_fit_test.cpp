@@ -24,7 +24,7 @@ std::vector<double> uniform_times(int n, double start = 0) {
   return times;
 }
 
-/// Times anywhere in the period, in order, from a fixed seed.
+/// Returns n random times within one period, in ascending order. The seed makes them reproducible.
 std::vector<double> scattered_times(int n, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> anywhere(0, period);
@@ -34,7 +34,7 @@ std::vector<double> scattered_times(int n, unsigned seed) {
   return times;
 }
 
-/// mean + amplitude cos(w t + phase) + second cos(2 w t + 0.4).
+/// Returns the arm lengths mean + amplitude cos(w t + phase) + second cos(2 w t + 0.4) at these times.
 std::vector<double> lengths_at(const std::vector<double>& times, double phase, double second = 0) {
   std::vector<double> lengths;
   for (const double t : times) {

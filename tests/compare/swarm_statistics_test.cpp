@@ -1,4 +1,4 @@
-// Statistics of swarms whose order, spreads and rotations are known exactly.
+// Tests of swarm statistics with swarms whose order, spreads and rotations are known exactly.
 
 #include <gtest/gtest.h>
 
@@ -39,7 +39,7 @@ SwarmMember with_cycle(const CycleStatistics& cycle) {
   return member;
 }
 
-/// `count` axes evenly round a cone of the half angle theta about the tilted axis.
+/// Returns swimmers whose axes are evenly spaced on a cone with the half angle theta around a tilted line.
 std::vector<SwarmMember> cone(int count, double theta) {
   std::vector<SwarmMember> members;
   for (int i = 0; i < count; ++i) {
@@ -57,7 +57,7 @@ std::vector<SwarmMember> isotropic(std::uint64_t count, std::uint64_t swarm) {
   return members;
 }
 
-/// One swimmer for each phase of arm 1; that of arm 2 is half of it, reversed.
+/// Returns one swimmer per value in `phases`: phase of arm 1. The phase of arm 2 is -1/2 of this value.
 std::vector<SwarmMember> with_phases(const std::vector<double>& phases) {
   std::vector<SwarmMember> members;
   for (const double phase : phases) {
@@ -171,7 +171,8 @@ TEST(SwarmPhases, SpreadEvenlyHaveNoOrder) {
 
 // --- spreads
 
-/// Each quantity of swimmer i of N runs evenly, in its own steps.
+/// Returns `count` swimmers. Each quantity of swimmer i is an arithmetic sequence in i, with its own
+/// increment.
 std::vector<SwarmMember> ladder(int count, const Vec3& wind) {
   std::vector<SwarmMember> members;
   for (int i = 1; i <= count; ++i) {

@@ -4,7 +4,8 @@
 
 #include "beadswim/core/message.hpp"
 
-// The one list of a record's fields, and the bytes that messages and checkpoints make of it.
+// Tests of the list of fields that each record type has, and of the bytes that messages and checkpoints make
+// from it.
 
 namespace beadswim {
 namespace {
@@ -19,7 +20,7 @@ struct Load {
   }
 };
 
-/// A record with a field of each kind. Each of its numbers is another multiple of 1/8.
+/// Record with one field of each kind. Each number in it is a different multiple of 1/8.
 struct Swimmer {
   std::optional<Load> drag;
   std::array<Load, 2> loads;
@@ -40,7 +41,7 @@ struct Swimmer {
   }
 };
 
-/// Components are n + 1/8, n + 2/8, ... n + 6/8.
+/// Returns a load whose components are n + 1/8, n + 2/8, ..., n + 6/8.
 Load load(int n) {
   return {.force = Vec3(1, 2, 3) / 8 + Vec3::Constant(n), .torque = Vec3(4, 5, 6) / 8 + Vec3::Constant(n)};
 }

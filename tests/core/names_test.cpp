@@ -19,8 +19,9 @@ TEST(Names, AnUnknownOneIsRefusedWithTheNearestAndAllAllowed) {
     from_text<Boundary>("no_slip");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "unknown \"no_slip\"; did you mean \"no-slip\"? There are periodic, free-slip, no-slip");
+    EXPECT_STREQ(
+        error.what(),
+        "unknown value \"no_slip\"; did you mean \"no-slip\"? Valid values: periodic, free-slip, no-slip");
   }
 }
 

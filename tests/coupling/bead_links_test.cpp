@@ -12,7 +12,7 @@ namespace {
 
 const Index3 lattice(22, 15, 13);
 
-/// A block of the lattice, and what closes the lattice.
+/// Size of a block of lattice cells, and the boundaries of the lattice.
 struct Shape {
   Block block;
   std::array<Boundary, 3> boundary;
@@ -25,11 +25,12 @@ const std::array shapes{Shape{{.offset = {0, 4, 3}, .size = {22, 7, 6}}, {}},
                         Shape{{.offset = {0, 8, 6}, .size = {22, 7, 7}},
                               {Boundary::periodic, Boundary::free_slip, Boundary::free_slip}}};
 
-/// Covered cell, direction, whether the fluid cell is the block's own, and if so how many cells behind are
-/// fluid, as far as the scheme reads.
+/// Link as found by the search: covered cell, direction, whether the fluid cell is in this block, and, if it
+/// is, how many cells behind it are fluid, as far as the scheme of the bead boundary reads.
 using Link = std::tuple<int, int, int, int, bool, int>;
 
-/// Two beads, in every third scene almost in contact; off the walls, if there are any.
+/// Returns two beads at random positions, away from walls. In every third scene the beads are almost in
+/// contact.
 std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<Boundary, 3>& boundary) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> part(0, 1), radius(1.1, 3.4);
@@ -52,7 +53,8 @@ std::vector<BeadOnLattice> random_beads(unsigned seed, const std::array<Boundary
   return beads;
 }
 
-/// Bead that covers the cell (its global coordinates), by the distance to the nearest image; -1: none.
+/// Returns the bead that covers the cell with these global coordinates, found by the distance to the nearest
+/// image; -1 if no bead covers it.
 int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell,
                   const std::array<Boundary, 3>& boundary) {
   for (int b = 0; b < std::ssize(beads); ++b) {
@@ -65,7 +67,7 @@ int covering_bead(const std::vector<BeadOnLattice>& beads, const Index3& cell,
   return -1;
 }
 
-/// A cell beyond a mirror is the mirror image of one before it.
+/// Returns the mirror image of a cell that lies behind a wall, and every other cell unchanged.
 Index3 before_mirror(Index3 cell, const std::array<Boundary, 3>& boundary) {
   for (int a = 0; a < 3; ++a) {
     if (boundary[a] == Boundary::periodic) continue;
@@ -106,7 +108,7 @@ std::set<Link> links_by_search(const std::vector<BeadOnLattice>& beads, const Sh
   return links;
 }
 
-/// Two beads in a block, and their links.
+/// Two beads in a block of cells, and their links.
 struct Scene {
   Scene(unsigned seed, const Shape& shape, BeadScheme scheme)
       : shape(shape),
@@ -115,7 +117,7 @@ struct Scene {
         populations(at.block.size),
         coverage(at, populations),
         links(scheme) {
-    // Beads that overlap are of no interest here.
+    // Replaces scenes in which the beads overlap.
     for (unsigned other = seed + 999; !covers(); other += 3) beads = random_beads(other, shape.boundary);
     links.find(coverage);
   }
@@ -138,7 +140,7 @@ struct Scene {
   BeadLinks links;
 };
 
-/// The links of a segment by the local coordinates of their covered cells.
+/// Returns the links of a segment with the local coordinates of their covered cells.
 std::vector<Link> links_of(BeadLinks& links, std::size_t segment, const Coverage& coverage) {
   const LinkSegment& at = links.segments()[segment];
   const Index3& low = coverage.images().images[at.image].image.low;
@@ -153,7 +155,7 @@ std::vector<Link> links_of(BeadLinks& links, std::size_t segment, const Coverage
 
 class BeadLinksIn : public testing::TestWithParam<std::tuple<Shape, BeadScheme>> {
  protected:
-  /// Calls check(scene) for scenes of seeds 1 to 30.
+  /// Calls check(scene) for the scenes with the seeds 1 to 30.
   template <class Check>
   void for_each_scene(Check&& check) {
     for (unsigned seed = 1; seed <= 30; ++seed) {

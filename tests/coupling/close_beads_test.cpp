@@ -1,4 +1,5 @@
-// Beads that are close: whose cells are whose, which pairs there are, what counts as lost.
+// Tests of beads that are close to each other: which bead covers a cell, which pairs are found, and when lost
+// mass or momentum is a fault.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -18,7 +19,7 @@ BeadOnLattice bead_at(int swimmer, const Vec3& position, double radius) {
           .impulse = {}};
 }
 
-/// One rank's block of a periodic lattice.
+/// A periodic lattice that is one block of one rank.
 struct OneBlock {
   explicit OneBlock(const Index3& cells)
       : decomposition(cells, 1), populations(cells, Precision::fp64, HaloContent::entering) {}
@@ -129,7 +130,7 @@ TEST(CloseBeads, ReportADeepOverlap) {
   EXPECT_NEAR(found.overlap->value, 0.6 / 2.5, 1e-12);
 }
 
-/// One swimmer in a box; a bead of radius 1 weighs 4 pi/3.
+/// Returns a scene of one swimmer in a box. A bead of radius 1 has the mass 4 pi/3.
 CoupledScene swimmer_scene(Boundary across_x, Precision precision) {
   SwimmerType type;
   type.beads.fill({.radius = 1, .density = 1});

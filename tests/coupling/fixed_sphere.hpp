@@ -8,7 +8,8 @@
 
 namespace beadswim::test {
 
-/// One sphere held in a periodic box of fluid, at rest or turning at a given rate: an infinite cubic array.
+/// A sphere that is held in a periodic box of fluid (an infinite cubic array), at rest or rotating with a
+/// given angular velocity.
 class FixedSphere {
  public:
   FixedSphere(int edge, double radius, const Vec3& centre, double relaxation_time,
@@ -24,20 +25,23 @@ class FixedSphere {
     cells.find(beads);
   }
 
-  /// Drives the fluid. The body force comes after the step's other forces: a sphere that pushes the fluid in
-  /// cells towards its motion is at rest, at mid-step, if it is half the force behind.
+  /// Sets the body force on the fluid. With psm, the sphere gets the velocity -force/2: the body force acts
+  /// at the end of a time step, so that this sphere is at rest relative to the fluid in the middle of the
+  /// step.
   void set_body_force(const Vec3& force) {
     fluid.body_force = force;
     if (!has_links(links.scheme())) beads[0].motion.velocity = -0.5 * force;
   }
 
-  /// Volume mean of the fluid's velocity outside the sphere, in the middle of a step, which it makes.
+  /// Performs one time step and returns the mean over the volume of the fluid velocity outside the sphere in
+  /// the middle of this step.
   Vec3 superficial_velocity() {
     const Vec3 sum = has_links(links.scheme()) ? sum_over_fluid_cells() : sum_over_parts_of_cells();
     return sum / fluid.populations.size().cast<double>().prod();
   }
 
-  /// One step; returns the impulse that the fluid hands to the sphere.
+  /// Performs one time step and returns the impulse and angular impulse that the fluid transfers to the
+  /// sphere.
   Load step() {
     beads[0].impulse = {};
     fluid.halo.fill(fluid.populations);
@@ -79,7 +83,8 @@ class FixedSphere {
     return sum;
   }
 
-  /// Each cell's velocity is the mean of its momenta before and after the step, as the sphere pushes it.
+  /// Sums the fluid velocity over the fluid parts of cells. The velocity of a cell is the mean of its momenta
+  /// before and after the step.
   Vec3 sum_over_parts_of_cells() {
     const Populations& populations = fluid.populations;
     std::vector<double> fluid_part(populations.cell(populations.size()), 1);

@@ -13,8 +13,8 @@
 namespace beadswim {
 namespace {
 
-/// All (cell, image) pairs of a block and its halo that lie within a bead, by looking at every cell and
-/// image.
+/// Pairs (cell, image) of a block and its halo for which the cell lies in the image of a bead, found by a
+/// search over all cells and all images.
 using Covered = std::set<std::array<int, 6>>;
 
 Covered covered_by_search(const BlockInLattice& at, const Vec3& position, double radius) {

@@ -36,7 +36,7 @@ constexpr LinkBead bead{.velocity = {0.01, -0.02, 0.003},
                         .radius = 6.5,
                         .slip = 0.4};
 
-/// The kernels that this processor can run.
+/// Returns the link kernels for all instruction sets that this processor supports.
 std::vector<LinkKernels> kernels() {
   std::vector<LinkKernels> kernels{BEADSWIM_LINK_KERNELS(baseline)};
 #if defined(__x86_64__)

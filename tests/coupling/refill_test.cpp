@@ -12,13 +12,14 @@ Vec3 velocity_of(int i) {
   return Vec3(c[0], c[1], c[2]);
 }
 
-/// A steady linear shear flow of density 1 + r, to first order in it.
+/// A steady linear shear flow with the density 1 + r. All terms of higher order in the velocity are omitted.
 struct ShearFlow {
   double density_deviation;
   Vec3 velocity;
   Eigen::Matrix3d shear;  ///< du_a/dx_b, without trace
 
-  /// f_i with tau, f_i* with tau - 1
+  /// Returns the population f_i. `time` is the relaxation time tau before the collision, and tau - 1 after
+  /// the collision.
   double population(int i, double time) const {
     const Vec3 c = velocity_of(i);
     return d3q19::weight(i) * (density_deviation + 3 * c.dot(velocity) - 3 * time * c.dot(shear * c));

@@ -13,7 +13,7 @@ namespace {
 const Index3 cells(20, 11, 10);
 constexpr double viscosity = 0.4;
 
-/// Beads in a block that is all of a periodic lattice.
+/// Beads in a block that is the complete periodic lattice.
 struct Scene {
   explicit Scene(const std::vector<BeadOnLattice>& beads, Precision precision)
       : populations(cells, precision),
@@ -29,7 +29,7 @@ struct Scene {
     transfer_impulses(sums, beads);
   }
 
-  /// Momentum of all that streams into the cells.
+  /// Returns the momentum of all populations that stream into the cells.
   Vec3 incoming_momentum() const {
     Vec3 sum = Vec3::Zero();
     for_each_row([&](int y, int z) {
@@ -66,7 +66,7 @@ BeadOnLattice bead(int number, const Vec3& position, const Vec3& velocity, const
           .impulse = {}};
 }
 
-/// Two turning beads a third of a cell apart, which share cells.
+/// Returns two rotating beads with a gap of 1/3 cell, so that some cells are partly in both beads.
 std::vector<BeadOnLattice> close_beads() {
   return {bead(0, Vec3(7.1, 5.2, 4.7), Vec3(0.01, -0.02, 0.005), Vec3(0.002, 0.001, -0.003)),
           bead(1, Vec3(12.0, 5.4, 5.1), Vec3(-0.02, 0.01, 0.01), Vec3(0, -0.002, 0.001))};

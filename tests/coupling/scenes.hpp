@@ -7,7 +7,8 @@
 
 namespace beadswim::test {
 
-/// A small strongly driven swimmer, radius 2, arms 7, in a periodic box.
+/// Returns a scene of one small, strongly driven swimmer in a periodic box: bead radius 2 cells, arms 7
+/// cells.
 inline CoupledScene small_swimmer(const Index3& cells, const Vec3& position, const Vec3& axis) {
   SwimmerType type;
   type.beads.fill({.radius = 2.2, .density = 1});

@@ -1,4 +1,5 @@
-// Runs on several ranks: swimmers must not notice the seams of ranks and of the periodic box.
+// Tests on several ranks: results must not depend on the boundaries between ranks or on the periodic
+// boundary.
 #include <gtest/gtest.h>
 
 #include "beadswim/core/error.hpp"
@@ -8,8 +9,8 @@
 namespace beadswim::test {
 namespace {
 
-/// Two swimmers: one along a diagonal across the box's corner, one whose bead 2 swings to and fro across the
-/// middle of the box, where ranks meet.
+/// Returns two swimmers. One lies on a diagonal across the corner of the box. Bead 2 of the other oscillates
+/// across the middle of the box, where ranks meet.
 CoupledScene crossing_scene() {
   CoupledScene scene = small_swimmer(Index3(26, 22, 20), Vec3(0.3, 21.8, 19.6), Vec3(1, 1, 1).normalized());
   scene.swimmers.push_back({.id = 7, .type = 1, .position = Vec3(13.1, 11, 10), .axis = Vec3::UnitX()});
@@ -18,8 +19,8 @@ CoupledScene crossing_scene() {
   return scene;
 }
 
-/// Arms of 20 across a box 15 wide: beads meet their own swimmer's images, and the owner reaches round the
-/// box.
+/// Returns a swimmer with arms of 20 cells in a box that is 15 cells wide, so that its beads come close to
+/// its own images and the rank that owns it needs cells around the whole box.
 CoupledScene long_arms() {
   CoupledScene scene = small_swimmer(Index3(9, 15, 10), Vec3(4.2, 7, 5.1), Vec3::UnitY());
   scene.types[0].springs.fill({.stiffness = 0.05, .rest_length = 20, .damping = 0});
@@ -28,29 +29,30 @@ CoupledScene long_arms() {
   return scene;
 }
 
-/// Two swimmers side by side along z, where ranks cut, their beads one to two cells apart: links face each
-/// other across single fluid cells.
+/// Returns two swimmers side by side along z, where ranks meet. The gap of their beads is one to two cells,
+/// so that links of both beads end in the same fluid cells.
 CoupledScene side_by_side() {
   CoupledScene scene = small_swimmer(Index3(14, 14, 30), Vec3(7.1, 7.3, 15.2), Vec3::UnitZ());
   scene.swimmers.push_back({.id = 3, .type = 0, .position = Vec3(12.8, 7.3, 15.2), .axis = Vec3::UnitZ()});
   return scene;
 }
 
-/// So long that ranks cut across x, through beads; where one rank holds it all, links wrap around rows.
+/// Returns a scene in a box that is so long along x that the boundary between ranks cuts beads. On one rank,
+/// links wrap around the periodic rows of cells instead.
 CoupledScene cut_across_x() {
   CoupledScene scene = small_swimmer(Index3(44, 8, 8), Vec3(21.9, 4.1, 3.7), Vec3::UnitX());
   scene.swimmers.push_back({.id = 4, .type = 0, .position = Vec3(43.9, 3.6, 4.4), .axis = Vec3::UnitX()});
   return scene;
 }
 
-/// The same between mirrors, a bead within a cell of one of them.
+/// Returns a swimmer along x between two free-slip walls across x, with a bead within one cell of a wall.
 CoupledScene between_mirrors_along_x() {
   CoupledScene scene = small_swimmer(Index3(36, 8, 8), Vec3(10.1, 4.1, 3.7), Vec3::UnitX());
   scene.boundary[0] = Boundary::free_slip;
   return scene;
 }
 
-/// Between walls of both kinds, beads within a cell of each.
+/// Returns swimmers between free-slip and no-slip walls, with beads within one cell of each wall.
 CoupledScene between_walls() {
   CoupledScene scene = small_swimmer(Index3(26, 14, 12), Vec3(13, 3.2, 8.7), Vec3::UnitX());
   scene.boundary = {Boundary::periodic, Boundary::free_slip, Boundary::no_slip};
@@ -58,8 +60,8 @@ CoupledScene between_walls() {
   return scene;
 }
 
-/// Two swimmers head to head, across the line between ranks, driven so strongly that their beads meet each
-/// other's and their own.
+/// Returns two swimmers head to head across the boundary between ranks. The driving is so strong that beads
+/// collide with beads of the other swimmer and of their own.
 CoupledScene colliding() {
   CoupledScene scene = small_swimmer(Index3(40, 12, 12), Vec3(10.2, 6.3, 5.9), Vec3::UnitX());
   scene.swimmers.push_back({.id = 2, .type = 0, .position = Vec3(29.9, 6.9, 6.4), .axis = Vec3::UnitX()});
@@ -69,7 +71,7 @@ CoupledScene colliding() {
   return scene;
 }
 
-/// Hash of the scene after 240 steps, on rank 0 of the communicator.
+/// Returns the hash of the scene's state after 240 time steps, on rank 0 of the communicator.
 std::string final_state(const CoupledScene& scene, const Communicator& communicator) {
   CoupledSystem system(scene, communicator);
   advance(system, 240);
@@ -127,7 +129,7 @@ class Conserving : public testing::TestWithParam<std::tuple<std::tuple<Precision
     scene.bead_boundary = std::get<1>(GetParam());
     return scene;
   }
-  /// Collective.
+  /// Runs the system and checks that mass and momentum are conserved. Collective.
   void expect_nothing_lost(CoupledSystem& system) const {
     const double roundoff = std::get<1>(std::get<0>(GetParam()));
     const SceneTotals totals = system.totals();
@@ -170,7 +172,8 @@ TEST_P(Conserving, BeadsThatCollide) {
   EXPECT_GT(system.largest_bead_speed(), 0.05);
 }
 
-/// Advances a scene that goes wrong until all ranks know, and on, as ranks do that have not looked yet.
+/// Advances a scene until all ranks know a fault, and some steps further, as a rank does that has not checked
+/// yet. Returns the fault.
 std::optional<Fault> fault_of(const CoupledScene& scene, const Communicator& communicator) {
   CoupledSystem system(scene, communicator);
   int steps = 0;

@@ -12,8 +12,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double tau = 1.5;
 
-/// Drag coefficient K of a simple-cubic array of spheres: F = 6 pi eta R K U, U the superficial velocity, F
-/// the body force on the whole cell (it includes the mean pressure gradient on the sphere's volume).
+/// Returns the drag coefficient K of a simple-cubic array of spheres of radius R: F = 6 pi eta R K U. U is
+/// the superficial velocity. F is the body force on a unit cell, which includes the force of the mean
+/// pressure gradient on the volume of the sphere.
 double array_drag(double volume_fraction, double cells_per_diameter, const Vec3& offset, BeadScheme scheme,
                   double tau = test::tau) {
   const double per_edge = std::cbrt(6 * volume_fraction / pi);  // diameter / spacing
@@ -33,7 +34,7 @@ double array_drag(double volume_fraction, double cells_per_diameter, const Vec3&
 }
 
 struct Drag {
-  double mean, spread;  ///< over positions within a cell; standard deviation
+  double mean, spread;  ///< mean and standard deviation over positions within a cell
 };
 Drag mean_array_drag(double volume_fraction, double cells_per_diameter, BeadScheme scheme) {
   constexpr std::array offsets{std::array{0.0, 0.0, 0.0}, std::array{0.5, 0.5, 0.5},
@@ -50,9 +51,9 @@ Drag mean_array_drag(double volume_fraction, double cells_per_diameter, BeadSche
 
 struct Measured {
   double volume_fraction;
-  double drag;         ///< Zick & Homsy, J. Fluid Mech. 115 (1982) 13, table 2
-  double diameter;     ///< [cell]
-  double model_error;  ///< of the scheme at this resolution: radius errors, amplified in close arrays
+  double drag;         ///< reference: Zick & Homsy, J. Fluid Mech. 115 (1982) 13, table 2
+  double diameter;     ///< diameter of a sphere [cell]
+  double model_error;  ///< accepted error: of the radius, amplified in dense arrays
   BeadScheme scheme = BeadScheme::staircase;
 };
 

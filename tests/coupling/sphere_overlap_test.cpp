@@ -13,7 +13,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double roundoff = 1e-13;  // some twenty terms of a few cells' volume
 
-/// Volume of a sphere about the origin within the box from `low` to `high`.
+/// Returns the volume of a sphere around the origin that lies within the box from `low` to `high`.
 double overlap(double radius, const std::array<double, 3>& low, const std::array<double, 3>& high) {
   double volume = 0;
   for (int corner = 0; corner < 8; ++corner) {
@@ -62,7 +62,8 @@ TEST(SphereOverlap, IsTheIntegralOfColumns) {
   }
 }
 
-/// Cells of a periodic box that one bead touches, through its images.
+/// Saturated cells of one bead in a periodic box: cells that the bead, or an image of it, covers partly or
+/// completely.
 class SaturatedCellsOf : public testing::TestWithParam<double> {};
 INSTANTIATE_TEST_SUITE_P(Radii, SaturatedCellsOf, testing::Values(0.4, 1.0, 2.2, 4.0, 6.3));
 

@@ -8,7 +8,8 @@ namespace {
 constexpr int box_edge = 24;
 constexpr int one_cycle = 120;
 
-/// Displacement of the mean bead position in one cycle, of a swimmer in the middle of a cube.
+/// Returns the displacement of the mean bead position in one cycle of a swimmer in the middle of a periodic
+/// cube.
 Vec3 displacement(const Vec3& axis, double phase) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3::Constant(box_edge), Vec3::Constant(box_edge / 2.0), axis);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""No string or comment of the libraries names a flag: they name settings (core/setting.hpp).
+"""Checks that no string and no comment of the libraries names a flag. Libraries name settings instead (core/setting.hpp).
 
-    library_flags.py SOURCE-FOLDER       exit status 1 if one does
+    library_flags.py SOURCE-FOLDER       exit status 1 if a flag is found
 """
 
 import pathlib

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every relative link of the Markdown pages leads to a file, or a heading, that is there, and every page of docs is linked to.
+"""Checks that every relative link in the Markdown pages leads to an existing file or heading, and that a link leads to every page in docs/.
 
     links.py SOURCE-FOLDER
 """
@@ -10,12 +10,12 @@ import sys
 
 
 def prose(text):
-    """A page without its code, in which brackets are no links."""
+    """Returns the text of a page without its code, in which brackets are not links."""
     return re.sub(r"(?ms)^```.*?^```|`[^`\n]*`", "", text)
 
 
 def anchors(page):
-    """As GitHub makes them of headings."""
+    """Returns the anchors that GitHub makes from the headings of a page."""
     headings = re.findall(r"(?m)^#+ (.+)$", page.read_text())
     return {re.sub(r"[^\w\- ]", "", h.lower()).strip().replace(" ", "-") for h in headings}
 

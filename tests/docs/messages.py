@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The messages in the sources: whether tests/docs/messages.txt lists all of them, and docs/errors.md quotes no other.
+"""Checks that tests/docs/messages.txt lists all messages in the sources, and that docs/errors.md quotes no other messages.
 
     messages.py SOURCE-FOLDER            compares; exit status 1 if they differ
     messages.py SOURCE-FOLDER --list     writes tests/docs/messages.txt

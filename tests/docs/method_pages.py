@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every page of docs/method has the parts of a law, the headers and tests that it names are there, and the index names every page.
+"""Checks the pages in docs/method: each has all its parts, the headers and tests that it names exist, and the index names every page.
 
     method_pages.py SOURCE-FOLDER
 """
@@ -25,7 +25,7 @@ def files(root, folders, suffixes):
 
 
 def suites(root):
-    """All Suite and Suite.Case of the GoogleTest sources."""
+    """Returns the names Suite and Suite.Case of all GoogleTest cases in the sources."""
     names = set()
     for source in files(root, ["tests"], {".cpp", ".hpp"}):
         for suite, case in re.findall(r"(?m)^(?:TYPED_)?TEST(?:_[FP])?\((\w+),\s*(\w+)", source.read_text()):
@@ -60,7 +60,7 @@ def named_files(text):
 
 
 def test_words(text):
-    """What stands in backticks where a page names its tests."""
+    """Returns the texts in backticks in the section in which a page names its tests."""
     found = re.findall(r"\*\*Tests?\.?\*\*(.*?)(?:\n\*\*Ref|\Z)", text, re.S)
     rows = re.search(r"\| What \| Where \| Test \|\n\|[-|]+\n((?:\|.*\n)+)", text)
     found += [row.split("|")[3] for row in rows.group(1).splitlines()] if rows else []

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The Spack recipe loads, with stand-ins for Spack's words, and depends on all that CMake looks for.
+"""Checks that the Spack recipe can be loaded (with substitutes for Spack's functions) and depends on all packages that CMake looks for.
 
     spack_recipe.py SOURCE-FOLDER
 """
@@ -10,7 +10,7 @@ import runpy
 import sys
 import types
 
-# What CMake's names are in Spack.
+# Names of packages in Spack, by their names in CMake.
 PACKAGES = {
     "MPI": "mpi", "HDF5": "hdf5", "Eigen3": "eigen", "CLI11": "cli11", "nlohmann_json": "nlohmann-json", "valijson": "valijson",
     "fmt": "fmt", "PkgConfig": "pkgconfig", "OpenSSL": "openssl", "benchmark": "benchmark", "GTest": "googletest",
@@ -19,7 +19,7 @@ PACKAGES = {
 
 
 def recipe(path):
-    """The class of the recipe, and what it says in directives."""
+    """Returns the class of the recipe and the arguments of its directives."""
     said = []
     spack = types.ModuleType("spack.package")
     for word in ["license", "version", "variant", "depends_on", "generator", "conflicts"]:

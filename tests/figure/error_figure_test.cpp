@@ -42,7 +42,7 @@ TEST(ErrorFigure, RefusesWhatNoLogarithmicAxisHolds) {
     error_figure({exact}, "core-seconds", {});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("c.json: has an error of 0 in the velocity"));
+    EXPECT_THAT(error.what(), HasSubstr("c.json: the run has an error of 0 in the velocity"));
   }
 }
 

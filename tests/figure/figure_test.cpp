@@ -60,7 +60,7 @@ TEST(Figure, GreaterValuesAreHigherOnThePage) {
   EXPECT_GT(y_of(first), y_of(svg.find("<circle", first + 1)));
 }
 
-/// The values of an attribute such as cy="..." in the order of the document.
+/// Returns the values of an attribute, such as cx or cy, in the order of the SVG document.
 std::vector<double> numbers(const std::string& svg, const std::string& attribute) {
   std::vector<double> found;
   const std::string start = attribute + "=\"";

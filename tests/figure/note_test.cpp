@@ -43,7 +43,7 @@ std::vector<Note> sixty_words() {
   return {{.text = repeated("parameter", 45)}, {.text = repeated("λ", 15)}};
 }
 
-/// Checks that notes have all their words, below the drawing and inside the page.
+/// Checks that all words of the notes are in the figure, below the drawing and inside the page.
 void expect_notes_on_page(const std::string& svg, double bottom_of_drawing) {
   const std::vector<NoteLine> lines = notes_on_page(svg);
   std::size_t words = 0;

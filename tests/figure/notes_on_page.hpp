@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// Finds the notes in an SVG document.
+// Finds the notes of a figure in its SVG document.
 
 namespace beadswim {
 

@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// One along x, its middle bead there.
+/// Returns a swimmer along x whose middle bead is at `middle`.
 PicturedSwimmer swimmer_at(const Vec3& middle, int colour) {
   const Vec3 arm(20, 0, 0);
   return {.beads = {middle - arm, middle, middle + arm}, .radii = {4, 4, 4}, .colour = colour};
@@ -27,7 +27,7 @@ struct Disc {
   double x = 0, y = 0, radius = 0;
 };
 
-/// In the order of drawing.
+/// Returns the beads in the order in which the document draws them.
 std::vector<Disc> discs(const std::string& svg) {
   static const std::regex circle(R"re(<circle class="b(\d)" cx="([\d.]+)" cy="([\d.]+)" r="([\d.]+)")re");
   std::vector<Disc> found;
@@ -101,7 +101,7 @@ TEST(SwarmPicture, KeysAndNotesAreWritten) {
   EXPECT_EQ(discs(svg).size(), 5U);
 }
 
-/// The whole element <text> that begins with this.
+/// Returns the complete SVG element <text> whose text begins with `beginning`.
 std::string text_element(const std::string& svg, const std::string& beginning) {
   const std::size_t content = svg.find(">" + beginning);
   if (content == std::string::npos) return {};

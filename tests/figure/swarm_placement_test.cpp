@@ -8,7 +8,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// A swimmer along x with arms of 10.
+/// Returns a swimmer along x with arms of length 10.
 PicturedSwimmer swimmer_at(const Vec3& centre, const std::array<int, 3>& layer = {}) {
   const Vec3 arm(10, 0, 0);
   return {.beads = {centre - arm, centre, centre + arm}, .radii = {1, 2, 3}, .layer = layer};

@@ -25,7 +25,7 @@ struct Segment {
   double x1 = 0, y1 = 0, x2 = 0, y2 = 0;
 };
 
-/// Of this colour, in the order of drawing.
+/// Returns the lines of this colour in the order in which the document draws them.
 std::vector<Segment> lines(const std::string& svg, const std::string& colour) {
   const std::regex line(R"re(<line x1="([\d.]+)" y1="([\d.]+)" x2="([\d.]+)" y2="([\d.]+)" stroke=")re" +
                         colour);

@@ -6,23 +6,23 @@
 
 #include "beadswim/core/error.hpp"
 
-// What every fuzz target is made of: it calls the reader that programs call. Bad input may end in the errors
-// that programs tell and exit with; what is accepted must hold what the reader promises. All else ends the
-// process.
+// Functions for all fuzz targets. A target passes random bytes to a reader of the programs. The reader may
+// refuse them with an exception that the programs report to users. If it accepts them, the result must have
+// the properties that the reader promises. Everything else ends the process, which the fuzzer reports.
 
-/// The entry of each target (libFuzzer's).
+/// Entry function of each fuzz target, which libFuzzer calls with random bytes.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace beadswim {
 
-/// Ends the process, with `promise` on standard error, if it is not kept.
+/// Ends the process and prints `promise` on standard error if `is_kept` is false.
 void require(bool is_kept, const std::string& promise);
 
-/// The input as text.
+/// Returns the bytes as text.
 std::string text_of(const std::uint8_t* data, std::size_t size);
 
-/// Whether a reader takes its input: not if it throws InputError, with a message. Other exceptions go on, and
-/// end the process.
+/// Returns true if the reader accepts its input, and false if it throws InputError with a message. Other
+/// exceptions are not caught and end the process.
 template <class Read>
 bool accepts(const Read& read) {
   try {

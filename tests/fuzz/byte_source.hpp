@@ -8,7 +8,8 @@
 
 namespace beadswim {
 
-/// The fuzzer's bytes, taken one after the other; zeros when they are at their end.
+/// Source of values that are taken from the bytes of the fuzzer, one after the other. After the last byte,
+/// all values are zero.
 class ByteSource {
  public:
   ByteSource(const std::uint8_t* data, std::size_t size) : next_(data), left_(size) {}
@@ -24,10 +25,10 @@ class ByteSource {
     return number;
   }
 
-  /// One of `count` choices.
+  /// Takes a number from 0 to count - 1.
   std::size_t choice(std::size_t count) { return take<std::uint8_t>() % count; }
 
-  /// At most `most` bytes.
+  /// Takes a text of at most `most` bytes.
   std::string text(std::size_t most) {
     const std::size_t count = std::min(most, left_);
     std::string result(reinterpret_cast<const char*>(next_), count);

@@ -4,8 +4,8 @@
 #include "memory_file.hpp"
 #include "one_rank.hpp"
 
-// Any bytes in place of a checkpoint. What is accepted has the contents of its hash, so its sections can be
-// read.
+// Fuzz target: arbitrary bytes in place of a checkpoint. If the checkpoint is accepted, its contents agree
+// with its hash, so all its sections must be readable.
 
 using namespace beadswim;
 

@@ -6,7 +6,7 @@
 namespace beadswim {
 namespace {
 
-/// Where in a text of this size; anywhere.
+/// Returns a random position in a text of this size.
 std::size_t place_in(std::size_t size, ByteSource& edits) {
   return edits.take<std::uint32_t>() % (size + 1);
 }

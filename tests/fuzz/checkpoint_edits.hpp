@@ -8,22 +8,23 @@
 
 namespace beadswim {
 
-/// What a checkpoint holds, in memory.
+/// Contents of a checkpoint in memory.
 struct CheckpointContents {
   struct Section {
     std::string name, bytes;
   };
   std::vector<Section> sections;
   Index3 cells = Index3::Zero();
-  int components = 0;             ///< 0: no lattice
+  int components = 0;             ///< numbers per lattice cell; 0: no lattice
   std::vector<double> numbers{};  ///< [component][z][y][x]
 
-  /// `sections` has the names, the other numbers what is to be read.
+  /// Reads a checkpoint. `sections` must contain the names of the sections, and the other members the sizes
+  /// to read.
   void read(const CheckpointReader& checkpoint);
-  /// With the hash that belongs to it.
+  /// Writes the contents as a checkpoint with the correct hash.
   void write(const std::string& path, const Communicator& communicator) const;
-  /// As the bytes say: sections that are missing, cut, or changed in places; lattices of other numbers and
-  /// shapes.
+  /// Changes the contents as the bytes select: sections are omitted, shortened or changed in places, and the
+  /// lattice gets other numbers or another shape.
   void edit(ByteSource& edits);
 };
 

@@ -9,7 +9,7 @@ bool says_nothing(const Json& value) {
   return value.is_null() || (value.is_structured() && value.empty()) || value == "";
 }
 
-/// The same number, or one that is the nearest double to the other.
+/// Returns true if both numbers are equal, or if one is the double nearest to the other.
 bool same_number(const Json& given, const Json& written) {
   if (given.is_number_float() || written.is_number_float())
     return given.get<double>() == written.get<double>();

@@ -8,14 +8,14 @@
 
 namespace beadswim {
 
-/// Requires that `written`, a document that was read and written again, says what `given` says: the same
-/// members with the same values, to the last bit; a member may be left out that is null or empty. Members of
-/// these names, at any depth, are not compared: their readers may say the same in other words.
+/// Requires that `written`, a document that was read and written again, agrees with `given`: the same members
+/// with the same values, to the last bit. Members that are null or empty may be omitted. Members with the
+/// names in the list, at any depth, are not compared, because the reader may write them in another form.
 void require_agreement(const Json& given, const Json& written,
                        const std::vector<std::string>& in_other_words);
 
-/// Reads a document, as `rewrite(json)`, which reads and is JSON again. Nothing if it is refused; else what
-/// is written holds finite numbers alone, and is the same when it is read and written once more.
+/// Reads a document and writes it again with `rewrite`. If the document is accepted, requires that the
+/// written document contains only finite numbers and does not change when it is read and written once more.
 template <class Rewrite>
 std::optional<Json> written_again(const Json& given, const Rewrite& rewrite) {
   Json written, again;
@@ -26,7 +26,7 @@ std::optional<Json> written_again(const Json& given, const Rewrite& rewrite) {
   return written;
 }
 
-/// The same of a text; it may be no JSON.
+/// Does the same for a text, which may be invalid JSON.
 template <class Rewrite>
 void require_rewritten_alike(const std::string& text, const std::vector<std::string>& in_other_words,
                              const Rewrite& rewrite) {

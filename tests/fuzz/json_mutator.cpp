@@ -4,8 +4,8 @@
 #include "accepted.hpp"
 #include "beadswim/io/json.hpp"
 
-// How libFuzzer changes an input: where it is JSON, mostly within its grammar, so that what comes out is a
-// document that differs in one or a few values, members or elements. All else gets libFuzzer's own changes.
+// Changes that libFuzzer makes to an input. An input that is valid JSON usually stays valid JSON: one or a
+// few values, members or elements change. All other inputs get the usual changes of libFuzzer.
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
@@ -74,7 +74,7 @@ Json changed_number(double number, Random& random) {
   }
 }
 
-/// Takes away or doubles an element.
+/// Removes or duplicates an element of an array.
 void change_elements(Json& array, Random& random) {
   constexpr std::size_t most = 200;
   const auto place = array.begin() + static_cast<std::ptrdiff_t>(below(array.size(), random));
@@ -86,7 +86,7 @@ void change_elements(Json& array, Random& random) {
   }
 }
 
-/// Takes away a member, or gives it another name.
+/// Removes or renames a member of an object.
 void change_members(Json& object, const std::string& name, Random& random) {
   auto member = object.begin();
   std::advance(member, static_cast<std::ptrdiff_t>(below(object.size(), random)));
@@ -114,7 +114,7 @@ void change(Json& document, Random& random) {
   }
 }
 
-/// The input with some changes; empty if it is no JSON.
+/// Returns the input with some changes; an empty text if the input is not valid JSON.
 std::string changed(const std::uint8_t* data, std::size_t size, Random& random) {
   Json document = Json::parse(data, data + size, nullptr, false);
   if (document.is_discarded()) return "";

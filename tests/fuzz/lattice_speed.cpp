@@ -5,7 +5,8 @@
 
 #include "documents_agree.hpp"
 
-// The cache of how fast the machine steps a lattice: whatever it holds, it is taken whole or measured anew.
+// Fuzz target: the cache file of the measured speed of lattice steps. Any contents must be accepted
+// completely or replaced by a new measurement.
 
 using namespace beadswim;
 

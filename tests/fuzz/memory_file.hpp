@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-/// A file, in memory where the machine has /dev/shm, that is gone with the object.
+/// A file, in memory if the machine has the folder /dev/shm. The destructor removes the file.
 class MemoryFile {
  public:
   MemoryFile(const std::uint8_t* data, std::size_t size);
@@ -21,7 +21,7 @@ class MemoryFile {
   std::string path_;
 };
 
-/// Where such files lie.
+/// Returns the folder of such files.
 std::string memory_folder();
 
 }  // namespace beadswim

@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-/// This process, as the one rank of a run.
+/// Returns a communicator that contains this process only.
 const Communicator& one_rank();
 
 }  // namespace beadswim

@@ -1,7 +1,7 @@
 #include "beadswim/documents/prediction_document.hpp"
 #include "documents_agree.hpp"
 
-// Predictions, as beadswim-compare and beadswim-plot read them.
+// Fuzz target: prediction documents, as beadswim-compare and beadswim-plot read them.
 
 using namespace beadswim;
 

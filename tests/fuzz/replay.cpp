@@ -6,7 +6,8 @@
 
 #include "accepted.hpp"
 
-// main of a target that is no fuzzer: gives it each file of a folder, its corpus.
+// Function main of a fuzz target in a build without fuzzer: passes each file of a folder (the corpus) to the
+// target.
 
 int main(int argc, char** argv) {
   if (argc != 2) {

@@ -10,8 +10,9 @@
 #include "one_rank.hpp"
 #include "run_setup.hpp"
 
-// beadswim-run --restart of checkpoints that are whole, with a hash of what they hold, but hold something
-// else than the run wrote: the bytes say what. A run goes on from one, or says why not.
+// Fuzz target: beadswim-run --restart with checkpoints that have a correct hash, but contents that no run has
+// written. The bytes select the changes of the contents. The run must continue, or report why it cannot
+// continue.
 
 using namespace beadswim;
 
@@ -20,7 +21,7 @@ namespace {
 constexpr double most_cells = 30000;  ///< of scenes that layouts may be edited to
 constexpr std::size_t most_swimmers = 10;
 
-/// A folder of its own in memory, gone with the process.
+/// A folder in memory for this process. The destructor removes it.
 struct Folder {
   std::filesystem::path path = memory_folder() + "/beadswim-fuzz." + std::to_string(getpid());
   Folder() { std::filesystem::create_directory(path); }
@@ -45,7 +46,7 @@ bool is_small(const ModelPlan& plan) {
          plan.steps_per_cycle < 100000;
 }
 
-/// Some steps of a run from its start, and the checkpoint that it leaves.
+/// Performs some steps of a new run, and returns the contents of the checkpoint that the run writes.
 CheckpointContents contents_after(const std::vector<std::string>& arguments, CheckpointContents contents) {
   const Request request = request_of(arguments);
   const LayoutDocument document = read_layout(request, one_rank());
@@ -107,7 +108,8 @@ const CheckpointContents& lattice_run() {
   return contents;
 }
 
-/// As the program's main does up to its time loop, and two steps of that.
+/// Continues from a checkpoint as main() of the program does before its time loop, and performs two time
+/// steps.
 void go_on_from(const std::string& checkpoint) {
   Request request = request_of({"--restart", checkpoint, "--progress", "none"});
   const LayoutDocument document = read_layout(request, one_rank());

@@ -1,7 +1,8 @@
 #!/bin/bash
-# Builds the fuzz targets and runs them, each from its corpus (docs/fuzzing.md).
+# Builds the fuzz targets and runs them, each from its corpus of inputs (docs/fuzzing.md).
 #   tests/fuzz/run.sh [EXECUTIONS|SECONDSs [TARGET...]]     default: 10000, all targets
-# Inputs that reach new code stay in out/fuzz/TARGET. What ends a target goes to out/fuzz/findings, with the log.
+# Inputs that reach new code are stored in out/fuzz/TARGET. Inputs that make a target fail are stored in out/fuzz/findings, with
+# the log.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
@@ -16,8 +17,9 @@ case $amount in
   *) limit=-runs=$amount ;;
 esac
 
-# Short stacks of allocations and a small quarantine make it twice as fast, and so does -entropic=0 below: how often
-# each feature was seen takes longer to count than short inputs take to run.
+# Options of the address sanitizer that double the speed: short call stacks of allocations and a small quarantine. The option
+# -entropic=0 below also doubles the speed, because counting how often each feature occurs takes longer than short inputs take to
+# run.
 asan=malloc_context_size=2:quarantine_size_mb=16
 export UBSAN_OPTIONS=print_stacktrace=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
@@ -25,13 +27,14 @@ cmake --preset fuzz
 cmake --build --preset fuzz
 
 mkdir -p out/fuzz/findings out/fuzz/unrepeated
-# Keys, and words that values may be, as the schemas have them.
+# Dictionary for the fuzzer: keys of the schemas, and the words that values may have.
 jq -r '.. | objects | (.properties // {} | keys[]), (.enum // [] | .[] | strings), (.const // empty | strings)' \
   schemas/*.json | sort -u | jq -R '@json | @json' -r >out/fuzz/words
 
 documents="-max_len=8192 -dict=out/fuzz/words"
 edits="-max_len=400 -detect_leaks=0"  # leaks of the HDF5 and MPI libraries are theirs
-# Damaged metadata crash HDF5 itself: these targets go on, and what crashed the library is left out of the findings.
+# Damaged metadata crash the HDF5 library itself. These targets therefore continue after a crash, and crashes in HDF5 are removed
+# from the findings.
 bytes="-max_len=30000 -detect_leaks=0 -malloc_limit_mb=1000000 -fork=1 -ignore_crashes=1"
 declare -A options=(
   [layout]=$documents [prediction]=$documents [run_record]=$documents [swimming_file]=$documents
@@ -41,8 +44,9 @@ declare -A options=(
 
 limits="-timeout=20 -rss_limit_mb=4096"
 
-# Where what the target does with a finding ends: in libhdf5, if its frame comes before any of ours; here; or nowhere, as
-# what HDF5 reads beyond its memory hangs on what inputs before have left there. Hangs and memory are ours.
+# Prints where a target fails for an input: "libhdf5" if the first known frame of the call stack is in HDF5; "here" if it is in
+# Beadswim, or for a timeout or lack of memory; "nowhere" if the target does not fail again, because what HDF5 reads beyond its
+# memory depends on earlier inputs.
 ends_in() { # TARGET FILE
   local said frame
   case $(basename "$2") in *-timeout-* | *-oom-*) echo here && return ;; esac
@@ -54,7 +58,7 @@ ends_in() { # TARGET FILE
   if [ "$frame" = libhdf5 ]; then echo libhdf5; else echo here; fi
 }
 
-# Whether crashes, which the target was told to ignore, are all that its exit status tells of.
+# Returns success if the target completed its executions and its exit status reports only crashes that it was told to ignore.
 went_on() { # TARGET LOG
   [[ ${options[$1]} == *-ignore_crashes=1* ]] && grep -q '^INFO: fuzzed for' "$2"
 }

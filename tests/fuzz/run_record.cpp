@@ -1,7 +1,7 @@
 #include "beadswim/documents/swimming_document.hpp"
 #include "documents_agree.hpp"
 
-// Run records, as beadswim-compare, beadswim-plot and beadswim-theory --stroke-from read them.
+// Fuzz target: run records, as beadswim-compare, beadswim-plot and beadswim-theory --stroke-from read them.
 
 using namespace beadswim;
 

@@ -2,7 +2,8 @@
 #include "beadswim/documents/swimming_document.hpp"
 #include "memory_file.hpp"
 
-// Files of run records and predictions, one or, as JSON lines, several, as beadswim-plot reads them.
+// Fuzz target: files with one run record or prediction, or with several as JSON lines, as beadswim-plot reads
+// them.
 
 using namespace beadswim;
 

@@ -2,7 +2,8 @@
 #include "trajectory_edits.hpp"
 #include "whole_trajectory.hpp"
 
-// Trajectories that are sound HDF5 but maybe no trajectory: the bytes say what is wrong with them.
+// Fuzz target: files that are valid HDF5 but possibly not valid trajectories. The bytes select the errors in
+// the file.
 
 using namespace beadswim;
 

@@ -1,7 +1,7 @@
 #include "memory_file.hpp"
 #include "whole_trajectory.hpp"
 
-// Any bytes in place of a trajectory: damaged HDF5.
+// Fuzz target: arbitrary bytes in place of a trajectory, that is, damaged HDF5 files.
 
 using namespace beadswim;
 

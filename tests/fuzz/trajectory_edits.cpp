@@ -17,9 +17,9 @@ enum class Form { dataset, attribute, group, missing, dangling_link };
 
 struct Item {
   std::string place, attribute;
-  hid_t type;  ///< in the file
+  hid_t type;  ///< number type in the file
   std::vector<hsize_t> shape;
-  std::vector<double> numbers;  ///< as many as the shape says, unless it was edited
+  std::vector<double> numbers;  ///< as many as the shape requires, unless it was edited
   std::string text;
   Form form = Form::dataset;
 };
@@ -35,7 +35,7 @@ const char* const layout_text =
     R"("swimmers":[{"id":0,"type":"a","position":[30,10,20],"axis":[1,0,0]},)"
     R"({"id":1,"type":"a","position":[30,30,20],"axis":[1,0,0]}]})";
 
-/// Two swimmers, two frames, one cycle.
+/// Returns the contents of a valid trajectory with two swimmers, two frames and one cycle.
 std::vector<Item> sound_items() {
   const hid_t real = H5T_IEEE_F64LE, single = H5T_IEEE_F32LE, whole = H5T_STD_I32LE, text = H5T_C_S1;
   std::vector<double> positions;
@@ -137,7 +137,7 @@ hsize_t count_of(const Item& item) {
   return std::accumulate(item.shape.begin(), item.shape.end(), hsize_t{1}, std::multiplies<>());
 }
 
-/// Writes numbers or text, where there are as many as the shape says.
+/// Writes numbers or text to a dataset if there are as many as its shape requires.
 void fill(hid_t dataset, const Item& item, const H5Handle& type) {
   const bool is_text = H5Tget_class(type) == H5T_STRING;
   if (is_text && H5Tis_variable_str(type) == 0 && count_of(item) <= 3) {

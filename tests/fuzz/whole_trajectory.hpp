@@ -15,7 +15,8 @@ inline bool are_finite(const std::vector<Vec3>& vectors, std::size_t beads) {
   return vectors.size() == beads && std::ranges::all_of(vectors, [](const Vec3& v) { return v.allFinite(); });
 }
 
-/// Opens a trajectory as beadswim-plot does. If it is accepted, every frame is refused or whole.
+/// Opens a trajectory as beadswim-plot does. If it is accepted, requires that each frame is either refused or
+/// complete.
 inline void require_whole_or_refused(const std::string& path) {
   require_all_closed_by([&] {
     accepts([&] {

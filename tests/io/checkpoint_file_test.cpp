@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder for all ranks, which goes with the object.
+/// A folder that all ranks share. The destructor removes it.
 class SharedFolder {
  public:
   explicit SharedFolder(const Communicator& communicator) : communicator_(communicator) {
@@ -44,7 +44,7 @@ class CheckpointFile : public testing::Test {
   const Index3 cells{3, 4, 6};
   const std::string words = "what rank 0 has to say";
 
-  /// Planes of the lattice, shared out among the ranks.
+  /// Returns the planes of the lattice that this rank contributes.
   LatticePart own_part() const {
     const int ranks = communicator.size(), rank = communicator.rank();
     const int low = cells[2] * rank / ranks, high = cells[2] * (rank + 1) / ranks;
@@ -52,7 +52,7 @@ class CheckpointFile : public testing::Test {
   }
   LatticePart whole() const { return {.cells = cells, .offset = {0, 0, 0}, .size = cells}; }
 
-  /// A different number for each component and cell.
+  /// Returns a number that is different for each component and cell.
   double number(int component, int x, int y, int z) const {
     return 1 / 3.0 + component + 10 * x + 100 * y + 1000 * z;
   }

@@ -10,7 +10,8 @@
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/trajectory_reader.hpp"
 
-// A field that is added to a record by a line in its list is in all that is made of the record.
+// Tests that a field which is added to the list of fields of a record also appears in all forms that are made
+// from the record.
 
 namespace beadswim {
 

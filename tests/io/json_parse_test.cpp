@@ -12,7 +12,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// The message with which a text is refused; empty if it is not.
+/// Returns the message with which a text is refused; an empty text if it is accepted.
 std::string refusal(const std::string& text) {
   try {
     parse_json(text, "in.json");

@@ -27,7 +27,8 @@ Json sound_layout() {
     "swimmers": [{"id": 0, "type": "a", "position": [0, 0, 0], "axis": [1, 0, 0]}]})");
 }
 
-/// The message with which a layout, changed at a JSON pointer, is refused; empty if it is not.
+/// Changes a layout at a JSON pointer and returns the message with which it is refused; an empty text if it
+/// is accepted.
 std::string refusal(const std::string& pointer, const Json& value) {
   Json layout = sound_layout();
   layout[Json::json_pointer(pointer)] = value;
@@ -63,13 +64,15 @@ TEST(Schema, NamesEveryUnknownKeyOfAnObject) {
 
 TEST(Schema, NamesAMissingKeyAndItsMeaning) {
   EXPECT_EQ(refusal("/fluid", {{"density", 1}}),
-            "in.json:/fluid: lacks the key \"kinematic_viscosity\" (kinematic viscosity nu [length^2/time])");
+            "in.json:/fluid: the object lacks the key \"kinematic_viscosity\" (kinematic viscosity nu "
+            "[length^2/time])");
 }
 
 TEST(Schema, EchoesTheValueAndWhatIsAllowed) {
   EXPECT_EQ(refusal("/types/a/beads/2/radius", -4),
-            "in.json:/types/a/beads/2/radius: -4: must be greater than 0 (bead radius [length])");
-  EXPECT_THAT(refusal("/swimmers/0/id", -1), HasSubstr("-1: must be at least 0 and at most 2147483647"));
+            "in.json:/types/a/beads/2/radius: -4: the value must be greater than 0 (bead radius [length])");
+  EXPECT_THAT(refusal("/swimmers/0/id", -1),
+              HasSubstr("-1: the value must be at least 0 and at most 2147483647"));
   EXPECT_THAT(refusal("/types/a/driving/frame", "bodi"), HasSubstr("did you mean \"body\"?"));
 }
 
@@ -82,15 +85,17 @@ TEST(Schema, RefusesOneTypeInPlaceOfAnother) {
 
 TEST(Schema, CountsElementsAndSaysWhatTheyAre) {
   const Json spring{{"stiffness", 1}, {"rest_length", 20}, {"damping", 0}};
-  EXPECT_THAT(refusal("/types/a/springs", {spring, spring, spring}),
-              AllOf(StartsWith("in.json:/types/a/springs: has 3 elements; exactly 2 are needed"),
-                    HasSubstr("the second beads 2 and 3; there is no other bead to join")));
+  EXPECT_THAT(
+      refusal("/types/a/springs", {spring, spring, spring}),
+      AllOf(StartsWith("in.json:/types/a/springs: the array has 3 elements, but exactly 2 are needed"),
+            HasSubstr("the second beads 2 and 3; there is no other bead to join")));
 }
 
 TEST(Schema, FollowsTheBranchThatTheValueTakes) {
   EXPECT_THAT(refusal("/units", "latice"), HasSubstr("did you mean \"lattice\"?"));
-  EXPECT_THAT(refusal("/units", {{"length", "um"}, {"time", "sec"}, {"mass", "pg"}}),
-              AllOf(StartsWith("in.json:/units/time: \"sec\": must be one of"), Not(HasSubstr("\n"))));
+  EXPECT_THAT(
+      refusal("/units", {{"length", "um"}, {"time", "sec"}, {"mass", "pg"}}),
+      AllOf(StartsWith("in.json:/units/time: \"sec\": the value must be one of"), Not(HasSubstr("\n"))));
   EXPECT_THAT(
       refusal("/units", {{"length", "um"}, {"tmie", "s"}, {"mass", "pg"}}),
       AllOf(StartsWith("in.json:/units/tmie: unknown key; did you mean \"time\"?"), Not(HasSubstr("\n"))));
@@ -108,17 +113,18 @@ TEST(Schema, ShowsTwentyFaultsAndCountsTheRest) {
 
 TEST(SchemaName, SaysWhatTheDocumentIsInstead) {
   EXPECT_THAT(refusal("/schema", "beadswim/run/1"),
-              HasSubstr("another kind of document (\"run\"); a \"layout\""));
+              HasSubstr("another kind of document (\"run\"); give a document of the kind \"layout\""));
   EXPECT_THAT(refusal("/schema", "layout"), HasSubstr("must be \"beadswim/layout/1\""));
-  EXPECT_THAT(refusal("", Json::array()), HasSubstr("the document is an array"));
+  EXPECT_THAT(refusal("", Json::array()), HasSubstr("the JSON document is an array"));
   EXPECT_THAT(refusal("", Json::object()), HasSubstr("lacks the key \"schema\""));
 }
 
 // A newer document may have keys that this program would call unknown: the version is what to say.
 TEST(SchemaName, SaysThatADocumentIsNewer) {
-  EXPECT_EQ(refusal("", {{"schema", "beadswim/layout/2"}, {"blobs", 1}}),
-            "in.json:/schema: \"beadswim/layout/2\" is newer than this program, which reads version 1; "
-            "update Beadswim");
+  EXPECT_EQ(
+      refusal("", {{"schema", "beadswim/layout/2"}, {"blobs", 1}}),
+      "in.json:/schema: the schema \"beadswim/layout/2\" is newer than this program, which reads version 1; "
+      "update Beadswim");
 }
 
 }  // namespace

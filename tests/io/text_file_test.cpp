@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An empty folder that goes with the test.
+/// Test with an empty folder, which is removed at the end.
 class TextFile : public testing::Test {
  protected:
   TextFile() : folder_(fs::temp_directory_path() / ("beadswim-text-file-" + std::to_string(::getpid()))) {

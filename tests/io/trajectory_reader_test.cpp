@@ -12,7 +12,8 @@
 
 #include "beadswim/core/error.hpp"
 
-// What TrajectoryWriter writes, TrajectoryReader reads; all else is refused with place and remedy.
+// Tests that TrajectoryReader reads what TrajectoryWriter writes, and refuses all other files with a message
+// that states place and remedy.
 
 namespace beadswim {
 namespace {
@@ -20,7 +21,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 
-/// A folder of its own, gone with the test.
+/// A folder for one test. The destructor removes it.
 struct Folder {
   std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("trajectory_reader_test." + std::to_string(getpid()));
@@ -38,7 +39,8 @@ TrajectoryHeader two_swimmers() {
           .parameters = {{"layout", "{ \"a\": 1 }\n"}, {"note", "λ"}}};
 }
 
-/// Positions that leave the box on both sides; all numbers are exact in single precision.
+/// Returns frame number n. Its positions leave the box on both sides; all numbers are exact in single
+/// precision.
 TrajectoryFrame frame_number(int n) {
   TrajectoryFrame frame{
       .step = 50L * n, .time = 12.5 * n, .positions = {}, .velocities = {}, .mean_flow = Vec3(n, 0.1, 0)};
@@ -62,7 +64,8 @@ void write(const std::string& path, int frames, const TrajectoryHeader& header =
   writer.finish();
 }
 
-/// The message of the InputError that reading the file, all of it, throws; empty if there is none.
+/// Reads the complete file and returns the message of the InputError that is thrown; an empty text if none is
+/// thrown.
 std::string fault_of(const std::string& path) {
   try {
     const TrajectoryReader reader(path);
@@ -73,7 +76,7 @@ std::string fault_of(const std::string& path) {
   return "";
 }
 
-/// Changes the finished file by HDF5 itself.
+/// Changes the finished file with functions of HDF5.
 void edit(const std::string& path, const std::function<void(hid_t)>& change) {
   const H5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
   change(file);
@@ -198,21 +201,25 @@ TEST(TrajectoryReader, ReadsTheWholeFramesOfAFileThatIsBeingWritten) {
 TEST(TrajectoryReader, SaysThatThereIsNoFrameYet) {
   const Folder folder;
   write(folder.file("run.h5md"), 0);
-  EXPECT_THAT(fault_of(folder.file("run.h5md")), HasSubstr("run.h5md: contains no frame yet; wait for"));
+  EXPECT_THAT(fault_of(folder.file("run.h5md")),
+              HasSubstr("run.h5md: the trajectory contains no frame yet; wait for"));
 }
 
 TEST(TrajectoryReader, RefusesWhatIsNoTrajectory) {
   const Folder folder;
   const auto path = folder.file("x.h5md");
   EXPECT_THAT(fault_of(path),
-              AllOf(HasSubstr("x.h5md: cannot be read: No such file"), HasSubstr("; give a ")));
+              AllOf(HasSubstr("x.h5md: the file cannot be read: No such file"), HasSubstr("; give a ")));
   EXPECT_THAT(fault_of(folder.path), HasSubstr("is not a regular file"));
   EXPECT_THAT(fault_of("-"), HasSubstr("name the file"));
   std::ofstream(path) << "{ \"schema\": \"beadswim/run/1\" }\n";
   EXPECT_THAT(fault_of(path),
-              AllOf(HasSubstr("x.h5md: is not an HDF5 file"), HasSubstr("give a trajectory")));
+              AllOf(HasSubstr("x.h5md: the file is not an HDF5 file"), HasSubstr("give a trajectory")));
   { const H5Handle empty(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path); }
-  EXPECT_THAT(fault_of(path), HasSubstr("x.h5md: is an HDF5 file but not a trajectory of Beadswim: /h5md is missing"));
+  EXPECT_THAT(
+      fault_of(path),
+      HasSubstr(
+          "x.h5md: the file is an HDF5 file but not a trajectory of Beadswim: the group /h5md is missing"));
 }
 
 TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
@@ -228,10 +235,11 @@ TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
   };
   for (const char* name : {"particles/beads/position/value", "particles/beads/image/value",
                            "observables/momentum/value", "particles/beads/radius", "parameters"}) {
-    EXPECT_THAT(without(name), HasSubstr(std::string("run.h5md:/") + name + ": is missing or damaged; give"));
+    EXPECT_THAT(without(name), HasSubstr(std::string("run.h5md:/") + name +
+                                         ": this part of the HDF5 file is missing or damaged; give"));
   }
   EXPECT_THAT(fault_after([](hid_t file) { H5Adelete_by_name(file, "particles/beads/box", "boundary", 0); }),
-              HasSubstr("/particles/beads/box: has no attribute \"boundary\""));
+              HasSubstr("/particles/beads/box: this HDF5 object has no attribute \"boundary\""));
   EXPECT_THAT(fault_after([](hid_t file) {
                 H5Ldelete(file, "parameters/layout", H5P_DEFAULT);
                 write_dataset(file, "parameters/layout", std::array{1, 2});
@@ -241,7 +249,7 @@ TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
                 H5Ldelete(file, "particles/beads/radius", H5P_DEFAULT);
                 write_dataset(file, "particles/beads/radius", std::array{1.0, 2.0});
               }),
-              HasSubstr("/particles/beads/radius: does not have 6 entries, one per bead"));
+              HasSubstr("/particles/beads/radius: the dataset does not have 6 entries, one per bead"));
   EXPECT_THAT(fault_after([](hid_t file) {
                 H5Ldelete(file, "particles/beads/position/value", H5P_DEFAULT);
                 write_dataset(file, "particles/beads/position/value", std::array{1.0, 2.0});
@@ -255,11 +263,11 @@ TEST(TrajectoryReader, RefusesSwimmersThatAreNotWholeAndNumbersThatAreNone) {
   TrajectoryHeader header = two_swimmers();
   header.swimmer[4] = 4;
   write(path, 1, header);
-  EXPECT_THAT(fault_of(path),
-              HasSubstr("species: must be 1, 2, 3 for the three consecutive beads of each swimmer"));
+  EXPECT_THAT(fault_of(path), HasSubstr("species: the numbers of the beads must be 1, 2, 3 for the three "
+                                        "consecutive beads of each swimmer"));
   write(path, 2, two_swimmers(),
         [](TrajectoryFrame& frame) { frame.velocities[3].x() = std::numeric_limits<double>::quiet_NaN(); });
-  EXPECT_THAT(fault_of(path), HasSubstr("velocity/value: contains a non-finite number"));
+  EXPECT_THAT(fault_of(path), HasSubstr("velocity/value: the dataset contains a non-finite number"));
 }
 
 // Cut short anywhere, a file is refused or read as far as it goes, and never a crash.

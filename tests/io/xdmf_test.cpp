@@ -10,8 +10,8 @@
 #include "beadswim/io/h5md.hpp"
 #include "beadswim/io/json.hpp"
 
-// The index names each frame's numbers where the trajectory has them. That ParaView reads it is for
-// tests/readers/pvbatch_beads.py to see.
+// Tests that the XDMF index refers to the numbers of each frame in the trajectory.
+// tests/readers/pvbatch_beads.py tests that ParaView can read the index.
 
 namespace beadswim {
 namespace {
@@ -71,7 +71,7 @@ TEST_F(Xdmf, SaysWhatCannotBeWritten) {
     write_xdmf(file("run.h5md"));
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("run.h5md.xdmf2: is a folder"));
+    EXPECT_THAT(error.what(), HasSubstr("run.h5md.xdmf2: this path is a folder"));
   }
 }
 

@@ -1,4 +1,4 @@
-// Runs on several ranks: the lattice must not notice how it is cut.
+// Tests on several ranks: the state of the lattice must not depend on its decomposition into blocks.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<Boundary, 3> all_periodic{Boundary::periodic, Boundary::periodic, Boundary::periodic};
 
-/// A rough state that is a function of the global cell alone.
+/// Returns an irregular state of a cell, which depends only on the global coordinates of the cell.
 CellMoments rough_state(const Index3& cell) {
   std::mt19937 random(static_cast<unsigned>(cell[0] + 1000 * cell[1] + 1000000 * cell[2]));
   std::uniform_real_distribution<double> deviation(-0.02, 0.02);
@@ -22,7 +22,8 @@ CellMoments rough_state(const Index3& cell) {
   return {density, Vec3(ux, uy, deviation(random))};
 }
 
-/// Cells along z: 8 leave no plane inside a block to be swept while messages are under way, 24 do.
+/// Lattices with different numbers of cells along z. With 8 cells no plane is inside a block, so that none
+/// can be swept while messages are in transit; with 24 cells some planes are.
 class Decomposed : public testing::TestWithParam<std::tuple<std::array<Boundary, 3>, Precision, int>> {};
 
 // Catches any exchange that is missing or out of order, at faces, edges and wall corners alike, and row ends
@@ -67,7 +68,7 @@ TEST(RowEnds, AreFilledAnewAfterACellThereWasSet) {
   EXPECT_EQ(box.populations.outgoing(along_x, image), 0.0123);
 }
 
-/// Relative change of the momentum of a uniform flow that carries a slowly decaying shear wave along with it.
+/// Returns the relative change of the momentum of a uniform flow that carries a slowly decaying shear wave.
 double lost_momentum(Precision precision, int steps) {
   constexpr int n = 64;
   constexpr double slow_decay = 0.51;  // relaxation time: the wave falls by half in some 20,000 steps

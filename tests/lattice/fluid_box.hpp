@@ -12,7 +12,7 @@
 
 namespace beadswim::test {
 
-/// A box of fluid without beads, optionally under a uniform body force.
+/// A box of fluid without beads. A uniform body force can act on the fluid.
 struct FluidBox {
   FluidBox(const Index3& cells, const std::array<Boundary, 3>& boundary, double relaxation_time,
            MPI_Comm comm = MPI_COMM_SELF, Precision precision = Precision::fp64,
@@ -49,12 +49,14 @@ struct FluidBox {
     for (int n = 0; n < count; ++n) step();
   }
 
-  /// u at a cell: the mid-step velocity, half the force's impulse before the value after collision.
+  /// Returns the velocity at a cell in the middle of a time step: half of the force's impulse before the
+  /// value after the collision.
   Vec3 velocity(int x, int y, int z) const {
     return cell_moments(populations, populations.cell(x, y, z)).momentum - 0.5 * body_force;
   }
 
-  /// Sets every own cell to equilibrium at (density - 1, velocity) given at its global coordinates.
+  /// Sets every cell of this rank to equilibrium, with density - 1 and velocity as `state` returns them for
+  /// its global coordinates.
   void set(const std::function<CellMoments(const Index3&)>& state) {
     for_each_cell(populations, [&](const Index3& p, std::ptrdiff_t cell) {
       const CellMoments moments = state(p + block.offset);
@@ -69,7 +71,7 @@ struct FluidBox {
   Halo halo;
   RelaxationRates rates;
   Vec3 body_force = Vec3::Zero();
-  std::optional<RowEnds> row_ends;  ///< what the sweep fills, after all of the halo; unset: all that it can
+  std::optional<RowEnds> row_ends;  ///< row ends that the sweep fills; nullopt: all possible ones
 };
 
 }  // namespace beadswim::test

@@ -27,7 +27,7 @@ Rows<Real> random_rows(long cells) {
   return rows;
 }
 
-/// The kernels that this processor can run.
+/// Returns the kernels for all instruction sets that this processor supports.
 std::vector<RowKernels> kernels() {
   std::vector<RowKernels> kernels{
       {baseline::sweep_row, baseline::sweep_row, baseline::totals_row, baseline::totals_row, "baseline"}};
@@ -91,7 +91,7 @@ TYPED_TEST(RowKernelsOf, SweepGivesTheSameBitsOnEveryInstructionSet) {
   }
 }
 
-/// Density deviation and momentum of the row, term by term.
+/// Returns the density deviation and momentum of the row, summed term by term.
 template <class Real>
 std::array<OrderFreeSum, 4> totals_one_by_one(const Rows<Real>& rows, long cells) {
   std::array<OrderFreeSum, 4> sums;

@@ -8,12 +8,14 @@
 namespace beadswim::test {
 namespace {
 
-/// Steady flow between plates at 0 and h under a body force: u = F y (h - y) / (2 nu).
+/// Returns the velocity of steady flow between plates at y = 0 and y = h, driven by a body force F: u = F y
+/// (h - y) / (2 nu).
 double plate_flow(double force, double viscosity, double h, double y) {
   return force * y * (h - y) / (2 * viscosity);
 }
 
-/// Steady flow in a square duct of side h, walls at 0 and h (series of White, Viscous Fluid Flow, 3-48).
+/// Returns the velocity of steady flow in a square duct with walls at 0 and h (series of White, Viscous Fluid
+/// Flow, 3-48).
 double duct_flow(double force, double viscosity, double h, double y, double z) {
   constexpr double pi = std::numbers::pi;
   double sum = 0;

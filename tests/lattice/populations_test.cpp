@@ -7,7 +7,7 @@
 namespace beadswim {
 namespace {
 
-/// A row that is not a whole number of cache lines, and a box without symmetry.
+/// Size of a box without symmetry. Its rows do not fill a whole number of cache lines.
 const Index3 size(9, 5, 4);
 
 class PopulationsOf : public testing::TestWithParam<Precision> {};

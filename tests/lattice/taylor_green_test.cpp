@@ -10,8 +10,11 @@ namespace {
 
 constexpr double tau = 0.8;
 
-/// Taylor-Green vortex in the plane (x, y), period n: u = U (cos kx sin ky, -sin kx cos ky) exp(-2 nu k^2 t),
-/// p = -U^2/4 (cos 2kx + cos 2ky) exp(-4 nu k^2 t). Cell centres at (x + 1/2, y + 1/2).
+/// Returns density and velocity of the Taylor-Green vortex in the plane (x, y) at time t = 0. U is the speed,
+/// n the period, and k = 2 pi/n:
+///   u = U (cos kx sin ky, -sin kx cos ky) exp(-2 nu k^2 t),
+///   p = -U^2/4 (cos 2kx + cos 2ky) exp(-4 nu k^2 t).
+/// Cell centres are at (x + 1/2, y + 1/2).
 CellMoments taylor_green(double speed, int n, const Index3& cell) {
   const double k = 2 * std::numbers::pi / n;
   const double x = k * (cell[0] + 0.5), y = k * (cell[1] + 0.5);
@@ -19,8 +22,9 @@ CellMoments taylor_green(double speed, int n, const Index3& cell) {
   return {3 * pressure, speed * Vec3(std::cos(x) * std::sin(y), -std::sin(x) * std::cos(y), 0)};
 }
 
-/// Relative L2 error of the velocity once the vortex has decayed to about a third. Diffusive scaling:
-/// speed ~ 1/n at fixed tau, so that the time and compressibility errors fall with 1/n^2 as well.
+/// Returns the relative L2 error of the velocity after the vortex has decayed to about a third. In the
+/// diffusive scaling used here, speed ~ 1/n at fixed tau, the errors of time step and compressibility also
+/// decrease as 1/n^2.
 double decay_error(int n) {
   const double speed = 0.5 / n;
   FluidBox box(Index3(n, n, 1), {Boundary::periodic, Boundary::periodic, Boundary::periodic}, tau);

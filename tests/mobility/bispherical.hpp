@@ -6,8 +6,9 @@
 
 namespace beadswim {
 
-/// Drag of two equal spheres that move alike along their line, over 6 pi eta a U: the series of Stimson and
-/// Jeffery, Proc. R. Soc. A 111, 110 (1926). s: distance of centres over radius.
+/// Returns the drag of two equal spheres that move with the velocity U along their line of centres, divided
+/// by 6 pi eta a U: the series of Stimson and Jeffery, Proc. R. Soc. A 111, 110 (1926). s: distance of the
+/// centres divided by the radius a.
 inline double stimson_jeffery(double s) {
   const double alpha = std::acosh(s / 2), sinh = std::sinh(alpha);
   double sum = 0;
@@ -20,8 +21,8 @@ inline double stimson_jeffery(double s) {
   return 4 * sinh * sum / 3;
 }
 
-/// Drag of two equal spheres that approach each other at velocities U and -U, over 6 pi eta a U: the series
-/// of Brenner, Chem. Eng. Sci. 16, 242 (1961), for a sphere and a plane free surface.
+/// Returns the drag of two equal spheres that approach each other with the velocities U and -U, divided by 6
+/// pi eta a U: the series of Brenner, Chem. Eng. Sci. 16, 242 (1961), for a sphere and a plane free surface.
 inline double approaching_spheres(double s) {
   const double alpha = std::acosh(s / 2), sinh = std::sinh(alpha);
   double sum = 0;
@@ -34,8 +35,7 @@ inline double approaching_spheres(double s) {
   return 4 * sinh * sum / 3;
 }
 
-/// Two spheres of radii a_1, a_2 about the same axis in bispherical coordinates: the surfaces are
-/// xi = alpha and xi = -beta.
+/// Two spheres of radii a_1 and a_2 in bispherical coordinates. The surfaces are xi = alpha and xi = -beta.
 struct Bispherical {
   double alpha, beta, c;
 
@@ -45,16 +45,18 @@ struct Bispherical {
         c(a_1 * std::sinh(alpha)) {}
 };
 
-/// (cosh xi - mu)^(3/2) rho^2 / c^2 = sum_n h_n(|xi|) (P_n-1 - P_n+1): h_n, and its derivative by |xi|.
+/// Returns h_n and its derivative by |xi|, for rigid motion: (cosh xi - mu)^(3/2) rho^2 / c^2 = sum_n
+/// h_n(|xi|) (P_n-1 - P_n+1).
 inline Eigen::Vector2d rigid_motion(int n, double xi) {
   const double factor = std::numbers::sqrt2 * n * (n + 1) / (2 * n + 1);
   const double below = std::exp(-(n - 0.5) * xi), above = std::exp(-(n + 1.5) * xi);
   return {factor * (below / (2 * n - 1) - above / (2 * n + 3)), factor * (above - below) / 2};
 }
 
-/// Resistance matrix of two spheres of any radii in Stokes flow [mass/time], by the stream function
-/// (cosh xi - mu)^(-3/2) sum_n U_n(xi) (P_n-1 - P_n+1), U_n of exp(+-(n-1/2) xi) and exp(+-(n+3/2) xi), as
-/// Stimson and Jeffery have it. No slip: U_n and dU_n/dxi on either surface are those of rigid motion.
+/// Returns the resistance matrix of two spheres of any radii in Stokes flow [mass/time], by the stream
+/// function (cosh xi - mu)^(-3/2) sum_n U_n(xi) (P_n-1 - P_n+1) of Stimson and Jeffery. U_n consists of
+/// exp(+-(n-1/2) xi) and exp(+-(n+3/2) xi). The no-slip condition: on both surfaces, U_n and dU_n/dxi are
+/// those of rigid motion.
 inline Eigen::Matrix2d bispherical_resistance(double a_1, double a_2, double distance, double viscosity) {
   const Bispherical geometry(a_1, a_2, distance);
   const double alpha = geometry.alpha, beta = geometry.beta;

@@ -39,12 +39,12 @@ using Vectors = std::vector<Eigen::Vector3d>;
 enum class Law { oseen, rotne_prager };
 
 struct Spheres {
-  Vectors places;             ///< [length]; anywhere, images are looked for
-  std::vector<double> radii;  ///< [length]
-  Vectors forces;             ///< on the fluid [mass length/time^2]
+  Vectors places;             ///< centres, also outside the box [length]
+  std::vector<double> radii;  ///< radii [length]
+  Vectors forces;             ///< forces on the fluid [mass length/time^2]
 };
 
-/// identity I + dyad rr, in units of 1/(8 pi eta) [1/length].
+/// Tensor identity I + dyad rr, in units of 1/(8 pi eta) [1/length]. r: unit vector between two spheres.
 struct Tensor {
   double identity, dyad;
 
@@ -56,7 +56,7 @@ inline Tensor lone_sphere(double a) {
   return {4 / (3 * a), 0};
 }
 
-/// (1 + s laplacian) oseen.
+/// Returns (1 + s laplacian) oseen: the Rotne-Prager tensor of spheres that do not overlap.
 inline Tensor spheres_apart(double s, double r) {
   return {(1 + 2 * s / (r * r)) / r, (1 - 6 * s / (r * r)) / r};
 }
@@ -74,7 +74,7 @@ inline Tensor rotne_prager_tensor(double a_i, double a_j, double r) {
   return lone_sphere(std::max(a_i, a_j));
 }
 
-/// (1 + s laplacian) oseen times 1 - chi, apart from its point r = 0.
+/// Returns (1 + s laplacian) oseen multiplied by 1 - chi, without its contribution at r = 0.
 inline Tensor screened(double s, double xi, double r) {
   const double t = xi * r, t2 = t * t, q = s / (r * r);
   const double bell = t * std::exp(-t2) * std::numbers::inv_sqrtpi, rest = std::erfc(t);
@@ -84,9 +84,9 @@ inline Tensor screened(double s, double xi, double r) {
           (rest * (1 - 6 * q) + bell * (2 - 4 * t2 + q * size_dyad)) / r};
 }
 
-/// (1 + s laplacian) oseen times chi, finite at r = 0: its power series, for xi r <= 1. Of the integral
-/// (4/pi) int chi (1 - s k^2) [I (j_0 - j_1/x) + rr j_2] dk, x = kr, term by term, with
-/// int chi u^2n du = (1 + h + 2 h (h + 1)) Gamma(h)/2 at h = n + 1/2.
+/// Returns (1 + s laplacian) oseen multiplied by chi, which is finite at r = 0, as a power series for xi r <=
+/// 1. The series is the integral (4/pi) int chi (1 - s k^2) [I (j_0 - j_1/x) + rr j_2] dk, x = kr, term by
+/// term, with int chi u^2n du = (1 + h + 2 h (h + 1)) Gamma(h)/2 at h = n + 1/2.
 inline Tensor blurred(double s, double xi, double r) {
   const auto moment = [](double h) { return (1 + h + 2 * h * (h + 1)) * std::tgamma(h) / 2; };
   Tensor sum{0, 0};
@@ -108,7 +108,8 @@ inline Tensor pair_tensor(Law law, double a_i, double a_j, double r) {
   return law == Law::oseen ? spheres_apart(0, r) : rotne_prager_tensor(a_i, a_j, r);
 }
 
-/// What the sum over wavevectors leaves of a pair's tensor, or of a sphere's own at r = 0.
+/// Returns the part of a pair's tensor (at r = 0: of a sphere's own tensor) that the sum over wavevectors
+/// does not contain.
 inline Tensor near_part(const Tensor& whole, double s, double xi, double r) {
   if (xi * r < 1) return whole - blurred(s, xi, r);
   return screened(s, xi, r) + (whole - spheres_apart(s, r));
@@ -122,7 +123,8 @@ inline Eigen::Vector3d times(const Tensor& tensor, const Eigen::Vector3d& separa
   return tensor.identity * force + tensor.dyad * unit.dot(force) * unit;
 }
 
-/// Velocities [length/time] in unbounded fluid of dynamic viscosity eta. With Law::oseen places differ.
+/// Returns the velocities [length/time] in unbounded fluid of dynamic viscosity eta. With Law::oseen no two
+/// centres may be equal.
 inline Vectors open_velocities(Law law, const Spheres& spheres, double viscosity) {
   Vectors velocities(spheres.places.size(), Eigen::Vector3d::Zero());
   for (std::size_t i = 0; i < velocities.size(); ++i) {
@@ -136,15 +138,15 @@ inline Vectors open_velocities(Law law, const Spheres& spheres, double viscosity
   return velocities;
 }
 
-/// xi [1/length] at which both sums are about as long.
+/// Returns the splitting parameter xi [1/length] with which both sums have about equally many terms.
 inline double balanced_splitting(const Eigen::Vector3d& lengths) {
   return std::sqrt(std::numbers::pi) / std::cbrt(lengths.prod());
 }
 
-/// Both sums end where exp(-reach^2) has reached 5e-22.
+/// Range of both sums: they end where exp(-reach^2) is 5e-22.
 inline constexpr double reach = 7;
 
-/// visit(n) for all whole n with |n_i| <= last_i.
+/// Calls visit(n) for all integer vectors n with |n_i| <= last_i.
 template <class Visit>
 void for_whole_vectors(const Eigen::Vector3d& last, Visit visit) {
   const Eigen::Vector3i end = last.array().floor().cast<int>();
@@ -155,7 +157,8 @@ void for_whole_vectors(const Eigen::Vector3d& last, Visit visit) {
   }
 }
 
-/// Velocity of sphere i by sphere j and its images, less the sum over wavevectors, over 1/(8 pi eta).
+/// Returns the velocity of sphere i caused by sphere j and its images, without the sum over wavevectors,
+/// divided by 1/(8 pi eta).
 inline Eigen::Vector3d sum_over_images(Law law, const Spheres& spheres, std::size_t i, std::size_t j,
                                        const Eigen::Vector3d& lengths, double xi) {
   const double a_i = spheres.radii[i], a_j = spheres.radii[j], cutoff = std::max(reach / xi, a_i + a_j);
@@ -173,7 +176,7 @@ inline Eigen::Vector3d sum_over_images(Law law, const Spheres& spheres, std::siz
   return velocity;
 }
 
-/// Adds one wavevector's part to velocities.
+/// Adds the contribution of one wavevector to the velocities.
 inline void add_wave(Law law, const Spheres& spheres, double viscosity, double volume, double xi,
                      const Eigen::Vector3d& k, Vectors& velocities) {
   const double k2 = k.squaredNorm(), u2 = k2 / (4 * xi * xi);
@@ -192,8 +195,8 @@ inline void add_wave(Law law, const Spheres& spheres, double viscosity, double v
   }
 }
 
-/// Velocities [length/time] in a periodic box. They do not depend on the splitting xi [1/length]. With
-/// Law::oseen places differ.
+/// Returns the velocities [length/time] in a periodic box. They do not depend on the splitting parameter xi
+/// [1/length]. With Law::oseen no two centres may be equal.
 inline Vectors periodic_velocities(Law law, const Spheres& spheres, double viscosity,
                                    const Eigen::Vector3d& lengths, double xi) {
   Vectors velocities(spheres.places.size(), Eigen::Vector3d::Zero());
@@ -217,7 +220,8 @@ inline Vectors periodic_velocities(Law law, const Spheres& spheres, double visco
   return periodic_velocities(law, spheres, viscosity, lengths, balanced_splitting(lengths));
 }
 
-/// The spheres, followed by their copies in a mirror at 0 across the axis: forces along the axis reversed.
+/// Returns the spheres, followed by their mirror images behind a wall at 0 across the axis, with the reversed
+/// force component along the axis.
 inline Spheres with_mirror(Spheres spheres, int axis) {
   const std::size_t count = spheres.places.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -231,7 +235,8 @@ inline Spheres with_mirror(Spheres spheres, int axis) {
   return spheres;
 }
 
-/// Velocities [length/time] in a box whose axes are periodic or have free-slip walls at 0 and the length.
+/// Returns the velocities [length/time] in a box. Each axis is periodic or has free-slip walls at 0 and at
+/// its length.
 inline Vectors box_velocities(Law law, Spheres spheres, double viscosity, const Box& box) {
   const std::size_t count = spheres.places.size();
   for (int axis = 0; axis < 3; ++axis) {
@@ -242,8 +247,8 @@ inline Vectors box_velocities(Law law, Spheres spheres, double viscosity, const 
   return velocities;
 }
 
-/// The mobility [time/mass], row and column 3 i + axis, of any of the sums: velocities_of(spheres) of unit
-/// forces.
+/// Returns the mobility matrix [time/mass] that a sum gives, with row and column index 3 i + axis.
+/// velocities_of(spheres): returns the velocities for unit forces.
 template <class VelocitiesOf>
 Eigen::MatrixXd mobility_matrix(Spheres spheres, VelocitiesOf velocities_of) {
   const std::size_t count = spheres.places.size();

@@ -10,7 +10,8 @@
 #include "beadswim/mobility/line_flow.hpp"
 #include "beadswim/mobility/pair_mobility.hpp"
 
-// The reference sums themselves, against facts that do not come from them.
+// Tests of the reference sums in direct_ewald.hpp, by comparison with results that do not come from these
+// sums.
 
 namespace beadswim::direct {
 namespace {
@@ -19,7 +20,8 @@ constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 constexpr double pi = std::numbers::pi;
 constexpr std::array both_laws{Law::oseen, Law::rotne_prager};
 
-/// Random spheres of radii 1 to 5 in a box; they may cut and hold one another.
+/// Returns spheres at random positions in a box, with radii from 1 to 5. Spheres may overlap or contain each
+/// other.
 Spheres random_spheres(unsigned seed, std::size_t count, const Eigen::Vector3d& lengths) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> share(0, 1), log_radius(0, std::log(5.0)), force(-1, 1);
@@ -45,21 +47,21 @@ double smallest_eigenvalue(const Eigen::MatrixXd& matrix) {
   return matrix.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff();
 }
 
-/// sin(x)/x, the mean of exp(ikz) over a sphere's surface at x = ka.
+/// Returns sin(x)/x: the mean of exp(ikz) over the surface of a sphere of radius a, x = ka.
 double surface_mean(double x) {
   return x == 0 ? 1 : std::sin(x) / x;
 }
 
-/// (I - kk) exp(ik.r) averaged over directions of k: j_0 - j_1/x along I and j_2 along rr, x = kr.
+/// Returns the mean of (I - kk) exp(ik.r) over all directions of k: j_0 - j_1/x for I and j_2 for rr, x = kr.
 Tensor direction_mean(double x) {
   if (x < 1e-2) return {2. / 3 - 2 * x * x / 15, x * x / 15};
   const double j0 = std::sin(x) / x, j1_over_x = (j0 - std::cos(x)) / (x * x);
   return {j0 - j1_over_x, 3 * j1_over_x - j0};
 }
 
-/// (1/(2 pi)^3) int surface_mean(k a_i) surface_mean(k a_j) (I - kk)/(eta k^2) exp(ik.r) d^3k over
-/// 1/(8 pi eta), up to `cutoff`. The integrand is even and limited to the band a_i + a_j + r, so that the
-/// trapezoid rule is exact.
+/// Returns (1/(2 pi)^3) int surface_mean(k a_i) surface_mean(k a_j) (I - kk)/(eta k^2) exp(ik.r) d^3k, up to
+/// the wavenumber `cutoff` and divided by 1/(8 pi eta). The integrand is even and limited to the band a_i +
+/// a_j + r, so that the trapezoidal rule is exact.
 Tensor oseen_averaged_over_surfaces(double a_i, double a_j, double r, double cutoff) {
   const double step = 3 / (a_i + a_j + r);
   Tensor sum{0, 0};
@@ -221,8 +223,8 @@ TEST(DirectEwald, TendsToOpenFluidInLargeBoxes) {
   }
 }
 
-/// Matrix of a bead's velocity along its line, by forces along it: Rotne-Prager of LineFlow, with the line
-/// along x.
+/// Returns the Rotne-Prager mobility matrix for beads on a line along x, for velocities and forces along the
+/// line, by LineFlow.
 Eigen::MatrixXd line_mobility(const LineFlow& flow, const std::vector<double>& x,
                               const std::vector<double>& radii) {
   const std::size_t count = x.size();
@@ -237,7 +239,8 @@ Eigen::MatrixXd line_mobility(const LineFlow& flow, const std::vector<double>& x
   return mobility;
 }
 
-/// The same of the direct sum, with the line along `axis` and the other axes in cyclic order.
+/// Returns the same matrix by the direct sum, with the line along `axis` and the other two axes in cyclic
+/// order.
 Eigen::MatrixXd turned_mobility(int axis, const Box& box, const Eigen::Vector2d& yz,
                                 const std::vector<double>& x, const std::vector<double>& radii) {
   const auto turned = [&](auto from) {

@@ -15,16 +15,17 @@ namespace {
 constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 constexpr double pi = std::numbers::pi;
 
-/// Oseen tensor, xx component, at (x, rho) from the force; nothing at the force itself.
+/// Returns the xx component of the Oseen tensor at the position (x, rho) relative to the force; 0 at the
+/// position of the force.
 double stokeslet(double x, double rho2) {
   const double r2 = x * x + rho2;
   if (r2 == 0) return 0;
   return (1 + x * x / r2) / (8 * pi * eta * std::sqrt(r2));
 }
 
-/// A row of forces along x with the period, with reversed ones between them: the flow at a distance rho from
-/// it, `direct` from a force and `mirrored` from a reversed one. The tail of the sum falls as 1/n^2:
-/// extrapolated.
+/// Returns the flow of a periodic row of forces along x, with reversed forces between them, at the distance
+/// rho from the row. `direct`: distance along x from a force; `mirrored`: from a reversed force. The
+/// remainder of the sum decreases as 1/n^2 and is extrapolated.
 double alternating_row(double direct, double mirrored, double rho2, double period) {
   const auto sum_to = [&](int last) {
     double sum = 0;

@@ -57,7 +57,7 @@ TEST(LineMap, HasALogarithmForTwoSpheres) {
   EXPECT_EQ(log_of_pair_map(Eigen::Matrix2d::Identity()), Eigen::Matrix2d::Zero());
 }
 
-/// Gaps between nodes of the lattice, in mean radii, from the thinnest film on.
+/// Returns the gaps at the nodes of the table, in mean radii, beginning with the smallest gap.
 Numbers gaps_from(double thinnest) {
   Numbers gaps;
   for (double gap = 1.001 * thinnest; gap < 30; gap *= 1.37) gaps.push_back(gap);

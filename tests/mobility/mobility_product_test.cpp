@@ -12,7 +12,8 @@ namespace {
 
 constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 
-/// Spheres anywhere in a box, radii from `smallest` to twice it (or all alike), forces that sum to zero.
+/// Returns spheres at random positions in a box, with forces that sum to zero. All radii are `smallest` if
+/// `alike` is true; otherwise they lie between `smallest` and twice this value.
 direct::Spheres random_spheres(int count, const Vec3& lengths, double smallest, bool alike) {
   std::mt19937 random(static_cast<unsigned>(count));  // seed: the count
   std::uniform_real_distribution<double> uniform(0, 1);

@@ -18,7 +18,8 @@ using Numbers = std::vector<double>;
 
 constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 
-/// Two equal spheres of radius 4 at distance s radii: mobilities over that of a lone sphere.
+/// Mobilities of two equal spheres of radius 4 at a distance of s radii, divided by the mobility of a single
+/// sphere.
 struct EqualPair {
   double self, pair;
 
@@ -29,7 +30,7 @@ struct EqualPair {
   }
 };
 
-/// Largest error of mu_ij over sqrt(mu_ii mu_jj).
+/// Returns the largest difference of an element mu_ij, divided by sqrt(mu_ii mu_jj).
 double relative_difference(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
   const Eigen::VectorXd root = b.diagonal().cwiseSqrt();
   return ((a - b).cwiseAbs().array() / (root * root.transpose()).array()).maxCoeff();
@@ -41,7 +42,8 @@ double largest(const std::vector<Eigen::MatrixXd>& matrices) {
   return size;
 }
 
-/// Spheres of random radii (ratio up to 10) and gaps (0.1 to 3 of the smaller neighbour's radius).
+/// Spheres on a line with random radii (ratio up to 10) and random gaps (0.1 to 3 times the smaller radius of
+/// the two neighbours).
 struct RandomLine {
   Numbers radii, positions;
 

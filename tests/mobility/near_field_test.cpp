@@ -44,7 +44,8 @@ TEST(NearField, MovesALoneStraightSwimmerExactly) {
   }
 }
 
-/// Two swimmers far longer than wide; the second bead of one and the third of the other are near.
+/// Two swimmers that are much longer than wide. The second bead of one is close to the third bead of the
+/// other.
 struct NearPair {
   Numbers radii{2, 2, 2, 1, 1, 3};
   Vec3 axis = Vec3(1, -2, 2) / 3;
@@ -118,7 +119,7 @@ TEST(NearField, FadesOutWithoutAStep) {
   EXPECT_NEAR(pair_weight(pair_cutoff - 1e-4), 0, 1e-11);
 }
 
-/// All columns.
+/// Returns all columns of the mobility matrix.
 Eigen::MatrixXd matrix_of(const MobilityScene& scene, const Vectors& places) {
   const Communicator world(MPI_COMM_WORLD);
   const MobilityProduct mobility(scene, places, world);

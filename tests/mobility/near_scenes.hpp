@@ -32,7 +32,7 @@ inline double largest_difference(const Vectors& a, const Vectors& b) {
   return largest;
 }
 
-/// A crowd of straight and bent swimmers, radii from 1 to 1.5, many beads of which overlap.
+/// A dense group of straight and bent swimmers with bead radii from 1 to 1.5. Many beads overlap.
 struct Crowd {
   Vectors places, forces;
   Numbers radii;

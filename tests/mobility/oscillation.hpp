@@ -7,7 +7,8 @@ namespace beadswim {
 
 using Complex = std::complex<double>;
 
-/// alpha of flow that oscillates: of argument pi/4, as alpha^2 = i omega rho / eta.
+/// Returns the inverse penetration depth alpha of an oscillating flow, alpha^2 = i omega rho / eta, with this
+/// modulus. The argument of alpha is therefore pi/4.
 inline Complex alpha_of_modulus(double modulus) {
   return std::polar(modulus, std::numbers::pi / 4);
 }

@@ -17,7 +17,8 @@ PeriodicStokes periodic_box(double x, double y, double z) {
   return {eta, periodic_line({.lengths = {x, y, z}, .boundary = {}}, 0, 0)};
 }
 
-/// The flow at (d, y, z) of a lattice of forces at the origin: what mirrored copies at y and z add.
+/// Returns the flow at (d, y, z) of a periodic lattice of forces at the origin: the contribution of mirror
+/// images at y and z.
 SteadyLine off_the_line(double d, double y, double z, const Vec3& periods) {
   const auto with_copies = [&](double at_y, double at_z) {
     PeriodicLine line = periodic_line({.lengths = periods, .boundary = {}}, 0, 0);

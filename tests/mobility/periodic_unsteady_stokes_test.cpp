@@ -21,7 +21,8 @@ void expect_near(const LineValue<Complex>& a, const LineValue<Complex>& b, doubl
   EXPECT_NEAR(std::abs(a.slope - b.slope), 0, tolerance);
 }
 
-/// Roundoff of the total, and of its parts, that may be far larger and cancel.
+/// Checks that the total and its parts are equal except for rounding errors. The parts may be much larger
+/// than the total and cancel.
 void expect_near(const UnsteadyLine& a, const UnsteadyLine& b, double of_whole, double of_parts) {
   expect_near(a.total, b.total, of_whole);
   expect_near(a.helmholtz, b.helmholtz, of_parts);
@@ -67,7 +68,8 @@ TEST(PeriodicUnsteadyStokes, WholeIsSumOfParts) {
   }
 }
 
-/// The sphere's induced force in k, over its total: surface share j0, volume share 3 j1(x)/x.
+/// Returns the Fourier transform of the force that a sphere induces, divided by the total force: j0 for the
+/// part on the surface, 3 j1(x)/x for the part in the volume.
 Complex form_factor(Complex kappa, double x) {
   if (x == 0) return 1;
   const double surface = std::sin(x) / x, volume = 3 * (surface - std::cos(x)) / (x * x);

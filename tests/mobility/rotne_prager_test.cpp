@@ -107,19 +107,20 @@ TEST(RotnePrager, IsSmoothWhereBranchesMeet) {
   }
 }
 
-/// sin(x)/x, the mean of exp(ikz) over a sphere's surface at x = ka.
+/// Returns sin(x)/x: the mean of exp(ikz) over the surface of a sphere of radius a, x = ka.
 double surface_mean(double x) {
   return x == 0 ? 1 : std::sin(x) / x;
 }
 
-/// (1/2) int (1 - c^2) exp(ixc) dc over -1 < c < 1: the Oseen tensor's xx part over all directions of k.
+/// Returns (1/2) int (1 - c^2) exp(ixc) dc over -1 < c < 1: the xx component of the Oseen tensor averaged
+/// over all directions of k.
 double oseen_direction_mean(double x) {
   return x < 1e-2 ? 2.0 / 3 - x * x / 15 : 2 * (std::sin(x) / x - std::cos(x)) / (x * x);
 }
 
-/// The Oseen tensor's xx part averaged over both surfaces, as an integral over k up to `cutoff`:
-/// (1 / (2 pi^2 eta)) int dk surface_mean(k a_i) surface_mean(k a_j) oseen_direction_mean(k r).
-/// The integrand is even and limited to the band a_i + a_j + r, so that the trapezoid rule is exact.
+/// Returns the xx component of the Oseen tensor averaged over both surfaces, as an integral over k up to
+/// `cutoff`: (1 / (2 pi^2 eta)) int dk surface_mean(k a_i) surface_mean(k a_j) oseen_direction_mean(k r). The
+/// integrand is even and limited to the band a_i + a_j + r, so that the trapezoidal rule is exact.
 double oseen_averaged_over_surfaces(double a_i, double a_j, double r, double cutoff) {
   const double step = 3 / (a_i + a_j + r);
   double sum = 0;

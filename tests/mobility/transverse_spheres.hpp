@@ -4,17 +4,18 @@
 #include <cmath>
 #include <cstddef>
 
-// Two spheres that move across their line of centres in Stokes flow, exactly: Lamb's solution about both,
-// printed by tests/mobility/two_spheres.py (two minutes), where signs are stated. Bispherical harmonics (Dean
-// & O'Neill 1963) with the traction integrated over the surfaces give the same to all digits.
+// Exact results for two spheres that move perpendicularly to their line of centres in Stokes flow, by Lamb's
+// solution around both spheres. tests/mobility/two_spheres.py prints these numbers in two minutes and defines
+// their signs. Bispherical harmonics (Dean & O'Neill 1963), with the traction integrated over the surfaces,
+// give the same digits.
 
 namespace beadswim {
 
 struct TransverseResistance {
-  double gap;             ///< xi = gap over radius
-  double sliding_torque;  ///< centres fixed, both turn alike: torque over 8 pi eta a^3 w
-  double sliding_force;   ///< likewise: force on the first over 6 pi eta a^2 w
-  double rolling_torque;  ///< centres fixed, they turn oppositely: torque over 8 pi eta a^3 w
+  double gap;             ///< xi: gap divided by the radius a
+  double sliding_torque;  ///< centres fixed, equal rotation w: torque / (8 pi eta a^3 w)
+  double sliding_force;   ///< equal rotation w: force on sphere 1 / (6 pi eta a^2 w)
+  double rolling_torque;  ///< opposite rotation w: torque / (8 pi eta a^3 w)
 };
 inline constexpr std::array transverse_resistances{
     TransverseResistance{0.002, 2.23264894, -1.91375662, 1.66457283},
@@ -29,8 +30,8 @@ inline constexpr std::array transverse_resistances{
     TransverseResistance{1.0, 1.03965038, -0.16142308, 0.99632105},
     TransverseResistance{2.0, 1.01268376, -0.07898913, 0.99576771}};
 
-/// The sliding torque at any xi of the table's range: what is beside ln(1 + 1/xi)/4 is smooth, and
-/// interpolated in ln xi to 1e-3.
+/// Returns the sliding torque at any xi in the range of the table. The difference from ln(1 + 1/xi)/4 is
+/// smooth; it is interpolated in ln xi with an error of 1e-3.
 inline double sliding_torque(double xi) {
   const auto smooth = [](const TransverseResistance& r) {
     return r.sliding_torque - 0.25 * std::log1p(1 / r.gap);
@@ -42,8 +43,8 @@ inline double sliding_torque(double xi) {
   return (1 - t) * smooth(below) + t * smooth(above) + 0.25 * std::log1p(1 / xi);
 }
 
-/// Spheres of radii 1 and 2 that turn alike, centres fixed: torques over 8 pi eta a_i^3 w, forces over 6 pi
-/// eta a_i^2 w; xi = 2 gap/(a_1 + a_2).
+/// Results for spheres of radii 1 and 2 with fixed centres and equal angular velocity w, at xi = 2 gap/(a_1 +
+/// a_2): torques divided by 8 pi eta a_i^3 w, forces divided by 6 pi eta a_i^2 w.
 struct UnequalSliding {
   double gap, torque_1, torque_2, force_1;
 };

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Exact Stokes resistance functions of two spheres moving TRANSVERSELY to their line of centres.
+"""Exact Stokes resistance functions of two spheres that move perpendicularly to their line of centres.
 
 Method: Lamb's exterior solution about each centre, azimuthal order m = 1, multipole orders n = 1..N, and
 Galerkin projection of the no-slip condition on the vector spherical harmonics of both surfaces (Gauss-

@@ -16,14 +16,14 @@ namespace {
 constexpr double eta = 1.0 / 3;  // [mass/(length time)]
 constexpr double pi = std::numbers::pi;
 
-/// Flow along x at (x, rho) of a lone sphere in 0, per unit induced
-/// force.
+/// Returns the flow along x at (x, rho) of a single sphere at the origin, per unit of induced force.
 Complex flow_of_sphere(Complex alpha, double radius, double x, double rho) {
   const UnsteadyLine point = unsteady_stokeslet(eta, alpha, x, rho * rho);
   return point.total.value + sphere_factor(alpha * radius).excess * point.helmholtz.value;
 }
 
-/// The closed form of G_xx in 64-bit mantissas, on the line: loses z^2 of 5e-20.
+/// Returns the closed form of G_xx on the line, evaluated with 64-bit mantissas. Cancellation loses digits in
+/// proportion to 1/z^2, z: argument of the closed form.
 Complex closed_form_on_line(std::complex<double> alpha_double, double distance) {
   using Long = std::complex<long double>;
   const long double one = 1, r = distance;

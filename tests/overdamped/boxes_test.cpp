@@ -4,7 +4,7 @@
 
 #include "swimming.hpp"
 
-// Products to many digits take their time.
+// Tests of swimmers in boxes. They are slow, because their mobility products have many exact digits.
 
 namespace beadswim {
 namespace {

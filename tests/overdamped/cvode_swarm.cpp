@@ -28,7 +28,7 @@ Vector9 spring_forces_of(const SwimmerType& type, const Vector9& x) {
   return forces;
 }
 
-/// -dF/dx by central differences.
+/// Returns the stiffness matrix -dF/dx of a swimmer by central differences.
 Matrix9 stiffness_of(const SwimmerType& type, const Vector9& x) {
   const double step = 1e-5 * type.springs[0].rest_length;
   Matrix9 stiffness;
@@ -40,7 +40,8 @@ Matrix9 stiffness_of(const SwimmerType& type, const Vector9& x) {
   return stiffness;
 }
 
-/// As if the swimmer were alone in open space, whatever the scene's model: it preconditions.
+/// Returns the mobility of a swimmer alone in open space, for any model of the scene. It is used as
+/// preconditioner.
 Matrix9 mobility_of(const SwimmerType& type, const Vector9& x, double viscosity) {
   Matrix9 mobility;
   for (int i = 0; i < 3; ++i) {
@@ -56,7 +57,7 @@ Matrix9 mobility_of(const SwimmerType& type, const Vector9& x, double viscosity)
   return mobility;
 }
 
-/// dy/dt of displacements y since the start, and what CVODE asks of it.
+/// The right-hand side dy/dt of the displacements y since the start, and the products that CVODE needs.
 class SwarmRates {
  public:
   explicit SwarmRates(const OverdampedScene& scene)
@@ -89,7 +90,7 @@ class SwarmRates {
     multiply(places, forces, result);
   }
 
-  /// -mu K z.
+  /// Computes the product -mu K z: mobility mu, stiffness K, vector z.
   void relax(const double* y, const double* z, double* result) {
     const Beads places = positions(y);
     Beads forces(places.size());
@@ -166,7 +167,7 @@ void require(int flag, const char* what) {
   if (flag < 0) throw SolverError(std::string(what) + " returned " + std::to_string(flag));
 }
 
-/// What CVODE holds in memory.
+/// Owner of the memory that CVODE allocates.
 class Solver {
  public:
   Solver(SwarmRates& swarm, const CvodeSettings& settings) {
@@ -195,7 +196,7 @@ class Solver {
     SUNContext_Free(&context_);
   }
 
-  /// Displacements at the end of the last step, which is `end`.
+  /// Advances to the time `end` and returns the displacements there.
   const double* advance(double end) {
     require(CVodeSetStopTime(memory_, end), "CVodeSetStopTime");
     double time = 0;

@@ -4,10 +4,10 @@
 
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
-// An independent integrator of swarms without inertia: backward differences of any order up to five with
-// steps and orders that follow from a tolerance, by CVODE of SUNDIALS. Each step's equation is solved by
-// Newton's method, its linear systems by GMRES, that needs products of the Jacobian alone, preconditioned for
-// each swimmer with nine by nine numbers,
+// Independent integrator of swarms without inertia, for comparisons: CVODE of SUNDIALS with backward
+// differentiation formulas. Orders (up to five) and step sizes follow from a tolerance. The equation of each
+// step is solved by Newton's method. GMRES solves its linear systems with products of the Jacobian, and with
+// a 9 x 9 preconditioner for each swimmer:
 //
 //   (I + gamma mu_own K_own)^-1,   K = -dF/dx of springs and angular springs
 //
@@ -17,11 +17,12 @@
 namespace beadswim {
 
 enum class CvodeJacobian {
-  difference_quotient,  ///< [v(x + s z) - v(x)]/s, all of it
-  springs,              ///< -mu K z: mobility held
+  difference_quotient,  ///< complete Jacobian: [v(x + s z) - v(x)]/s
+  springs,              ///< only the springs: -mu K z with constant mobility mu
 };
 
-/// A step's local error may be `relative` of how far a coordinate has come, and `absolute`.
+/// Tolerances of CVODE: the local error of a step may be `relative` times the displacement of a coordinate
+/// since the start, plus `absolute`.
 struct CvodeSettings {
   double relative = 0;
   double absolute = 0;  ///< [length]
@@ -29,14 +30,14 @@ struct CvodeSettings {
 };
 
 struct CvodeResult {
-  std::vector<Vec3> positions;  ///< of all beads, three a swimmer
-  long products = 0;            ///< of mobility and forces, those in products of the Jacobian too
+  std::vector<Vec3> positions;  ///< positions of all beads, three per swimmer
+  long products = 0;            ///< number of mobility products, with those for the Jacobian
   long steps = 0;
 };
 
-/// Where beads are that were at rest positions at time 0. Of the scene all but `step` is taken; without
-/// dashpots, and without contacts: the scene is to have none. Throws SolverError if CVODE gives up. On one
-/// rank.
+/// Returns the bead positions at the time `end` of swimmers that begin at rest length at time 0. Ignores
+/// `step` of the scene, dashpots and contacts, so the scene must not have dashpots or contacts. Throws
+/// SolverError if CVODE fails. For one rank only.
 CvodeResult by_cvode(const OverdampedScene& scene, double end, const CvodeSettings& settings);
 
 }  // namespace beadswim

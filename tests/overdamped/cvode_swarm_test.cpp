@@ -10,7 +10,7 @@
 namespace beadswim {
 namespace {
 
-/// Local error of one of CVODE's steps [length], and what some hundreds of them come to.
+/// Local error of one step of CVODE, and the accumulated error of some hundreds of steps [length].
 constexpr double local = 1e-8, global = 100 * local;
 
 std::vector<Vec3> cvode_after(const OverdampedScene& scene, double end, CvodeJacobian jacobian) {
@@ -21,7 +21,8 @@ std::vector<Vec3> cvode_after(const OverdampedScene& scene, double end) {
   return cvode_after(scene, end, CvodeJacobian::difference_quotient);
 }
 
-/// By the library's own steps, without a contact on the way.
+/// Returns the positions after `steps` steps of the library's integrator. Requires that no beads come into
+/// contact.
 std::vector<Vec3> steps_after(OverdampedScene scene, double end, int steps) {
   scene.step = end / steps;
   const Communicator world(MPI_COMM_WORLD);
@@ -32,7 +33,8 @@ std::vector<Vec3> steps_after(OverdampedScene scene, double end, int steps) {
   return {system.positions().begin(), system.positions().end()};
 }
 
-/// Third order: halved steps have an eighth of the error, a sixth where it is not yet all of it.
+/// Checks that the error is of third order: halved steps must have about 1/8 of the error (at most 1/6,
+/// because errors of higher order also contribute).
 void expect_third_order(const OverdampedScene& scene, double end, int steps, double truncation) {
   const auto start = steps_after(scene, end, 0), exact = cvode_after(scene, end);
   const double coarse = farthest(steps_after(scene, end, steps / 2), exact);

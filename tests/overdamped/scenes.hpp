@@ -10,7 +10,8 @@ namespace beadswim {
 
 constexpr double pi = std::numbers::pi;
 
-/// The paper's swimmer at T = 4800 and A = B = 0.2, in its lattice units, its angular spring 10 k l^2.
+/// Returns the single swimmer of the paper (Pickl et al. 2017) in lattice units, with T = 4800, A = B = 0.2
+/// and the angular stiffness 10 k l^2.
 inline SwimmerType paper_swimmer() {
   const Spring spring{.stiffness = 0.0347, .rest_length = 20, .damping = 0};
   const Bead bead{.radius = 4, .density = 1};
@@ -20,7 +21,7 @@ inline SwimmerType paper_swimmer() {
           .driving = {.amplitude = {0.2, 0.2}, .phase = pi / 2, .period = 4800}};
 }
 
-/// Unequal in all that may be, with dashpots.
+/// Returns a swimmer with dashpots in which all parameters that may differ are different.
 inline SwimmerType odd_swimmer() {
   SwimmerType type = paper_swimmer();
   type.beads[0].radius = 3;
@@ -43,8 +44,9 @@ inline OverdampedScene scene_of(const SwimmerType& type, int steps_per_cycle) {
   return scene;
 }
 
-/// Three of the paper's swimmers in open space, turned and near each other, with the presets' stiff angular
-/// springs: the driving along x bends them, and bending relaxes 400 times in a cycle.
+/// Returns three swimmers of the paper in open space, rotated and close to each other. They have the stiff
+/// angular springs of the presets. The driving along x bends them; bending relaxes 400 times within one
+/// cycle.
 inline OverdampedScene turned_swimmers() {
   OverdampedScene scene = scene_of(paper_swimmer(), 1);
   scene.swimmers[0].axis = Vec3(3, 1, 0).normalized();
@@ -55,7 +57,7 @@ inline OverdampedScene turned_swimmers() {
   return scene;
 }
 
-/// The swimmer of the paper's swarms, by their presets: radius 6, arms 32, A = B = 2, T = 2000.
+/// Returns the swimmer of the paper's swarms, as in their presets: radius 6, arms 32, A = B = 2, T = 2000.
 inline SwimmerType swarm_swimmer() {
   SwimmerType type = paper_swimmer();
   for (Bead& bead : type.beads) bead.radius = 6;
@@ -66,8 +68,9 @@ inline SwimmerType swarm_swimmer() {
   return type;
 }
 
-/// So many rows of swimmers along y and z, a distance apart across them, in the periodic box that they fill;
-/// along x, the swimmers' axis, one, its end beads 32 from its images'.
+/// Returns parallel swimmers along x in a periodic box. `rows`: number of swimmers along y and z. `distance`:
+/// distance of neighbouring axes. Along x there is one swimmer, whose end beads have the distance 32 from
+/// their images.
 inline OverdampedScene lattice_of(std::array<int, 2> rows, double distance, int steps_per_cycle) {
   OverdampedScene scene = scene_of(swarm_swimmer(), steps_per_cycle);
   scene.tolerance = 1e-6;
@@ -80,7 +83,8 @@ inline OverdampedScene lattice_of(std::array<int, 2> rows, double distance, int 
   return scene;
 }
 
-/// Turns swimmers by up to some 0.03 and moves them by up to 0.5, each differently.
+/// Rotates each swimmer by a different angle of up to about 0.03, and displaces it by a different vector of
+/// up to about 0.5.
 inline void disturb(OverdampedScene& scene) {
   for (PlacedSwimmer& swimmer : scene.swimmers) {
     const double s = 1 + swimmer.id;
@@ -89,7 +93,7 @@ inline void disturb(OverdampedScene& scene) {
   }
 }
 
-/// Positions after so many steps, the same on all ranks.
+/// Returns the positions of all beads after this number of steps, on all ranks.
 inline std::vector<Vec3> positions_after(const OverdampedScene& scene, int steps) {
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
@@ -97,7 +101,7 @@ inline std::vector<Vec3> positions_after(const OverdampedScene& scene, int steps
   return {system.positions().begin(), system.positions().end()};
 }
 
-/// Largest distance between places of the same beads.
+/// Returns the largest distance between the positions of the same bead in `a` and `b`.
 inline double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, (a[i] - b[i]).norm());

@@ -1,8 +1,9 @@
-// What a cycle costs and how exact it is: mobility products against errors, of the library's own steps and of
-// CVODE's. Prints tables for docs/results/steps-and-errors.sh; not a test.
+// Program that compares cost and accuracy of a cycle: the number of mobility products against the error, for
+// the integrator of the library and for CVODE. Prints tables for docs/results/steps-and-errors.sh; it is not
+// a test.
 //
-// Cycles begin at rest, and what starting takes is counted. Errors are those of time steps alone: all runs
-// take the same products, and the reference is CVODE's at a tolerance of 1e-10 arms.
+// Cycles begin at rest, and the cost of the start is included. The errors are those of the time steps alone:
+// all runs use the same mobility products, and the reference is CVODE with a tolerance of 1e-10 arm lengths.
 
 #include <fmt/format.h>
 #include <mpi.h>
@@ -97,7 +98,7 @@ Run by_cvode_at(const OverdampedScene& scene, int cycles, double tolerance, Cvod
   });
 }
 
-/// Without displacements if a fault stopped it.
+/// Returns a run with the integrator of the library. The run has no displacements if a fault stopped it.
 Run by_steps(OverdampedScene scene, int cycles, int steps_per_cycle) {
   return timed([&] {
     scene.step = scene.types[0].driving.period / steps_per_cycle;

@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Three swimmers, turned and near each other, one of another type.
+/// Returns three swimmers, rotated and close to each other, one of which has another type.
 OverdampedScene three_swimmers(int steps_per_cycle) {
   OverdampedScene scene = turned_swimmers();
   scene.step /= steps_per_cycle;
@@ -36,7 +36,7 @@ direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& 
   return spheres;
 }
 
-/// Positions after a time, by Runge and Kutta's steps and direct sums.
+/// Returns the positions at the time `end` by Runge-Kutta steps and direct sums over all pairs.
 direct::Vectors by_runge_kutta(const OverdampedScene& scene, direct::Vectors x, double end, int steps) {
   const auto velocity = [&](const direct::Vectors& places, double time) {
     const direct::Spheres spheres = spheres_of(scene, places, time);
@@ -101,8 +101,8 @@ TEST(OverdampedSwarm, TouchesAcrossSeamsAsWithin) {
     EXPECT_LT((system.positions()[b] - shifts[b / 3] - within[b]).norm(), 1e-4) << "bead " << b;
 }
 
-/// Means over the third cycle of one swimmer's force dipole along x, sum F_x x, by the forces that its places
-/// and the time imply.
+/// Returns the force dipole sum F_x x of one swimmer, averaged over the third cycle. The forces follow from
+/// bead positions and time.
 double mean_dipole(const OverdampedScene& scene, int steps_per_cycle) {
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
@@ -119,7 +119,7 @@ double mean_dipole(const OverdampedScene& scene, int steps_per_cycle) {
   return dipole;
 }
 
-/// How fast the middle beads of two swimmers part in the third cycle.
+/// Returns the velocity with which the middle beads of two swimmers move apart in the third cycle.
 Vec3 parting(OverdampedScene scene, const Vec3& separation, int steps_per_cycle) {
   scene.swimmers.push_back(scene.swimmers[0]);
   scene.swimmers[1].id = 1;
@@ -180,7 +180,7 @@ TEST(OverdampedSwarm, StaysBetweenWalls) {
   }
 }
 
-/// Smallest gap and mean velocity along x of swimmer 0 in the second cycle.
+/// Returns the smallest gap, and the mean velocity of swimmer 0 along x in the second cycle.
 std::pair<double, double> gap_and_speed(OverdampedScene scene, int steps_per_cycle) {
   const double period = scene.types[0].driving.period;
   scene.step = period / steps_per_cycle;

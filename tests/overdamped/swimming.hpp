@@ -16,7 +16,7 @@ struct Swimming {
   std::array<double, 2> arm_means;
 };
 
-/// Of the last of some cycles, at which strokes are periodic.
+/// Returns velocity and stroke in the last of `cycles` cycles, in which strokes are periodic.
 inline Swimming swimming_of(const OverdampedScene& scene, int steps_per_cycle, int cycles) {
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);

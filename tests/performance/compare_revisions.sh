@@ -1,10 +1,11 @@
 #!/bin/bash
-# The built revision against another one, in one run on this machine, as ratios of their speeds.
+# Compares the speed of this working tree with the speed of another revision, as ratios, on this machine.
 #   tests/performance/compare_revisions.sh REVISION [--rounds N] [--tolerance E] [--ranks N]
-# REVISION (a commit, a tag, a branch) is built in a scratch folder; "this" is the working tree, built in
-# build/release. Both run the same scenes in turn, N rounds (default 7); reported is the median of the ratios in
-# each round, so that a drift of the machine meets both. Exit status 1 if a scene has become slower by more than
-# E (default 0.05). Not part of the tests: a benchmark needs a machine of its own, and takes minutes.
+# REVISION (a commit, tag or branch) is built in a temporary folder; "this" is the working tree, built in build/release. Both
+# builds run the same scenes alternately in N rounds (default 7). The script prints the median over the rounds of the ratio of
+# speeds, so that slow changes of the machine's speed affect both builds equally. The exit status is 1 if a scene has become
+# slower by more than the fraction E (default 0.05). This script is not one of the tests, because a benchmark needs an idle
+# machine and takes minutes.
 set -euo pipefail
 self=$(realpath "$0")
 cd "$(dirname "$self")/../.."
@@ -30,7 +31,7 @@ done
 commit=$(git rev-parse --verify --quiet "$revision^{commit}") ||
   fail 2 "\"$revision\" is no revision of this repository"
 
-# What mpirun needs as root in a container.
+# Settings of Open MPI that allow runs as root, as in a container.
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_hwloc_base_binding_policy=none
 export OMPI_MCA_rmaps_base_oversubscribe=1
@@ -48,7 +49,7 @@ build . >"$scratch/this.log" 2>&1 || { tail -20 "$scratch/this.log" >&2; exit 3;
 build "$scratch/other" >"$scratch/other.log" 2>&1 || { tail -20 "$scratch/other.log" >&2; exit 3; }
 this=$PWD/build/release/bin other=$scratch/other/build/release/bin
 
-# Scenes that every revision can run: in and out of cache, with few beads and with many, with walls.
+# Scenes that every revision can run: within and beyond the size of the caches, with few and many beads, with walls.
 cd "$scratch"
 scene() { # NAME FLAG...
   local name=$1
@@ -61,7 +62,7 @@ scene large-periodic --radius 4 --arm 20 --box 128,128,128 --boundary periodic -
 scene large-walled --radius 4 --arm 20 --box 128,128,128 --boundary free-slip,no-slip,free-slip --period 2000
 declare -A cycles=([small-periodic]=0.2 [dense-periodic]=0.2 [large-periodic]=0.02 [large-walled]=0.02)
 
-# The same beads in every revision, whatever its defaults.
+# Flags that fix the treatment of beads, so that all revisions compute the same although their defaults may differ.
 declare -A beads
 for programs in "$this" "$other"; do
   help=$("$programs/beadswim-run" --help)

@@ -10,8 +10,8 @@
 namespace beadswim {
 namespace {
 
-/// The paper's: of its uniform swarm, or the one that swims alone; viscosity 1/3, fluid and beads of
-/// density 1.
+/// Returns a swimmer like the single swimmer or the swarm's swimmer of the paper (Pickl et al. 2017):
+/// viscosity 1/3, densities of fluid and beads 1.
 CollinearSwimmer swimmer(double radius, double arm, double stiffness, double amplitude, double period) {
   return {.radius = {radius, radius, radius},
           .density = {1, 1, 1},
@@ -45,7 +45,7 @@ LagErrors errors_of(const Question& question, const LatticeTiming& timing) {
   return LatticeLag(question).errors(timing);
 }
 
-/// With viscosity 1/3 and beads of that radius.
+/// Returns cell and time step of a lattice for viscosity 1/3 and this bead radius.
 LatticeTiming timing(double radius, double cells_per_radius, double relaxation_time) {
   const double cell = radius / cells_per_radius, step = (relaxation_time - 0.5) * cell * cell;
   return {.step = step, .sound_speed = cell / step / std::numbers::sqrt3, .corrects_delay = true};

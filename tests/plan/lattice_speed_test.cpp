@@ -12,7 +12,7 @@ namespace {
 
 constexpr double slow = 4e-8, fast = 1e-8;  // core-seconds per cell and step [s]
 
-/// A machine whose small blocks, which fit the cache, are faster.
+/// Returns the costs of a machine on which small blocks are faster, because they fit the cache.
 std::vector<PrecisionCost> costs() {
   const PrecisionCost one{.cells = {1e3, 1e4, 1e5, 1e6},
                           .seconds_per_cell = {fast, fast, slow, slow},

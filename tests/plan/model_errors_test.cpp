@@ -14,7 +14,7 @@
 namespace beadswim {
 namespace {
 
-/// The paper's swimmer in the middle of a periodic box.
+/// Returns the paper's single swimmer in the middle of a periodic box.
 Layout single(const Vec3& box, double period = 2000) {
   Layout layout = paper_single();
   layout.domain = Box{.lengths = box, .boundary = {}};
@@ -24,7 +24,7 @@ Layout single(const Vec3& box, double period = 2000) {
   return layout;
 }
 
-/// One swimmer of the paper's swarm, `count` abreast along y, 32 apart.
+/// Returns `count` swimmers of the paper's swarm side by side along y, at distances of 32.
 Layout swarm(int count) {
   Layout layout = paper_swarm();
   const SwimmerType& type = layout.types.begin()->second;

@@ -11,7 +11,7 @@
 namespace beadswim {
 namespace {
 
-/// The paper's swimmer alone in a periodic box.
+/// Returns the paper's single swimmer in a periodic box.
 Layout single() {
   Layout layout = paper_single();
   layout.domain = Box{.lengths = {96, 64, 64}, .boundary = {}};
@@ -19,7 +19,8 @@ Layout single() {
   return layout;
 }
 
-/// A machine of which every cell and every piece of surface costs the same.
+/// Returns the speed of a machine on which every cell, and every unit of surface between ranks, has the same
+/// cost.
 LatticeSpeed any_speed(int ranks) {
   const PrecisionCost one{.cells = {1e3, 1e4, 1e5, 1e6},
                           .seconds_per_cell = std::vector<double>(4, 1e-8),

@@ -1,4 +1,4 @@
-"""python3-jsonschema on the schemas, on documents that are sound and on such that hold one fault.
+"""Validates documents with python3-jsonschema: the schemas themselves, valid documents, and documents with one fault each.
 
 usage: by_jsonschema.py SCHEMAS DOCUMENTS FAULTS     folders; documents are SCHEMA/NAME.json
 """

@@ -1,4 +1,5 @@
-// Beadswim's own validation (valijson) on documents that are sound and on such that hold one fault.
+// Program that validates documents with the validator of Beadswim (valijson): valid documents, and documents
+// with one fault each.
 //
 // usage: by_valijson DOCUMENTS FAULTS     folders; documents are SCHEMA/NAME.json
 
@@ -18,7 +19,7 @@ struct Count {
   int documents = 0, wrong = 0;
 };
 
-/// What is wrong with the document; empty if nothing.
+/// Returns the fault of the document; an empty text if it is valid.
 std::string fault_of(const fs::path& file, const std::string& schema) {
   try {
     beadswim::validate_json(beadswim::parse_json(beadswim::read_text(file), file), schema, file);

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Makes documents of every schema by the programs, in the folder of scenes.sh: documents/SCHEMA/NAME.json.
+# Makes documents of every schema with the programs, in the folder where scenes.sh has made its files: documents/SCHEMA/NAME.json.
 set -euo pipefail
 
 mkdir -p documents/{layout,layout-check,run,prediction,verdict,plan,bench}

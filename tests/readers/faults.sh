@@ -1,5 +1,5 @@
 #!/bin/bash
-# Makes the documents of faults.txt in the folder of documents.sh: faults/SCHEMA/NAME-LINE.json.
+# Makes the invalid documents that faults.txt describes, in the folder of documents.sh: faults/SCHEMA/NAME-LINE.json.
 set -euo pipefail
 
 list=$(dirname "$0")/faults.txt

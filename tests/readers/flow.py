@@ -1,4 +1,4 @@
-"""The flow files hold, for a reader that is not ours, the flow whose volume mean the trajectory names.
+"""Checks flow files with a reader that is not part of Beadswim: the mean velocity over the volume must be that of the trajectory.
 
 usage: flow.py TRAJECTORY RUN_RECORD
 """

@@ -1,4 +1,4 @@
-"""A trajectory, read by h5py, holds the swimmers of the layout, and the motion that the run record says.
+"""Checks a trajectory with h5py: it must contain the swimmers of the layout and the motion that the run record states.
 
 usage: h5md.py TRAJECTORY LAYOUT RUN_RECORD
 """
@@ -52,7 +52,7 @@ def check_frames(file, expected):
 
 
 def check_velocities(file, times, unwrapped):
-    """Against differences of positions, right to (omega dt)^2/6; at the start, fluid and beads set off fast."""
+    """Compares velocities with differences of positions, which have the relative error (omega dt)^2/6. Skips the fast start of the run."""
     velocity = file["particles/beads/velocity/value"][:]
     difference = np.gradient(unwrapped, times, axis=0)
     error = abs(velocity - difference)[2:-1].max() / abs(velocity).max()
@@ -60,7 +60,7 @@ def check_velocities(file, times, unwrapped):
 
 
 def check_cycle(cycle, beads, times, period):
-    """A swimmer's record of one cycle against its three beads' positions over it."""
+    """Compares the record of one cycle of a swimmer with the positions of its three beads in this cycle."""
     size = abs(beads).max()
     moved = (beads[-1] - beads[0]).mean(axis=0)
     assert np.allclose(moved, np.array(cycle["velocity"]) * period, rtol=0, atol=1e-6 * size), (moved, cycle)
@@ -75,7 +75,7 @@ def check_cycle(cycle, beads, times, period):
 
 
 def check_table(file, row, number, swimmer, period, time):
-    """A row of /swimmers is the last cycle that the record has the swimmer end by then, to the bit; NaN before."""
+    """Checks that a row of /swimmers has the bits of the last cycle that the swimmer has completed by then; NaN before its first cycle."""
     ended = int(np.floor(time / period + 1e-9))
     for name in ("velocity", "axis", "mean_flow", "arm_amplitudes", "arm_phases", "arm_means"):
         numbers = file[f"swimmers/{name}/value"][row, number]
@@ -86,7 +86,7 @@ def check_table(file, row, number, swimmer, period, time):
 
 
 def check_motion(file, expected, times, unwrapped):
-    """The record's cycles: in /swimmers, and as the positions have them. Returns how many base cycles there are."""
+    """Compares the cycles of the record with /swimmers and with the positions. Returns the number of base cycles."""
     base = file["swimmers/velocity/time"][:]
     assert np.allclose(base, expected.period * np.arange(1, len(base) + 1))
     for number, swimmer in enumerate(expected.record["swimmers"]):

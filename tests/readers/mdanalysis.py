@@ -1,4 +1,4 @@
-"""MDAnalysis reads a trajectory as docs/formats/h5md.md says, frame by frame as it is in the file.
+"""Checks that MDAnalysis, used as docs/formats/h5md.md describes, reads the same numbers that the trajectory file contains.
 
 usage: mdanalysis.py TRAJECTORY LAYOUT RUN_RECORD
 """
@@ -36,7 +36,7 @@ for frame in universe.trajectory:
     else:
         assert frame.dimensions is None
 
-# What a user does: unwrap by the images, and see how far the first swimmer has come.
+# Typical use: unwraps positions with the image numbers, and evaluates the displacement of the first swimmer.
 universe.trajectory[-1]
 swimmer = universe.residues[0].atoms
 centre = (swimmer.positions + image[-1, swimmer.indices] * expected.lengths).mean(axis=0)

@@ -1,6 +1,6 @@
 #!/bin/bash
-# The programs that read documents, in the folder of documents.sh and faults.sh: they take sound ones, and refuse each
-# fault with exit status 2, naming the file and the place in it.
+# Tests the programs that read documents, in the folder of documents.sh and faults.sh: they must accept valid documents, and
+# refuse each invalid document with exit status 2 and a message that names the file and the place in it.
 set -uo pipefail
 
 wrong=0 taken=0 refused=0

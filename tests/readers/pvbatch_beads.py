@@ -1,4 +1,4 @@
-"""ParaView opens a trajectory by its .xdmf2 as a user does, by name alone, and has the beads of every frame.
+"""Checks that ParaView opens a trajectory by the name of its .xdmf2 file and shows the beads of every frame.
 
 usage: pvbatch pvbatch_beads.py TRAJECTORY
 """
@@ -36,7 +36,7 @@ for n, time in enumerate(times):
     for name, numbers in arrays.items():
         assert np.array_equal(vtk_to_numpy(frame.GetPointData().GetArray(name)), numbers), (name, n)
 
-# What a user does: unwrap, and draw spheres of the beads' radii.
+# Typical use: unwraps positions, and draws spheres with the radii of the beads.
 unwrap = Calculator(Input=source, CoordinateResults=1)
 unwrap.Function = "coords + " + " + ".join(f"{lengths[a]!r}*image_{'XYZ'[a]}*{'ijk'[a]}Hat" for a in range(3))
 spheres = Glyph(Input=unwrap, GlyphType="Sphere", ScaleFactor=2, GlyphMode="All Points")

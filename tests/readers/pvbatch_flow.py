@@ -1,4 +1,4 @@
-"""ParaView opens the flow fields of a run: their volume mean is the trajectory's, and beads are where they are.
+"""Checks that ParaView opens the flow fields of a run, with the mean velocity and the bead positions of the trajectory.
 
 usage: pvbatch pvbatch_flow.py TRAJECTORY
 """

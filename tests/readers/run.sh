@@ -1,8 +1,8 @@
 #!/bin/bash
-# Opens what the programs write with what users have: h5py, MDAnalysis, ParaView, Ajv, python3-jsonschema.
+# Opens the files that the programs write with software of other projects: h5py, MDAnalysis, ParaView, Ajv, python3-jsonschema.
 #   tests/readers/run.sh [--none-skipped]    with the programs and by_valijson on PATH; 2 minutes
-# A reader that is not installed is skipped, and says so; with --none-skipped that is a failure.
-# .ci/install-packages.sh --with-readers installs all.
+# Software that is not installed is skipped, with a message; with --none-skipped this is a failure. .ci/install-packages.sh
+# --with-readers installs all of this software.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 schemas=$here/../../schemas

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Runs small scenes in the current folder, for readers to open: NAME.layout.json, NAME.h5md, NAME.run.json.
+# Runs small scenes in the current folder, whose files the reader tests open: NAME.layout.json, NAME.h5md, NAME.run.json.
 set -euo pipefail
 
 run() { # NAME FLAGS...

@@ -1,11 +1,11 @@
-"""What a trajectory should hold, from the layout and the run record alone: for the tests of readers."""
+"""Expected content of a trajectory, computed from the layout and the run record alone, for the tests of readers."""
 import json
 
 import numpy as np
 
 
 class Expected:
-    """Of one run: LAYOUT and RUN_RECORD are files."""
+    """Expected content for one run. LAYOUT and RUN_RECORD are paths of files."""
 
     def __init__(self, layout, record):
         self.layout = json.load(open(layout))
@@ -36,7 +36,7 @@ class Expected:
 
 
 def stroke(arm, period, times):
-    """Mean, amplitude and phase of arm(t) = mean + d cos(omega t + delta), by least squares."""
+    """Returns mean, amplitude d and phase delta of arm(t) = mean + d cos(omega t + delta) by a least-squares fit."""
     omega = 2 * np.pi / period
     columns = np.stack([np.ones_like(times), np.cos(omega * times), -np.sin(omega * times)], axis=1)
     mean, c, s = np.linalg.lstsq(columns, arm, rcond=None)[0]

@@ -14,7 +14,8 @@ constexpr double roundoff = 1e-12;  // a few hundred units in the last place of 
 const Box mixed_box{.lengths = Vec3(9, 30, 17),
                     .boundary = {Boundary::periodic, Boundary::no_slip, Boundary::periodic}};
 
-/// Smallest distance of bead i to any image of bead j, by trying all shifts: i itself only as an image.
+/// Returns the smallest distance of bead i to any image of bead j by a search over all images. If i and j are
+/// the same bead, the bead itself is omitted.
 double nearest_image_distance(const PlacedBead& i, const PlacedBead& j, const std::optional<Box>& domain) {
   double nearest = std::numeric_limits<double>::infinity();
   for (int shift = 0; shift < 27 * 27; ++shift) {
@@ -32,7 +33,8 @@ double nearest_image_distance(const PlacedBead& i, const PlacedBead& j, const st
   return nearest;
 }
 
-/// Beads of different sizes anywhere in the box and up to one box outside it, as unwrapped arms are.
+/// Returns beads of different radii at random positions inside the box and up to one box length outside, as
+/// beads on unwrapped arms can be.
 std::vector<PlacedBead> random_beads(int seed, std::size_t count) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> place(-1, 2);

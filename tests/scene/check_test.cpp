@@ -12,7 +12,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// The paper's swimmer, beads at x = 16, 36, 56, in a small periodic box.
+/// Returns the paper's swimmer in a small periodic box, with beads at x = 16, 36, 56.
 Layout small_scene() {
   Layout layout = paper_single();
   layout.domain = Box{.lengths = Vec3(72, 30, 30), .boundary = {}};
@@ -20,7 +20,7 @@ Layout small_scene() {
   return layout;
 }
 
-/// The faults of a layout, one "place: message" a line.
+/// Returns the faults of a layout as text, one line "place: message" per fault.
 std::string faults(const Layout& layout) {
   std::string text;
   for (const LayoutFault& fault : check_layout(layout)) text += fault.place + ": " + fault.message + "\n";
@@ -36,22 +36,26 @@ TEST(CheckLayout, NamesAnUnknownTypeAndTheNearest) {
   Layout layout = small_scene();
   layout.types["swimmer"] = layout.types["a"];
   layout.swimmers[0].type = "swimer";
-  EXPECT_THAT(faults(layout), testing::StartsWith("/swimmers/0/type: \"swimer\": no such type"));
+  EXPECT_THAT(faults(layout),
+              testing::StartsWith("/swimmers/0/type: the swimmer type \"swimer\" is not defined"));
   EXPECT_THAT(faults(layout), HasSubstr("\"swimmer\"?"));
 }
 
 TEST(CheckLayout, RefusesAnIdGivenTwice) {
   Layout layout = small_scene();
   layout.swimmers.push_back(layout.swimmers[0]);
-  EXPECT_EQ(faults(layout), "/swimmers/1/id: 0: /swimmers/0 has this id already; ids must differ\n");
+  EXPECT_EQ(faults(layout),
+            "/swimmers/1/id: the id 0 is already used by /swimmers/0; give each swimmer another id\n");
 }
 
 TEST(CheckLayout, RefusesAnAxisThatIsNotAUnitVector) {
   Layout layout = small_scene();
   layout.swimmers[0].axis = Vec3(3, 0, 4);
-  EXPECT_THAT(faults(layout),
-              HasSubstr("/swimmers/0/axis: (3, 0, 4): has length 5; must be a unit vector; divided by "
-                        "its length it is (0.6, 0, 0.8)"));
+  EXPECT_THAT(
+      faults(layout),
+      HasSubstr(
+          "/swimmers/0/axis: the axis (3, 0, 4) has the length 5, but must be a unit vector; divided by "
+          "its length it is (0.6, 0, 0.8)"));
 }
 
 TEST(NormaliseAxes, RoundsToUnitLengthAndLeavesUnitVectorsBitwise) {
@@ -67,13 +71,15 @@ TEST(NormaliseAxes, RoundsToUnitLengthAndLeavesUnitVectorsBitwise) {
 TEST(CheckLayout, RefusesAnArmShorterThanItsBeads) {
   Layout layout = small_scene();
   layout.types["a"].springs[1].rest_length = 8;  // the sum of the radii: touching
-  EXPECT_THAT(faults(layout), HasSubstr("/types/a/springs/1/rest_length: 8: beads 2 and 3 overlap"));
+  EXPECT_THAT(faults(layout),
+              HasSubstr("/types/a/springs/1/rest_length: with the rest length 8, beads 2 and 3 overlap"));
 }
 
 TEST(CheckLayout, RefusesBead2OutsideTheBox) {
   Layout layout = small_scene();
   layout.swimmers[0].position = Vec3(72.5, 15, 15);
-  EXPECT_THAT(faults(layout), HasSubstr("/swimmers/0/position: (72.5, 15, 15): bead 2 lies outside the box"));
+  EXPECT_THAT(faults(layout),
+              HasSubstr("/swimmers/0/position: the position (72.5, 15, 15) of bead 2 lies outside the box"));
 }
 
 // Bonds use unwrapped coordinates, so an arm across the periodic seam is no fault; across a wall it is.
@@ -104,7 +110,7 @@ TEST(CheckLayout, NamesBothSwimmersOfAnOverlap) {
   EXPECT_EQ(found[0].place, "/swimmers/1/position");
   EXPECT_THAT(found[0].message,
               HasSubstr("bead 1 of swimmer 7 at (16, 22, 15) overlaps bead 1 of swimmer 0"));
-  EXPECT_THAT(found[0].message, HasSubstr("7 apart, and must be more than 8"));
+  EXPECT_THAT(found[0].message, HasSubstr("7 apart, but must be more than 8"));
 }
 
 // An arm as long as the box lays bead 1 on the image of bead 2: the smallest such box must be refused.
@@ -121,7 +127,8 @@ TEST(CheckLayout, RefusesAUnitThatContradictsItsName) {
   Layout layout = small_scene();
   layout.units = {.lattice = false, .length = {"um", 1e-6}, .time = {"ms", 1}, .mass = {"jelly bean", 1e-3}};
   EXPECT_EQ(faults(layout),
-            "/units/time/si_factor: 1: one ms is 0.001 in SI; give that factor or another unit name\n");
+            "/units/time/si_factor: the factor 1 is wrong: one ms is 0.001 in SI units; give that factor or "
+            "another unit name\n");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Disorder: what it changes and leaves, how much, and that it is the same for the same seed.
+// Tests of random defects: what they change, what they leave unchanged, their size, and that equal seeds give
+// equal changes.
 #include "beadswim/scene/defects.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@
 namespace beadswim {
 namespace {
 
-/// 2250 swimmers.
+/// Returns a swarm of 2250 swimmers.
 Layout large_swarm() {
   SwarmPlan plan = paper_uniform_plan();
   plan.blocks = Index3(10, 5, 5);
@@ -43,7 +44,7 @@ Moments moments_of(const std::vector<double>& values) {
   return m;
 }
 
-/// Of mean 0 and that deviation, to five standard errors.
+/// Checks that the values have mean 0 and standard deviation sigma, within five standard errors.
 void expect_normal(const std::vector<double>& values, double sigma) {
   const double n = static_cast<double>(values.size());
   const Moments m = moments_of(values);

@@ -14,7 +14,7 @@
 namespace beadswim {
 namespace {
 
-/// Writes the document to a file and reads it as a program does.
+/// Writes the document to a file, and reads the file as a program does.
 LayoutDocument read_back(const Json& json) {
   const auto path =
       std::filesystem::temp_directory_path() / ("beadswim-layout-" + std::to_string(::getpid()));
@@ -26,7 +26,7 @@ LayoutDocument read_back(const Json& json) {
   return read_layout(path);
 }
 
-/// A layout that uses every part of the format.
+/// Returns a layout that uses every part of the format.
 LayoutDocument full_document() {
   LayoutDocument document{.layout = paper_single(), .provenance = {{{"program", "test"}}}};
   Layout& layout = document.layout;
@@ -85,11 +85,11 @@ TEST(LayoutDocument, FaultsAcrossFieldsNameTheFileAndThePointer) {
     read_back(json);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(":/swimmers/1/id: 0: /swimmers/0 has this id already"));
+    EXPECT_THAT(error.what(), testing::HasSubstr(":/swimmers/1/id: the id 0 is already used by /swimmers/0"));
   }
 }
 
-/// A layout whose unit of one quantity has the given name.
+/// Returns a layout in which the unit of one quantity has the given name.
 Json with_unit(const std::string& quantity, const std::string& name) {
   Json json = layout_to_json(full_document());
   json["units"][quantity] = name;

@@ -7,7 +7,7 @@
 namespace beadswim {
 namespace {
 
-/// Three swimmers of one type, of which swimmer 2 has driving of its own; not in order of their ids.
+/// Returns three swimmers of one type, not in the order of their ids. Swimmer 2 has individual driving.
 Layout three_swimmers() {
   Layout layout = paper_single();
   Swimmer swimmer = layout.swimmers.front();

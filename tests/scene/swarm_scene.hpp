@@ -5,7 +5,7 @@
 
 namespace beadswim {
 
-/// The swarm of a plan in its periodic box.
+/// Returns the swarm of a plan in its periodic box as a layout.
 inline Layout swarm_of(const SwarmPlan& plan, const SwimmerType& type) {
   Layout layout = paper_swarm();
   layout.types["a"] = type;

@@ -1,4 +1,4 @@
-// Swarms of blocks, and the smallest cell that repeats to them.
+// Tests of swarms that consist of blocks, and of the smallest periodic box whose copies give a swarm.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@ namespace {
 constexpr double pi = std::numbers::pi, eta = 0.3;
 constexpr LubricationRange wide{.normal = 0.1, .tangential = 0.1, .smallest = 1e-6};
 
-/// Force between spheres of radii a, b over dh/dt, exact.
+/// Returns the exact force between approaching spheres of radii a and b with gap h, divided by dh/dt.
 double exact_squeezing(double a, double b, double h) {
   const Eigen::Matrix2d r = bispherical_resistance(a, b, a + b + h, eta);
   // The singular part is common to all motions with the same approach.
@@ -65,7 +65,7 @@ TEST(Lubrication, OfSlidingFollowsExactSpheres) {
   }
 }
 
-/// Beads of radii 2 and 3 in some motion, h apart.
+/// Two beads of radii 2 and 3 that move with a gap of h.
 struct Scene {
   CloseBead first{.radius = 2, .mass = 30, .inertia = 50}, second{.radius = 3, .mass = 110, .inertia = 400};
   Vec3 separation;
@@ -114,8 +114,8 @@ TEST(NearContact, LeavesARigidTurnAlone) {
   EXPECT_LT(p.linear.norm() + p.first_angular.norm() + p.second_angular.norm(), 1e-14);
 }
 
-/// Spheres of radius 4, of the fluid's density, meet head on with relative speed v; returns gaps, step by
-/// step.
+/// Lets two spheres of radius 4, with the density of the fluid, approach each other with the relative
+/// velocity v. Returns the gap after each step.
 std::vector<double> head_on(const NearContactLaw& law, double h, double v, double step, double duration) {
   CloseBead bead{.radius = 4, .mass = 268, .inertia = 0.4 * 268 * 16};
   std::vector<double> gaps{h};
@@ -189,7 +189,8 @@ TEST(NearContact, RubsFromTheFirstTouch) {
   }
 }
 
-/// Change of velocity of a bead between twelve like it at rest, all as far off.
+/// Returns the change of velocity of a bead between twelve equal beads, which are at rest at equal distances
+/// from it.
 Vec3 change_in_crowd(const NearContactLaw& law, double distance, const Vec3& velocity) {
   const CloseBead neighbour{.radius = 4, .mass = 268, .inertia = 1715, .pairs = 12};
   CloseBead middle = neighbour;

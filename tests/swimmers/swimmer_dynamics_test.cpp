@@ -8,8 +8,8 @@
 namespace beadswim {
 namespace {
 
-/// A swimmer whose outer beads oscillate against each other while bead 2 rests: x1 = -l - s, x3 = l + s with
-/// m s'' + c s' + k s = 0.
+/// Returns a swimmer whose outer beads oscillate in opposite directions while bead 2 rests: x1 = -l - s, x3 =
+/// l + s with m s'' + c s' + k s = 0.
 SwimmerType symmetric_swimmer() {
   SwimmerType type;
   type.beads.fill({.radius = 1, .density = 0.5});
@@ -18,13 +18,13 @@ SwimmerType symmetric_swimmer() {
   return type;
 }
 
-/// Damped oscillator from s(0) = s0 at rest.
+/// Returns the position s(t) of a damped oscillator that begins at rest at s(0) = s0.
 double damped_oscillation(double m, double c, double k, double s0, double t) {
   const double decay = c / (2 * m), omega = std::sqrt(k / m - decay * decay);
   return s0 * std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
 }
 
-/// Largest error of the position over two periods.
+/// Returns the largest error of the position in two periods.
 double oscillation_error(double step) {
   const SwimmerType type = symmetric_swimmer();
   constexpr double s0 = 0.3, duration = 16;

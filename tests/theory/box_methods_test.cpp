@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(All, BoxMethod,
                                          "inertia-corrected"),
                          test_name);
 
-/// Rotne-Prager mobility of beads at places on a line in a periodic box.
+/// Returns the Rotne-Prager mobility of beads at positions on a line in a periodic box.
 Eigen::MatrixXd periodic_mobility(const LineFlow& flow, const std::vector<double>& radii,
                                   const std::vector<double>& x, double viscosity) {
   const auto count = static_cast<Eigen::Index>(x.size());

@@ -6,8 +6,8 @@
 
 #include "swimmers.hpp"
 
-// The perturbation against the motion itself: the three beads' equations of motion integrated in time, with
-// the mobility written out here, and the amplitude taken to zero.
+// Tests the perturbation theory by integrating the equations of motion of the three beads in time. The
+// mobility is written out in this file, and the driving amplitude tends to zero.
 
 namespace beadswim {
 namespace {
@@ -17,7 +17,8 @@ using Eigen::Vector3d;
 
 constexpr double pi = std::numbers::pi;
 
-/// (4.15) to (4.17) in their right form; `size` 1 for Rotne-Prager, 0 for Oseen.
+/// Returns the mobility by equations (4.15) to (4.17) of the paper in their correct form. `size`: 1 for
+/// Rotne-Prager, 0 for Oseen.
 Matrix3d mobility_of(const CollinearSwimmer& s, const Vector3d& x, double size) {
   Matrix3d m;
   for (int i = 0; i < 3; ++i) {
@@ -30,7 +31,8 @@ Matrix3d mobility_of(const CollinearSwimmer& s, const Vector3d& x, double size) 
   return m / (6 * pi * s.viscosity);
 }
 
-/// Bead velocities: v = mu (F + springs + dashpots), dashpots linear in v and so solved for.
+/// Returns the bead velocities: v = mu (F + springs + dashpots). Forces of dashpots are linear in v, so a
+/// linear system is solved.
 Vector3d velocity(const CollinearSwimmer& s, const Vector3d& x, double t, double size) {
   const double w = 2 * pi / s.period;
   const double f1 = s.amplitude[0] * std::sin(w * t), f3 = s.amplitude[1] * std::sin(w * t + s.phase);
@@ -49,7 +51,7 @@ struct Cycle {
   Eigen::Vector2d mean_arms;
 };
 
-/// Means over the last of `periods` cycles, by fourth-order Runge-Kutta.
+/// Returns means over the last of `periods` cycles, by the fourth-order Runge-Kutta method.
 Cycle integrate(const CollinearSwimmer& s, double size, int periods, int steps) {
   const double h = s.period / steps;
   Vector3d x(-s.arm[0], 0, s.arm[1]), start = x;
@@ -75,7 +77,8 @@ struct SmallAmplitudeLimit {
   Eigen::Vector2d arm_changes;  ///< m/A^2
 };
 
-/// V/A^2 and m/A^2 for A -> 0: even in A, so two amplitudes cancel the error of order A^2.
+/// Returns V/A^2 and m/A^2 for A -> 0. The values are even in A, so two amplitudes suffice to cancel the
+/// error of order A^2.
 SmallAmplitudeLimit limit_of(CollinearSwimmer s, double size, double scale) {
   const Eigen::Vector2d rest(s.arm[0], s.arm[1]);
   const std::array<double, 2> unit = s.amplitude;

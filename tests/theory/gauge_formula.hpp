@@ -9,14 +9,16 @@
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// Second order in amplitude on another way: by the area that the arms enclose, in long double.
+// Independent formula of second order in the amplitude: the velocity follows from the area that the arms
+// enclose in a cycle. Evaluated in long double.
 //
 //   V = C omega d_1 d_2 sin(delta_1 - delta_2),   C = -(dw_3/dL_1 + dw_1/dL_2)/2,
 //
-// as bead 2 of a swimmer without total force moves by dx_2 = w_1 dL_1 - w_3 dL_2 (w its force distribution
-// when rigid, a function of the arms) and the integral over a cycle is that of the curl. Differences for the
-// derivatives, Cramer's rule for w, and the beads' places for the unknowns of the linear response: nothing is
-// shared with the library but the swimmer.
+// because bead 2 of a swimmer without total force moves by dx_2 = w_1 dL_1 - w_3 dL_2, and the integral over
+// a cycle is the integral of the curl. L_1, L_2: arm lengths; w: distribution of the force on the beads of
+// the rigid swimmer, a function of the arms. Derivatives are differences, w follows from Cramer's rule, and
+// the linear response is solved for the bead positions. Only the description of the swimmer is shared with
+// the library.
 
 namespace beadswim::gauge {
 
@@ -25,7 +27,8 @@ using Complex = std::complex<Real>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 using Vector3 = Eigen::Matrix<Real, 3, 1>;
 
-/// (4.15) to (4.17) in their right form for arms L; `size` 1 for Rotne-Prager, 0 for Oseen.
+/// Returns the mobility by equations (4.15) to (4.17) of the paper in their correct form, for arms L. `size`:
+/// 1 for Rotne-Prager, 0 for Oseen.
 inline Matrix3 pair_mobility(const CollinearSwimmer& s, Real L1, Real L2, Real size) {
   const Real x[3] = {-L1, 0, L2};
   Matrix3 m;
@@ -38,21 +41,21 @@ inline Matrix3 pair_mobility(const CollinearSwimmer& s, Real L1, Real L2, Real s
   return m / (6 * std::numbers::pi_v<Real> * s.viscosity);
 }
 
-/// w by cofactors: forces that move all three beads alike, over their sum.
+/// Returns w by cofactors: the forces that move all three beads with equal velocity, divided by their sum.
 inline Vector3 towing_shares(const Matrix3& m) {
   const Vector3 a = m.row(0), b = m.row(1), c = m.row(2);
   const Vector3 sum = b.cross(c) + c.cross(a) + a.cross(b);  // m^-1 (1, 1, 1) times det m
   return sum / sum.sum();
 }
 
-/// Derivative by central differences of sixth order.
+/// Returns a derivative by central differences of sixth order.
 template <class Function>
 Real derivative(const Function& f, Real step) {
   return (45 * (f(step) - f(-step)) - 9 * (f(2 * step) - f(-2 * step)) + f(3 * step) - f(-3 * step)) /
          (60 * step);
 }
 
-/// C for the mobility as a function of the arms, differences of this step.
+/// Returns C for a mobility that is given as a function of the arms. `step`: step of the differences.
 template <class Mobility>
 Real geometry(const CollinearSwimmer& s, const Mobility& mobility, Real step) {
   const Real l1 = s.arm[0], l2 = s.arm[1];
@@ -61,7 +64,8 @@ Real geometry(const CollinearSwimmer& s, const Mobility& mobility, Real step) {
   return -(by_1 + by_2) / 2;
 }
 
-/// First-order changes of the arms, from (i omega + mu S) xi = mu F for the beads' displacements xi.
+/// Returns the first-order changes of the arms, from (i omega + mu S) xi = mu F for the displacements xi of
+/// the beads.
 inline std::array<Complex, 2> arms(const CollinearSwimmer& s, const Matrix3& mobility) {
   const Real omega = 2 * std::numbers::pi_v<Real> / s.period;
   const Complex I(0, 1), k1(s.stiffness[0], omega * s.damping[0]), k2(s.stiffness[1], omega * s.damping[1]);
@@ -81,7 +85,7 @@ struct SecondOrder {
   std::array<std::complex<double>, 2> arms;
 };
 
-/// V for the mobility as a function of the arms.
+/// Returns V for a mobility that is given as a function of the arms.
 template <class Mobility>
 SecondOrder second_order(const CollinearSwimmer& s, const Mobility& mobility, Real step) {
   const Real omega = 2 * std::numbers::pi_v<Real> / s.period;

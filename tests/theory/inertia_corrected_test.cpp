@@ -16,7 +16,7 @@ Prediction corrected(const CollinearSwimmer& swimmer) {
   return predicted("inertia-corrected", ask(with_amplitude(swimmer, small)));
 }
 
-/// Velocity over A^2, stroke over A and sin(delta_1 - delta_2).
+/// Reference values: velocity divided by A^2, arm amplitudes divided by A, and sin(delta_1 - delta_2).
 struct Row {
   double period, velocity, d1, d2, sine;
 };

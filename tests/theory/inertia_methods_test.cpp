@@ -8,7 +8,7 @@
 #include "beadswim/theory/inertial_motion.hpp"
 #include "scenes.hpp"
 
-// The methods with inertia as a user meets them.
+// Tests of the methods with inertia through the interface that users have.
 
 namespace beadswim {
 namespace {

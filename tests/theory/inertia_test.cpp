@@ -22,7 +22,7 @@ constexpr Complex i_unit{0, 1};
 
 // ---- A single bead
 
-/// Three beads so far apart that none feels another.
+/// Returns a swimmer whose beads are so far apart that they do not affect each other.
 CollinearSwimmer lone_beads(double period, double density) {
   CollinearSwimmer swimmer = with_density(paper_swimmer(period), density);
   swimmer.radius = {4, 3, 5};
@@ -52,12 +52,13 @@ TEST(UnsteadyMobility, OfALoneBeadIsOneOverItsImpedance) {
   }
 }
 
-/// Velocity amplitude per unit force of a sphere driven by sin(omega t) from rest at t = 0, by the equation
-/// of Basset, Boussinesq and Oseen,
-///   (m + m_fluid/2) dU/dt = sin(omega t) - 6 pi eta a U - 6 a^2 sqrt(pi eta rho) int_0^t U'(s)/sqrt(t - s)
-///   ds,
-/// in time: U linear in each of `steps` steps a period, the history integral exact for that, the equation at
-/// midpoints; the first harmonic of the last of `periods`.
+/// Returns the velocity amplitude per unit force of a sphere that a force sin(omega t) drives. The sphere is
+/// at rest at t = 0. Integrates the equation of Basset, Boussinesq and Oseen in time:
+///   (m + m_fluid/2) dU/dt = sin(omega t) - 6 pi eta a U
+///                           - 6 a^2 sqrt(pi eta rho) int_0^t U'(s)/sqrt(t - s) ds.
+/// U is linear in each of the `steps` steps per period, and the history integral is exact for such a U. The
+/// equation holds at the midpoints of steps. The result is the first harmonic of the last of `periods`
+/// periods.
 Complex basset_amplitude(double a, double eta, double rho, double density, double period, int steps,
                          int periods) {
   const double dt = period / steps, omega = 2 * pi / period;
@@ -198,8 +199,8 @@ TEST(UnsteadyResponse, OfReciprocalStrokeIsOfTheOrderOfInertia) {
 
 // ---- Beads with mass in a fluid without
 
-/// Mean velocity of Newton's equations m dv/dt = F(t) - springs - mu(x)^-1 v, by the classical Runge-Kutta
-/// method from rest: the last of `periods`.
+/// Returns the mean velocity in the last of `periods` periods by Newton's equations m dv/dt = F(t) - springs
+/// - mu(x)^-1 v, integrated from rest by the classical Runge-Kutta method.
 double newtonian_velocity(const CollinearSwimmer& swimmer, int steps, int periods) {
   using State = Eigen::Matrix<double, 6, 1>;
   const Eigen::Vector3cd driving = arm_rates().transpose() * driving_tensions(swimmer);
@@ -257,7 +258,8 @@ TEST(UnsteadyResponse, OfHeavyBeadsInMasslessFluidSolvesNewtonsEquations) {
 
 // ---- Invariance
 
-/// rho int <U u + u U> : grad u^ dV for a uniform oscillation U along the axis.
+/// Returns the change of the Reynolds stress by a uniform oscillation U along the axis: rho int <U u + u U> :
+/// grad u^ dV.
 double reynolds_change(const CollinearSwimmer& swimmer, const Eigen::Vector3cd& force, Complex uniform) {
   const LinePositions center = rest_positions(swimmer);
   const Complex alpha = inverse_penetration_depth(swimmer, 1);

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <complex>
 
-// The flow of one sphere, against the equations that it has to satisfy.
+// Tests the flow of a single sphere with the equations that this flow must satisfy.
 
 namespace beadswim {
 namespace {
@@ -16,7 +16,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double a = 4, eta = 1.0 / 3;
 const Complex diagonal(std::sqrt(0.5), std::sqrt(0.5));  // the direction of alpha
 
-/// A place outside, at a distance and an angle to the axis.
+/// A position outside the sphere, given by the distance and the angle to the axis.
 struct Place {
   double x, s;
 };
@@ -24,7 +24,7 @@ Place at(double r, double angle) {
   return {r * std::cos(angle), r * std::sin(angle)};
 }
 
-/// u and its derivatives by differences of fourth order with step h.
+/// Flow u and its derivatives by fourth-order differences with step h.
 struct Differences {
   Eigen::RowVector2cd flow, by_x, by_s, by_xx, by_ss;
 };
@@ -93,7 +93,8 @@ TEST_P(OscillatingSphere, ObeysUnsteadyStokesEquation) {
 
 INSTANTIATE_TEST_SUITE_P(Depths, OscillatingSphere, testing::Values(0.004, 0.06, 0.4, 2.0));
 
-/// Stokes's flow of a towed sphere per unit force: textbook, in u = U (..., ...) with U = 1/(6 pi eta a).
+/// Returns Stokes's flow of a towed sphere per unit force: the textbook formula u = U (..., ...) with U =
+/// 1/(6 pi eta a).
 Eigen::RowVector2d stokes_flow(double x, double s) {
   const double r = std::hypot(x, s), q = a / r;
   const double cosine = x / r, sine = s / r;

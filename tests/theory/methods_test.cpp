@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-/// In a periodic box and with a measured stroke: all methods can be asked.
+/// Returns a question for a swimmer in a periodic box with a measured stroke, which all methods can answer.
 Question ask_all(const CollinearSwimmer& swimmer) {
   Question asked = ask(swimmer);
   asked.box = BoxPlace{.box = {.lengths = {160, 120, 120},
@@ -47,13 +47,13 @@ TEST(Methods, ClosedFormsRefuseUnequalPartsAndSayWhy) {
   EXPECT_THAT(refusal("oseen-force-closed", ask(swimmer)), testing::HasSubstr("radii 4, 4, 5 differ"));
   swimmer = paper_swimmer(4800);
   swimmer.arm[1] = 25;
-  EXPECT_THAT(refusal("oseen-stroke-closed", ask(swimmer)), testing::HasSubstr("arms 20, 25 differ"));
+  EXPECT_THAT(refusal("oseen-stroke-closed", ask(swimmer)), testing::HasSubstr("arm lengths 20, 25 differ"));
   swimmer = paper_swimmer(4800);
   swimmer.stiffness[1] = 0.1;
   EXPECT_THAT(refusal("oseen-force-closed", ask(swimmer)), testing::HasSubstr("stiffnesses"));
   swimmer = paper_swimmer(4800);
   swimmer.damping[0] = 1;
-  EXPECT_THAT(refusal("oseen-stroke-closed", ask(swimmer)), testing::HasSubstr("no damping"));
+  EXPECT_THAT(refusal("oseen-stroke-closed", ask(swimmer)), testing::HasSubstr("neglects damping"));
 }
 
 TEST(Methods, AllOthersTreatUnequalParts) {
@@ -223,7 +223,7 @@ TEST(Methods, AtFiniteAmplitudeRefuseContactWithNumbers) {
   CollinearSwimmer swimmer = paper_swimmer(4800);
   swimmer.amplitude = {2, 2};
   for (const char* name : {"oseen-ode", "rpy-ode", "multipole-ode"}) {
-    EXPECT_THAT(refusal(name, ask(swimmer)), testing::ContainsRegex("above about 0\\.[0-9]+")) << name;
+    EXPECT_THAT(refusal(name, ask(swimmer)), testing::ContainsRegex("exceeds about 0\\.[0-9]+")) << name;
   }
 }
 

@@ -6,12 +6,13 @@
 #include "beadswim/theory/linear_response.hpp"
 #include "swimmers.hpp"
 
-// How far the pair laws are from exact Stokes flow, and from each other.
+// Tests how much the pair mobilities of Oseen and of Rotne and Prager differ from exact Stokes flow, and from
+// each other.
 
 namespace beadswim {
 namespace {
 
-/// The paper's swimmer with other arms, and driven so that every term counts.
+/// Returns the paper's swimmer with arms of `separation` bead radii.
 CollinearSwimmer swimmer_at(double separation) {
   CollinearSwimmer s = paper_swimmer(4800);
   s.arm = {4 * separation, 4 * separation};
@@ -22,7 +23,8 @@ double exact_velocity_for_stroke(const CollinearSwimmer& s) {
   return ask(s).exact->motion.velocity;
 }
 
-/// error(l/lambda) at 20, 40, 80: falls with this order, and is `finest` or less at the last.
+/// Checks that error(l/lambda) decreases with this order from 20 to 40 and 80, and is smaller than `finest`
+/// at 80.
 void expect_order(const std::function<double(double)>& error, double order, double finest) {
   constexpr double truncation = 0.05;  // of the slope: one order more in lambda/l
   EXPECT_NEAR(std::log2(error(20) / error(40)), order, truncation);

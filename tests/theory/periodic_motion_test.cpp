@@ -8,7 +8,8 @@
 #include "random_swimmers.hpp"
 #include "time_integration.hpp"
 
-// Harmonic balance against integration in time, which knows neither harmonics nor slopes.
+// Tests the harmonic-balance solution by integration in time, which uses neither harmonics nor derivatives of
+// the mobility.
 
 namespace beadswim {
 namespace {
@@ -19,7 +20,7 @@ MobilityFunction pairs(const CollinearSwimmer& s, PairLaw law) {
   return [s, law](const LinePositions& x) { return pairwise_mobility(law, s.radius, x, s.viscosity); };
 }
 
-/// Arms at t = 0, to start the shooting.
+/// Returns the arm lengths at t = 0, as initial guess for the shooting method.
 timestepping::Vector2 arms_at_start(const PeriodicMotion& motion) {
   timestepping::Vector2 arms;
   for (int arm = 0; arm < 2; ++arm) {
@@ -28,7 +29,7 @@ timestepping::Vector2 arms_at_start(const PeriodicMotion& motion) {
   return arms;
 }
 
-/// Error of V over max(|V|, 1e-6 omega d), d the larger swing.
+/// Returns the error of V divided by max(|V|, 1e-6 omega d), d: larger arm amplitude.
 double relative_error(const CollinearSwimmer& s, const PeriodicMotion& motion, double expected) {
   const double swing = std::max(motion.stroke.amplitude[0], motion.stroke.amplitude[1]);
   const double least = 1e-6 * s.angular_frequency() * swing;
@@ -89,7 +90,7 @@ TEST(HarmonicBalance, TakesMoreHarmonicsForLargerStrokes) {
   EXPECT_GT(nodes(strong), nodes(gentle));
 }
 
-/// The exact mobility by Chebyshev interpolation in both arms.
+/// Exact mobility, interpolated by Chebyshev polynomials in both arm lengths.
 class ChebyshevMobility {
  public:
   ChebyshevMobility(const CollinearSwimmer& s, const std::array<double, 2>& middle, double half_width)
@@ -117,7 +118,7 @@ class ChebyshevMobility {
 
   static double node(int i) { return std::cos(std::numbers::pi * (i + 0.5) / points); }
 
-  /// Barycentric weights of the Chebyshev points of the first kind.
+  /// Returns the barycentric weights of the Chebyshev points of the first kind.
   static Weights weights(Real t) {
     Weights w;
     Real sum = 0;
@@ -158,7 +159,7 @@ std::string refusal_of(const CollinearSwimmer& s) {
 TEST(HarmonicBalance, RefusesContactAndSaysHowFarTheDrivingCanBeTurnedUp) {
   CollinearSwimmer s = paper_swimmer(4800);
   s.amplitude = {1, 1};
-  EXPECT_THAT(refusal_of(s), testing::ContainsRegex("above about 0\\.[0-9]+ of the driving amplitude"));
+  EXPECT_THAT(refusal_of(s), testing::ContainsRegex("exceeds about 0\\.[0-9]+ times the given amplitude"));
   s.amplitude = {0.4, 0.4};
   EXPECT_EQ(refusal_of(s), "");
 }

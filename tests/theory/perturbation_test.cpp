@@ -10,7 +10,8 @@ namespace {
 
 constexpr double roundoff = 1e-12;  // relative, of two 3x3 solves and sums of cancelling terms
 
-/// Equal parts, unequal driving, at several separations: every term of the closed expressions counts.
+/// Returns swimmers with equal beads and arms but unequal driving, at several separations. All terms of the
+/// closed expressions then differ from zero.
 std::vector<CollinearSwimmer> swimmers_of_equal_parts() {
   std::vector<CollinearSwimmer> swimmers;
   for (const double arm : {10.0, 12.0, 20.0, 80.0}) {

@@ -8,7 +8,7 @@
 namespace beadswim {
 namespace {
 
-/// Every optional member absent in the first prediction and present in the second.
+/// Returns two predictions: the first has no optional member, the second has all.
 PredictionDocument two_predictions() {
   Prediction sparse{.method = "oseen-force-closed",
                     .usable = false,

@@ -9,7 +9,8 @@
 #include "gauge_formula.hpp"
 #include "swimmers.hpp"
 
-// The paper's (4.9), (4.23) and (4.24), as printed and as they should be.
+// Tests equations (4.9), (4.23) and (4.24) of the paper (Pickl et al. 2017), as printed and in their correct
+// form.
 
 namespace beadswim {
 namespace {
@@ -24,12 +25,13 @@ CollinearSwimmer swimmer_at(double separation) {
   return s;
 }
 
-/// A stroke that no formula predicts.
+/// Returns a stroke that none of the formulas predicts.
 Stroke some_stroke() {
   return {.amplitude = {1.3, 0.8}, .phase = {0.4, -0.9}};
 }
 
-/// error(l/lambda) at 640, 1280, 2560 falls with this order in lambda/l, and is `finest` or less at the last.
+/// Checks that error(l/lambda) decreases with this order in lambda/l from 640 to 1280 and 2560, and is at
+/// most `finest` at 2560.
 void expect_order(const std::function<double(double)>& error, double order, double finest) {
   constexpr double truncation = 0.06;  // of the slope: one order more in lambda/l
   EXPECT_NEAR(std::log2(error(640) / error(1280)), order, truncation);
@@ -37,9 +39,10 @@ void expect_order(const std::function<double(double)>& error, double order, doub
   EXPECT_LT(std::abs(error(2560)), finest);
 }
 
-/// Mean of the three beads' velocities with equal weights over a cycle of given arms, second order in their
-/// swing, mean lengths unchanged: C of v = C omega d1 d2 sin(delta1 - delta2). Forces D^T Z dL/dt move the
-/// arms as prescribed, so V = <(1/3) 1^T mu D^T Z dL/dt>, whose curl is taken by differences.
+/// Returns C of v = C omega d1 d2 sin(delta1 - delta2), where v is the mean of the three bead velocities with
+/// equal weights over a cycle of given arms with unchanged mean lengths, to second order in the arm
+/// amplitudes. Forces D^T Z dL/dt move the arms as prescribed, so V = <(1/3) 1^T mu D^T Z dL/dt>. The curl of
+/// this expression is evaluated by differences.
 double equal_weight_geometry(const CollinearSwimmer& s) {
   using gauge::Real;
   using Shares = Eigen::Matrix<Real, 1, 2>;
@@ -212,7 +215,8 @@ TEST(PrintedFormulas, AreUsableNearExactFlowOnly) {
   for (const char* name : {"rpy-force-printed", "rpy-force-repaired", "rpy-stroke-printed"}) {
     const Prediction near = small_prediction(name, 5);
     EXPECT_FALSE(near.usable) << name;
-    EXPECT_THAT(near.validity, testing::HasSubstr("not usable: not known to be within 25 %")) << name;
+    EXPECT_THAT(near.validity, testing::HasSubstr("not usable: this formula is not known to be within 25 %"))
+        << name;
   }
   for (const char* name : {"rpy-force-repaired", "rpy-stroke-printed"}) {
     EXPECT_TRUE(small_prediction(name, 40).usable) << name;

@@ -5,12 +5,13 @@
 #include "gauge_formula.hpp"
 #include "random_swimmers.hpp"
 
-// Second order in amplitude on swimmers drawn at random, against the area formula in long double.
+// Tests predictions of second order in the amplitude for random swimmers, by comparison with the area formula
+// in long double (gauge_formula.hpp).
 
 namespace beadswim {
 namespace {
 
-/// Largest relative error of velocities, and of the arms' complex changes, over `count` swimmers.
+/// Largest relative errors over `count` swimmers: of the velocities and of the complex changes of the arms.
 struct Errors {
   double velocity = 0, velocity_of_swing = 0, arms = 0;
 };

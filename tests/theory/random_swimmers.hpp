@@ -10,13 +10,13 @@
 
 namespace beadswim {
 
-/// Swimmers drawn at random from a fixed seed: separations l/lambda 2.6 to 50, radius ratios to 4, arm ratios
-/// to 3 and more, any alpha, A/B from 0 to infinity with either sign, dashpots on every second one.
+/// Random swimmers from a fixed seed: separations l/lambda from 2.6 to 50, radius ratios up to 4, arm ratios
+/// up to 3 and more, any alpha, A/B from 0 to infinity with either sign. Every second swimmer has dashpots.
 class RandomSwimmers {
  public:
   static constexpr std::uint64_t seed = 20170304;
 
-  /// gamma omega / k of the arms is drawn between these.
+  /// The values gamma omega / k of the arms are random numbers between the two arguments.
   RandomSwimmers(double softest_inverse, double softest) : least_(softest_inverse), most_(softest) {}
 
   CollinearSwimmer next() {
@@ -58,8 +58,8 @@ class RandomSwimmers {
   int drawn_ = 0;
 };
 
-/// The same swimmer driven so that to first order, with Rotne-Prager pairs, the larger of d_i/gap_i is
-/// `part`.
+/// Returns the swimmer with driving amplitudes for which the larger of the two ratios d_i/gap_i is `part`, to
+/// first order and with Rotne-Prager mobility.
 inline CollinearSwimmer driven_to(CollinearSwimmer s, double part) {
   const Stroke stroke = first_order_stroke(s, rotne_prager);
   double largest = 0;

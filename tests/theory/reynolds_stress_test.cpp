@@ -17,7 +17,7 @@ Eigen::Vector3d towing_of(const CollinearSwimmer& swimmer) {
   return rigid_force_distribution(rest_mobility(swimmer, rotne_prager).value);
 }
 
-/// rho u_i u_j* : grad u^ at (x, s).
+/// Returns the integrand rho u_i u_j* : grad u^ at (x, s).
 Eigen::Matrix3cd integrand(const CollinearSwimmer& swimmer, double rho, const Eigen::Vector3d& towing,
                            double x, double s) {
   const LinePositions center = rest_positions(swimmer);
@@ -31,7 +31,7 @@ Eigen::Matrix3cd integrand(const CollinearSwimmer& swimmer, double rho, const Ei
   return rho * u * (gradient + gradient.transpose()) / 2 * u.adjoint();
 }
 
-/// The swimmer with such a period that vorticity reaches `depth` into fluid of density 1.
+/// Returns the swimmer with a period for which the penetration depth in a fluid of density 1 is `depth`.
 CollinearSwimmer with_depth(CollinearSwimmer swimmer, double depth) {
   swimmer.period = std::numbers::pi * depth * depth / swimmer.viscosity;
   return swimmer;

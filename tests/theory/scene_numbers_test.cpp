@@ -27,7 +27,8 @@ TEST(SceneNumbers, OfThePapersSwimmer) {
   EXPECT_NEAR(*numbers.resolution->cells_in_box, 768e6, 1e-3);
 }
 
-/// (4.4) and (4.5) of the paper: arm amplitudes of equal beads and arms to lowest order in lambda/l.
+/// Returns the arm amplitudes by equations (4.4) and (4.5) of the paper: equal beads and arms, lowest order
+/// in lambda/l.
 std::array<double, 2> paper_amplitudes(double A, double B, double alpha, double k, double W) {
   const double denominator = std::pow(k, 4) + 40 * W * W * k * k + 144 * std::pow(W, 4);
   const double cross = 4 * A * B * W * k * std::sin(alpha);

@@ -10,11 +10,12 @@
 #include "beadswim/theory/methods.hpp"
 #include "swimmers.hpp"
 
-// Swimmers in boxes, and what to read off a prediction.
+// Helper functions for tests: swimmers in boxes, and numbers of a prediction.
 
 namespace beadswim {
 
-/// Alone in a box of fluid of density 1, its middle bead at `middle`; the first axis is the swimmer's.
+/// Returns a question for one swimmer in a box of fluid of density 1. Its middle bead is at `middle`; its
+/// axis is the first axis of the box.
 inline Question ask_in_box(const CollinearSwimmer& swimmer, const Box& box,
                            const std::array<double, 3>& middle) {
   Question question = ask(swimmer);
@@ -22,7 +23,7 @@ inline Question ask_in_box(const CollinearSwimmer& swimmer, const Box& box,
   return question;
 }
 
-/// The same with its middle bead in the middle of the box.
+/// Returns a question for one swimmer whose middle bead is in the middle of the box.
 inline Question ask_in_box(const CollinearSwimmer& swimmer, const Box& box) {
   return ask_in_box(swimmer, box, {box.lengths[0] / 2, box.lengths[1] / 2, box.lengths[2] / 2});
 }
@@ -39,7 +40,7 @@ inline Prediction predicted(const std::string& method, const Question& question)
   return predict(find_method(method), question);
 }
 
-/// A number among a prediction's settings. Throws if there is none of that name.
+/// Returns a number from the settings of a prediction. Throws if no setting has this name.
 inline double setting(const Prediction& prediction, const std::string& name) {
   for (const auto& [key, value] : prediction.settings) {
     if (key == name) return std::get<double>(value);
@@ -47,7 +48,7 @@ inline double setting(const Prediction& prediction, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-/// A method's name as a test's: without hyphens.
+/// Returns the name of a method without hyphens, as the name of a test.
 inline std::string test_name(const testing::TestParamInfo<std::string>& info) {
   std::string name = info.param;
   std::erase(name, '-');

@@ -3,7 +3,8 @@
 #include "beadswim/theory/finite_amplitude.hpp"
 #include "random_swimmers.hpp"
 
-// Finite and small amplitude: V = V_2 (1 + c s^2 + O(s^4)) for driving forces s A, s B.
+// Tests the limit of small amplitude: V = V_2 (1 + c s^2 + O(s^4)) for driving forces s A, s B; V_2: velocity
+// to second order in s.
 
 namespace beadswim {
 namespace {
@@ -16,14 +17,15 @@ MobilityFunction exact(const CollinearSwimmer& s) {
   return [s](const LinePositions& x) { return exact_mobility(s, x); };
 }
 
-/// V/V_2 - 1 of the swimmer driven to this part of its gap.
+/// Returns V/V_2 - 1 of the swimmer whose arm amplitudes are at most the fraction `part` of its gaps.
 double change_at(const CollinearSwimmer& swimmer, const MobilityFunction& mobility, double part) {
   const CollinearSwimmer s = driven_to(swimmer, part);
   const LinePositions rest = rest_positions(s);
   return periodic_motion(s, rest, mobility).velocity / second_order_motion(s, mobility(rest)).velocity - 1;
 }
 
-/// Three amplitudes: the excess over second order falls as amplitude^2, and is `finest` at the last.
+/// Checks for three amplitudes that V/V_2 - 1 decreases as amplitude^2, and is `finest` at the smallest
+/// amplitude.
 void expect_second_order_limit(const CollinearSwimmer& swimmer, const MobilityFunction& mobility) {
   const double coarse = change_at(swimmer, mobility, 0.04), middle = change_at(swimmer, mobility, 0.02),
                fine = change_at(swimmer, mobility, 0.01);

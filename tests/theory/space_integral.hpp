@@ -10,12 +10,13 @@
 
 #include "beadswim/theory/collinear_swimmer.hpp"
 
-// Integrals over all space of functions with the symmetry of a collinear swimmer, f(x, s) with s the distance
-// from the axis: composite Gauss rules in the angle and in ln r about each bead, up to planes midway in gaps.
+// Integrals over all space of functions f(x, s) with the symmetry of a collinear swimmer; s: distance from
+// the axis. Composite Gauss rules in the angle and in ln r around each bead, up to the planes in the middle
+// of the gaps.
 
 namespace beadswim {
 
-/// Places and weights of the composite Gauss rule of four points in each of `panels`.
+/// Returns positions and weights of the composite Gauss rule with four points in each of `panels` panels.
 inline std::vector<std::pair<double, double>> gauss_panels(double from, double to, int panels) {
   const double inner = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(6.0 / 5)),
                outer = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(6.0 / 5));
@@ -32,7 +33,8 @@ inline std::vector<std::pair<double, double>> gauss_panels(double from, double t
   return nodes;
 }
 
-/// Integral of `f` over all space within `reach` of the swimmer, beads included.
+/// Returns the integral of `f` over all space within the distance `reach` of the swimmer, including the
+/// beads.
 template <class Integrand>
 auto integral_over_space(const CollinearSwimmer& swimmer, double reach, int panels, const Integrand& f) {
   const LinePositions center = rest_positions(swimmer);

@@ -11,7 +11,8 @@
 
 namespace beadswim {
 
-/// Section 4.2 of the paper in lattice units, with unit driving: velocities are v/A^2, amplitudes d/A.
+/// Returns the swimmer of section 4.2 of the paper in lattice units with unit driving amplitudes: velocities
+/// are v/A^2, amplitudes d/A.
 inline CollinearSwimmer paper_swimmer(double period) {
   return {.radius = {4, 4, 4},
           .density = {1, 1, 1},
@@ -24,7 +25,7 @@ inline CollinearSwimmer paper_swimmer(double period) {
           .viscosity = 1.0 / 3};
 }
 
-/// Nothing equal, nothing zero.
+/// Returns a swimmer in which no two parameters are equal and none is zero.
 inline CollinearSwimmer unequal_swimmer() {
   return {.radius = {4, 3, 5},
           .density = {1, 1, 1},
@@ -37,7 +38,7 @@ inline CollinearSwimmer unequal_swimmer() {
           .viscosity = 1.0 / 3};
 }
 
-/// The swimmer that its mirror shows: beads and arms in the other order.
+/// Returns the mirror image of the swimmer: beads and arms in reverse order.
 inline CollinearSwimmer mirrored(const CollinearSwimmer& s) {
   CollinearSwimmer m = s;
   std::swap(m.radius[0], m.radius[2]);
@@ -50,7 +51,7 @@ inline CollinearSwimmer mirrored(const CollinearSwimmer& s) {
   return m;
 }
 
-/// What methods are asked of a swimmer alone in unbounded fluid of density 1.
+/// Returns a question for a swimmer in unbounded fluid of density 1.
 inline Question ask(const CollinearSwimmer& swimmer) {
   return with_exact_reference({.swimmer = swimmer,
                                .fluid_density = 1,

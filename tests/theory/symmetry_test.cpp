@@ -5,14 +5,14 @@
 #include "beadswim/theory/methods.hpp"
 #include "swimmers.hpp"
 
-// What no swimmer in Stokes flow may break, whatever the pair law.
+// Tests of symmetries that hold for every swimmer in Stokes flow, for every pair mobility.
 
 namespace beadswim {
 namespace {
 
 constexpr double roundoff = 1e-12;  // relative
 
-/// The same swimmer in units `length`, `time`, `mass` times smaller.
+/// Returns the same swimmer in other units: the units are smaller by the factors `length`, `time` and `mass`.
 CollinearSwimmer in_units(const CollinearSwimmer& s, double length, double time, double mass) {
   CollinearSwimmer u = s;
   for (double& radius : u.radius) radius *= length;
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(PairLaws, SwimmerSymmetry, testing::Values(oseen, rotne
 class FiniteAmplitudeSymmetry : public testing::TestWithParam<const char*> {
  protected:
   static double velocity_of(const CollinearSwimmer& s) { return prediction_of(GetParam(), s).velocity; }
-  /// omega d, the speed of a bead.
+  /// Returns omega d, the speed of a bead.
   static double bead_speed(const CollinearSwimmer& s) {
     const Stroke stroke = prediction_of(GetParam(), s).stroke;
     return s.angular_frequency() * std::max(stroke.amplitude[0], stroke.amplitude[1]);
@@ -149,7 +149,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, FiniteAmplitudeSymmetry,
                            return name;
                          });
 
-/// Swimmer, box, fluid and stroke in units `length`, `time`, `mass` times smaller.
+/// Returns swimmer, box, fluid and stroke in other units: the units are smaller by the factors `length`,
+/// `time` and `mass`.
 Question in_units(Question q, double length, double time, double mass) {
   q.swimmer = in_units(q.swimmer, length, time, mass);
   q.fluid_density *= mass / (length * length * length);

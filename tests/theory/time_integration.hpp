@@ -8,11 +8,11 @@
 
 #include "beadswim/theory/collinear_swimmer.hpp"
 
-// The swimmer's motion by integration in time, and its periodic motion by shooting.
+// Motion of a swimmer by integration in time, and its periodic motion by the shooting method.
 //
-// Bulirsch and Stoer's extrapolation of the modified midpoint rule to order 16 for the beads' equations of
-// motion; Newton's method for the arms from which a period leads back to the same arms. The mobility is given
-// as a function of the arms, without slopes.
+// The equations of motion of the beads are integrated by Bulirsch and Stoer's extrapolation of the modified
+// midpoint rule, to order 16. Newton's method finds the arm lengths that a period reproduces. The mobility is
+// given as a function of the arm lengths; its derivatives are not needed.
 
 namespace beadswim::timestepping {
 
@@ -22,7 +22,8 @@ using Vector2 = Eigen::Matrix<Real, 2, 1>;
 using Matrix3 = Eigen::Matrix<Real, 3, 3>;
 using Matrix2 = Eigen::Matrix<Real, 2, 2>;
 
-/// Bead velocities: v = mu (F + springs + dashpots), dashpots linear in v and so solved for.
+/// Returns the bead velocities: v = mu (F + springs + dashpots). Forces of dashpots are linear in v, so a
+/// linear system is solved.
 template <class Mobility>
 Vector3 velocity(const CollinearSwimmer& s, const Mobility& mobility, const Vector3& x, Real t) {
   const Real w = 2 * std::numbers::pi_v<Real> / s.period;
@@ -38,7 +39,8 @@ Vector3 velocity(const CollinearSwimmer& s, const Mobility& mobility, const Vect
   return system.partialPivLu().solve(Vector3(mu * elastic));
 }
 
-/// One large step by the modified midpoint rule with 2, 4, .. 16 small ones, extrapolated to none.
+/// Performs one large step by the modified midpoint rule with 2, 4, ..., 16 substeps, extrapolated to
+/// substeps of length zero.
 template <class Mobility>
 Vector3 extrapolated_step(const CollinearSwimmer& s, const Mobility& mobility, const Vector3& x, Real t,
                           Real step) {
@@ -62,7 +64,8 @@ Vector3 extrapolated_step(const CollinearSwimmer& s, const Mobility& mobility, c
   return table[0];
 }
 
-/// Displacement of bead 2 and the arms after a period that begins with these arms.
+/// Displacement of bead 2, final arm lengths and mean arm lengths of a period that begins with given arm
+/// lengths.
 struct Period {
   Real displacement;
   Vector2 arms, arm_means;
@@ -85,7 +88,7 @@ struct Motion {
   std::array<double, 2> arm_means;
 };
 
-/// The periodic motion, from a guess of the arms at t = 0.
+/// Returns the periodic motion. `arms`: initial guess of the arm lengths at t = 0.
 template <class Mobility>
 Motion periodic(const CollinearSwimmer& s, const Mobility& mobility, Vector2 arms, int steps) {
   for (int iteration = 0; iteration < 30; ++iteration) {

@@ -4,13 +4,14 @@
 
 #include "beadswim/theory/collinear_swimmer.hpp"
 
-// Closed expressions of second order in amplitude without truncation in e = lambda/l, for equal radii, arms
-// and stiffnesses, derived by computer algebra independently of the numerical expansion under test:
+// Closed expressions of second order in the amplitude for equal radii, arms and stiffnesses, without
+// truncation in e = lambda/l. They were derived by computer algebra, independently of the numerical expansion
+// that is tested:
 //
 //   v = C omega {A B sin(alpha) (k^2 + omega^2 g_s g_m / 3) + (A^2 - B^2)/2 k omega (g_s - g_m / 3)}
 //       / {(k^2 + omega^2 g_s^2) (k^2 + omega^2 g_m^2 / 9)}
 //
-// g_s, g_m: drag coefficients of the modes in which the arms change alike and oppositely.
+// g_s, g_m: drag coefficients of the modes in which the arms change equally and oppositely.
 
 namespace beadswim {
 

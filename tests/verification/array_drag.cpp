@@ -9,11 +9,12 @@
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
-// Drag of a simple-cubic array of fixed spheres, K = F/(6 pi eta R U).
+// Measures the drag coefficient K = F/(6 pi eta R U) of a simple-cubic array of fixed spheres.
 
 namespace beadswim::verification {
 
-/// The fluid is kept flowing at constant momentum, and the body force that this takes is awaited.
+/// Returns K. Keeps the momentum of the fluid constant and waits until the body force that this requires is
+/// constant.
 double array_drag(const CubicArray& array, const Vec3& offset, double tau, BeadScheme scheme) {
   constexpr double speed = 1e-6, settled_to = 1e-5;  // of K
   constexpr double pi = std::numbers::pi;

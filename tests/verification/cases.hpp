@@ -10,26 +10,28 @@
 
 namespace beadswim::verification {
 
-/// How much of a case is measured.
+/// Number of measurements of a case.
 enum class Extent {
   whole,  ///< for docs/verification.md: minutes
   brief,  ///< for ctest: seconds
 };
 
-/// Takes one record: "case", "scheme", "tau", parameters, "measured", "reference", "error" and more.
+/// Function that receives one record: "case", "scheme", "tau", parameters, "measured", "reference", "error"
+/// and other values.
 using Emit = std::function<void(const Json&)>;
 
-/// Prints one record in a cell of a table.
+/// Function that returns the text for one record in a cell of a table.
 using Print = std::string (*)(const Json& record);
 
-/// A row of a table. `values` selects one record per scheme.
+/// Row of a table. `values` select one record for each scheme of the bead boundary.
 struct Row {
   std::string conditions;
   Json values;
   Print print = error_and_spread;
 };
 
-/// A law that beads in the fluid obey: the two tables of its section in docs/verification.md.
+/// A physical law that beads in the fluid must obey, with the two tables of its section in
+/// docs/verification.md.
 struct Law {
   std::string title;
   std::string claim;      ///< defines the quantity
@@ -39,12 +41,13 @@ struct Law {
   std::vector<Row> rows{};
 };
 
-/// Upper bounds of "error" and "spread" in the brief extent, for all schemes. Zero: no spread is measured.
+/// Upper bounds of "error" and "spread" in the brief extent, for all schemes. A bound of zero means that no
+/// spread is measured.
 struct Limits {
   double error = 0, spread = 0;
 };
 
-/// A measurement for one scheme, the law that it verifies, and its limits.
+/// Measurement for one scheme of the bead boundary, the law that it verifies, and its limits.
 struct Case {
   std::string name;
   void (*measure)(BeadScheme, Extent, const Emit&);
@@ -54,7 +57,7 @@ struct Case {
 
 const std::vector<Case>& all_cases();
 
-/// Returns docs/verification.md, made of records in any order.
+/// Returns the page docs/verification.md, made from the records, which can be in any order.
 std::string verification_page(const std::vector<Json>& records);
 
 void measure_array_drag(BeadScheme scheme, Extent extent, const Emit& emit);

@@ -10,7 +10,7 @@
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
-// Mobilities of two and three equal spheres on a line along x, v = M F, in a periodic box.
+// Measures the mobilities M of two and three equal spheres on a line along x in a periodic box: v = M F.
 
 namespace beadswim::verification {
 namespace {
@@ -20,8 +20,8 @@ constexpr double pi = std::numbers::pi;
 struct Line {
   int spheres = 2;
   double radius = 4;    ///< [cell]
-  double distance = 3;  ///< of neighbours' centres [radius]
-  double margin = 5;    ///< of the box around the spheres' centres, on each side [radius]
+  double distance = 3;  ///< distance of neighbouring centres [radius]
+  double margin = 5;    ///< distance of outer centres from the box boundary [radius]
 };
 
 Index3 box_of(const Line& line) {
@@ -37,19 +37,20 @@ std::vector<double> places_on(const Line& line) {
   return x;
 }
 
-/// Rotne and Prager's mobility of two spheres of the line from the flow between them.
+/// Returns Rotne and Prager's pair mobility of two spheres, from the flow of one sphere at the position of
+/// the other.
 double rotne_prager(const Line& line, const SteadyFlow& flow) {
   return flow.oseen.value + 2 * line.radius * line.radius * flow.laplacian.value;
 }
 
-/// F.M F in unbounded fluid, exact.
+/// Returns the exact value of F.M F in unbounded fluid.
 double open_mobility(const Line& line, const Eigen::VectorXd& forces, double eta) {
   const std::vector<double> radii(line.spheres, line.radius);
   return forces.dot(multipole_mobility(radii, places_on(line), eta).value * forces);
 }
 
-/// What the periodic box adds to F.M F by Rotne and Prager's law: images of the forces, and the uniform body
-/// force that balances them; no mean flow of fluid and spheres together.
+/// Returns the part of F.M F that the periodic box adds by Rotne and Prager's law: images of the forces, and
+/// the uniform body force that balances all forces. The mean flow of fluid and spheres is zero.
 double image_mobility(const Line& line, const Eigen::VectorXd& forces, double eta) {
   const Index3 cells = box_of(line);
   const std::vector<double> x = places_on(line);
@@ -67,9 +68,9 @@ double image_mobility(const Line& line, const Eigen::VectorXd& forces, double et
   return sum;
 }
 
-/// How much stronger the far flow of the spheres is than by Rotne and Prager's law, as each is strained by
-/// the others: velocity of a far sphere over that by the law. By the reciprocal theorem the spheres' answer
-/// to the far flow of images is stronger by the same factor.
+/// Returns the velocity of a far sphere divided by its velocity by Rotne and Prager's law. The ratio differs
+/// from 1, because the flow of each sphere strains the others, which increases the far flow. By the
+/// reciprocal theorem, the response of the spheres to the far flow of images is larger by the same ratio.
 double far_flow_ratio(const Line& line, const Eigen::VectorXd& forces, double eta) {
   constexpr double far = 200;  // [radius]
   std::vector<double> x = places_on(line);
@@ -90,7 +91,8 @@ double mobility_in_box(const Line& line, const Eigen::VectorXd& forces, double e
   return open_mobility(line, forces, eta) + ratio * ratio * image_mobility(line, forces, eta);
 }
 
-/// Forces along x that keep one sphere moving and the others at rest, per speed: one column of M^{-1}.
+/// Returns the forces along x that move one sphere and keep the others at rest, divided by the speed: one
+/// column of M^{-1}.
 Eigen::VectorXd resistance_column(const Line& line, int moving, const Vec3& offset, double tau,
                                   BeadScheme scheme) {
   constexpr double speed = 1e-6, settled_to = 1e-5;
@@ -121,7 +123,7 @@ Eigen::VectorXd resistance_column(const Line& line, int moving, const Vec3& offs
   return column;
 }
 
-/// A pattern of forces, and what it is called in the page.
+/// Pattern of forces, with its name in the page.
 struct Pattern {
   std::string name;
   Eigen::VectorXd forces;

@@ -4,7 +4,8 @@
 #include "cases.hpp"
 #include "records.hpp"
 
-// Momentum and mass of a strongly driven swimmer in a small periodic box, over many steps.
+// Measures the conservation of momentum and mass over many steps of a strongly driven swimmer in a small
+// periodic box.
 
 namespace beadswim::verification {
 namespace {

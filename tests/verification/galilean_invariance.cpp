@@ -9,21 +9,22 @@
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
-// The drag of a cubic array seen from frames that move along or across the drag.
+// Measures the drag of a cubic array in frames of reference that move along or perpendicularly to the drag.
 
 namespace beadswim::verification {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double phi = 0.027;
-constexpr double relative_speed = 1e-3;  ///< of the fluid past the sphere, along x [cell/step]
+constexpr double relative_speed = 1e-3;  ///< velocity of the fluid relative to the sphere along x [cell/step]
 
-/// What a frame shows: K along x, and the force along z (across) over that along x.
+/// Results in one frame of reference: the drag coefficient K along x, and the relative flow along z divided
+/// by the relative flow along x.
 struct Seen {
   double drag, across;
 };
 
-/// Adds up force and relative flow over steps.
+/// Sums of the force and of the relative flow over time steps.
 struct Sums {
   long steps = 0;
   Vec3 force = Vec3::Zero(), flow = Vec3::Zero();
@@ -58,7 +59,7 @@ int steps_to_settle(const CubicArray& array, double tau) {
   return static_cast<int>(12 * std::max(friction_time, diffusion_time(Index3::Constant(array.edge), tau)));
 }
 
-/// Places on the way of the moving sphere, but at rest.
+/// Measures at positions along the path of the moving sphere, but with the sphere at rest.
 Seen at_rest(const CubicArray& array, const Vec3& direction, double tau, BeadScheme scheme) {
   constexpr int places = 16;
   Sums sums;
@@ -74,7 +75,7 @@ Seen at_rest(const CubicArray& array, const Vec3& direction, double tau, BeadSch
   return sums.seen(array, tau);
 }
 
-/// Moving along an axis over whole cells.
+/// Measures with the sphere moving along an axis over whole cells.
 Seen moving(const CubicArray& array, const Vec3& drift, double tau, BeadScheme scheme) {
   const auto fluid = start(array, Vec3(0.05, 0.3, 0.1), drift, tau, scheme);
   for (int n = steps_to_settle(array, tau); n > 0; --n) {

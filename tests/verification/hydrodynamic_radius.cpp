@@ -6,14 +6,16 @@
 #include "records.hpp"
 #include "references.hpp"
 
-// The radius that a sphere on the lattice seems to have, by the drag of an array that it makes up.
+// Measures the hydrodynamic radius of a sphere on the lattice: the radius of a sphere that has the measured
+// drag in an array.
 
 namespace beadswim::verification {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// R_h of spheres with R_h K(phi_h) = apparent, phi_h = 4/3 pi (R_h/edge)^3; by bisection near R.
+/// Returns the radius R_h with R_h K(phi_h) = apparent, phi_h = 4/3 pi (R_h/edge)^3, by bisection close to R.
+/// K: drag coefficient of an array.
 double hydrodynamic_radius(double apparent, double radius, int edge) {
   double low = 0.5 * radius, high = 1.5 * radius;
   for (int n = 0; n < 60; ++n) {

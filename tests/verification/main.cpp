@@ -7,7 +7,8 @@
 #include "beadswim/tools/named_flags.hpp"
 #include "cases.hpp"
 
-// beadswim-verification: measures what the bead boundary schemes get wrong, and prints the page about it.
+// beadswim-verification measures the errors of the bead boundary schemes and prints docs/verification.md, the
+// page about them.
 
 namespace {
 

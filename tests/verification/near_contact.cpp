@@ -9,8 +9,8 @@
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
-// Two equal spheres closer than cells resolve: what the lattice has of their resistance, what the correction
-// adds (swimmers/lubrication.hpp), and what it should be.
+// Measures the resistance of two equal spheres whose gap the lattice does not resolve: the part from the
+// lattice, the part that the lubrication correction adds (swimmers/lubrication.hpp), and the exact value.
 
 namespace beadswim::verification {
 namespace {
@@ -19,17 +19,17 @@ constexpr double pi = std::numbers::pi;
 
 struct Pair {
   double radius = 4;  ///< [cell]
-  double gap = 1;     ///< between surfaces [cell]
+  double gap = 1;     ///< distance of the surfaces [cell]
 };
 
-/// How two spheres move.
+/// Relative motion of two spheres.
 struct Mode {
   const char* name;
-  bool turn;  ///< both alike, so that their surfaces slide; else they approach each other
+  bool turn;  ///< equal rotation, surfaces slide; false: approach
 };
 constexpr Mode approach{"approach", false}, slide{"slide", true};
 
-/// 6 pi eta R U, of one that moves with U, or 8 pi eta R^3 w
+/// Returns the unit of resistance: 6 pi eta R for approaching spheres, 8 pi eta R^3 for rotating spheres.
 double unit(const Pair& pair, const Mode& mode, double eta) {
   return mode.turn ? 8 * pi * eta * std::pow(pair.radius, 3) : 6 * pi * eta * pair.radius;
 }
@@ -38,7 +38,8 @@ double reference(const Pair& pair, const Mode& mode) {
   return mode.turn ? sliding_torque(pair.gap / pair.radius) : approaching_spheres(2 + pair.gap / pair.radius);
 }
 
-/// Force between spheres that approach with U each, torque on spheres that turn with w, over the unit.
+/// Returns the lattice part of the resistance, divided by its unit: the force between spheres that approach
+/// with the velocities U and -U, or the torque on spheres that rotate with the angular velocity w.
 double on_lattice(const Pair& pair, const Mode& mode, const Vec3& direction, const Vec3& offset, double tau,
                   BeadScheme scheme) {
   constexpr double margin = 4;  // of the box around the spheres [radius]
@@ -68,7 +69,7 @@ double on_lattice(const Pair& pair, const Mode& mode, const Vec3& direction, con
   return settling.limits()[0] / (rate * unit(pair, mode, lattice_viscosity(tau)));
 }
 
-/// What the correction adds.
+/// Returns the part of the resistance that the lubrication correction adds, divided by its unit.
 double added(const Pair& pair, const Mode& mode, double tau, BeadScheme scheme) {
   const double r = pair.radius, eta = lattice_viscosity(tau);
   const LubricationRange range = lubrication_range(scheme, r);

@@ -10,7 +10,8 @@
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
-// Force on a sphere that oscillates along x in a periodic cube of unsteady Stokes flow, as exp(i omega t).
+// Measures the force on a sphere that oscillates as exp(i omega t) along x in a periodic cube of fluid
+// (unsteady Stokes flow).
 
 namespace beadswim::verification {
 namespace {
@@ -27,19 +28,20 @@ struct Oscillation {
   double omega() const { return 2 * pi / period; }
   double viscosity() const { return lattice_viscosity(tau); }
   int edge() const { return static_cast<int>(box_in_radii * radius); }
-  /// R sqrt(omega/(2 nu)): radius over the thickness of the layer that vorticity reaches.
+  /// Returns R sqrt(omega/(2 nu)): the radius divided by the penetration depth of the oscillating flow.
   double layers() const { return radius * std::sqrt(omega() / (2 * viscosity())); }
 };
 
-/// The even period that comes nearest to R sqrt(omega/(2 nu)) = layers.
+/// Returns the oscillation with the even period for which R sqrt(omega/(2 nu)) is closest to `layers`.
 Oscillation oscillation(int radius, double layers, double tau) {
   const double omega = 2 * lattice_viscosity(tau) * layers * layers / (radius * radius);
   return {radius, 2 * static_cast<int>(std::lround(pi / omega)), tau};
 }
 
-/// Friction f/(U - U_mean): f the force that a sphere induces in the fluid, the one thought to fill it
-/// included, U_mean the mean velocity of all this fluid. The lone sphere's, and its images' flow without the
-/// uniform part, which is U_mean (docs/method/unsteady-stokes.md).
+/// Returns the exact friction f/(U - U_mean) in the box. f: force that the sphere induces in the fluid, if
+/// fluid is assumed to fill also the sphere; U_mean: mean velocity of all this fluid. The friction follows
+/// from the mobility of a single sphere and the flow of its images, without the uniform part U_mean
+/// (docs/method/unsteady-stokes.md).
 Complex friction_in_box(const Oscillation& of) {
   const double eta = of.viscosity(), edge = of.edge();
   const Complex alpha = std::sqrt(Complex(0, of.omega() / of.viscosity())), kappa = alpha * double(of.radius);
@@ -50,7 +52,7 @@ Complex friction_in_box(const Oscillation& of) {
   return 1.0 / (1.0 / (6 * pi * eta * of.radius * induced_force_factor(kappa)) + images - uniform);
 }
 
-/// Amplitude of exp(i omega t) in a signal, added up over whole periods.
+/// Amplitude of exp(i omega t) in a signal, summed over whole periods.
 class Amplitude {
  public:
   Amplitude(double omega, int steps) : omega_(omega), steps_(steps) {}
@@ -63,7 +65,8 @@ class Amplitude {
   Complex sum_ = 0;
 };
 
-/// The same friction, measured: places are held, as to first order in the amplitude.
+/// Returns the measured friction f/(U - U_mean). The sphere stays at its position, which is exact to first
+/// order in the amplitude.
 Complex friction(const Oscillation& of, const Vec3& offset, BeadScheme scheme) {
   constexpr double speed = 1e-6;
   const Index3 cells = Index3::Constant(of.edge());
@@ -123,7 +126,7 @@ void measure(const Oscillation& of, int places, BeadScheme scheme, const Emit& e
         {"phase_spread", phase_deviation}});
 }
 
-/// Lag of the force [step].
+/// Returns the delay of the force [step] as text.
 std::string delay(const Json& record) {
   const double steps_per_radian = record["period"].get<double>() / (2 * pi);
   return fmt::format("{:.2f}", -record["phase_error"].get<double>() * steps_per_radian);

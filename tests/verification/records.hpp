@@ -20,10 +20,10 @@ std::vector<Json> where(const std::vector<Json>& records, const Json& values);
 /// Returns the schemes that occur in the records, in the order of BeadScheme.
 std::vector<std::string> schemes_in(const std::vector<Json>& records);
 
-/// The fraction in percent, with its sign and as many digits as matter.
+/// Returns a fraction in percent, with its sign and with as many digits as are significant.
 std::string percent(double fraction);
 
-/// "error" ± "spread" of one record in percent, without the unit.
+/// Returns "error" ± "spread" of one record in percent, without the unit.
 std::string error_and_spread(const Json& record);
 
 }  // namespace beadswim::verification

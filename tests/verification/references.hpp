@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-// What the cases are measured against.
+// Reference values for the measurements.
 
 namespace beadswim::verification {
 
@@ -33,14 +33,14 @@ inline double cubic_array_drag(double phi) {
   return sum;
 }
 
-/// K of Zick and Homsy, J. Fluid Mech. 115 (1982) 13, table 2.
+/// Drag coefficients K of Zick and Homsy, J. Fluid Mech. 115 (1982) 13, table 2.
 struct PrintedDrag {
   double phi, drag;
 };
 inline constexpr std::array zick_homsy{PrintedDrag{0.027, 2.008}, PrintedDrag{0.064, 2.810},
                                        PrintedDrag{0.125, 4.292}, PrintedDrag{0.216, 7.442}};
 
-/// Hasimoto's series for K at low volume fraction, J. Fluid Mech. 5 (1959) 317, with the later terms of
+/// Returns K at low volume fraction by Hasimoto's series, J. Fluid Mech. 5 (1959) 317, with later terms by
 /// Sangani and Acrivos (1982): 1/K = 1 - 1.7601 phi^{1/3} + phi - 1.5593 phi^2 + 3.9799 phi^{8/3} - 3.0734
 /// phi^{10/3} + O(phi^{11/3}).
 inline double dilute_array_drag(double phi) {

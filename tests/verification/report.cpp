@@ -17,7 +17,7 @@ std::string test_table(const Case& one, const Law& law) {
       law.claim, law.reference, law.test, limit_text(one.limits.error), spread);
 }
 
-/// Returns one line of the table, or nothing where no record has the values of the row.
+/// Returns one line of the table; an empty text if no record has the values of the row.
 std::string table_line(const Row& row, const std::vector<Json>& records,
                        const std::vector<std::string>& schemes) {
   const std::vector<Json> of_row = where(records, row.values);

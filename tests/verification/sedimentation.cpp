@@ -7,8 +7,8 @@
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
-// A sphere of the fluid's density falls through a periodic cube under a constant force, which a uniform body
-// force on the fluid balances.
+// Measures the motion of a sphere with the density of the fluid that falls through a periodic cube under a
+// constant force. A uniform body force on the fluid balances this force.
 
 namespace beadswim::verification {
 namespace {
@@ -19,8 +19,8 @@ struct Fall {
   double phi = 0.027;
   int cells_per_diameter = 8;
   std::string along = "x";
-  double speed = 1e-3;  ///< expected [cell/step]
-  double cells = 6;     ///< to fall while it is measured, a whole number along x
+  double speed = 1e-3;  ///< expected velocity [cell/step]
+  double cells = 6;     ///< distance of the measurement, a whole number along x [cell]
 };
 
 Vec3 direction_of(const Fall& fall) {
@@ -28,14 +28,14 @@ Vec3 direction_of(const Fall& fall) {
 }
 
 struct Motion {
-  double velocity;         ///< mean, along the force, relative to the mean flow
-  double rms, peak;        ///< of what is over and above the mean, over it
-  double sideways;         ///< mean velocity across the force, over that along
-  double force_rms;        ///< of the fluid's force in the mean of two steps, over its mean
-  double momentum_defect;  ///< of everything, over the sphere's
+  double velocity;         ///< mean velocity along the force, relative to the mean flow
+  double rms, peak;        ///< deviations from the mean velocity, divided by it
+  double sideways;         ///< mean velocity perpendicular to the force / mean velocity
+  double force_rms;        ///< force of the fluid, mean of two steps, divided by its mean
+  double momentum_defect;  ///< change of total momentum / momentum of the sphere
 };
 
-/// A sphere pulled by `force` for as long as it is asked to.
+/// Sphere that a constant force pulls through the fluid.
 class FallingSphere {
  public:
   FallingSphere(const CubicArray& array, double tau, BeadScheme scheme, const Vec3& force,
@@ -71,7 +71,8 @@ class FallingSphere {
   }
 
  private:
-  /// Counted over all cells: of fluid, sphere, and what is under way between them.
+  /// Returns the total momentum, summed over all cells: fluid, sphere, and momentum that is being transferred
+  /// between them.
   Vec3 momentum() const {
     return fluid_.counted_fluid().momentum + mass_ * fluid_.motion(0).velocity + 0.5 * last_.force;
   }
@@ -83,8 +84,8 @@ class FallingSphere {
   Vec3 relative_velocity_ = Vec3::Zero(), momentum_at_start_ = Vec3::Zero();
 };
 
-/// Velocity of the array over force, 1/(6 pi eta R K). The force is that with the share of the mean
-/// pressure gradient, the pull over 1 - phi.
+/// Returns the velocity of the array divided by the force: 1/(6 pi eta R K). This force includes the share of
+/// the mean pressure gradient; it is the pulling force divided by 1 - phi.
 double array_mobility(const CubicArray& array, double tau) {
   return 1 / (6 * pi * lattice_viscosity(tau) * array.radius * cubic_array_drag(array.phi) * (1 - array.phi));
 }

@@ -8,32 +8,32 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/lattice/trt.hpp"
 
-// When a flow has settled, and what it settles to.
+// Detects when a flow has become steady, and extrapolates its limit.
 
 namespace beadswim::verification {
 
-/// Time in which the slowest flow of a periodic box dies out, L^2/(4 pi^2 nu) [step].
+/// Returns the time in which the slowest mode of flow in a periodic box decays, L^2/(4 pi^2 nu) [step].
 inline double diffusion_time(const Index3& cells, double relaxation_time) {
   const double longest = cells.maxCoeff();
   return longest * longest / (4 * std::numbers::pi * std::numbers::pi * lattice_viscosity(relaxation_time));
 }
 
-/// Steps from one look at a flow that settles to the next.
+/// Returns the number of steps between two checks of whether a flow has become steady.
 inline int settling_interval(const Index3& cells, double relaxation_time) {
   return static_cast<int>(std::ceil(0.25 * diffusion_time(cells, relaxation_time))) + 8;
 }
 
-/// Limit of a sequence that approaches it exponentially, taken at equal intervals (Aitken):
-/// x - (x - x')^2/(x - 2 x' + x''), x the last, x' and x'' the two before.
+/// Returns the limit of a sequence that approaches its limit exponentially and is sampled at equal intervals
+/// (Aitken): x - (x - x')^2/(x - 2 x' + x''). x: last value; x', x'': the two values before.
 inline double aitken_limit(double x, double x1, double x2) {
   const double curvature = x - 2 * x1 + x2, change = x - x1;
   return curvature == 0 ? x : x - change * change / curvature;
 }
 
-/// Several numbers that settle together.
+/// Several numbers that approach their limits together.
 class Settling {
  public:
-  /// tolerance: relative to the largest of the numbers.
+  /// `tolerance`: relative to the largest of the numbers.
   explicit Settling(double tolerance) : tolerance_(tolerance) {}
 
   void add(const std::vector<double>& values) {
@@ -67,7 +67,7 @@ class Settling {
  private:
   double tolerance_;
   bool settled_ = false;
-  int agreements_ = 0;  ///< of successive limits, in a row
+  int agreements_ = 0;  ///< number of successive limits that agree
   std::vector<std::vector<double>> history_;
   std::vector<double> limits_;
 };

@@ -47,7 +47,7 @@ SpheresInFluid::SpheresInFluid(const Index3& cells, double relaxation_time, Bead
   place_spheres();
 }
 
-/// Where the covered spheres meet the fluid.
+/// Determines the cells that the spheres cover, and their links or saturated cells.
 void SpheresInFluid::place_spheres() {
   fluid_cells_ = volume();
   if (has_links(links_.scheme())) {
@@ -84,7 +84,8 @@ void SpheresInFluid::accelerate_row(int y, int z) {
   }
 }
 
-/// Saturated cells of a row. The body force comes after: in the middle of the step a cell has half of it.
+/// Applies the force of spheres to the saturated cells of a row. The body force acts later in the step, so
+/// half of it is included in the velocity in the middle of the step.
 void SpheresInFluid::push_row(int y, int z) {
   const std::span<const SaturatedRun> runs = saturated_cells_.runs(y, z);
   if (runs.empty()) return;
@@ -112,7 +113,7 @@ void SpheresInFluid::push_row(int y, int z) {
   force_on_fluid_part_ += incoming_momentum();
 }
 
-/// What the last step handed to a sphere.
+/// Returns the impulse and angular impulse that the last step transferred to a sphere.
 Load SpheresInFluid::take_load(int sphere) {
   Impulse& impulse = beads_[sphere].impulse;
   Load load = impulse.value();

@@ -15,26 +15,29 @@ struct Sphere {
   Vec3 centre = Vec3::Zero();
 };
 
-/// Spheres in a periodic box of fluid on one rank: an infinite array. Who uses it moves them: it says how
-/// they turn and translate and asks for what the fluid hands to them. Lattice units.
+/// Spheres in a periodic box of fluid on one rank, which are an infinite array. The measurement prescribes
+/// how the spheres translate and rotate, and obtains the impulses that the fluid transfers to them. All
+/// quantities are in lattice units.
 ///
-/// All that these cases know of how beads and fluid are coupled is here. The order of a step is that of
-/// coupled_step.cpp, beads' equation of motion left out, a uniform body force put in.
+/// This class contains everything that the measurements know about the coupling of beads and fluid. The order
+/// within a time step is that of coupled_step.cpp, without the equation of motion of the beads and with a
+/// uniform body force.
 class SpheresInFluid {
  public:
-  /// Fluid and spheres at rest.
+  /// Makes fluid and spheres at rest.
   SpheresInFluid(const Index3& cells, double relaxation_time, BeadScheme scheme,
                  const std::vector<Sphere>& spheres);
 
-  /// Sets all fluid to equilibrium at this velocity.
+  /// Sets all fluid to equilibrium with this velocity.
   void start_fluid(const Vec3& velocity);
 
-  /// One step of the fluid, spheres where they are. Returns what it handed to each sphere: impulses at the
-  /// links, and momentum of cells that changed hands in the last move(); or, of saturated cells, what they
-  /// give up, without the fluid inside.
+  /// Performs one step of the fluid; the spheres stay at their positions. Returns the impulse that the fluid
+  /// transferred to each sphere. With links: impulses at the links, and the momentum of cells that changed
+  /// between fluid and sphere in the last move(). With saturated cells: the momentum that they lose, without
+  /// the fluid inside the sphere.
   std::vector<Load> step();
 
-  /// Moves every sphere by its velocity. Cells change hands.
+  /// Moves every sphere by its velocity. Cells can change between fluid and sphere.
   void move();
 
   BeadMotion& motion(int sphere) { return beads_[sphere].motion; }
@@ -43,25 +46,27 @@ class SpheresInFluid {
   /// Acceleration of each fluid cell in the coming steps [cell/step^2].
   Vec3 body_force = Vec3::Zero();
 
-  /// The body force of the next step that keeps the fluid's momentum near `momentum`: what spheres took in
-  /// the mean of the last two steps (a staircase answers alternate steps differently, which following single
-  /// steps would amplify), and a small part of what is missing.
+  /// Sets the body force of the next step such that the fluid keeps about the given momentum. The body force
+  /// replaces the momentum that the spheres received, as mean of the last two steps, and a small part of the
+  /// missing momentum. The mean is needed because the staircase scheme reacts differently in alternate steps,
+  /// which a force from single steps would amplify.
   void hold_fluid_momentum(const Vec3& momentum);
 
-  /// By the books: start + body forces - all that was handed to spheres.
+  /// Returns the momentum of the fluid by summation: initial momentum + body forces - momentum transferred to
+  /// the spheres.
   const Vec3& fluid_momentum() const { return fluid_momentum_; }
-  /// In the middle of the last step: without half of the body force's impulse, and of the force in saturated
-  /// cells.
+  /// Returns the momentum of the fluid in the middle of the last step: without half of the impulse of the
+  /// body force and of the force in saturated cells.
   Vec3 mid_step_momentum() const {
     return fluid_momentum_ - 0.5 * (fluid_cells_ * body_force + force_on_fluid_part_);
   }
 
-  /// The same and the mass beyond density 1, counted over all fluid cells.
+  /// Returns the momentum of the fluid and its mass beyond density 1, summed over all fluid cells.
   CellMoments counted_fluid() const;
-  /// Fluid mass beyond density 1 that spheres hold.
+  /// Returns the fluid mass beyond density 1 that the spheres hold.
   double held_mass() const;
 
-  /// How many, or, where spheres fill parts of cells, their volume.
+  /// Returns the number of fluid cells, or, with saturated cells, the volume of the fluid in cells.
   double fluid_cells() const { return fluid_cells_; }
   double volume() const { return cells_.cast<double>().prod(); }
 
@@ -83,11 +88,11 @@ class SpheresInFluid {
   std::vector<BeadOnLattice> beads_;
   std::vector<LinkSums> sums_;
   std::vector<SaturatedSums> saturated_sums_;
-  std::vector<Load> inner_momentum_;         ///< of the fluid in each sphere, with saturated cells
-  Vec3 force_on_fluid_part_ = Vec3::Zero();  ///< of the spheres on what is outside them, likewise
-  std::vector<double> held_mass_;            ///< one a bead
+  std::vector<Load> inner_momentum_;         ///< momentum of the fluid in each sphere (psm)
+  Vec3 force_on_fluid_part_ = Vec3::Zero();  ///< force on the fluid outside the spheres (psm)
+  std::vector<double> held_mass_;            ///< one element per bead
   Vec3 fluid_momentum_ = Vec3::Zero();
-  Vec3 taken_ = Vec3::Zero(), taken_before_ = Vec3::Zero();  ///< by spheres, in the last two steps
+  Vec3 taken_ = Vec3::Zero(), taken_before_ = Vec3::Zero();  ///< impulses to spheres, last two steps
   double fluid_cells_ = 0;
 };
 

@@ -7,7 +7,7 @@
 #include "settling.hpp"
 #include "spheres_in_fluid.hpp"
 
-// Torque on a slowly turning sphere, one of a cubic array, over 8 pi eta R^3 Omega.
+// Measures the torque on a slowly rotating sphere in a cubic array, divided by 8 pi eta R^3 Omega.
 
 namespace beadswim::verification {
 namespace {

@@ -8,7 +8,7 @@
 #include "records.hpp"
 #include "references.hpp"
 
-// Measures the brief extent of each case, so that docs/verification.md stays true.
+// Measures the brief extent of each case, to check that docs/verification.md is still valid.
 
 namespace beadswim::verification {
 namespace {

@@ -1,7 +1,7 @@
-// Pages of beadswim-view in headless Chromium: they load, play and pick, and the picture holds what must be in it.
+// Tests pages of beadswim-view in headless Chromium: loading, playing, selecting swimmers, and the content of the picture.
 //   node page_test.mjs FOLDER MODULES CHROMIUM
-// FOLDER holds alone.html, swarm.html, outside.html, ends.html and alone.json, swarm.json, the run records (run.sh makes them); MODULES is a
-// folder with playwright-core in node_modules.
+// FOLDER contains the pages alone.html, swarm.html, outside.html, ends.html and the run records alone.json, swarm.json, which run.sh makes.
+// MODULES is a folder with playwright-core in node_modules.
 
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";

@@ -1,4 +1,4 @@
-// What a screenshot shows, from its pixels.
+// Evaluates the pixels of a screenshot of the page: what the picture shows.
 
 /** Pixels of a PNG, decoded by a blank page of the browser: { width, height, at(x, y) -> [r, g, b] }. */
 export async function decoded(browser, png) {

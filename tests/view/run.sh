@@ -1,9 +1,9 @@
 #!/bin/bash
-# Pages of beadswim-view in headless Chromium.
+# Tests pages of beadswim-view in headless Chromium.
 #   tests/view/run.sh MODULES [--none-skipped]
-# The programs are on PATH; MODULES is the folder with node_modules that the build made of tools/view/page. Exit status 77, with a
-# reason, where the browser or Node.js is absent; with --none-skipped that fails, but for a
-# Node.js too old for the browser's driver.
+# The programs must be on PATH. MODULES is the folder with node_modules that the build has made from tools/view/page. If the
+# browser or Node.js is missing, the exit status is 77 and the last line states the reason. With --none-skipped this is a failure,
+# except for a Node.js that is too old for the driver of the browser.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 modules=$1

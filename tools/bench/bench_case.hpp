@@ -7,7 +7,8 @@
 
 namespace beadswim {
 
-/// One benchmark case. `step` performs one time step, or one sweep over memory, on the cells of this rank.
+/// One benchmark case of beadswim-bench. `step` performs one time step of the lattice, or loads and stores
+/// all arrays once, on the cells of this rank.
 struct BenchCase {
   std::string name;
   Precision precision = Precision::fp64;

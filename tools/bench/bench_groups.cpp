@@ -16,8 +16,8 @@
 namespace beadswim {
 namespace {
 
-/// Cases that are timed in the same rounds: `edge` cells per axis on each of `ranks` ranks, in all
-/// `precisions`.
+/// Cases that are timed alternately, so that their speeds can be compared: cubes of `edge` cells per axis on
+/// each of `ranks` ranks, in all `precisions`.
 struct Group {
   int edge;
   int ranks;
@@ -35,8 +35,8 @@ double available_bytes() {
   return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-/// Returns the memory that each rank may allocate [byte]: 85 % of the free memory of the node, divided by the
-/// number of its ranks. All ranks get the smallest value over the nodes. Collective.
+/// Returns the memory that each rank may allocate [byte]: 85 % of the free memory of its node, divided by the
+/// number of ranks on this node. All ranks get the smallest of these values over all nodes. Collective.
 double bytes_per_rank(const Communicator& world) {
   constexpr double share = 0.85;
   double bytes = share * available_bytes() / count_ranks_on_node(world);
@@ -44,8 +44,9 @@ double bytes_per_rank(const Communicator& world) {
   return bytes;
 }
 
-/// Returns one group per edge with all precisions, or one group per precision if the memory is too small for
-/// all. `available`: memory per rank [byte]. Throws InputError if one precision alone needs more.
+/// Returns the groups of cases that are timed alternately: one group per edge with all precisions, or one
+/// group per edge and precision if the memory does not suffice for all precisions. `available`: memory per
+/// rank [byte]. Throws InputError if the memory does not suffice for one precision alone.
 std::vector<Group> make_groups(const BenchRequest& request, int ranks, double available) {
   std::vector<Group> groups;
   for (const int edge : request.edges) {
@@ -58,10 +59,11 @@ std::vector<Group> make_groups(const BenchRequest& request, int ranks, double av
     }
     for (const Precision precision : request.precisions) {
       if (!fits({precision})) {
-        throw InputError("--edge", fmt::format("an edge of {} needs {:.1f} GB per rank in {} precision, more "
-                                               "than the {:.1f} GB that are free; use a smaller edge",
-                                               edge, 1e-9 * BenchScenes::bytes(edge, {precision}),
-                                               to_text(precision), 1e-9 * available));
+        throw InputError("--edge",
+                         fmt::format("a lattice with an edge of {} cells needs {:.1f} GB per rank in {} "
+                                     "precision, more than the {:.1f} GB that are free; use a smaller edge",
+                                     edge, 1e-9 * BenchScenes::bytes(edge, {precision}), to_text(precision),
+                                     1e-9 * available));
       }
       groups.push_back({edge, ranks, {precision}});
     }
@@ -69,15 +71,16 @@ std::vector<Group> make_groups(const BenchRequest& request, int ranks, double av
   return groups;
 }
 
-/// Returns the speed relative to the reference, in each round.
+/// Returns the speed relative to a reference case in each round: `reference` (seconds per step) divided by
+/// `seconds`.
 std::vector<double> speed_ratios(const std::vector<double>& seconds, const std::vector<double>& reference) {
   std::vector<double> result;
   for (std::size_t n = 0; n < seconds.size(); ++n) result.push_back(reference[n] / seconds[n]);
   return result;
 }
 
-/// Evaluates the rows of a group. `seconds` per step are indexed [case][round]; the last case scales an array
-/// in place and thereby moves `in_place_bytes`.
+/// Evaluates the report rows of a group. `seconds`: time per step of each case in each round [case][round]
+/// [s]. The last case scales an array in place, which loads and stores `in_place_bytes`.
 std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
                                 const std::vector<std::vector<double>>& seconds, double in_place_bytes) {
   const std::vector<BenchCase>& cases = scenes.cases();
@@ -109,7 +112,8 @@ std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
   return rows;
 }
 
-/// Times the cases of a group and adds its rows to the report. Adds the bandwidths once per number of ranks.
+/// Times the cases of a group and adds their rows to the report. For each number of ranks, adds the memory
+/// bandwidth once.
 void measure(const Group& group, const Communicator& communicator, BenchReport& report) {
   Bandwidth bandwidth;
   const BenchScenes scenes(group.edge, group.precisions, report.bead_boundary, communicator);
@@ -139,9 +143,9 @@ BenchReport measure_all(const BenchRequest& request, const Communicator& world) 
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const Group& group = groups[g];
     if (world.is_root()) {
-      print_to_stderr(fmt::format("beadswim-bench: {} of {}: edge {}, {} rank{}; {:.0f} s so far\n", g + 1,
-                                  groups.size(), group.edge, group.ranks, group.ranks == 1 ? "" : "s",
-                                  MPI_Wtime() - start));
+      print_to_stderr(fmt::format(
+          "beadswim-bench: measurement {} of {}: lattice edge of {} cells, {} rank{}; {:.0f} s elapsed\n",
+          g + 1, groups.size(), group.edge, group.ranks, group.ranks == 1 ? "" : "s", MPI_Wtime() - start));
     }
     run_on_first_ranks(group.ranks, world,
                        [&](const Communicator& communicator) { measure(group, communicator, report); });

@@ -16,9 +16,9 @@ struct BenchRequest {
   BeadScheme bead_boundary = BeadScheme::staircase;  ///< scheme of the case coupled-swarm
 };
 
-/// Times all requested cases, on one rank and on all ranks, and prints the progress to stderr. Collective.
-/// Only rank 0 has the complete report. Throws InputError on all ranks if an edge needs more memory than is
-/// free.
+/// Times all requested cases on one rank and on all ranks, and prints the progress to stderr. Only the report
+/// on rank 0 is complete. Throws InputError on all ranks if the cubes of an edge need more memory than is
+/// free. Collective.
 BenchReport measure_all(const BenchRequest& request, const Communicator& world);
 
 }  // namespace beadswim

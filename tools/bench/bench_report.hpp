@@ -11,24 +11,27 @@
 
 namespace beadswim {
 
-/// Result of one case at one precision, edge and number of ranks. Rates are sums over all ranks. MLUPS are
-/// 10^6 cell updates per second. The yardstick is the case that loads and stores all populations without
-/// arithmetic.
+/// Result of one benchmark case at one precision, edge and number of ranks. Rates are sums over all ranks.
+/// The yardstick is an upper bound of the speed of a time step: a case that loads and stores all populations
+/// of the lattice without arithmetic.
 struct BenchRow {
   std::string name;
   Precision precision = Precision::fp64;
   int edge = 0;  ///< cells per axis of the cube of each rank
   int ranks = 1;
-  double mlups = 0;                  ///< median over the rounds [10^6 cell updates/s]
-  double mlups_best = 0;             ///< fastest round [10^6 cell updates/s]
-  double fraction_of_yardstick = 0;  ///< rate divided by that of the yardstick: median over the rounds
-  double bytes_per_update = 0;       ///< loads and stores per cell update [byte]
-  /// bytes_per_update times rate, divided by the in-place bandwidth: median over the rounds.
+  double mlups = 0;       ///< rate: median over the rounds [10^6 cell updates/s]
+  double mlups_best = 0;  ///< rate in the fastest round [10^6 cell updates/s]
+  /// Rate divided by the rate of the case stream-yardstick, which loads and stores all populations without
+  /// arithmetic: median over the rounds.
+  double fraction_of_yardstick = 0;
+  double bytes_per_update = 0;  ///< memory traffic: bytes loaded and stored per cell update
+  /// Memory traffic (bytes_per_update times rate) divided by the memory bandwidth of scaling an array in
+  /// place: median over the rounds.
   double fraction_of_bandwidth = 0;
-  /// Rate divided by the rate in double precision. Empty for double precision itself, and if double precision
-  /// was not timed in the same rounds.
+  /// Rate of this case divided by its rate in double precision. Empty for double precision itself, and if
+  /// double precision was not timed in the same rounds.
   std::optional<double> speed_over_double{};
-  std::string layout{};  ///< memory layout of the yardstick (StreamLayout); empty for other cases
+  std::string layout{};  ///< memory layout of the case stream-yardstick; empty for other cases
 
   static void visit_fields(auto&& visit, auto& row) {
     visit("case", row.name);
@@ -45,10 +48,10 @@ struct BenchRow {
   }
 };
 
-/// Memory bandwidth of all ranks together, measured with long arrays (Bandwidth).
+/// Memory bandwidth of all ranks together, measured with arrays far larger than the caches (class Bandwidth).
 struct BandwidthRow {
   int ranks = 1;
-  double in_place_gb_s = 0, copy_gb_s = 0;  ///< medians of bytes read plus bytes written [10^9 byte/s]
+  double in_place_gb_s = 0, copy_gb_s = 0;  ///< bytes read plus written per time, medians [10^9 byte/s]
 
   static void visit_fields(auto&& visit, auto& row) {
     visit("ranks", row.ranks);
@@ -57,7 +60,8 @@ struct BandwidthRow {
   }
 };
 
-/// Results of beadswim-bench: rows and bandwidths of the lattice, or products of the mobility.
+/// Results of beadswim-bench: either the speed of the lattice solver (rows, bandwidths) or the time of
+/// mobility products.
 struct BenchReport {
   int rounds = 0;
   BeadScheme bead_boundary = BeadScheme::staircase;  ///< scheme of the case coupled-swarm

@@ -7,8 +7,8 @@
 
 namespace beadswim {
 
-/// Calls `work` with a communicator of the first `ranks` ranks, on these ranks. The other ranks sleep until
-/// the first ranks have finished. Collective over `world`.
+/// Calls `work` on the first `ranks` ranks of `world`, with a communicator of these ranks. The other ranks
+/// sleep until `work` is done. Collective over `world`.
 template <class Work>
 void run_on_first_ranks(int ranks, const Communicator& world, Work&& work) {
   const bool active = world.rank() < ranks;
@@ -22,7 +22,7 @@ void run_on_first_ranks(int ranks, const Communicator& world, Work&& work) {
   MPI_Request all_done;
   MPI_Ibarrier(world.get(), &all_done);
   for (int done = 0; MPI_Test(&all_done, &done, MPI_STATUS_IGNORE), done == 0;) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // a polling core would use bandwidth
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));  // a busy loop would use memory bandwidth
   }
 }
 

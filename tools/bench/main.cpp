@@ -5,8 +5,8 @@
 #include "beadswim/tools/named_flags.hpp"
 #include "bench_groups.hpp"
 
-// beadswim-bench measures the speed of the lattice solver relative to the memory bandwidth of the machine, or
-// the speed of mobility products.
+// beadswim-bench measures the speed of the lattice solver relative to the memory bandwidth of the machine.
+// With --beads it measures the time of mobility products (bead velocities from forces) instead.
 
 namespace {
 
@@ -21,38 +21,47 @@ struct BenchOptions {
 std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
   auto program = make_program(
       "beadswim-bench",
-      "Measures the lattice solver on this machine: million cell updates per second of sweeps, steps and the "
-      "paper's swarm, relative to a copy of the same bytes; or, with --beads, mobility products. Under "
-      "mpirun -n N, on 1 and on N ranks.");
+      "Measures the speed of the lattice-Boltzmann solver on this machine, in million cell updates per "
+      "second and relative to the memory bandwidth. With --beads, measures the time of mobility products "
+      "(bead velocities from forces) instead. Under mpirun -n N, measures on 1 rank and on N ranks.");
   begin_group(*program, "Lattice");
-  program->add_option("--edge", options.request.edges, "Edges of the cubic block of each rank [cell]")
+  program
+      ->add_option(
+          "--edge", options.request.edges,
+          "Edge of the cube of cells that each rank computes; every value of the list is measured [cell]")
       ->delimiter(',')
       ->check(whole_number(32, 4096))
       ->default_str("64,128,256")
       ->type_name("N,...");
-  add_choices(*program, "--precision", options.request.precisions, "Precisions of the populations");
+  add_choices(*program, "--precision", options.request.precisions,
+              "Floating-point precisions of the fluid populations to measure: double, single or both");
   add_choice(*program, "--bead-boundary", options.request.bead_boundary,
-             "No-slip scheme on beads of the swarm, as in beadswim-run");
+             "Scheme of the no-slip condition on bead surfaces in the swarm benchmark, as in beadswim-run");
   begin_group(*program, "Mobility");
-  auto* beads = program
-                    ->add_option("--beads", options.products.beads,
-                                 "Numbers of beads of mobility products, to measure instead of the lattice")
-                    ->delimiter(',')
-                    ->check(whole_number(2, 100000000))
-                    ->default_str("none")
-                    ->type_name("N,...");
-  program->add_option("--tolerance", options.products.tolerance, "Relative error of the products [1]")
+  auto* beads =
+      program
+          ->add_option(
+              "--beads", options.products.beads,
+              "Numbers of beads for which mobility products are measured, instead of the lattice solver")
+          ->delimiter(',')
+          ->check(whole_number(2, 100000000))
+          ->default_str("none")
+          ->type_name("N,...");
+  program
+      ->add_option("--tolerance", options.products.tolerance,
+                   "Largest relative error of the bead velocities in the mobility products of --beads [1]")
       ->type_name("E")
       ->needs(beads)
       ->check(product_tolerance())
       ->capture_default_str();
   begin_group(*program, "Options");
   program
-      ->add_option("--rounds", options.request.rounds, "Rounds over all cases, of which medians are printed")
+      ->add_option("--rounds", options.request.rounds,
+                   "Number of times that each case is measured; medians over these rounds are printed")
       ->type_name("N")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
-  program->add_flag("--json", options.json, "Print JSON instead of a table.");
+  program->add_flag("--json", options.json, "Print the results as JSON instead of a table.");
   set_footer(*program,
              {"beadswim-bench --edge 32 --rounds 1", "beadswim-bench --beads 99,999 --json >products.json"},
              "performance.md");
@@ -68,7 +77,9 @@ int run(int argc, char** argv, const Communicator& world) {
   precisions.erase(std::ranges::unique(precisions).begin(), precisions.end());
   for (const char* flag : {"--edge", "--precision", "--bead-boundary"}) {
     if (!options.products.beads.empty() && program->count(flag) > 0)
-      throw InputError(flag, "the flag applies to the lattice only; leave it out with --beads");
+      throw InputError(flag,
+                       "the flag applies to the lattice only, but --beads measures mobility products; leave "
+                       "out the flag or --beads");
   }
   BenchReport report{.rounds = options.request.rounds, .bead_boundary = options.request.bead_boundary};
   if (options.products.beads.empty()) {
@@ -92,7 +103,7 @@ int main(int argc, char** argv) {
   if (!world.is_root() && std::freopen("/dev/null", "w", stdout) == nullptr) return 3;
   try {
     return run(argc, argv, world);
-  } catch (const InputError&) {  // all ranks throw it; only rank 0 prints it
+  } catch (const InputError&) {  // all ranks throw this error; only rank 0 prints it
     return world.is_root() ? report_current_exception("beadswim-bench")
                            : static_cast<int>(ExitStatus::bad_input);
   } catch (...) {

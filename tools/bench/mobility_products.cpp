@@ -22,7 +22,8 @@ struct Beads {
   double edge = 0;
 };
 
-/// Returns beads at random positions, 32^3 of volume per bead, with random forces whose sum is zero.
+/// Returns beads at random positions in a cube, with a volume of 32^3 per bead, and random forces whose sum
+/// is zero.
 Beads random_beads(int count) {
   Beads beads{.positions = {}, .forces = {}, .edge = 32 * std::cbrt(count)};
   std::mt19937_64 random(static_cast<unsigned>(count));  // seed = count
@@ -52,7 +53,8 @@ std::int64_t resident_bytes(const Communicator& communicator) {
   return resident;
 }
 
-/// Returns |a - reference| / |reference|; the norms are over the vectors of all beads.
+/// Returns the relative difference |a - reference| / |reference|, with the Euclidean norm over the vectors of
+/// all beads.
 double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& reference) {
   double difference = 0, size = 0;
   for (std::size_t b = 0; b < a.size(); ++b) {
@@ -62,7 +64,7 @@ double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& 
   return std::sqrt(difference / size);
 }
 
-/// Times one mobility product, and evaluates its error against a product with a thousandth of the tolerance.
+/// Times one mobility product. Evaluates its error relative to a product with 1/1000 of the tolerance.
 ProductRow measure(const ProductRequest& request, int count, Surroundings surroundings,
                    const Communicator& communicator) {
   constexpr int max_beads_for_error = 100000;
@@ -85,7 +87,7 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
     const std::int64_t before = resident_bytes(communicator);
     const MobilityProduct product(scene, beads.positions, communicator);
     is_on_mesh = product.plan().has_value();
-    product.apply(beads.positions, beads.forces, velocities);  // plans the transforms; not timed
+    product.apply(beads.positions, beads.forces, velocities);  // plans the Fourier transforms; not timed
     std::vector<double> seconds;
     for (int n = 0; n < request.rounds; ++n) {
       MPI_Barrier(communicator.get());
@@ -113,7 +115,8 @@ std::vector<ProductRow> measure_products(const ProductRequest& request, const Co
     for (const Surroundings surroundings : all_values<Surroundings>) {
       for (int ranks = 1; ranks <= world.size(); ranks += std::max(1, world.size() - 1)) {
         if (world.is_root())
-          print_to_stderr(fmt::format("beadswim-bench: {} beads, {} ranks\n", count, ranks));
+          print_to_stderr(fmt::format(
+              "beadswim-bench: measuring the mobility product of {} beads on {} ranks\n", count, ranks));
         run_on_first_ranks(ranks, world, [&](const Communicator& communicator) {
           rows.push_back(measure(request, count, surroundings, communicator));
         });

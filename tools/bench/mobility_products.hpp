@@ -24,16 +24,16 @@ struct ProductRequest {
   int rounds = 9;           ///< repetitions of each product
 };
 
-/// Result of one benchmark of MobilityProduct, which evaluates the velocities of all beads from the forces on
-/// them.
+/// Time, error and memory of a mobility product (class MobilityProduct): the evaluation of the velocities of
+/// all beads from the forces on them.
 struct ProductRow {
   int beads = 0;
   Surroundings surroundings = Surroundings::open;
   int ranks = 1;
   double tolerance = 0;
-  double seconds = 0, seconds_best = 0;  ///< per product: median and minimum over the rounds [s]
-  /// Relative error of the velocities, measured against a product with a thousandth of the tolerance. Empty
-  /// if the product sums all pairs directly, for more than 100,000 beads, and for tolerances below 1e-9.
+  double seconds = 0, seconds_best = 0;  ///< time per product: median and minimum over the rounds [s]
+  /// Relative error of the velocities, measured relative to a product with 1/1000 of the tolerance. Empty if
+  /// the product sums all pairs directly, for more than 100,000 beads, and for tolerances below 1e-9.
   std::optional<double> error{};
   std::int64_t memory_bytes = 0;  ///< growth of the resident memory of all ranks [byte]
 
@@ -51,7 +51,7 @@ struct ProductRow {
 
 /// Times mobility products of beads of radius 6 at random positions, in a periodic box and in open space, on
 /// one rank and on all ranks. The volume per bead is 32^3, as in the uniform swarm of the paper (Pickl et al.
-/// 2017). The forces are random; their sum is zero. Collective. Only rank 0 has all rows.
+/// 2017). The forces on the beads are random and sum to zero. Only rank 0 returns all rows. Collective.
 std::vector<ProductRow> measure_products(const ProductRequest& request, const Communicator& world);
 
 }  // namespace beadswim

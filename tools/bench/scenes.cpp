@@ -18,7 +18,8 @@ constexpr std::array periodic{Boundary::periodic, Boundary::periodic, Boundary::
 constexpr std::array walls{Boundary::free_slip, Boundary::no_slip, Boundary::free_slip};
 constexpr double relaxation_time = 1.5;
 
-/// Sets a slow uniform flow in every cell, so that no population is subnormal.
+/// Sets a slow uniform flow in every cell, so that no population is a subnormal number, with which arithmetic
+/// is slow.
 void set_uniform_flow(Populations& populations) {
   in_precision(populations.precision(), [&]<class Real>() {
     const Index3& n = populations.size();
@@ -40,7 +41,7 @@ double bytes_per_update(Precision precision) {
   return 2.0 * d3q19::directions * static_cast<double>(bytes_per_population(precision));
 }
 
-/// Memory and solvers of all cases at one precision.
+/// Memory and solvers for all cases of the benchmark at one floating-point precision.
 struct BenchScenes::Scene {
   Scene(int edge, Precision precision, BeadScheme bead_boundary, const Communicator& communicator)
       : precision(precision),
@@ -89,7 +90,7 @@ std::string BenchScenes::layout_name(Precision precision) const {
 }
 
 double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
-  constexpr double lattices = 3, bandwidth_arrays = 2;  // lattices: yardstick, fluid, swarm
+  constexpr double lattices = 3, bandwidth_arrays = 2;  // one lattice each for yardstick, fluid and swarm
   double bytes = bandwidth_arrays * sizeof(double) * Bandwidth::num_elements;
   for (const Precision precision : precisions) {
     const double bytes_per_number = static_cast<double>(bytes_per_population(precision));

@@ -10,8 +10,8 @@
 
 namespace beadswim {
 
-/// All cases for cubes of one edge (`edge` cells per rank and axis) on the ranks of one communicator, with
-/// the memory that the cases work on.
+/// All lattice benchmark cases for one cube size, with the memory that they use. `edge`: cells per axis of
+/// the cube of each rank.
 class BenchScenes {
  public:
   BenchScenes(int edge, const std::vector<Precision>& precisions, BeadScheme bead_boundary,
@@ -21,7 +21,7 @@ class BenchScenes {
   /// Returns the cases in the order in which each round times them.
   const std::vector<BenchCase>& cases() const { return cases_; }
 
-  /// Returns the name of the memory layout that the yardstick uses.
+  /// Returns the name of the memory layout (StreamLayout) that was fastest for the case stream-yardstick.
   std::string layout_name(Precision precision) const;
 
   /// Returns the memory that the cases need per rank [byte].
@@ -33,7 +33,7 @@ class BenchScenes {
   std::vector<BenchCase> cases_;
 };
 
-/// Returns the smallest number of bytes per cell update: 19 populations loaded and 19 stored [byte].
+/// Returns the memory traffic of one cell update [byte]: 19 populations are loaded and 19 are stored.
 double bytes_per_update(Precision precision);
 
 /// Two arrays far larger than the caches, to measure the memory bandwidth. Each rank has its own arrays.

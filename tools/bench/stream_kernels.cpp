@@ -17,8 +17,8 @@ BEADSWIM_KERNEL void stream_cells(const StreamRow<Real>& r, long first, long end
   }
 }
 
-/// Prefetches six cache lines ahead, as the sweep of the solver does. Without prefetching the yardstick would
-/// be slower than the memory allows.
+/// Loads and stores all cells of a row. Prefetches six cache lines ahead, as the time step of the solver
+/// does. Without prefetching, this yardstick would be slower than the memory allows.
 template <class Real>
 BEADSWIM_KERNEL void stream(const StreamRow<Real>& row) {
   const StreamRow<Real> r = row;

@@ -2,8 +2,9 @@
 
 #include "beadswim/lattice/d3q19.hpp"
 
-// Kernels that load and store memory without arithmetic. stream_kernels.cpp is compiled once per instruction
-// set; stream_kernels() chooses the instruction set at run time.
+// Kernels that load and store memory without arithmetic, as upper bounds of the speed of the solver. The file
+// stream_kernels.cpp is compiled once per instruction set; stream_kernels() chooses the best instruction set
+// at run time.
 
 namespace beadswim {
 
@@ -30,8 +31,8 @@ BEADSWIM_DECLARE_STREAM_KERNELS(x86_64_v4)
 
 /// The kernels of one instruction set.
 struct StreamKernels {
-  /// Loads the 19 numbers of each cell and stores each number in the array of the opposite direction, as a
-  /// time step in place does.
+  /// Loads the 19 numbers of each cell, and stores each number in the array of the opposite direction. This
+  /// is the memory traffic of a time step that needs only one copy of the lattice (in-place streaming).
   void (*stream_row_fp64)(const StreamRow<double>&);
   void (*stream_row_fp32)(const StreamRow<float>&);
   void (*copy)(const double*, double*, long);

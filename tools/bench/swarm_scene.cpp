@@ -6,11 +6,11 @@
 namespace beadswim {
 namespace {
 
-/// Uniform swarm of the paper (Pickl et al. 2017), in lattice units.
+/// Parameters of the uniform swarm of the paper (Pickl et al. 2017) in lattice units.
 constexpr double radius = 6, arm = 32, spacing = 32, length = 3 * arm;
 constexpr double stiffness = 0.2, amplitude = 2, period = 2000, swarm_relaxation_time = 1.5;
 
-/// Returns the swimmer with all lengths multiplied by `scale`.
+/// Returns the swimmer of the paper's swarm with all lengths multiplied by `scale`.
 SwimmerType make_swimmer_type(double scale) {
   SwimmerType type;
   type.beads.fill({.radius = radius * scale, .density = 1});

@@ -11,9 +11,9 @@ namespace {
 /// Approximate duration of one measurement [s].
 constexpr double target_seconds = 0.12;
 
-/// Returns the time in which all ranks perform `steps` steps [s]. An untimed step comes first, because
-/// the first step after another case has more to do: after a bare sweep, a periodic step must fill the
-/// complete halo.
+/// Returns the time in which all ranks perform `steps` steps [s]. One step before the measurement is not
+/// timed, because the first step after another case takes longer: it must fill the complete halo of ghost
+/// cells.
 double time_steps(const BenchCase& bench_case, int steps, const Communicator& communicator) {
   bench_case.step();
   MPI_Barrier(communicator.get());
@@ -23,8 +23,8 @@ double time_steps(const BenchCase& bench_case, int steps, const Communicator& co
   return MPI_Wtime() - start;
 }
 
-/// Returns the number of steps per measurement. The number is even, because a time step in place alternates
-/// between two kinds of sweep. Runs the case twice to warm it up.
+/// Returns the number of steps per measurement. This number is even, because a time step with in-place
+/// streaming alternates between two kinds of sweep. Runs the case first, to fill the caches.
 int choose_step_count(const BenchCase& bench_case, const Communicator& communicator) {
   time_steps(bench_case, 2, communicator);
   const double seconds = time_steps(bench_case, 2, communicator);

@@ -9,7 +9,8 @@
 namespace beadswim {
 
 /// Times all cases once per round, so that slow changes of the speed of the machine affect all cases equally.
-/// Collective. Returns the seconds per step, indexed [case][round], on every rank.
+/// Returns the time per step of each case in each round, indexed [case][round] [s], on every rank.
+/// Collective.
 std::vector<std::vector<double>> time_in_rounds(const std::vector<BenchCase>& cases, int rounds,
                                                 const Communicator& communicator);
 

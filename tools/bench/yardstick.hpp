@@ -11,26 +11,28 @@
 
 namespace beadswim {
 
-/// Memory layout of the 19 arrays of the yardstick. Lengths and distances are numbers of array elements.
+/// Memory layout of the 19 arrays (one per lattice direction) of the class StreamYardstick. Distances are
+/// numbers of array elements.
 struct StreamLayout {
   std::string name;
   std::ptrdiff_t array, row, plane;  ///< distance between the starts of consecutive arrays, rows, planes
 
-  std::ptrdiff_t num_elements(int edge) const;  ///< from the first element to the last
+  std::ptrdiff_t num_elements(int edge) const;  ///< elements from the first to the last of all arrays
 };
 
-/// Returns the layouts that the yardstick tries for a cube: the layout of the solver, contiguous arrays,
-/// arrays that start at different offsets within a page, and arrays interleaved row by row.
+/// Returns the memory layouts that the class StreamYardstick tries for a cube of edge^3 cells: the layout of
+/// the solver; contiguous arrays; arrays that start at different offsets within a memory page; arrays
+/// interleaved row by row.
 std::vector<StreamLayout> stream_layouts(int edge, Precision precision);
 
-/// Upper bound for the speed of a time step in place: a sweep with 19 loads and 19 stores per cell, without
-/// arithmetic.
+/// Benchmark that gives an upper bound for the speed of a time step with in-place streaming: it loads and
+/// stores the 19 populations of each cell without arithmetic.
 class StreamYardstick {
  public:
   StreamYardstick(int edge, Precision precision);
 
-  /// Chooses the layout with the fastest sweep() on this machine, and the same layout on all ranks. Times
-  /// each layout `rounds` times. Collective.
+  /// Chooses the memory layout with which sweep() is fastest on this machine. All ranks use the same layout.
+  /// Times each layout `rounds` times. Collective.
   void choose_layout(int rounds, const Communicator& communicator);
   void use(const StreamLayout& layout) { layout_ = layout; }
   const StreamLayout& layout() const { return layout_; }

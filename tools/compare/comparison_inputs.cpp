@@ -35,11 +35,13 @@ void require_one_stdin(const ComparisonRequest& request) {
     throw InputError("-", "standard input can be read only once; name files for the other inputs");
 }
 
-/// Throws InputError if the document is the record of a failed run, because its results are not valid.
+/// Throws InputError if the document is the record of a failed run. The results of a failed run are not
+/// valid.
 void require_success(const SwimmingDocument& document, const std::string& source) {
   const auto* run = std::get_if<RunRecord>(&document);
   if (run == nullptr || run->status != RunStatus::failed) return;
-  throw InputError(source, "is the record of a failed run; correct the cause of the failure and run again");
+  throw InputError(source,
+                   "the file is the record of a failed run; correct the cause of the failure and run again");
 }
 
 ReferenceFile read_reference(const std::string& path) {
@@ -56,9 +58,9 @@ RunFile read_run_file(const std::string& path) {
 
 Inputs read_inputs(const ComparisonRequest& request) {
   if (request.files.size() < 2) {
-    throw InputError("RUN... REFERENCE",
-                     fmt::format("{} given; name at least one run record, then the reference to compare with",
-                                 request.files.empty() ? "no file" : "one file"));
+    throw InputError("RUN... REFERENCE", fmt::format("{} is given; name at least one run record, and after "
+                                                     "the run records the reference for the comparison",
+                                                     request.files.empty() ? "no file" : "one file"));
   }
   require_one_stdin(request);
   Inputs inputs;
@@ -72,13 +74,14 @@ Inputs read_inputs(const ComparisonRequest& request) {
 
 // --- Check that the documents describe the same scene
 
-/// Units and period, which must agree in documents that are compared.
+/// Units and driving period, which must agree in all documents that are compared.
 struct Scene {
   Units units;
   std::optional<double> period;  ///< [time]
 };
 
-/// Returns the driving period of one swimmer. Returns the base period if the run does not list the swimmer.
+/// Returns the driving period of one swimmer of a run. Returns the base period if the record does not list
+/// this swimmer.
 double period_of(const RunRecord& run, int swimmer) {
   const auto found = std::ranges::find(run.swimmers, swimmer, &SwimmerRecord::id);
   return found == run.swimmers.end() ? run.driving.period : found->period.value_or(run.driving.period);
@@ -91,28 +94,30 @@ Scene scene_of(const SwimmingDocument& document) {
 }
 
 void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
-  constexpr double period_tolerance = 1e-9;  // relative; small, because periods are copied from the layout
+  constexpr double period_tolerance = 1e-9;  // relative; small, since both periods are copies from a layout
   const Scene scene = scene_of(reference.document);
   const RunRecord& record = run.record;
   if (!same_units(record.units, scene.units)) {
     throw InputError(
         reference.source,
-        fmt::format("has other units than {}; compare files made from the same layout", run.source));
+        fmt::format("the reference has other units than {}; compare files made from the same layout",
+                    run.source));
   }
   const auto* prediction = std::get_if<PredictionDocument>(&reference.document);
   const double own = prediction != nullptr ? period_of(record, prediction->swimmer) : record.driving.period;
   const double period = scene.period.value_or(own);
   if (std::abs(period - own) > period_tolerance * own) {
-    throw InputError(
-        reference.source,
-        fmt::format("has the driving period {}, but {} has {}; compare files made from the same layout",
-                    period, run.source, own));
+    throw InputError(reference.source,
+                     fmt::format("the reference has the driving period {}, but the run {} has the driving "
+                                 "period {}; compare files made from the same layout",
+                                 period, run.source, own));
   }
 }
 
 // --- References of one swimmer
 
-/// Returns the references in one file for a swimmer: one for a run, one per method for a prediction.
+/// Returns the references for a swimmer that one file contains: one reference for a run record, one per
+/// method for predictions.
 std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, const CycleChoice& cycle) {
   if (const auto* run = std::get_if<RunRecord>(&file.document)) {
     const SwimmerRecord& record = find_swimmer(*run, swimmer, file.source);
@@ -133,7 +138,7 @@ std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, co
   return references;
 }
 
-/// Returns the ids of the swimmers in the reference.
+/// Returns the ids of the swimmers that a reference document contains.
 std::vector<int> compared_swimmers(const SwimmingDocument& reference) {
   if (const auto* prediction = std::get_if<PredictionDocument>(&reference)) return {prediction->swimmer};
   std::vector<int> ids;
@@ -141,7 +146,8 @@ std::vector<int> compared_swimmers(const SwimmingDocument& reference) {
   return ids;
 }
 
-/// References of one swimmer from all files. The first `own` references are from the file REFERENCE.
+/// References for one swimmer from all files. The first `own` references are from REFERENCE, the last file
+/// argument of the command line.
 struct References {
   std::vector<Reference> all;
   std::size_t own = 0;
@@ -159,8 +165,8 @@ References references_for(int swimmer, const Inputs& inputs, const CycleChoice& 
 
 // --- Reference that determines the verdict
 
-/// Returns the index of the first reference with this method. Throws InputError if there is none, or if it is
-/// not usable.
+/// Returns the index of the first reference whose method has this name. Throws InputError if no reference has
+/// this method, or if its prediction is not usable.
 std::size_t reference_named(const std::string& method, std::span<const Reference> references) {
   const auto has_name = [&](const Reference& reference) { return reference.method == method; };
   const auto found = std::find_if(references.begin(), references.end(), has_name);
@@ -168,7 +174,7 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
     std::vector<std::string> names;
     for (const Reference& reference : references) names.push_back(reference.method);
     throw InputError("--method",
-                     fmt::format("no reference contains the method \"{}\"{} Available: {}", method,
+                     fmt::format("no reference contains the method \"{}\"{} Available methods: {}", method,
                                  format_suggestion(method, names), fmt::join(names, ", ")));
   }
   if (!found->usable) {
@@ -179,18 +185,18 @@ std::size_t reference_named(const std::string& method, std::span<const Reference
   return static_cast<std::size_t>(found - references.begin());
 }
 
-/// Returns the index of the reference that determines the verdict: the method of the command line, otherwise
-/// the best method of the file REFERENCE. Throws InputError if there is none.
+/// Returns the index of the reference that determines the verdict: the method of --method, otherwise the best
+/// usable method of the file REFERENCE. Throws InputError if there is no such reference.
 std::size_t deciding_reference(const ComparisonRequest& request, const References& references) {
   if (request.method) return reference_named(*request.method, references.all);
   const auto best = best_reference(std::span(references.all).first(references.own), request.quantities);
   if (best) return *best;
   throw InputError(source_name(request.files.back()),
-                   "contains no usable method to decide the verdict; predict with other methods "
-                   "(beadswim-theory --method)");
+                   "the prediction contains no usable method to decide the verdict; predict with other "
+                   "methods (beadswim-theory --method)");
 }
 
-/// Compares one swimmer of all runs with the references and adds the rows to `result`.
+/// Compares one swimmer of every run with all references, and adds the rows to `result`.
 void compare_swimmer_in_all_runs(int id, const ComparisonRequest& request, const Inputs& inputs,
                                  VerdictDocument& result) {
   const References references = references_for(id, inputs, request.cycle);

@@ -9,24 +9,24 @@
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 
-// Comparison of files with run records and predictions.
+// Reads run records and predictions from files and compares them.
 
 namespace beadswim {
 
 /// The command line of beadswim-compare.
 struct ComparisonRequest {
   std::vector<std::string> files;               ///< run records; the last file is the reference
-  std::vector<std::string> further_references;  ///< shown in addition to the reference
-  std::optional<std::string> method;            ///< determines the verdict; nullopt: best_reference()
+  std::vector<std::string> further_references;  ///< compared in addition to the reference
+  std::optional<std::string> method;            ///< method of the verdict; nullopt: best_reference()
   std::vector<ComparedQuantity> quantities;
   double tolerance = 0;  ///< largest accepted |relative error|
   CycleChoice cycle;
 };
 
-/// Reads all files and compares each run with every reference. If the reference is a prediction, its swimmer
-/// is compared. If the reference is a run, all its swimmers are compared. Throws InputError if a file cannot
-/// be read, if the files have different units or periods, if a run has failed, or if no usable method can
-/// determine the verdict.
+/// Reads all files and compares each run with every reference. If the reference is a prediction, the swimmer
+/// of the prediction is compared. If the reference is a run, all its swimmers are compared. Throws InputError
+/// if a file cannot be read, if the files have different units or driving periods, if a run has failed, or if
+/// no usable method can determine the verdict.
 VerdictDocument compare_files(const ComparisonRequest& request);
 
 }  // namespace beadswim

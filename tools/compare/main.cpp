@@ -9,7 +9,7 @@ namespace {
 
 using namespace beadswim;
 
-/// Values of flags as text, before they are converted.
+/// Values of flags as text, before they are converted to members of ComparisonRequest.
 struct Flags {
   std::string method;
   std::string cycle = "last";
@@ -18,30 +18,39 @@ struct Flags {
 void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
   program
       .add_option("FILES", request.files,
-                  "Run records, then the reference: a prediction or another run record. - is standard input.")
+                  "Run records of beadswim-run, and last the reference for the comparison: predictions of "
+                  "beadswim-theory or another run record. - is standard input.")
       ->type_name("RUN... REFERENCE")
       ->default_str("");
   program
       .add_option("--reference", request.further_references,
-                  "Further reference to show, repeatable; decides only by a --method that it alone has")
+                  "Additional reference to compare with, repeatable. It determines the verdict only if "
+                  "--method names a method that REFERENCE lacks")
       ->type_name("FILE")
       ->allow_extra_args(false)
       ->default_str("none");
-  program.add_option("--method", flags.method, "Method that decides, or run for a run; all are shown")
+  program
+      .add_option("--method", flags.method,
+                  "Method whose prediction determines the verdict (run: the reference is a run record); the "
+                  "table shows all methods")
       ->type_name("NAME")
-      ->default_str("inertia-corrected, else multipole-ode, rpy-ode, rpy-perturbation, the first usable");
+      ->default_str(
+          "the first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others");
   request.quantities.assign(all_values<ComparedQuantity>.begin(), all_values<ComparedQuantity>.end());
   add_choices(program, "--quantity", request.quantities,
-              "Quantities to compare; velocity is along the swimmer's axis, relative to the mean flow along "
-              "periodic axes");
+              "Quantities to compare; velocity is the velocity along the swimmer's axis, minus the mean flow "
+              "along periodic axes of the box");
   program
-      .add_option("--tolerance", request.tolerance, "Largest relative error that passes, 0.05 for 5 % [1]")
+      .add_option(
+          "--tolerance", request.tolerance,
+          "Largest relative error between run and reference with which a run passes; 0.05 means 5 % [1]")
       ->type_name("E")
       ->default_val(0.05)
       ->check(finite_positive());
   program
       .add_option("--cycle", flags.cycle,
-                  "Cycle of each run: the last, the Nth from the start, or the mean of the last N")
+                  "Driving cycle of each run that is compared: the last, cycle number N (the first is 1), or "
+                  "the mean over the last N cycles")
       ->type_name("last|N|mean:N");
   set_footer(program,
              {"beadswim-compare run.json theory.json --method rpy-box-ode >verdict.json",
@@ -55,11 +64,10 @@ void apply(const Flags& flags, ComparisonRequest& request) {
 }
 
 int run(int argc, const char* const* argv) {
-  const auto program =
-      make_program("beadswim-compare",
-                   "Compares runs with a prediction or another run. Prints the verdict: JSON "
-                   "on standard output, a table on standard error; exit status 1 if it is "
-                   "negative.");
+  const auto program = make_program(
+      "beadswim-compare",
+      "Compares runs with a prediction or another run. Prints the verdict as JSON on standard output and as "
+      "a table on standard error. The exit status is 1 if the verdict is negative.");
   ComparisonRequest request;
   Flags flags;
   add_flags(*program, request, flags);

@@ -20,7 +20,8 @@ std::string quantity_text(const ComparisonRow& row) {
   return {};
 }
 
-/// Returns the verdict of one row. Rows that do not affect the verdict of the document have it in brackets.
+/// Returns the text of a row's verdict. It is in brackets if the row does not affect the verdict of the whole
+/// comparison.
 std::string verdict_text(const ComparisonRow& row) {
   if (!row.usable) return "(unusable)";
   if (row.decides) return row.pass ? "pass" : "FAIL";
@@ -33,8 +34,8 @@ std::string error_text(const ComparisonRow& row) {
   return fmt::format("{:+.2f} %", percent == 0 ? 0.0 : percent);  // avoids "-0.00"
 }
 
-/// Returns true if row i needs a heading: it is the first row of its run and swimmer, and the table contains
-/// several runs or swimmers.
+/// Returns true if a heading must precede row i of the table. This is true for the first row of each run and
+/// swimmer if the table contains several runs or swimmers.
 bool begins_section(std::span<const ComparisonRow> rows, std::size_t i) {
   const auto other = [&](const ComparisonRow& row) {
     return row.run_source != rows[i].run_source || row.swimmer != rows[i].swimmer;

@@ -6,8 +6,8 @@
 
 namespace beadswim {
 
-/// Formats the comparison as a table with the columns quantity, run, reference, method, error and verdict.
-/// The last line states the verdict on all runs.
+/// Formats a comparison as a table with the columns quantity, run, reference, method, error and verdict. The
+/// last line of the table states the verdict over all runs.
 std::string verdict_table(const VerdictDocument& document);
 
 }  // namespace beadswim

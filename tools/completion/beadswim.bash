@@ -1,6 +1,6 @@
-# Bash completion of Beadswim's programs: subcommands, flags and the words that flags take, as --help says them.
+# Bash completion for the programs of Beadswim: completes subcommands, flags and the values of flags, as --help lists them.
 
-# The help of the program and subcommands before the cursor.
+# Prints the help of the program and of the subcommands that stand before the cursor.
 _beadswim_help() {
   local -a command=("${COMP_WORDS[0]}")
   local word
@@ -12,13 +12,13 @@ _beadswim_help() {
 
 _beadswim() {
   local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} help flag words
-  # Bash takes the = of --flag=value for a word of its own.
+  # Bash splits --flag=value into three words: the flag, "=" and the value.
   [[ $current == = ]] && current=
   [[ $previous == = ]] && previous=${COMP_WORDS[COMP_CWORD - 2]}
   help=$(_beadswim_help)
   flag=$(grep -E "^  ([^ ]+,)?${previous}( |$)" <<<"$help" 2>/dev/null)
   if [[ $previous == -* && $flag == *" "*[A-Za-z]* && ${flag##* } != "$flag" && ${flag##* } != -* ]]; then
-    words=${flag##* } # what the flag takes: a|b|c, perhaps with a check after a colon, or a name in capitals
+    words=${flag##* } # values of the flag in the help: words such as a|b|c, or a name in capitals
     words=${words%%:*}
     if [[ $words == *"|"* && $words != *[A-Z]* ]]; then
       mapfile -t COMPREPLY < <(compgen -W "${words//|/ }" -- "$current")

@@ -68,18 +68,17 @@ Json json_of(const Layout& layout, const SceneNumbers& numbers) {
   return json;
 }
 
-/// Prints a warning for each arm whose predicted amplitude is at least the gap between its beads. The
-/// first-order prediction does not contain collisions, but beads with such an amplitude collide.
+/// Prints a warning for each arm whose predicted amplitude is not smaller than the gap between its two beads.
+/// Beads with such an amplitude would collide, but the first-order prediction does not include collisions.
 void warn_of_collisions(const SceneNumbers& numbers) {
   for (const auto& [name, type] : numbers.types) {
     for (int arm = 0; arm < 2; ++arm) {
       if (type.arm_amplitude[arm] < type.arm_gap[arm]) continue;
-      fmt::print(
-          stderr,
-          "beadswim-layout: warning: /types/{}: the predicted amplitude {:.4g} of arm {} exceeds the gap "
-          "{:.4g} between its beads, so they will collide; lower the amplitude, or raise stiffness or "
-          "damping\n",
-          name, type.arm_amplitude[arm], arm + 1, type.arm_gap[arm]);
+      fmt::print(stderr,
+                 "beadswim-layout: warning: /types/{}: the predicted amplitude {:.4g} of arm {} exceeds the "
+                 "gap {:.4g} between its two beads, so these beads will collide; lower the driving "
+                 "amplitude, or raise stiffness or damping\n",
+                 name, type.arm_amplitude[arm], arm + 1, type.arm_gap[arm]);
     }
   }
 }
@@ -89,10 +88,10 @@ void warn_of_collisions(const SceneNumbers& numbers) {
 CheckCommand::CheckCommand(CLI::App& program)
     : command_(program.add_subcommand(
           "check",
-          "Checks a layout and prints its dimensionless numbers; a fault ends with exit status 2 and its "
-          "JSON pointer.")) {
-  command_->add_option("layout", file_, "Layout; - is standard input.")->type_name("FILE");
-  command_->add_flag("--json", json_, "Print JSON instead of a table.");
+          "Checks a layout and prints its dimensionless numbers. If the layout is invalid, prints each fault "
+          "with its place in the file (JSON pointer) and ends with exit status 2.")) {
+  command_->add_option("layout", file_, "Layout file (JSON); - is standard input.")->type_name("FILE");
+  command_->add_flag("--json", json_, "Print the numbers as JSON instead of a table.");
   set_footer(*command_,
              {"beadswim-layout check layout.json",
               "beadswim-layout swimmer --preset paper-single --unbounded | beadswim-layout check --json"},

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* needed = "none; required without --fraction";
 
-/// Returns the first of the names "b", "c", ..., "z", "a1", "a2", ... that is not a type of the layout.
+/// Returns the first of the names "b", "c", ..., "z", "a1", "a2", ... that no swimmer type of the layout has.
 std::string free_type_name(const Layout& layout) {
   for (char letter = 'b'; letter <= 'z'; ++letter) {
     if (!layout.types.contains(std::string(1, letter))) return std::string(1, letter);
@@ -33,13 +33,13 @@ void require_same_units(const Layout& layout, const Layout& other, const std::st
       (a.lattice || (same(a.length, b.length) && same(a.time, b.time) && same(a.mass, b.mass)));
   if (!equal)
     throw InputError(source,
-                     "the units differ from those of the layout into which this type is mixed; make this "
-                     "layout with the same --units");
+                     "the units of this layout differ from the units of the layout into which its swimmer "
+                     "type is mixed; make both layouts with the same --units");
 }
 
-/// Gives the chosen swimmers the type of the first swimmer in the layout file `path`. Removes their own
-/// driving, and all types that no swimmer has any more. Throws InputError if the layouts have different
-/// units.
+/// Gives the chosen swimmers the type of the first swimmer in the layout file `path`, and removes driving
+/// that was set for these swimmers individually. Removes types that no swimmer uses any more. Throws
+/// InputError if the two layouts have different units.
 void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, const std::string& path) {
   if (path == "-") throw InputError("--with", "standard input is already used for the layout; name a file");
   const Layout other = read_layout(path).layout;
@@ -60,8 +60,9 @@ void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, con
 DefectCommand::DefectCommand(CLI::App& program)
     : command_(program.add_subcommand(
           "defect",
-          "Filters that disturb a layout from a file or standard input and write it to standard output. The "
-          "same seed gives the same defects; give each filter in a pipe its own.")) {
+          "Applies random changes (defects) to a layout from a file or standard input, and writes the "
+          "changed layout to standard output. Equal seeds give equal defects; if several defects are joined "
+          "by pipes, give each its own seed.")) {
   command_->require_subcommand(1);
   add_numbers();
   add_places();
@@ -77,59 +78,62 @@ DefectCommand::DefectCommand(CLI::App& program)
 
 void DefectCommand::add_numbers() {
   auto& vacancy = add_kind("vacancy", {"--fraction 0.25", "--count 1 --seed 3"},
-                           "Removes swimmers; the others keep their ids.",
+                           "Removes random swimmers; the remaining swimmers keep their ids.",
                            [this](Layout& layout) { add_vacancies(layout, share_or_count(), seed_); });
   add_amount_flags(vacancy, "swimmers to remove", needed);
 
   auto& interstitial =
       add_kind("interstitial", {"--count 2", "--fraction 0.25 --seed 3"},
-               "Adds copies of the first swimmer at random free places, with new ids.",
+               "Adds copies of the first swimmer at random positions where they fit, with new ids.",
                [this](Layout& layout) { add_interstitials(layout, share_or_count(), seed_); });
   add_amount_flags(interstitial, "swimmers to add", needed);
 }
 
 void DefectCommand::add_places() {
-  auto& displaced =
-      add_kind("jitter", {"--sigma 0.5", "--sigma 2 --fraction 0.5 --seed 3"}, "Moves swimmers at random.",
-               [this](Layout& layout) { jitter(layout, chosen_swimmers(layout), *sigma_, seed_); });
-  add_sigma(displaced, "Standard deviation of the change of each coordinate [length]");
+  auto& displaced = add_kind(
+      "jitter", {"--sigma 0.5", "--sigma 2 --fraction 0.5 --seed 3"}, "Displaces swimmers by random vectors.",
+      [this](Layout& layout) { jitter(layout, chosen_swimmers(layout), *sigma_, seed_); });
+  add_sigma(displaced, "Standard deviation of the random displacement along each axis [length]");
   add_amount_flags(displaced, "swimmers to move", "all");
 
   auto& turned = add_kind("rotation", {"--sigma 0.1", "--random --count 1 --repair"},
-                          "Turns swimmers about their middle bead.",
+                          "Turns swimmers about their middle bead by random angles.",
                           [this](Layout& layout) { rotate(layout, chosen_swimmers(layout), sigma_, seed_); });
-  add_sigma(turned, "Standard deviation of the angle, about a random line across the axis [rad]");
-  add_random(turned, "Draw directions uniformly instead.");
+  add_sigma(turned,
+            "Standard deviation of the angle by which a swimmer turns, about a random line perpendicular to "
+            "its axis [rad]");
+  add_random(turned, "Draw the new axes uniformly from all directions, instead of angles with --sigma.");
   add_amount_flags(turned, "swimmers to turn", "all");
 
-  auto& regions = add_kind(
-      "domains", {"--count 1", "--count 2 --repair"},
-      "Divides the box by random points; the swimmers nearest to a point get a common random direction.",
-      [this](Layout& layout) { add_domains(layout, *count_, seed_); });
-  regions.add_option("--count", count_, "Number of domains")
+  auto& regions = add_kind("domains", {"--count 1", "--count 2 --repair"},
+                           "Divides the box into domains around random points. The swimmers nearest to one "
+                           "point get the same random direction.",
+                           [this](Layout& layout) { add_domains(layout, *count_, seed_); });
+  regions.add_option("--count", count_, "Number of domains, each with its own direction")
       ->required()
       ->check(whole_number(1, 10000))
       ->type_name("N");
 }
 
 void DefectCommand::add_drivings() {
-  auto& phases = add_kind(
-      "phase", {"--sigma 0.3", "--random --seed 3"}, "Shifts the driving phase of swimmers (phase_offset).",
-      [this](Layout& layout) { disorder_phases(layout, chosen_swimmers(layout), sigma_, seed_); });
-  add_sigma(phases, "Standard deviation of the shift [rad]");
-  add_random(phases, "Draw shifts uniformly from -pi to pi instead.");
+  auto& phases =
+      add_kind("phase", {"--sigma 0.3", "--random --seed 3"},
+               "Adds a random shift to the driving phase of swimmers (key phase_offset).",
+               [this](Layout& layout) { disorder_phases(layout, chosen_swimmers(layout), sigma_, seed_); });
+  add_sigma(phases, "Standard deviation of the phase shift [rad]");
+  add_random(phases, "Draw the phase shifts uniformly from -pi to pi, instead of a normal distribution.");
   add_amount_flags(phases, "swimmers to change", "all");
 
   auto& amplitudes = add_kind(
       "amplitude", {"--sigma 0.1", "--sigma 0.2 --count 2 --seed 3"},
-      "Changes driving amplitudes: A and B times 1 + sigma x, with normal x.",
+      "Multiplies the driving amplitudes A and B of a swimmer by 1 + sigma x, with a normal random number x.",
       [this](Layout& layout) { disorder_amplitudes(layout, chosen_swimmers(layout), *sigma_, seed_); });
   add_sigma(amplitudes, "Standard deviation of the relative change [1]");
   add_amount_flags(amplitudes, "swimmers to change", "all");
 
   auto& frequencies = add_kind(
       "frequency", {"--sigma 0.05", "--sigma 0.1 --count 2 --seed 3"},
-      "Changes driving frequencies: 1/T times 1 + sigma x, with normal x.",
+      "Multiplies the driving frequency 1/T of a swimmer by 1 + sigma x, with a normal random number x.",
       [this](Layout& layout) { disorder_frequencies(layout, chosen_swimmers(layout), *sigma_, seed_); });
   add_sigma(frequencies, "Standard deviation of the relative change [1]");
   add_amount_flags(frequencies, "swimmers to change", "all");
@@ -139,15 +143,15 @@ CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std
                                   const std::string& help, Change change) {
   CLI::App* const kind = command_->add_subcommand(name, help);
   begin_group(*kind, "Options");
-  kind->add_option("layout", file_, "Layout; - is standard input.")->type_name("FILE");
-  kind->add_option("--seed", seed_, "Seed of the random numbers, from 0")
+  kind->add_option("layout", file_, "Layout file (JSON); - is standard input.")->type_name("FILE");
+  kind->add_option("--seed", seed_,
+                   "Seed of the random numbers, a whole number from 0; equal seeds give equal changes")
       ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
       ->type_name("N")
       ->capture_default_str();
-  kind->add_flag(
-      "--repair", repair_,
-      "Move overlapping swimmers apart, to gaps of a twentieth of a radius; without it, overlaps are an "
-      "error.");
+  kind->add_flag("--repair", repair_,
+                 "Move swimmers that overlap apart, to gaps of 1/20 of the smallest bead radius. Without "
+                 "this flag, an overlap is an error.");
   std::vector<std::string> commands;
   for (const std::string& flags : examples)
     commands.push_back(fmt::format("beadswim-layout defect {0} swarm.json {1} >{0}.json", name, flags));
@@ -159,7 +163,10 @@ CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std
 void DefectCommand::add_amount_flags(CLI::App& kind, const std::string& things,
                                      const std::string& otherwise) {
   auto* const fraction =
-      kind.add_option("--fraction", fraction_, fmt::format("Fraction of {}, from 0 to 1", things))
+      kind.add_option(
+              "--fraction", fraction_,
+              fmt::format("Number of {}, as a fraction of the total number in the layout, from 0 to 1",
+                          things))
           ->type_name("F")
           ->check(number_between(0, 1));
   kind.add_option("--count", count_, fmt::format("Number of {}", things))
@@ -180,18 +187,21 @@ void DefectCommand::add_random(CLI::App& kind, const std::string& help) {
 void DefectCommand::add_spacing() {
   auto& layers =
       add_kind("spacing", {"--axis y --sigma 1", "--axis x --sigma 4 --whole 1 --seed 3"},
-               "Changes the gaps between layers of swimmers, and the box with them.", [this](Layout& layout) {
+               "Changes the gaps between layers of swimmers at random, and the length of the box by the sum "
+               "of the changes.",
+               [this](Layout& layout) {
                  const LayerSpacing spacing{.axis = axis_[0] - 'x', .sigma = *sigma_, .whole = whole_};
                  space_layers(layout, spacing, amount_or_all(), seed_);
                });
-  layers.add_option("--axis", axis_, "Normal of the layers")
+  layers.add_option("--axis", axis_, "Axis perpendicular to the layers")
       ->required()
       ->check(one_of({"x", "y", "z"}))
       ->type_name("x|y|z");
-  add_sigma(layers, "Standard deviation of the change of each gap [length]");
+  add_sigma(layers, "Standard deviation of the random change of a gap [length]");
   layers
       .add_option("--whole", whole_,
-                  "Round changes to multiples of this length, for example of a lattice cell [length]")
+                  "Length to whose multiples the changes of gaps are rounded, for example the edge of a "
+                  "lattice cell [length]")
       ->type_name("L")
       ->default_str("none")
       ->check(finite_positive());
@@ -199,12 +209,13 @@ void DefectCommand::add_spacing() {
 }
 
 void DefectCommand::add_mixture() {
-  auto& mixture =
-      add_kind("mixture", {"--with layout.json --count 2", "--with layout.json --fraction 0.5 --seed 3"},
-               "Gives swimmers another type; they keep their place and axis.", [this](Layout& layout) {
-                 mix_in(layout, draw_swimmer_indices(layout, share_or_count(), seed_), other_);
-               });
-  mixture.add_option("--with", other_, "Layout whose first swimmer has that type")
+  auto& mixture = add_kind(
+      "mixture", {"--with layout.json --count 2", "--with layout.json --fraction 0.5 --seed 3"},
+      "Replaces the type (beads, springs, driving) of random swimmers; they keep their position and axis.",
+      [this](Layout& layout) {
+        mix_in(layout, draw_swimmer_indices(layout, share_or_count(), seed_), other_);
+      });
+  mixture.add_option("--with", other_, "Layout file whose first swimmer has the new type")
       ->required()
       ->type_name("FILE");
   add_amount_flags(mixture, "swimmers to change", needed);

@@ -11,7 +11,7 @@
 namespace beadswim {
 
 /// Command "beadswim-layout defect KIND": applies random changes to a layout. It reads a file or standard
-/// input and writes to standard output, so that several of these commands can be joined by pipes.
+/// input and writes to standard output, so that commands for several defects can be joined by pipes.
 class DefectCommand {
  public:
   explicit DefectCommand(CLI::App& program);
@@ -22,12 +22,12 @@ class DefectCommand {
  private:
   using Change = std::function<void(Layout&)>;
 
-  /// Adds the command for one kind of defect, with the flags that all kinds share. `examples`: the flags of
-  /// each example in the help of the command.
+  /// Adds the command for one kind of defect, with the flags that all kinds have in common. `examples`: flags
+  /// of each example in the help of the command.
   CLI::App& add_kind(const std::string& name, const std::vector<std::string>& examples,
                      const std::string& help, Change change);
-  /// Adds --fraction and --count. `things`: what they count, for the help. `otherwise`: description of the
-  /// default, for the help.
+  /// Adds the flags --fraction and --count. `things`: what the flags count, and `otherwise`: the default,
+  /// both for the help.
   void add_amount_flags(CLI::App& kind, const std::string& things, const std::string& otherwise);
   void add_sigma(CLI::App& kind, const std::string& help);
   void add_random(CLI::App& kind, const std::string& help);

@@ -10,9 +10,10 @@ namespace {
 
 int run(int argc, char** argv) {
   using namespace beadswim;
-  const auto program = make_program("beadswim-layout",
-                                    "Makes, disturbs, reduces and checks layouts (JSON): scenes of "
-                                    "bead-spring swimmers in a fluid. Results go to standard output.");
+  const auto program =
+      make_program("beadswim-layout",
+                   "Makes, disturbs, reduces and checks layouts: JSON files that describe a fluid and the "
+                   "bead-spring swimmers in it. Results are written to standard output.");
   program->require_subcommand(1);
   SwimmerCommand swimmer(*program);
   SwarmCommand swarm(*program);

@@ -9,15 +9,15 @@
 
 namespace beadswim {
 ReduceCommand::ReduceCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "reduce",
-          "Writes the smallest periodic cell that repeats to the same scene: a swarm of equal blocks becomes "
-          "one block, or one swimmer.")) {
-  command_->add_option("layout", file_, "Layout; - is standard input.")->type_name("FILE");
+    : command_(
+          program.add_subcommand("reduce",
+                                 "Writes the smallest periodic box whose periodic copies give the scene of "
+                                 "the layout. A swarm of equal blocks becomes one block or one swimmer.")) {
+  command_->add_option("layout", file_, "Layout file (JSON); - is standard input.")->type_name("FILE");
   command_
-      ->add_option(
-          "--tolerance", tolerance_,
-          "Largest displacement of a swimmer from its place in the repeated cell [smallest bead radius]")
+      ->add_option("--tolerance", tolerance_,
+                   "Largest accepted distance of a swimmer from its position in the repeated box, 0 to 0.5 "
+                   "[smallest bead radius]")
       ->type_name("E")
       ->check(number_between(0, 0.5))
       ->capture_default_str();
@@ -33,8 +33,9 @@ void ReduceCommand::run(const CLI::App& program) const {
   const std::size_t before = document.layout.swimmers.size(), after = reduced.layout.swimmers.size();
   const Vec3& box = reduced.layout.domain->lengths;
   print_to_stderr(
-      fmt::format("beadswim-layout: {} x {} x {} cells, swimmers: {} -> {}, in a box of {:g} x {:g} x {:g}; "
-                  "largest shift {:.2g}\n",
+      fmt::format("beadswim-layout: the scene consists of {} x {} x {} copies of one cell; the new layout is "
+                  "this cell, with {} swimmers reduced to {}, in a box of {:g} x {:g} x {:g}; largest "
+                  "displacement of a swimmer: {:.2g}\n",
                   reduced.cells[0], reduced.cells[1], reduced.cells[2], before, after, box[0], box[1], box[2],
                   reduced.largest_shift));
   document.layout = std::move(reduced.layout);

@@ -5,8 +5,8 @@
 
 namespace beadswim {
 
-/// Command "beadswim-layout reduce": finds the smallest periodic cell that gives the layout when it is
-/// repeated. It reads a file or standard input and writes the cell to standard output.
+/// Command "beadswim-layout reduce": finds the smallest periodic box whose periodic copies give the scene of
+/// a layout. It reads a file or standard input and writes the layout of this box to standard output.
 class ReduceCommand {
  public:
   explicit ReduceCommand(CLI::App& program);

@@ -8,11 +8,11 @@
 namespace beadswim {
 
 /// Throws InputError with the first error that check_layout() finds in the layout. `source`: origin of the
-/// layout in the message, a plural such as "the flags". `remedy`: text that is appended to the message.
+/// layout for the message, a plural such as "the flags". `remedy`: text at the end of the message.
 inline void require_sound(const Layout& layout, const std::string& source, const std::string& remedy = "") {
   const auto faults = check_layout(layout);
   if (faults.empty()) return;
-  throw InputError(source + " do not make a valid layout",
+  throw InputError("the layout made by " + source + " is invalid",
                    faults.front().place + ": " + faults.front().message + remedy);
 }
 

@@ -21,30 +21,31 @@ Index3 index_of(const std::string& text) {
 
 SwarmCommand::SwarmCommand(CLI::App& program)
     : command_(program.add_subcommand("swarm",
-                                      "Writes a layout of many swimmers along x, in equal blocks that fill a "
-                                      "periodic box (figure 4 of the paper).")),
-      flags_(
-          *command_, {{"paper-uniform", paper_swarm}, {"paper-defect", paper_swarm}},
-          "Swarm to start from: paper-uniform, gaps 32; or paper-defect, core gap 37, block gaps 56,46,46. "
-          "Without it, flags without a default are required") {
+                                      "Writes a layout of many swimmers with axes along x, in equal blocks "
+                                      "that fill a periodic box, as in figure 4 of Pickl et al. 2017.")),
+      flags_(*command_, {{"paper-uniform", paper_swarm}, {"paper-defect", paper_swarm}},
+             "Swarm of Pickl et al. 2017 whose values are used for flags that are not given: paper-uniform "
+             "(all gaps 32) or paper-defect (core gap 37, block gaps 56,46,46). Without a preset, all flags "
+             "without a default are required") {
   begin_group(*command_, "Blocks");
-  command_->add_option("--block-swimmers", block_swimmers_, "Swimmers per block along x, y, z")
+  command_->add_option("--block-swimmers", block_swimmers_, "Number of swimmers in one block along x, y, z")
       ->type_name("NX,NY,NZ")
       ->check(number_list({3}, whole_positive()))
       ->default_str("1,3,3");
-  command_->add_option("--blocks", blocks_, "Blocks along x, y, z")
+  command_->add_option("--blocks", blocks_, "Number of blocks along x, y, z")
       ->type_name("BX,BY,BZ")
       ->check(number_list({3}, whole_positive()))
       ->default_str("1,1,1");
   command_
       ->add_option("--core-gap", core_gap_,
-                   "Gap between neighbours of a block: along x between facing end beads (centres), along y "
-                   "and z between axes [length]")
+                   "Distance between neighbouring swimmers of one block: along x between the centres of "
+                   "their facing end beads, along y and z between their axes [length]")
       ->type_name("C|CX,CY,CZ")
       ->check(number_list({1, 3}, finite_positive()));
   command_
       ->add_option("--block-gap", block_gap_,
-                   "The same gap between neighbours of two blocks, and across the periodic box [length]")
+                   "Distance between neighbouring swimmers of adjacent blocks, also across the periodic "
+                   "boundary; measured as for --core-gap [length]")
       ->type_name("D|DX,DY,DZ")
       ->check(number_list({1, 3}, finite_positive()));
   set_footer(
@@ -64,10 +65,9 @@ SwarmPlan SwarmCommand::plan() const {
   if (!block_gap_.empty()) plan.block_gap = parse_vector(block_gap_);
   const double swimmers = plan.block_swimmers.cast<double>().prod() * plan.blocks.cast<double>().prod();
   if (swimmers > max_swimmers) {
-    throw InputError(
-        "--blocks",
-        fmt::format("the blocks have {:g} swimmers in total, but at most {:g} are possible; use fewer",
-                    swimmers, max_swimmers));
+    throw InputError("--blocks", fmt::format("the blocks have {:g} swimmers in total, but at most {:g} are "
+                                             "possible; use fewer or smaller blocks",
+                                             swimmers, max_swimmers));
   }
   return plan;
 }

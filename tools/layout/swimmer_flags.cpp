@@ -22,28 +22,34 @@ void SwimmerFlags::add_swimmer(CLI::App& command) {
                   "no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm "
                   "describe them");
   begin_group(command, "Beads");
-  command.add_option("--radius", radius_, "Bead radius [length]")
+  command.add_option("--radius", radius_, "Radius of the beads: one value for all, or one per bead [length]")
       ->type_name("R|R1,R2,R3")
       ->check(positive({1, 3}));
   begin_group(command, "Springs");
-  command.add_option("--arm", arm_, "Rest length of the arms, between bead centres [length]")
+  command
+      .add_option("--arm", arm_, "Rest length of the springs, between the centres of adjacent beads [length]")
       ->type_name("L|L1,L2")
       ->check(positive({1, 2}));
-  command.add_option("--stiffness", stiffness_, "Stiffness k of the springs [mass/time^2]")
+  command
+      .add_option("--stiffness", stiffness_, "Stiffness k of the springs, force per extension [mass/time^2]")
       ->type_name("K|K1,K2")
       ->check(positive({1, 2}));
-  command.add_option("--damping", damping_, "Damping c of the dashpots beside the springs [mass/time]")
+  command
+      .add_option(
+          "--damping", damping_,
+          "Damping c of the dashpots parallel to the springs, force per rate of extension [mass/time]")
       ->type_name("C|C1,C2")
       ->check(number_list({1, 2}, finite_non_negative()))
       ->default_str("the preset's, else 0");
   command
       .add_option("--angular-stiffness", angular_stiffness_,
-                  "K_A of the spring U = K_A theta^2/2 that keeps the arms in line [mass length^2/time^2]")
+                  "Stiffness K_A of the angular spring that keeps the two arms in line: energy K_A "
+                  "theta^2/2, theta: angle between the arms [mass length^2/time^2]")
       ->type_name("KA")
       ->check(finite_non_negative())
       ->default_str("10 k l^2, with mean k and rest length l");
   begin_group(command, "Beads");
-  command.add_option("--bead-density", bead_density_, "Density of the beads [mass/length^3]")
+  command.add_option("--bead-density", bead_density_, "Mass density of the beads [mass/length^3]")
       ->type_name("RHO")
       ->check(finite_positive())
       ->default_str("the preset's, else the fluid's");
@@ -51,57 +57,73 @@ void SwimmerFlags::add_swimmer(CLI::App& command) {
 
 void SwimmerFlags::add_driving(CLI::App& command) {
   begin_group(command, "Driving: F1 = A sin(2 pi t/T), F3 = B sin(2 pi t/T + alpha), F2 = -(F1 + F3)");
-  command.add_option("--amplitude", amplitude_, "Amplitudes A and B [force]")
+  command
+      .add_option("--amplitude", amplitude_,
+                  "Amplitudes A and B of the driving forces on beads 1 and 3 [mass length/time^2]")
       ->type_name("A|A,B")
       ->check(number_list({1, 2}, finite_non_negative()));
-  command.add_option("--phase", phase_, "Phase alpha; write negative values as --phase=-0.5 [rad]")
+  command
+      .add_option("--phase", phase_,
+                  "Phase alpha of the force on bead 3 relative to the force on bead 1, positive if ahead; "
+                  "write a negative value as --phase=-0.5 [rad]")
       ->type_name("ALPHA")
       ->check(finite())
       ->default_str("the preset's, else pi/2");
-  command.add_option("--period", period_, "Period T [time]")->type_name("T")->check(finite_positive());
+  command.add_option("--period", period_, "Period T of the driving forces [time]")
+      ->type_name("T")
+      ->check(finite_positive());
   add_choice(command, "--frame", frame_,
-             "Direction of the forces: x (lab), the swimmer's axis at the start, or its arms (body)")
+             "Direction of the driving forces: the x axis (lab), the swimmer's axis at time 0 "
+             "(initial-axis), or its arms as they turn (body)")
       ->default_str("lab");
 }
 
 void SwimmerFlags::add_fluid(CLI::App& command) {
   begin_group(command, "Fluid and box");
-  command.add_option("--viscosity", viscosity_, "Kinematic viscosity nu [length^2/time]")
+  command.add_option("--viscosity", viscosity_, "Kinematic viscosity nu of the fluid [length^2/time]")
       ->type_name("NU")
       ->check(finite_positive());
-  command.add_option("--density", density_, "Density of the fluid [mass/length^3]")
+  command.add_option("--density", density_, "Mass density of the fluid [mass/length^3]")
       ->type_name("RHO")
       ->check(finite_positive())
       ->default_str("1");
   command
       .add_option("--units", units_,
-                  "Units of all numbers: lattice; or length (m, cm, mm, um, nm), time (s, ms, us, ns) and "
-                  "mass (kg, g, mg, ug, ng, pg, fg), as in um,s,pg")
+                  "Units of all numbers in the layout: lattice units, or units of length (m, cm, mm, um, "
+                  "nm), time (s, ms, us, ns) and mass (kg, g, mg, ug, ng, pg, fg), for example um,s,pg")
       ->type_name("lattice|LENGTH,TIME,MASS")
       ->default_str("lattice");
 }
 
 PlaceFlags::PlaceFlags(CLI::App& command) {
   begin_group(command, "Fluid and box");
-  auto* const box = command.add_option("--box", box_, "Edges of the box, from the origin [length]")
-                        ->type_name("X,Y,Z")
-                        ->check(number_list({3}, finite_positive()));
-  auto* const boundary =
-      command.add_option("--boundary", boundary_, "Boundaries of the box: periodic, free-slip or no-slip")
-          ->type_name("B|BX,BY,BZ")
-          ->check(number_list({1, 3}, one_of(all_names<Boundary>())))
-          ->default_str("the preset's, else periodic");
-  command.add_flag("--unbounded", unbounded_, "Unbounded fluid, for theory and mobility models only.")
+  auto* const box =
+      command
+          .add_option("--box", box_,
+                      "Edge lengths of the box of fluid, one corner of which is the origin [length]")
+          ->type_name("X,Y,Z")
+          ->check(number_list({3}, finite_positive()));
+  auto* const boundary = command
+                             .add_option("--boundary", boundary_,
+                                         "Boundary conditions of the box, one value for all axes or one per "
+                                         "axis: periodic, free-slip or no-slip")
+                             ->type_name("B|BX,BY,BZ")
+                             ->check(number_list({1, 3}, one_of(all_names<Boundary>())))
+                             ->default_str("the preset's, else periodic");
+  command
+      .add_flag("--unbounded", unbounded_,
+                "Use unbounded fluid instead of a box. Only theory and mobility models can treat it, not the "
+                "lattice.")
       ->excludes(box)
       ->excludes(boundary);
   begin_group(command, "Placement");
   command
       .add_option("--position", position_,
-                  "Centre of bead 2; write negative values as --position=-1,0,0 [length]")
+                  "Position of bead 2, the middle bead; write negative values as --position=-1,0,0 [length]")
       ->type_name("X,Y,Z")
       ->check(number_list({3}, finite()))
       ->default_str("the swimmer at the centre of the box");
-  command.add_option("--axis", axis_, "Direction from bead 1 to bead 3, of any length")
+  command.add_option("--axis", axis_, "Direction from bead 1 to bead 3, a vector of any length")
       ->type_name("X,Y,Z")
       ->check(number_list({3}, finite()))
       ->default_str("1,0,0");

@@ -9,28 +9,29 @@
 
 namespace beadswim {
 
-/// Converts a flag's value to a vector. The text contains three numbers, or one number for all components.
+/// Converts a flag's value to a vector. The value is three numbers joined by commas, or one number for all
+/// components.
 Vec3 parse_vector(const std::string& text);
 
-/// A scene of the paper (Pickl et al. 2017) whose values are used for flags that are not given.
+/// A named scene of the paper (Pickl et al. 2017). Its values are used for flags that are not given.
 struct Preset {
   std::string name;
   Layout (*layout)() = nullptr;
 };
 
-/// Flags that describe a type of swimmer and its fluid. The values are stored as text, which is empty for a
-/// flag that is not given.
+/// Flags that describe a swimmer type and its fluid. The value of each flag is stored as text, which is empty
+/// if the flag is not given.
 class SwimmerFlags {
  public:
   /// Adds the flags to the command. `preset_help`: description of the presets, for the help.
   SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const std::string& preset_help);
 
-  /// Returns the scene of the preset, with the values of the flags instead of its own. Returns a scene of the
-  /// flags alone if there is no preset. The scene has one type, "a". Without a preset, throws InputError if
-  /// required flags are missing. The message lists these flags and `other_missing_flags`.
+  /// Returns the layout that the flags describe. It has one type, "a". Flags that are not given have the
+  /// values of the preset. Without a preset, throws InputError if required flags are missing; the message
+  /// lists these flags and `other_missing_flags`.
   Layout layout(const std::vector<std::string>& other_missing_flags) const;
 
-  const std::string& preset() const { return preset_; }  ///< name; empty if there is none
+  const std::string& preset() const { return preset_; }  ///< name of the preset; empty if none is given
 
  private:
   void add_swimmer(CLI::App& command);
@@ -61,7 +62,7 @@ class PlaceFlags {
   /// Returns true if --box or --unbounded is given.
   bool defines_box() const { return !box_.empty() || unbounded_; }
 
-  /// Applies the flags to the box of the layout. Replaces all swimmers by one swimmer of the type "a".
+  /// Applies the flags to the box of the layout, and replaces all swimmers by one swimmer of the type "a".
   void apply(Layout& layout) const;
 
  private:

@@ -15,7 +15,7 @@
 namespace beadswim {
 namespace {
 
-/// Parses a flag's value: one number, used for all `count` entries, or one number per entry.
+/// Parses a flag's value: `count` numbers, or one number that is used for all `count` entries.
 std::vector<double> parse_entries(const std::string& text, std::size_t count) {
   const std::vector<double> numbers = parse_numbers(text);
   return numbers.size() == 1 ? std::vector<double>(count, numbers[0]) : numbers;
@@ -46,7 +46,7 @@ void SwimmerFlags::require_complete(const std::vector<std::string>& other_missin
   missing.insert(missing.end(), other_missing_flags.begin(), other_missing_flags.end());
   if (missing.empty()) return;
   throw InputError("command line",
-                   fmt::format("required flags are missing: {}; give them, or start from --preset {}",
+                   fmt::format("required flags are missing: {}; give these flags, or start from --preset {}",
                                fmt::join(missing, ", "), presets_.front().name));
 }
 
@@ -56,8 +56,8 @@ Layout SwimmerFlags::preset_layout() const {
     if (preset.name == preset_) return preset.layout();
     names.push_back(preset.name);
   }
-  throw InputError("--preset",
-                   format_unknown_name(preset_, names) + "; swimmers and swarms have different presets");
+  throw InputError("--preset", format_unknown_name(preset_, names) +
+                                   "; the commands swimmer and swarm have different presets");
 }
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {
@@ -104,8 +104,11 @@ Units SwimmerFlags::units() const {
   if (units_.empty() || units_ == "lattice") return {};
   const std::vector<std::string> names = split_at_commas(units_);
   if (names.size() != 3) {
-    throw InputError("--units",
-                     fmt::format("\"{}\": must be lattice, or three names such as um,s,pg", units_));
+    throw InputError(
+        "--units",
+        fmt::format(
+            "\"{}\": must be lattice, or the names of the units of length, time and mass, such as um,s,pg",
+            units_));
   }
   return {.lattice = false,
           .length = unit_named(Quantity::length, names[0]),

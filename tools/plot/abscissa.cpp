@@ -14,9 +14,9 @@ namespace {
 double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const CycleChoice& choice) {
   const auto& resolution = run.record.resolution;
   if (!resolution) {
-    throw InputError(
-        run.source,
-        "the record lacks the beads' radius, needed for the separation ratio l/λ; leave this file out");
+    throw InputError(run.source,
+                     "the run record lacks the bead radius, which is needed for the separation ratio l/λ; "
+                     "leave this file out");
   }
   const auto cycles = select_cycles(swimmer.cycles, choice, run.source);
   std::array<double, 2> arms{};
@@ -27,7 +27,8 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
   return std::min(arms[0], arms[1]) / static_cast<double>(cycles.size()) / radius;
 }
 
-/// Returns A/B or α, if the record contains the driving. A/B is infinite, and is not drawn, for B = 0.
+/// Returns the ratio A/B of the driving amplitudes or the driving phase α; nullopt if the record contains no
+/// driving amplitudes. For B = 0, A/B is infinite and is not drawn.
 std::optional<double> driving_number(const RunRecord& run, Abscissa abscissa) {
   if (!run.driving.amplitude) return std::nullopt;
   const auto& [A, B] = *run.driving.amplitude;
@@ -70,9 +71,10 @@ double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa) {
   const auto value = number_setting(plotted.prediction, to_text(abscissa));
   if (value) return *value;
   const std::string hint = abscissa == Abscissa::amplitude_ratio ? " (it is left out where B = 0)" : "";
-  throw InputError(plotted.source, fmt::format("the settings of {} lack the number \"{}\", the abscissa of "
-                                               "the figure{}; leave the prediction out or make a new one",
-                                               plotted.prediction.method, to_text(abscissa), hint));
+  throw InputError(plotted.source,
+                   fmt::format("the prediction by {} lacks the setting \"{}\", which is the abscissa of the "
+                               "figure{}; leave the prediction out, or predict again with beadswim-theory",
+                               plotted.prediction.method, to_text(abscissa), hint));
 }
 
 double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
@@ -80,11 +82,9 @@ double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa
   if (abscissa == Abscissa::period) return run.record.driving.period;
   if (abscissa == Abscissa::separation_ratio) return separation_of(run, swimmer, cycle);
   if (const auto number = driving_number(run.record, abscissa)) return *number;
-  throw InputError(
-      run.source,
-      fmt::format(
-          "the record lacks the {}; leave the run out of this figure, or draw it with --against cycle",
-          axis_label(abscissa, run.record.units).quantity));
+  throw InputError(run.source, fmt::format("the run record lacks the {}, the abscissa of the figure; leave "
+                                           "the run out, or draw the figure with --against cycle",
+                                           axis_label(abscissa, run.record.units).quantity));
 }
 
 std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa) {

@@ -7,7 +7,7 @@
 #include "beadswim/figure/figure.hpp"
 #include "plot_inputs.hpp"
 
-// Abscissas of figures that show runs and predictions.
+// Quantities on the horizontal axis of figures that show runs and predictions.
 
 namespace beadswim {
 
@@ -18,7 +18,7 @@ enum class Abscissa {
   phase,             ///< driving phase α [rad]
 };
 
-/// Keys of the abscissas in the settings of a prediction.
+/// Keys under which the settings of a prediction contain these quantities.
 template <>
 inline constexpr auto name_table<Abscissa> =
     std::to_array<NamedValue<Abscissa>>({{Abscissa::period, "period"},
@@ -28,17 +28,18 @@ inline constexpr auto name_table<Abscissa> =
 
 AxisLabel axis_label(Abscissa abscissa, const Units& units);
 
-/// Returns the number, or the text, with this key in the settings of a prediction. Returns no value if there
-/// is none.
+/// Return the number, or the text, with this key in the settings of a prediction; nullopt if the settings do
+/// not contain the key.
 std::optional<double> number_setting(const Prediction& prediction, const std::string& key);
 std::optional<std::string> text_setting(const Prediction& prediction, const std::string& key);
 
-/// Returns the abscissa of a prediction. Throws InputError if its settings do not contain the abscissa.
+/// Returns the value on the horizontal axis for a prediction. Throws InputError if the settings of the
+/// prediction do not contain this quantity.
 double abscissa_of(const PlottedPrediction& plotted, Abscissa abscissa);
 
-/// Returns the abscissa of a swimmer in a run. The separation ratio is the smaller mean arm length in the
-/// chosen cycles, divided by the smallest bead radius. Throws InputError if the run record does not contain
-/// the abscissa. Records of models without a lattice do not contain the bead radius.
+/// Returns the value on the horizontal axis for a swimmer in a run. The separation ratio is the smaller mean
+/// arm length in the chosen cycles, divided by the smallest bead radius. Throws InputError if the run record
+/// does not contain the quantity. Records of models without a lattice do not contain the bead radius.
 double abscissa_of(const PlottedRun& run, const SwimmerRecord& swimmer, Abscissa abscissa,
                    const CycleChoice& cycle);
 
@@ -47,14 +48,14 @@ struct PlacedPrediction {
   PlottedPrediction plotted;
 };
 
-/// Predictions by one method in order of the abscissa.
+/// Predictions by one method, sorted by the value on the horizontal axis.
 struct MethodPredictions {
   std::string method;
   std::vector<PlacedPrediction> predictions;
 };
 
-/// Returns the predictions of each method in inputs.methods, in this order. Throws InputError if a prediction
-/// does not state its abscissa.
+/// Returns the predictions of each method in inputs.methods, in this order. Throws InputError if the settings
+/// of a prediction do not contain the quantity on the horizontal axis.
 std::vector<MethodPredictions> predictions_by_method(const PlotInputs& inputs, Abscissa abscissa);
 
 }  // namespace beadswim

@@ -13,33 +13,35 @@ CLI::Validator last_or_whole_number() {
   const auto fault = [](const std::string& text) {
     return text == "last" || id_or_frame_number()(text).empty()
                ? std::string{}
-               : fmt::format("\"{}\": must be \"last\" or a whole number, 0 or greater", text);
+               : fmt::format("\"{}\": the frame must be \"last\" or a whole number, 0 or greater", text);
   };
   return CLI::Validator(fault, "");
 }
 
-/// Parses "A=3". Throws InputError if the text has another form.
+/// Parses a mark NAME=ID, such as "A=3". Throws InputError if the text has another form.
 SwimmerMark parse_mark(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   const std::string id = sign == std::string::npos ? "" : text.substr(sign + 1);
   if (sign == 0 || !id_or_frame_number()(id).empty())
-    throw InputError("--mark", fmt::format("\"{}\": must be a name and a swimmer's id, such as A=3", text));
+    throw InputError("--mark", fmt::format("\"{}\": must be a label and a swimmer's id, such as A=3", text));
   return {text.substr(0, sign), std::stoi(id)};
 }
 
 }  // namespace
 
 void add_methods(CLI::App& command, std::vector<std::string>& methods) {
-  command.add_option("--method", methods, "Methods of each prediction to draw, in this order, or all")
+  command
+      .add_option("--method", methods, "Theory methods whose predictions are drawn, in this order, or all")
       ->type_name("NAME,...")
       ->delimiter(',')
-      ->default_str("the best usable");
+      ->default_str("the best usable method");
 }
 
 void add_cycle(CLI::App& command, std::string& cycle) {
   command
       .add_option("--cycle", cycle,
-                  "Cycle of each run: the last, the Nth from the start, or the mean of the last N")
+                  "Driving cycle of each run that is drawn: the last, cycle number N (the first is 1), or "
+                  "the mean over the last N cycles")
       ->type_name("last|N|mean:N");
 }
 
@@ -61,7 +63,7 @@ void add_frame(CLI::App& command, std::optional<std::size_t>& frame) {
             frame.reset();
             if (text != "last") frame = std::stoul(text);
           },
-          "Frame of a trajectory, counted from 0")
+          "Number of the trajectory frame to draw, counted from 0")
       ->type_name("last|N")
       ->check(last_or_whole_number())
       ->default_str("last");
@@ -74,7 +76,7 @@ void add_marks(CLI::App& command, std::vector<SwimmerMark>& marks) {
           [&marks](const std::vector<std::string>& texts) {
             for (const std::string& text : texts) marks.push_back(parse_mark(text));
           },
-          "Names to write at swimmers, by id.")
+          "Names to write beside swimmers, each with the id of its swimmer, for example A=3.")
       ->type_name("NAME=ID,...")
       ->delimiter(',')
       ->default_str("none");

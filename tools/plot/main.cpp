@@ -16,11 +16,9 @@ using namespace beadswim;
 
 void require_figure_path(const std::string& path) {
   if (path == "-" || path.ends_with(".svg") || path.ends_with(".png")) return;
-  throw InputError(
-      "--output",
-      fmt::format(
-          "\"{}\" ends in neither .svg nor .png; name a file that does, or - for SVG on standard output",
-          path));
+  throw InputError("--output", fmt::format("the file name \"{}\" ends in neither .svg nor .png; give a name "
+                                           "with one of these endings, or - for SVG on standard output",
+                                           path));
 }
 
 int run(int argc, const char* const* argv) {

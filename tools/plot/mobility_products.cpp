@@ -13,19 +13,21 @@
 namespace beadswim {
 namespace {
 
-/// Reads measurements of beadswim-bench. Throws InputError if they do not contain products of a mobility.
+/// Reads measurements of beadswim-bench. Throws InputError if the file does not contain measurements of
+/// mobility products.
 Json read_products(const std::string& path) {
   const std::string source = path == "-" ? "standard input" : path;
   const Json document = parse_json(read_text(path), source);
   validate_json(document, "bench", source);
   if (!document.contains("mobility_products"))
-    throw InputError(
-        source,
-        "the document has no \"mobility_products\"; make one with beadswim-bench --json --beads N,...");
+    throw InputError(source,
+                     "the document has no key \"mobility_products\"; make a document with mobility products "
+                     "by beadswim-bench --json --beads N,...");
   return document;
 }
 
-/// Returns the series with this label, which it adds to the panel if there is none.
+/// Returns the series of the panel that has this label. If there is none, adds an empty series with this
+/// label first.
 Series& series_named(const std::string& label, Panel& panel) {
   const auto found = std::ranges::find(panel.series, label, &Series::label);
   if (found != panel.series.end()) return *found;
@@ -38,7 +40,7 @@ Series& series_named(const std::string& label, Panel& panel) {
   return panel.series.back();
 }
 
-/// Returns the processors and tolerances of all measurements.
+/// Returns a note for the figure that lists the processors and tolerances of all measurements.
 Note measurements_note(const std::vector<Json>& documents) {
   std::set<std::string> processors;
   std::vector<double> tolerances;

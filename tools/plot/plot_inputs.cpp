@@ -33,14 +33,13 @@ void require_same_units(const std::vector<SourceDocument>& documents) {
   const SourceDocument& first = documents.front();
   for (const SourceDocument& other : documents) {
     if (same_units(units_of(first.document), units_of(other.document))) continue;
-    throw InputError(
-        other.source,
-        fmt::format("the units differ from those of {}; all files of a figure must have the same units",
-                    first.source));
+    throw InputError(other.source, fmt::format("the units of this file differ from the units of {}; all "
+                                               "files of a figure must have the same units",
+                                               first.source));
   }
 }
 
-/// Returns the best usable prediction, which beadswim-compare would choose.
+/// Returns the usable prediction with the best method, in the order of preference of beadswim-compare.
 Prediction best_prediction(const PredictionDocument& document, const std::string& source) {
   std::vector<Reference> references;
   for (const Prediction& prediction : document.predictions) {
@@ -56,7 +55,7 @@ Prediction best_prediction(const PredictionDocument& document, const std::string
   return document.predictions[*best];
 }
 
-/// Appends the predictions by these methods, in the order of `methods`.
+/// Appends the predictions by the methods in `methods`, in this order, to `result`.
 void append_named(const PredictionDocument& document, const std::string& source, const Names& methods,
                   std::vector<PlottedPrediction>& result) {
   for (const std::string& method : methods) {
@@ -66,7 +65,7 @@ void append_named(const PredictionDocument& document, const std::string& source,
   }
 }
 
-/// Returns the methods in the order of their first predictions.
+/// Returns the names of all methods, in the order of their first predictions.
 Names methods_of(const std::vector<PlottedPrediction>& predictions) {
   Names methods;
   for (const PlottedPrediction& plotted : predictions) {
@@ -87,19 +86,21 @@ Names methods_in(const std::vector<SourceDocument>& documents) {
   return methods;
 }
 
-/// Throws InputError if no prediction has the method. `flag` is the flag that names the method.
+/// Throws InputError if no prediction was made by the method. `flag`: flag that names the method, for the
+/// message.
 void require_known(const std::string& method, const std::string& flag, const Names& known) {
   if (contains(known, method)) return;
   if (known.empty()) {
-    throw InputError(
-        flag,
-        fmt::format("the method \"{}\" selects from prediction files, but no prediction file is given; add one (beadswim-theory)", method));
+    throw InputError(flag, fmt::format("the method \"{}\" selects from prediction files, but no prediction "
+                                       "file is given; add a prediction file (beadswim-theory)",
+                                       method));
   }
-  throw InputError(flag, fmt::format("no prediction has the method \"{}\"{} The predictions have {}", method,
-                                     format_suggestion(method, known), fmt::join(known, ", ")));
+  throw InputError(
+      flag, fmt::format("no prediction has the method \"{}\"{} The predictions have the methods {}", method,
+                        format_suggestion(method, known), fmt::join(known, ", ")));
 }
 
-/// Replaces "all" by the known methods. Throws InputError if a method is not known.
+/// Replaces the method name "all" by all known methods. Throws InputError if a named method is not known.
 MethodChoice resolve_methods(MethodChoice choice, const Names& known) {
   if (choice.methods == Names{all_methods}) choice.methods = known;
   for (const std::string& method : choice.methods) require_known(method, "--method", known);
@@ -116,9 +117,9 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
   for (const std::string& path : files) {
     for (const auto& [source, json] : read_json_documents(path, "a run record or a prediction")) {
       if (schema_of(json).starts_with("beadswim/verdict/"))
-        throw InputError(
-            source,
-            "the document is a verdict; verdicts are drawn only by speed-against-error without --reference");
+        throw InputError(source,
+                         "the document is a verdict, but only beadswim-plot speed-against-error without "
+                         "--reference draws verdicts; leave this file out");
       documents.push_back({source, swimming_from_json(json, source)});
     }
   }

@@ -21,7 +21,8 @@ struct PlottedPrediction {
   Prediction prediction;
 };
 
-/// Inputs of a figure. All have the same units. Each list is in the order of the command line.
+/// Run records and predictions that a figure shows, with their common units. Each list is in the order of the
+/// command line.
 struct PlotInputs {
   Units units;
   std::vector<PlottedRun> runs;
@@ -35,8 +36,9 @@ struct MethodChoice {
   std::string relative_to{};           ///< method of the references; empty: no references
 };
 
-/// Reads run records and predictions. A file contains one document, or one document per line. Throws
-/// InputError if a document is invalid, if units differ, or if no prediction has a method of `choice`.
+/// Reads run records and predictions from files, which contain one document, or one document per line. Throws
+/// InputError if a document is invalid, if units differ, or if no prediction was made by a method that
+/// `choice` names.
 PlotInputs read_plot_inputs(const std::vector<std::string>& files, const MethodChoice& choice);
 
 }  // namespace beadswim

@@ -15,14 +15,15 @@ namespace {
 struct Parameter {
   const char* key;
   const char* symbol;
-  const char* unit = "";  ///< with a space before it
+  const char* unit = "";  ///< begins with a space
 };
 
 constexpr std::array parameters{Parameter{"period", "T"}, Parameter{"separation_ratio", "l/λ"},
                                 Parameter{"amplitude", "A"}, Parameter{"amplitude_ratio", "A/B"},
                                 Parameter{.key = "phase", .symbol = "α", .unit = " rad"}};
 
-/// Returns "T = 4800" or "T = 1000 to 10000"; an empty text if a prediction does not state the parameter.
+/// Returns a parameter and its range, "T = 4800" or "T = 1000 to 10000". Returns an empty text if a
+/// prediction does not state the parameter.
 std::string parameter_text(const std::vector<PlottedPrediction>& predictions, const Parameter& parameter) {
   std::vector<double> values;
   for (const PlottedPrediction& plotted : predictions) {
@@ -33,7 +34,8 @@ std::string parameter_text(const std::vector<PlottedPrediction>& predictions, co
   return fmt::format("{} = {}{}", parameter.symbol, range_text(values, 4), parameter.unit);
 }
 
-/// Returns the fluid of the predictions: "unbounded fluid; inertia-corrected in the layout's box".
+/// Returns the fluid for which predictions were made, for example "unbounded fluid; inertia-corrected in the
+/// layout's box".
 std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
   std::set<std::string> boxed, open;
   for (const PlottedPrediction& plotted : predictions) {
@@ -46,7 +48,7 @@ std::string fluid_text(const std::vector<PlottedPrediction>& predictions) {
   return fmt::format("unbounded fluid; {} in the layout's box", summarise_names(boxed, "methods"));
 }
 
-/// Returns the range of a number of the runs. Omits runs that do not have it.
+/// Returns the range of a quantity over all runs that have it.
 std::string run_range(const PlotInputs& inputs, int digits,
                       const std::function<std::optional<double>(const RunRecord&)>& number) {
   std::vector<double> numbers;
@@ -56,11 +58,12 @@ std::string run_range(const PlotInputs& inputs, int digits,
   return range_text(numbers, digits);
 }
 
-/// Model, bead boundary, resolution, relaxation time, precision and box of a run; empty where it has none.
+/// Texts for model, bead boundary, resolution, relaxation time, precision and box of a run; a text is empty
+/// if the run has no such setting.
 using SettingTexts = std::array<std::string, 6>;
 
-/// Returns the settings of a run. The relaxation time has only two digits: runs fit it to the period, so that
-/// it differs slightly between runs for which the same relaxation time was requested.
+/// Returns the settings of a run as texts. The relaxation time has only two digits, because each run adjusts
+/// the requested value slightly to its period.
 SettingTexts setting_of(const RunRecord& record) {
   SettingTexts setting{record.model};
   if (const auto& resolution = record.resolution) {
@@ -76,7 +79,7 @@ SettingTexts setting_of(const RunRecord& record) {
   return setting;
 }
 
-/// Returns a setting that all runs share; an empty text if it differs between runs.
+/// Returns the text of the setting at this position if all runs have the same; otherwise an empty text.
 std::string shared_setting(const PlotInputs& inputs, std::size_t position) {
   const std::string first = setting_of(inputs.runs.front().record)[position];
   const auto is_first = [&](const PlottedRun& run) { return setting_of(run.record)[position] == first; };

@@ -25,23 +25,25 @@ struct RunGroup {
 /// Returns the groups in the order of their first runs.
 std::vector<RunGroup> runs_by_setting(const PlotInputs& inputs);
 
-/// Returns a note on the parameters of all runs, with the ranges of numbers: "Runs: T = 1000 to 10000, ...".
-/// Omits the parameter that is the abscissa, and settings that differ between runs, which labels contain.
-/// Returns no text if there is no run.
+/// Returns a note that states the parameters of all runs, with ranges where they differ: "Runs: T = 1000 to
+/// 10000, ...". Omits the parameter on the horizontal axis, and settings that differ between runs, because
+/// the labels of the runs state these settings. Returns an empty note if there is no run.
 Note run_note(const PlotInputs& inputs, std::optional<Abscissa> abscissa);
 
-/// Returns notes on the predictions: their parameters except the abscissa, with the ranges of numbers, for
-/// example "Predictions: T = 4800, A/B = 1"; and a second note if some predictions are not usable. Omits
-/// parameters that a prediction does not state.
+/// Returns notes on the predictions. The first note states their parameters, with ranges where they differ,
+/// for example "Predictions: T = 4800, A/B = 1". It omits the parameter on the horizontal axis and parameters
+/// that a prediction does not state. A second note follows if some predictions are not usable.
 std::vector<Note> prediction_notes(const PlotInputs& inputs, Abscissa abscissa);
 
-/// Returns a note on what the marks of runs and the lines of predictions show together.
+/// Returns a note that explains marks (runs) and lines (predictions) of the figure.
 Note reading_note(const PlotInputs& inputs);
 
-/// Returns "a, b", or "5 methods" if there are more than three names. `plural` is "methods" here.
+/// Returns the names joined by commas, or their number if there are more than three, for example "5 methods".
+/// `plural`: the word after the number.
 std::string summarise_names(const std::set<std::string>& names, const std::string& plural);
 
-/// Returns the range of numbers with so many significant digits: "4800", or "1000 to 10000".
+/// Returns the range of the numbers, for example "4800" or "1000 to 10000". `digits`: number of significant
+/// digits.
 std::string range_text(const std::vector<double>& numbers, int digits);
 
 }  // namespace beadswim

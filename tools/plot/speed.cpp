@@ -16,10 +16,11 @@
 #include "plot_inputs.hpp"
 #include "verdicts.hpp"
 
-// Figures of the errors of velocity and arm amplitudes as functions of the core-seconds per period. A line
-// joins the runs of one setting in order of their resolution. A setting is a model, or a bead boundary,
-// relaxation time and precision. Runs with equal setting and resolution, for example at several positions
-// within a cell, are one point: the root mean square of their errors and the median of their costs.
+// Figures of the errors of velocity and arm amplitudes against the cost of runs in core-seconds per period.
+// A line joins lattice runs with equal bead boundary, relaxation time and precision, in order of their
+// resolution. Runs that are equal in resolution, too, for example at several positions within a cell, are
+// drawn as one point: the root mean square of their errors and the median of their costs. The same holds for
+// runs with equal mobility model.
 
 namespace beadswim {
 namespace {
@@ -30,14 +31,14 @@ struct SpeedFlags {
   std::string reference;  ///< file of the run or prediction relative to which errors are measured
 };
 
-/// Values relative to which errors are measured: a prediction of one swimmer, or all swimmers of a run.
+/// Reference values for the errors of runs: a prediction for one swimmer, or all swimmers of a run.
 struct ErrorReference {
   std::string name;
   std::vector<ComparedValues> swimmers;  ///< one element for all swimmers, or one per swimmer of a run
   std::map<ComparedQuantity, double> uncertainty;  ///< relative; contains only known uncertainties
 };
 
-/// Returns true if two runs have the same box, driving and swimmers according to their records.
+/// Returns true if two run records have the same box, the same driving and the same swimmer ids.
 bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
   return a.driving == b.driving && a.domain == b.domain &&
          std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
@@ -45,13 +46,13 @@ bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
 
 void require_one_scene(const PlottedRun& run, const PlottedRun& other) {
   if (are_of_one_scene(run.record, other.record)) return;
-  throw InputError(run.source, fmt::format("the scene (box, driving or swimmers) differs from that of {}; "
-                                           "all files of this figure must have the same scene",
+  throw InputError(run.source, fmt::format("the scene (box, driving or swimmers) differs from the scene of "
+                                           "{}; all files of this figure must have the same scene",
                                            other.source));
 }
 
-/// Returns the reference that a run gives. Throws InputError if the scene of the run differs from the scene
-/// of `first`.
+/// Returns the velocity and stroke of a run as the reference for errors. Throws InputError if this run and
+/// the run `first` have different scenes.
 ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, const CycleChoice& cycle) {
   require_one_scene(run, first);
   const RunRecord& record = run.record;
@@ -65,14 +66,15 @@ ErrorReference reference_of(const PlottedRun& run, const PlottedRun& first, cons
   return reference;
 }
 
-/// Returns the reference that a prediction gives. Throws InputError if its period differs from the period of
-/// `first`.
+/// Returns the velocity and stroke of a prediction as the reference for errors. Throws InputError if the
+/// driving periods of the prediction and of the run `first` differ.
 ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& first) {
   const auto period = number_setting(best.prediction, "period");
   if (period && *period != first.record.driving.period) {
-    throw InputError(best.source, fmt::format("the prediction is for a period of {:g}, but {} has the period "
-                                              "{:g}; use runs and a prediction of one period",
-                                              *period, first.source, first.record.driving.period));
+    throw InputError(best.source,
+                     fmt::format("the prediction is for a period of {:g}, but the run {} has the period "
+                                 "{:g}; use runs and a prediction with the same period",
+                                 *period, first.source, first.record.driving.period));
   }
   ErrorReference reference{
       .name = best.prediction.method, .swimmers = {swimming_of(best.prediction)}, .uncertainty = {}};
@@ -96,13 +98,14 @@ ErrorReference read_reference(const PlotInputs& inputs, const SpeedFlags& flags,
   if (!same_units(read.units, inputs.units))
     throw InputError(
         flags.reference,
-        fmt::format("the units differ from those of {}; make both files from one layout", first.source));
+        fmt::format("the units of the reference differ from the units of {}; make both files from one layout",
+                    first.source));
   return read.runs.empty() ? reference_of(read.predictions.front(), first)
                            : reference_of(read.runs.front(), first, cycle);
 }
 
-/// Returns the number of periods of a run. For a run with a lattice it may be a fraction, because the record
-/// states the cell updates; otherwise it is the number of complete cycles.
+/// Returns the number of driving periods that a run has completed. For a lattice run it is a fraction,
+/// computed from the number of cell updates; for other runs it is the number of complete cycles.
 double periods_done(const RunRecord& record) {
   if (!record.resolution || !record.domain || !record.cost->cell_updates) {
     const std::vector<CycleStatistics>& cycles = record.swimmers.front().cycles;
@@ -113,16 +116,18 @@ double periods_done(const RunRecord& record) {
          (cells * static_cast<double>(record.resolution->steps_per_cycle));
 }
 
-/// Returns the core-seconds per period.
+/// Returns the cost of a run in core-seconds per driving period.
 double cost_of(const PlottedRun& run) {
   if (!run.record.cost) {
     throw InputError(run.source,
-                     "the record has no cost, for example because of --no-provenance; leave this file out");
+                     "the run record does not contain the cost of the run, for example because of "
+                     "--no-provenance; leave this file out");
   }
   return run.record.cost->core_seconds / periods_done(run.record);
 }
 
-/// Returns the settings of a run except its resolution: "mr, τ = 1.5, single".
+/// Returns the settings of a run except its resolution, for example "mr, τ = 1.5, single" (bead boundary,
+/// relaxation time, precision).
 std::string setting_name(const RunRecord& record) {
   if (!record.resolution) return record.model;
   return fmt::format("{}, τ = {:g}, {}", record.resolution->bead_boundary,
@@ -130,13 +135,13 @@ std::string setting_name(const RunRecord& record) {
                      record.resolution->precision);
 }
 
-/// Throws InputError if the runs differ in the radius or the density of the beads on the lattice, which the
-/// corrections of radius and delay change.
+/// Throws InputError if two runs use different bead radii or densities on the lattice. The flags
+/// --radius-correction and --delay-correction change these values.
 void require_same_corrections(const PlottedRun& run, const PlottedRun& other) {
   const auto &a = run.record.resolution, &b = other.record.resolution;
   if (!a || (a->radius_on_lattice == b->radius_on_lattice && a->density_on_lattice == b->density_on_lattice))
     return;
-  throw InputError(run.source, fmt::format("the run differs from {} only in --radius-correction or "
+  throw InputError(run.source, fmt::format("this run differs from the run {} only in --radius-correction or "
                                            "--delay-correction; draw the two runs in separate figures",
                                            other.source));
 }
@@ -192,8 +197,9 @@ std::string resolutions_note(const std::vector<ErrorsOfSetting>& all) {
 
 Figure speed_figure(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
   if (inputs.runs.empty() || !inputs.predictions.empty()) {
-    throw InputError("speed-against-error",
-                     "this figure draws only runs; name a prediction with --reference");
+    throw InputError(
+        "speed-against-error",
+        "this figure draws only run records; name run records as files, and a prediction with --reference");
   }
   const ErrorReference reference = read_reference(inputs, flags, cycle);
   const auto all = errors_by_setting(costed_runs(inputs, cycle), reference.swimmers);
@@ -213,9 +219,9 @@ Drawing add_speed_flags(CLI::App& command) {
   add_cycle(command, flags->cycle);
   command
       .add_option("--reference", flags->reference,
-                  "Prediction (its best usable method, or --method) or run record of the same scene from "
-                  "which errors "
-                  "of runs are measured; required for runs")
+                  "Prediction or run record of the same scene, relative to which the errors of runs are "
+                  "measured; required if FILES are run records. Of a prediction, --method or else the best "
+                  "usable method is used")
       ->type_name("FILE")
       ->default_str("none");
   return [flags](const PlotFiles& files) {
@@ -226,7 +232,8 @@ Drawing add_speed_flags(CLI::App& command) {
     }
     if (flags->cycle != SpeedFlags().cycle) {
       throw InputError("--cycle",
-                       "each verdict fixes its own cycle; leave the flag out, or draw runs with --reference");
+                       "each verdict already states which cycle was compared; leave --cycle out, or draw run "
+                       "records with --reference instead of verdicts");
     }
     return figure_to_svg(verdict_figure(files.inputs, flags->methods));
   };

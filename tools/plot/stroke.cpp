@@ -11,7 +11,8 @@
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 
-// Figures of the arm amplitudes and of sin(δ₁ - δ₂), as functions of the cycle or of a driving parameter.
+// Figures of the arm amplitudes and of the sine of the phase shift, sin(δ₁ - δ₂), against the cycle or a
+// driving parameter.
 
 namespace beadswim {
 namespace {
@@ -57,13 +58,13 @@ CycleRange cycles_of(const PlotInputs& inputs) {
   }
   if (range.first == 0) {
     throw InputError("stroke",
-                     "no run with a complete cycle is given; add a run record, or draw predictions with "
-                     "--against amplitude-ratio or phase");
+                     "no run with a complete cycle is given; add the record of such a run, or draw "
+                     "predictions with --against amplitude-ratio or phase");
   }
   return range;
 }
 
-/// Returns one point per cycle of each swimmer of a run.
+/// Returns one point for each swimmer of a run in each cycle.
 PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, const StrokeNumber& number) {
   PointGroup points{number.label(run_label(inputs, run))};
   for (const SwimmerRecord& swimmer : run.record.swimmers) {
@@ -75,7 +76,8 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
   return points;
 }
 
-/// Draws predictions as horizontal lines, which extend beyond the first and the last cycle.
+/// Returns the panel with the cycle on the horizontal axis. Predictions are horizontal lines that extend
+/// beyond the first and the last cycle.
 Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label) {
   constexpr double overhang = 0.4;  // [cycles]
   const CycleRange cycles = cycles_of(inputs);
@@ -92,7 +94,7 @@ Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, con
   return panel;
 }
 
-/// The x axis of the panels, and the cycle of each run that is drawn.
+/// Quantity on the horizontal axis of the panels, and the cycle of each run whose stroke is drawn.
 struct Sweep {
   Abscissa abscissa;
   CycleChoice cycle;
@@ -169,7 +171,8 @@ Drawing add_stroke_flags(CLI::App& command) {
   add_methods(command, flags->methods);
   add_cycle(command, flags->cycle);
   add_word(command, "--against", {"cycle", "amplitude-ratio", "phase"}, "cycle",
-           "Abscissa: cycle (predictions are level lines), amplitude-ratio A/B or phase alpha of the driving",
+           "Quantity on the horizontal axis: the cycle (predictions are then horizontal lines), the ratio "
+           "A/B of the driving amplitudes, or the driving phase alpha",
            [flags](const std::string& word) {
              flags->against.reset();
              if (word != "cycle")

@@ -30,7 +30,7 @@ namespace {
 struct SwarmFlags {
   std::optional<std::size_t> frame{};  ///< counted from 0; no value: the last frame
   SwarmColours colours = SwarmColours::blocks;
-  /// Number of swimmers in a block along x, y, z; or one number, for blocks of swimmers in order of id.
+  /// Number of swimmers in a block along x, y, z; or one number, for blocks of swimmers with consecutive ids.
   std::vector<int> block_swimmers{1, 3, 3};
   std::array<int, 3> repeat{1, 1, 1};  ///< periodic copies along each axis
   std::vector<SwimmerMark> marks{};
@@ -39,16 +39,14 @@ struct SwarmFlags {
 
 using Triple = std::array<int, 3>;  // numbers along x, y, z
 
-constexpr std::size_t max_swimmers = 200000;  // keeps the document below about 50 MB
+constexpr std::size_t max_swimmers = 200000;  // keeps the SVG file below about 50 MB
 
 void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
   for (int a = 0; a < 3; ++a) {
     if (repeat[a] == 1 || scene.is_periodic(a)) continue;
-    throw InputError(
-        "--repeat",
-        fmt::format(
-            "{} copies along {} are not possible, because the box of {} is not periodic there; give 1",
-            repeat[a], "xyz"[a], scene.source));
+    throw InputError("--repeat", fmt::format("{} copies along {} are not possible, because the box of {} is "
+                                             "not periodic along this axis; give 1 for this axis",
+                                             repeat[a], "xyz"[a], scene.source));
   }
   const double swimmers = static_cast<double>(scene.swimmers.size()) * repeat[0] * repeat[1] * repeat[2];
   if (swimmers > static_cast<double>(max_swimmers)) {
@@ -59,7 +57,7 @@ void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
   }
 }
 
-/// The swarm of the file, of which periodic copies are drawn.
+/// The swarm in the file, with its layers of swimmers. The figure shows periodic copies of this swarm.
 struct Cell {
   const SwarmScene& scene;
   std::vector<Layer> layers;  ///< per swimmer: indices of its layers in the layout along x, y, z
@@ -99,7 +97,7 @@ int colour_of(const Cell& cell, std::size_t swimmer, const Triple& copy, const L
   return 0;
 }
 
-/// Returns the swimmers of the swarm and of its periodic copies.
+/// Returns the swimmers of the swarm and of all its periodic copies.
 std::vector<PicturedSwimmer> copies_of(const Cell& cell, const SwarmFlags& options) {
   std::vector<PicturedSwimmer> drawn;
   const auto& [nx, ny, nz] = options.repeat;
@@ -124,7 +122,7 @@ std::vector<PictureKey> keys(const Layout& layout, SwarmColours colours) {
   return keys;
 }
 
-/// Returns the marks, which are at the middle beads of the first copy of the swarm.
+/// Returns the names to draw, at the middle beads of the swimmers in the first copy of the swarm.
 std::vector<PictureMark> marks(const Cell& cell, const std::vector<SwimmerMark>& wanted) {
   std::vector<int> ids;
   for (std::size_t s = 0; s < cell.scene.swimmers.size(); ++s) ids.push_back(cell.in_layout(s).id);
@@ -153,8 +151,8 @@ std::string scene_text(const SwarmScene& scene, const Triple& repeat) {
   return note + fmt::format(" ({})", unit_names(scene.layout.units));
 }
 
-/// Returns the parameters of all types in one text, with the ranges of numbers, and the number of swimmers
-/// that have their own driving.
+/// Returns a text with the parameters of all swimmer types, as ranges where they differ, and with the number
+/// of swimmers that have individual driving.
 std::string summarise_types(const Layout& layout) {
   std::vector<double> radii, lengths, stiffnesses, amplitudes, periods;
   for (const auto& [name, type] : layout.types) {
@@ -196,25 +194,29 @@ Note colours_note(SwarmColours colours) {
 std::vector<PictureDistance> distances(const SwarmScene& scene, const std::vector<PicturedSwimmer>& swimmers,
                                        const std::vector<int>& block_swimmers) {
   if (!scene.is_layout) {
-    throw InputError(
-        "--distances",
-        fmt::format("{} is a trajectory, in which the swimmers have moved; give the layout", scene.source));
+    throw InputError("--distances",
+                     fmt::format("distances between neighbours are drawn only for a layout, but {} is a "
+                                 "trajectory, in which the swimmers have moved; give the layout",
+                                 scene.source));
   }
   if (block_swimmers.size() != 3)
     throw InputError("--distances",
-                     "blocks of swimmers by id have no axes; give --block-swimmers as NX,NY,NZ");
+                     "distances between neighbours along an axis need the number of swimmers of a block "
+                     "along each axis; give --block-swimmers as NX,NY,NZ");
   auto found = swarm_distances(swimmers, block_swimmers);
   if (!found.empty()) return found;
-  throw InputError(
-      "--distances",
-      "no swimmer has a neighbour along an axis; draw periodic copies too, for example with --repeat 2,2,2");
+  throw InputError("--distances",
+                   "there is no distance to draw, because no swimmer has a neighbour along an axis; draw "
+                   "periodic copies too, for example with --repeat 2,2,2");
 }
 
 SwarmPicture swarm_figure(const std::vector<std::string>& files, const SwarmFlags& options) {
   if (files.size() != 1) {
     throw InputError(
-        "FILES", fmt::format("{} files are given; a swarm is drawn from one layout or one trajectory (.h5md)",
-                             files.size()));
+        "FILES",
+        fmt::format(
+            "{} files are given; a swarm is drawn from one layout or one trajectory (.h5md); give one file",
+            files.size()));
   }
   const SwarmScene scene = read_swarm_scene(files.front(), options.frame);
   const Triple& repeat = options.repeat;
@@ -238,12 +240,14 @@ Drawing add_swarm_flags(CLI::App& command) {
   const auto options = std::make_shared<SwarmFlags>();
   add_frame(command, options->frame);
   add_choice(command, "--colours", options->colours,
-             "Colours by blocks of --block-swimmers (as a checkerboard), by swimmers, or by types");
+             "Property that decides the colour of a swimmer: its block (--block-swimmers; adjacent blocks "
+             "differ), its id, or its type");
   command
       .add_option_function<std::string>(
           "--block-swimmers",
           [options](const std::string& text) { options->block_swimmers = parse_whole_numbers(text); },
-          "Swimmers per block along x, y, z by layers of the layout, or in all by ids")
+          "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
+          "consecutive ids)")
       ->type_name("NX,NY,NZ|N")
       ->check(number_list({1, 3}, whole_positive()))
       ->default_str("1,3,3");
@@ -253,13 +257,14 @@ Drawing add_swarm_flags(CLI::App& command) {
           [options](const std::string& text) {
             std::ranges::copy(parse_whole_numbers(text), options->repeat.begin());
           },
-          "Periodic copies of the box to draw along x, y, z")
+          "Number of periodic copies of the box to draw along x, y, z, the box itself included")
       ->type_name("NX,NY,NZ")
       ->check(number_list({3}, whole_positive()))
       ->default_str("1,1,1");
   add_marks(command, options->marks);
   command.add_flag("--distances", options->distances,
-                   "Draw in a layout the distances C between neighbours of a block and D between blocks.");
+                   "Draw the distances C between neighbouring swimmers of a block and D between adjacent "
+                   "blocks; for layouts only.");
   return [options](const PlotFiles& files) {
     return swarm_picture_to_svg(swarm_figure(files.inputs, *options));
   };

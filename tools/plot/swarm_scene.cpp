@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-/// Returns true if the name of the file ends as the name of a trajectory, or if the file is HDF5.
+/// Returns true if the file name has the ending of a trajectory, or if the file is in HDF5 format.
 bool is_trajectory(const std::string& path) {
   if (path.ends_with(".h5md") || path.ends_with(".h5md.part")) return true;
   const std::string signature = "\x89HDF";
@@ -27,8 +27,8 @@ std::size_t select_frame(const TrajectoryFile& file, std::optional<std::size_t> 
   const std::size_t last = file.reader.frames() - 1;
   const std::size_t frame = wanted.value_or(last);
   if (frame <= last) return frame;
-  throw InputError("--frame",
-                   fmt::format("there is no frame {} in {}; the last frame is {}", frame, file.source, last));
+  throw InputError("--frame", fmt::format("there is no frame {} in {}; give a frame from 0 to {}", frame,
+                                          file.source, last));
 }
 
 SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wanted) {

@@ -19,7 +19,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns the swimmer with this id, or the first swimmer without an id. Throws InputError if there is none.
+/// Returns the swimmer with this id, or the first swimmer if `id` is nullopt. Throws InputError if no swimmer
+/// has this id.
 const Swimmer& find_swimmer(const Layout& layout, std::optional<int> id, const std::string& source) {
   if (!id) return layout.swimmers.front();
   const auto found = std::ranges::find(layout.swimmers, *id, &Swimmer::id);
@@ -29,7 +30,8 @@ const Swimmer& find_swimmer(const Layout& layout, std::optional<int> id, const s
   throw_unknown_swimmer("--swimmers", *id, ids, source);
 }
 
-/// Returns one label per value: "λ = 4", or "λ₁ = 4" if the values differ. `unit` follows the value.
+/// Returns one label for each value: "λ = 4" if all values are equal, otherwise "λ₁ = 4" with the number of
+/// the bead or arm. `unit`: text after the value.
 template <std::size_t Count>
 std::array<std::string, Count> labels(const std::string& symbol, const std::array<double, Count>& values,
                                       const std::string& unit) {
@@ -41,22 +43,22 @@ std::array<std::string, Count> labels(const std::string& symbol, const std::arra
   return labels;
 }
 
-/// Returns the formulas of the driving forces: (2.1) of the paper (Pickl et al. 2017), with the phase offset
-/// φ.
+/// Returns the formulas of the driving forces on the three beads: equation (2.1) of the paper (Pickl et al.
+/// 2017), with the phase offset φ.
 std::array<std::string, 3> force_labels(const Driving& driving) {
   const std::string offset = driving.phase_offset == 0 ? "" : " + φ";
   const std::string first = offset.empty() ? "A sin ωt" : fmt::format("A sin(ωt{})", offset);
   return {"F₁ = " + first, "F₂ = −F₁ − F₃", fmt::format("F₃ = B sin(ωt + α{})", offset)};
 }
 
-/// Returns the angle between the swimmer's axis and the driving forces [rad]. It is 0 except in the lab
-/// frame, in which forces are along x.
+/// Returns the angle between the swimmer's axis and the driving forces [rad]. It differs from 0 only in the
+/// lab frame, in which the forces are along the x axis.
 double force_angle(const Swimmer& swimmer, const Driving& driving) {
   if (driving.frame != DrivingFrame::lab) return 0;
   return std::acos(std::clamp(swimmer.axis.x(), -1.0, 1.0));
 }
 
-/// Returns the parameters of beads and springs that labels of the sketch do not contain.
+/// Returns a text with the parameters of beads and springs that the labels of the sketch do not show.
 std::string unlabelled_parameters(const SwimmerType& type) {
   std::vector<double> densities;
   for (const auto& bead : type.beads) densities.push_back(bead.density);
@@ -73,8 +75,9 @@ std::string fluid_text(const Layout& layout) {
 
 SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optional<int> id) {
   if (files.size() != 1)
-    throw InputError("FILES",
-                     fmt::format("{} files are given; a swimmer is drawn from one layout", files.size()));
+    throw InputError(
+        "FILES",
+        fmt::format("{} files are given; a swimmer is drawn from one layout; give one file", files.size()));
   const Layout layout = read_layout(files.front()).layout;
   const Swimmer& swimmer = find_swimmer(layout, id, source_name(files.front()));
   const SwimmerType type = layout.resolved_type(swimmer);
@@ -111,8 +114,9 @@ Drawing add_swimmer_flags(CLI::App& command) {
       ->type_name("ID");
   return [ids](const PlotFiles& files) {
     if (ids->size() > 1)
-      throw InputError("--swimmers",
-                       fmt::format("{} swimmers are given; a sketch shows one swimmer", ids->size()));
+      throw InputError(
+          "--swimmers",
+          fmt::format("{} swimmers are given; a sketch shows one swimmer; give one id", ids->size()));
     const auto id = ids->empty() ? std::nullopt : std::optional(ids->front());
     return swimmer_sketch_to_svg(swimmer_figure(files.inputs, id));
   };

@@ -25,7 +25,7 @@ struct TrajectoryFlags {
   int axis = 0;               ///< coordinate that is drawn: 0, 1, 2 for x, y, z
 };
 
-constexpr std::size_t max_curves = 12;  // more curves cannot be distinguished
+constexpr std::size_t max_curves = 12;  // readers cannot distinguish more curves
 
 std::vector<TrajectoryFile> open_all(const std::vector<std::string>& paths) {
   if (paths.empty()) throw InputError("FILES", "no file is given; name trajectories (.h5md) to draw");
@@ -45,8 +45,8 @@ std::vector<int> selected_swimmers(const TrajectoryFile& file, const TrajectoryF
   return options.swimmers.empty() ? file.swimmers() : options.swimmers;
 }
 
-/// Returns the index of a swimmer's first bead in the trajectory. Throws InputError if there is no such
-/// swimmer.
+/// Returns the index of the first bead of a swimmer in the trajectory. Throws InputError if the trajectory
+/// has no such swimmer.
 std::size_t first_bead_index(const TrajectoryFile& file, int swimmer) {
   const std::vector<int>& of_bead = file.reader.header().swimmer;
   const auto found = std::ranges::find(of_bead, swimmer);
@@ -54,7 +54,8 @@ std::size_t first_bead_index(const TrajectoryFile& file, int swimmer) {
   return static_cast<std::size_t>(found - of_bead.begin());
 }
 
-/// Returns a label such as "run, swimmer 0, bead 2". Omits the file and the bead if all curves share them.
+/// Returns the label of a curve, such as "run, swimmer 0, bead 2". Omits the file or the bead if all curves
+/// have the same.
 std::string curve_label(const TrajectoryFile& file, bool several_files, int swimmer, int bead,
                         bool several_beads) {
   std::string label = fmt::format("swimmer {}", swimmer);
@@ -96,7 +97,7 @@ std::string space_of(const TrajectoryFile& file) {
   return fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
 }
 
-/// Returns a note on the scenes and lengths of all trajectories, with the ranges of numbers.
+/// Returns a note that states the scenes and the lengths of all trajectories, with ranges where they differ.
 Note scenes_note(const std::vector<TrajectoryFile>& files) {
   std::vector<double> swimmers, periods, cycles;
   std::set<std::string> spaces;

@@ -12,9 +12,9 @@
 #include "kinds.hpp"
 #include "plot_labels.hpp"
 
-// Figures of the velocity along the swimmer's axis relative to the mean flow. Runs are marks, and predictions
-// are curves in order of the abscissa. With --relative-to, the figure shows the difference of each velocity
-// from the prediction by one method at the same abscissa [%].
+// Figures of the velocity along the swimmer's axis, relative to the mean flow. Runs are drawn as marks, and
+// predictions as curves. With --relative-to METHOD, the figure shows the difference between each velocity and
+// the prediction by this method at the same period or separation, in percent of the prediction.
 
 namespace beadswim {
 namespace {
@@ -25,9 +25,9 @@ struct VelocityFlags {
   Axes axes = Axes::automatic;
 };
 
-/// Returns the prediction by the reference method at abscissa x. Throws InputError if there is none, or if
-/// there are several with different velocities. `source` is the file whose velocity is compared with the
-/// prediction; the error message names it.
+/// Returns the prediction by the reference method at the value x on the horizontal axis. Throws InputError if
+/// there is no such prediction, or if there are several with different velocities. `source`: file whose
+/// velocity is compared with the prediction, for the message.
 const Prediction& reference_at(const PlotInputs& inputs, Abscissa abscissa, double x,
                                const std::string& source) {
   constexpr double tolerance = 1e-9;  // relative; both abscissas are copies of one number in the layout
@@ -36,18 +36,21 @@ const Prediction& reference_at(const PlotInputs& inputs, Abscissa abscissa, doub
     if (std::abs(abscissa_of(reference, abscissa) - x) > tolerance * std::abs(x)) continue;
     if (found != nullptr && found->prediction.velocity != reference.prediction.velocity) {
       throw InputError(reference.source,
-                       fmt::format("the predicted velocity differs from that in {}, although both are by {} "
-                                   "at {} {:g}; give one of the two files",
+                       fmt::format("the predicted velocity differs from the velocity in {}, although both "
+                                   "predictions are by {} at {} = {:g}; give only one of the two files",
                                    found->source, reference.prediction.method, to_text(abscissa), x));
     }
     found = &reference;
   }
   if (found != nullptr) return found->prediction;
-  throw InputError(source, fmt::format("there is no prediction by {} at {} {:g} to compare with; add one",
-                                       inputs.references.front().prediction.method, to_text(abscissa), x));
+  throw InputError(
+      source,
+      fmt::format(
+          "there is no prediction by {} at {} = {:g} to compare the velocity with; add such a prediction",
+          inputs.references.front().prediction.method, to_text(abscissa), x));
 }
 
-/// Returns 100 (v / v_reference - 1) [%].
+/// Returns the relative difference 100 (v / v_reference - 1) [%].
 double relative_difference(double velocity, const Prediction& reference) {
   return 100 * (velocity / reference.velocity - 1);
 }
@@ -60,8 +63,8 @@ std::vector<PointGroup> run_points(const PlotInputs& inputs, const std::vector<R
                                    Abscissa abscissa, const CycleChoice& cycle) {
   if (is_relative(inputs) && abscissa != Abscissa::period && !inputs.runs.empty()) {
     throw InputError(inputs.runs.front().source,
-                     "the file is a run, and runs can be compared only against the period; leave out this "
-                     "file or --relative-to");
+                     "the file is a run record, and with --relative-to run records can be drawn only with "
+                     "--against period; leave out this file or --relative-to");
   }
   std::vector<PointGroup> all;
   for (const RunGroup& group : groups) {
@@ -138,9 +141,9 @@ Drawing add_velocity_flags(CLI::App& command, Abscissa abscissa) {
   add_methods(command, flags->methods.methods);
   add_cycle(command, flags->cycle);
   command
-      .add_option(
-          "--relative-to", flags->methods.relative_to,
-          "Draw the relative difference of all velocities from this method's at the same abscissa [%]")
+      .add_option("--relative-to", flags->methods.relative_to,
+                  "Theory method with which each velocity is compared: the figure shows the relative "
+                  "difference from its prediction at the same period or separation [%]")
       ->type_name("METHOD")
       ->default_str("none");
   add_choice(command, "--axes", flags->axes,

@@ -24,8 +24,8 @@ struct PlottedVerdict {
   std::string method;  ///< method relative to which errors are drawn
 };
 
-/// Returns the named method, or the method that determined the verdict if none is named. Throws InputError if
-/// the verdict does not have the named method.
+/// Returns the method that --method names, or, without --method, the method that determined the verdict.
+/// Throws InputError if the verdict does not contain the named method.
 std::string method_of(const VerdictDocument& verdict, const std::vector<std::string>& named,
                       const std::string& source) {
   if (named.empty()) return verdict.decided_by;
@@ -37,30 +37,29 @@ std::string method_of(const VerdictDocument& verdict, const std::vector<std::str
   for (const ComparisonRow& row : verdict.rows) known.insert(row.method);
   if (known.contains(named.front())) return named.front();
   const std::vector<std::string> names(known.begin(), known.end());
-  throw InputError("--method",
-                   fmt::format("{} has no method \"{}\"{} The verdict has {}", source, named.front(),
-                               format_suggestion(named.front(), names), fmt::join(names, ", ")));
+  throw InputError(
+      "--method",
+      fmt::format("the verdict {} has no method \"{}\"{} The verdict has the methods {}", source,
+                  named.front(), format_suggestion(named.front(), names), fmt::join(names, ", ")));
 }
 
 PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::string>& methods) {
   const std::string schema = schema_of(document.json);
   if (schema.starts_with("beadswim/run/")) {
-    throw InputError("--reference",
-                     fmt::format("no reference is given; name a prediction or a run relative to which errors "
-                                 "of {} are measured, or draw verdicts of beadswim-compare",
-                                 document.source));
+    throw InputError("--reference", fmt::format("no reference is given; name a prediction or a run for the "
+                                                "errors of {}, or draw verdicts of beadswim-compare",
+                                                document.source));
   }
   if (!schema.starts_with("beadswim/verdict/")) {
-    throw InputError(
-        document.source,
-        fmt::format(
-            "the document is \"{}\"; give verdicts (\"beadswim/verdict/1\"), or run records with --reference",
-            schema));
+    throw InputError(document.source, fmt::format("the document has the schema \"{}\"; give verdicts "
+                                                  "(\"beadswim/verdict/1\"), or run records with --reference",
+                                                  schema));
   }
   VerdictDocument verdict = verdict_from_json(document.json, document.source);
   if (!verdict.cost) {
     throw InputError(document.source,
-                     "the verdict has no costs, for example because of --no-provenance; leave this file out");
+                     "the verdict does not contain the costs of the runs, for example because of "
+                     "--no-provenance; leave this file out");
   }
   std::string method = method_of(verdict, methods, document.source);
   return {document.source, std::move(verdict), std::move(method)};
@@ -78,7 +77,7 @@ std::vector<PlottedVerdict> read_verdicts(const std::vector<std::string>& files,
   return verdicts;
 }
 
-/// Returns one series per verdict that compares the quantity.
+/// Returns the errors of one quantity: one series for each verdict that compares this quantity.
 std::vector<ErrorSeries> errors_of(const std::vector<PlottedVerdict>& verdicts, ComparedQuantity quantity) {
   std::vector<ErrorSeries> all;
   for (const PlottedVerdict& plotted : verdicts) {

@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-/// Copies the text of rank 0 to all ranks. Collective.
+/// Copies `text` from rank 0 to all ranks. Collective.
 inline void broadcast(std::string& text, const Communicator& communicator) {
   std::int64_t size = std::ssize(text);
   MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());

@@ -26,17 +26,19 @@ std::string this_program() {
   return version() + " (" + revision() + ")";
 }
 
-/// Renames the checkpoint of another run, because --restart could mistake it for a checkpoint of this run.
+/// Renames a checkpoint file that another run has left under this path. Otherwise --restart could mistake
+/// this file for a checkpoint of the present run.
 void rename_old_checkpoint(const std::string& path) {
   std::error_code failure;
   if (!std::filesystem::exists(path, failure)) return;
   std::filesystem::rename(path, path + ".old", failure);
   if (failure)
     throw SolverError(
-        fmt::format("the file {} of an older run cannot be renamed: {}", path, failure.message()));
+        fmt::format("the file {} of an older run cannot be renamed: {}; rename or remove this file", path,
+                    failure.message()));
 }
 
-/// Returns whether the file exists for rank 0; the same on all ranks. Collective.
+/// Returns on all ranks whether the file exists for rank 0. Collective.
 bool exists(const std::string& path, const Communicator& communicator) {
   std::error_code ignored;
   int there = communicator.is_root() && std::filesystem::exists(path, ignored) ? 1 : 0;
@@ -69,7 +71,7 @@ std::unique_ptr<CheckpointReader> latest_complete_checkpoint(const std::string& 
                                  faults, trajectory));
   }
   if (!faults.empty() && communicator.is_root())
-    print_to_stderr(fmt::format("beadswim-run: {}continuing from {}\n", faults, last->path()));
+    print_to_stderr(fmt::format("beadswim-run: {}continuing from the checkpoint {}\n", faults, last->path()));
   return last;
 }
 
@@ -86,7 +88,11 @@ std::string trajectory_of(const std::string& restart) {
 std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
                                                   const Communicator& communicator) {
   if (trajectory_of(restart) == restart) return latest_complete_checkpoint(restart, communicator);
-  if (!exists(restart, communicator)) throw InputError("--restart", restart + " does not exist");
+  if (!exists(restart, communicator))
+    throw InputError(
+        "--restart",
+        fmt::format("the checkpoint {} does not exist; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1 or FILE.h5md",
+                    restart));
   return std::make_unique<CheckpointReader>(restart, communicator);
 }
 
@@ -104,8 +110,8 @@ void require_same_result_flags(const RunOptions& options, const FlagValues& flag
   for (const auto& [flag, value] : result_flags(options.settings)) {
     const auto of_checkpoint = flags.find(flag);
     if (of_checkpoint == flags.end() || of_checkpoint->second == value) continue;
-    throw InputError(flag, fmt::format("the value {} differs from {}, the value of the checkpoint's run; "
-                                       "leave the flag out, or begin without --restart",
+    throw InputError(flag, fmt::format("the value {} of the flag differs from {}, the value in the run of "
+                                       "the checkpoint; leave the flag out, or begin without --restart",
                                        value, of_checkpoint->second));
   }
 }
@@ -125,8 +131,8 @@ RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& che
   const std::string writer = checkpoint.text(program_section);
   if (writer != this_program() && communicator.is_root()) {
     print_to_stderr(
-        fmt::format("beadswim-run: warning: {} was written by {}, but this program is {}; the last bits of "
-                    "results may differ\n",
+        fmt::format("beadswim-run: warning: the checkpoint {} was written by {}, but this program is {}; the "
+                    "last bits of results may differ\n",
                     checkpoint.path(), writer, this_program()));
   }
   RunHistory history;
@@ -159,7 +165,7 @@ Checkpoints::Checkpoints(const RunOptions& options, std::string layout, const st
   int slot = communicator_.is_root() ? slot_of(restarted) : -1;
   MPI_Bcast(&slot, 1, MPI_INT, 0, communicator_.get());
   if (slot >= 0) {
-    slot_ = 1 - slot;  // keeps the checkpoint of --restart until the next one is complete
+    slot_ = 1 - slot;  // the next checkpoint must not overwrite that of --restart
   } else if (communicator_.is_root()) {
     for (const int other : {0, 1}) rename_old_checkpoint(slot_path(output_, other));
   }

@@ -8,35 +8,37 @@
 #include "command_line/options.hpp"
 #include "run_loop.hpp"
 
-// Checkpoints of a run. They are written alternately to the files FILE.h5md.ckpt.0 and FILE.h5md.ckpt.1, so
-// that one complete checkpoint remains while the next one is written. Page: docs/formats/checkpoint.md.
+// Checkpoints of a run. They are written alternately to the files FILE.h5md.ckpt.0 and FILE.h5md.ckpt.1.
+// While one file is being written, the other file is therefore a complete checkpoint. Page:
+// docs/formats/checkpoint.md.
 
 namespace beadswim {
 
-/// Opens and checks the checkpoint that --restart names. `restart` is the argument of this flag: a checkpoint
-/// or a trajectory. A trajectory has up to two checkpoints, of which the latest complete one is opened.
-/// Throws InputError on all ranks if there is none. Collective.
+/// Opens and checks the checkpoint from which a run continues. `restart`: value of the flag --restart, a
+/// checkpoint or a trajectory. A trajectory can have two checkpoints; the latest complete one is opened.
+/// Throws InputError on all ranks if there is no complete checkpoint. Collective.
 std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
                                                   const Communicator& communicator);
 
-/// Returns the path of the trajectory to which `restart`, the argument of --restart, belongs.
+/// Returns the path of the trajectory to which `restart`, the value of the flag --restart, belongs.
 std::string trajectory_of(const std::string& restart);
 
 /// Returns the flags of the run that wrote the checkpoint. Throws InputError if they cannot be read.
 FlagValues flags_of(const CheckpointReader& checkpoint);
 
-/// Throws InputError if a flag that determines the physics of the run has different values in `options` and
-/// in `flags`. `options`: command line. `flags`: flags of the run that wrote the checkpoint.
+/// Throws InputError if a flag that affects the motion of the beads has different values in `options` (the
+/// command line) and in `flags` (the run that wrote the checkpoint).
 void require_same_result_flags(const RunOptions& options, const FlagValues& flags);
 
 /// Returns the layout of the run that wrote the checkpoint, as JSON text.
 std::string layout_of(const CheckpointReader& checkpoint);
 
-/// Returns the number of steps that the run had completed when the checkpoint was written.
+/// Returns the number of time steps that the run had completed when it wrote the checkpoint.
 long steps_done_in(const CheckpointReader& checkpoint);
 
-/// Restores model and recorder from a checkpoint and returns the history of the run that wrote it. Throws
-/// SolverError if the checkpoint belongs to another run or to another version of the program. Collective.
+/// Restores the model and the recorder from a checkpoint, and returns steps and cost of the run that wrote
+/// it. Prints a warning if another version of the program wrote the checkpoint. Throws SolverError if the
+/// checkpoint belongs to another scene or has another format. Collective.
 RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& checkpoint,
                    const Communicator& communicator);
 
@@ -44,20 +46,20 @@ RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& che
 class Checkpoints {
  public:
   /// `layout`: JSON text of the layout. `restarted`: path of the checkpoint from which the run continues;
-  /// empty for a new run. The checkpoint FILE of another run with the same name is renamed to FILE.old.
-  /// Throws SolverError if this fails. Collective.
+  /// empty for a new run. If checkpoints of another run have the names that this run will use, they are
+  /// renamed to NAME.old. Throws SolverError if renaming fails. Collective.
   Checkpoints(const RunOptions& options, std::string layout, const std::string& restarted,
               const Communicator& communicator);
 
-  /// Writes a checkpoint of the present state, which must be free of faults. Throws SolverError on failure.
-  /// The failure may be known to one rank only, so the caller must abort all ranks. Collective.
+  /// Writes a checkpoint of the present state, which must be free of faults. Throws SolverError if writing
+  /// fails. Possibly only one rank throws, so the caller must then abort all ranks. Collective.
   void write(const RunParts& parts, const RunHistory& history);
 
   /// Returns the path of the latest checkpoint; empty if there is none.
   const std::string& last() const { return last_; }
 
  private:
-  int slot_of(const std::string& checkpoint) const;  ///< 0 or 1; -1 if not a checkpoint of this run
+  int slot_of(const std::string& checkpoint) const;  ///< 0 or 1: file of this run; -1: another file
 
   std::string output_, flags_, layout_;
   const Communicator& communicator_;

@@ -24,7 +24,8 @@ using namespace beadswim;
 
 constexpr const char* program_name = "beadswim-run";
 
-/// Exception for a run that ended with a fault. All ranks throw it. The results up to the fault are complete.
+/// Exception for a run that ended with a fault (an unphysical state), thrown on all ranks. The results until
+/// the fault have been written.
 class RunFailed : public SolverError {
  public:
   using SolverError::SolverError;
@@ -34,9 +35,9 @@ void require_steps_left(const ModelPlan& plan, long done) {
   const double cycles = plan.options.settings.cycles;
   if (done == 0 || done < total_steps(cycles, plan.steps_per_cycle)) return;
   throw InputError(
-      "--cycles",
-      fmt::format("{} is too small, because the checkpoint is already at cycle {:.6g}; give more cycles",
-                  cycles, static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
+      "--cycles", fmt::format("the number of cycles, {}, is too small, because the checkpoint is already at "
+                              "cycle {:.6g}; give more cycles",
+                              cycles, static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
 }
 
 void warn(const std::vector<std::string>& warnings) {
@@ -44,12 +45,12 @@ void warn(const std::vector<std::string>& warnings) {
     print_to_stderr(fmt::format("{}: warning: {}\n", program_name, warning));
 }
 
-/// Prints the description of the run and its warnings.
+/// Prints a description of the run and the warnings that are known before the run.
 void announce(const ModelPlan& plan, const Request& request) {
   if (plan.options.progress != ProgressStyle::none) {
     print_to_stderr(fmt::format("{}: {}\n", program_name, plan.announcement));
     if (request.checkpoint) {
-      print_to_stderr(fmt::format("{}: continuing from {}, step {}\n", program_name,
+      print_to_stderr(fmt::format("{}: continuing from the checkpoint {}, step {}\n", program_name,
                                   request.checkpoint->path(), request.steps_done));
     }
   }
@@ -67,24 +68,28 @@ void print_record(const RunRecord& record, const RunOptions& options) {
   write_text("-", dump_json(run_record_to_json(record, provenance)));
 }
 
-/// Writes the XDMF index for ParaView. The results are complete without it, so a failure is not fatal.
+/// Writes an index file with which ParaView opens the trajectory (XDMF). All results have been written
+/// before, so a failure is not fatal.
 void write_paraview_index(const std::string& path) {
   try {
     write_xdmf(path);
   } catch (const std::exception& error) {
     print_to_stderr(
-        fmt::format("{}: warning: the index for ParaView is missing: {}\n", program_name, error.what()));
+        fmt::format("{}: warning: the index file for ParaView (.xdmf2) cannot be written: {}; the trajectory "
+                    "itself is complete\n",
+                    program_name, error.what()));
   }
 }
 
-/// Runs the time loop and prints the run record. Aborts all ranks if an exception is thrown.
+/// Runs the time loop and prints the run record. If one rank throws an exception, this function aborts all
+/// ranks.
 RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutDocument& document,
                           const Communicator& failures) {
   try {
     std::optional<RunHistory> history;
     if (request.checkpoint)
       history = restore(parts.model, parts.recorder, *request.checkpoint, parts.communicator);
-    request.checkpoint.reset();  // closes the file, so that replacing it frees its disk space
+    request.checkpoint.reset();  // closes the file: a replaced open file would still use disk space
     const RunOutcome outcome = run_to_end(parts, history);
     const RunRecord record = make_record(parts, document, outcome);
     parts.trajectory.finish();
@@ -93,14 +98,14 @@ RunOutcome run_and_record(const RunParts& parts, Request& request, const LayoutD
       write_paraview_index(parts.plan.options.output);
     }
     return outcome;
-  } catch (...) {  // aborts here: closing the trajectory would wait for other ranks
+  } catch (...) {  // not rethrown: destructors would wait for the other ranks
     print_restart_flag(parts.checkpoints);
     abort_after_failure(program_name, failures);
   }
 }
 
-/// Implements --plan: prints the plan. Throws InputError if the expected error of no run is within the
-/// tolerance. Collective.
+/// Implements the flag --plan: prints expected errors and costs of all possible runs. Throws InputError if no
+/// run has an expected error within the tolerance. Collective.
 int report_plan(const LayoutDocument& document, const Request& request, const Communicator& communicator) {
   const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
@@ -112,21 +117,21 @@ int report_plan(const LayoutDocument& document, const Request& request, const Co
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// Implements --model auto --tolerance E: uses the settings of the cheapest run whose expected error is
-/// within the tolerance. Throws InputError if there is none. Collective.
+/// Implements --model auto with --tolerance E: plans all possible runs and adopts the settings of the
+/// cheapest run whose expected error is at most E. Throws InputError if there is no such run. Collective.
 void apply_plan(const LayoutDocument& document, Request& request, const Communicator& communicator) {
   const RunPlan plan =
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
   const PlannedRun& planned = choose_run(plan, request.options);
   request.options.settings = planned.settings;
-  request.options.given.erase("--tolerance");  // it was the tolerance of the plan, not of the mobility
+  request.options.given.erase("--tolerance");  // the value was the tolerance of the plan, not of the mobility
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   print_to_stderr(fmt::format(
       "{}: chosen run: {}, with an expected error of {:.2g} % and a cost of {:.3g} core-seconds\n",
       program_name, flags_of(planned, request.options), 100 * planned.error.largest(), planned.core_seconds));
 }
 
-/// Runs the program and returns its exit status. All ranks throw InputError if the input is invalid, before
+/// Executes the program and returns its exit status. Invalid input makes all ranks throw InputError before
 /// the run begins.
 int run(int argc, char** argv, const Communicator& communicator, const Communicator& failures) {
   const double start = MPI_Wtime();
@@ -172,8 +177,10 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   return static_cast<int>(ExitStatus::fine);
 }
 
-/// Returns the exit status for the current exception. All ranks throw the exceptions for invalid input,
-/// faults and early stops, so only rank 0 reports them. Other exceptions end all ranks.
+/// Reports the exception that is being handled and returns the exit status. InputError, RunFailed and
+/// StoppedEarly are thrown by all ranks together, so rank 0 alone prints the message, and every rank ends
+/// normally. Any other exception may be thrown by one rank only; this rank then prints the message and aborts
+/// the other ranks.
 int report_failure(const Communicator& communicator, const Communicator& failures) {
   try {
     throw;

@@ -7,14 +7,15 @@
 
 namespace beadswim {
 
-/// Prints on stderr which part of a run is done and the expected time until its end.
+/// Prints on standard error how many cycles of a run are done and the expected time until the run ends.
 class Progress {
  public:
-  /// `steps`: total number of time steps. `first`: number of steps that an earlier run has completed.
-  /// `cells`: number of lattice cells; nullopt for models without a lattice, for which no MLUPS are printed.
+  /// `first`: number of time steps that an earlier run has completed. `steps`: total number of time steps,
+  /// including `first`. `cells`: number of lattice cells; nullopt for models without a lattice, for which no
+  /// speed (MLUPS) is printed.
   Progress(ProgressStyle style, long first, long steps, double steps_per_cycle, std::optional<double> cells);
 
-  void update(long steps_done);  ///< prints a line if the last line is older than an interval
+  void update(long steps_done);  ///< prints a line if enough time has passed since the last line
   void finish(long steps_done);  ///< prints the last line
 
  private:

@@ -13,21 +13,23 @@
 namespace beadswim {
 namespace {
 
-/// Number of steps between checks for faults, signals and the time limit. These checks need communication.
+/// Number of time steps between checks for faults, signals and the time limit. These checks need
+/// communication of all ranks.
 constexpr long steps_between_guards = 20;
 
-/// Number of steps between checks of the total mass and momentum. They are checked with every frame, too.
+/// Number of time steps between checks of the total mass and momentum, which are also checked with every
+/// frame.
 constexpr long steps_between_totals = 500;
 
-/// Status and reason of a run that stops early without a fault.
+/// Status and reason with which a run stops early without a fault.
 struct StopRequest {
   RunStatus status;
   std::string reason;
 };
 
-/// Returns a stop request if any rank has received a signal or if the clock of rank 0 has passed the time
-/// limit; nullopt otherwise. Returns the same on all ranks. `start`: MPI_Wtime at the start of the program
-/// [s]. Collective.
+/// Returns a request to stop if any rank has received a signal, or if the clock of rank 0 has passed the time
+/// limit; nullopt otherwise. The result is the same on all ranks. `start`: MPI_Wtime at the start of the
+/// program [s]. Collective.
 std::optional<StopRequest> stop_request(double start, const RunOptions& options,
                                         const Communicator& communicator) {
   const double seconds = MPI_Wtime() - start;
@@ -35,7 +37,8 @@ std::optional<StopRequest> stop_request(double start, const RunOptions& options,
                               communicator.is_root() && seconds > options.time_limit.value_or(seconds)};
   MPI_Allreduce(MPI_IN_PLACE, requests.data(), requests.size(), MPI_INT, MPI_MAX, communicator.get());
   if (requests[0] != 0)
-    return StopRequest{RunStatus::stopped_signal, fmt::format("stopped by signal {}", requests[0])};
+    return StopRequest{RunStatus::stopped_signal,
+                       fmt::format("the run was stopped by signal {}", requests[0])};
   if (requests[1] == 0) return std::nullopt;
   return StopRequest{
       RunStatus::stopped_time,
@@ -44,7 +47,7 @@ std::optional<StopRequest> stop_request(double start, const RunOptions& options,
           *options.time_limit)};
 }
 
-/// Steps at which outputs and checks are due. An interval of 0 means never.
+/// Time steps at which outputs and checks are due. An interval of 0 means that the output is never due.
 struct Timetable {
   long steps = 0, flow_interval = 0, checkpoint_interval = 0;
 
@@ -102,8 +105,8 @@ class TimeLoop {
  private:
   long step() const { return parts_.model.steps_done(); }
 
-  /// Returns true if there is no fault. Otherwise stores the fault in the outcome. Evaluates the totals if a
-  /// frame, a checkpoint or the run record needs them.
+  /// Returns true if no rank has found a fault. Otherwise stores the fault in the outcome. Also evaluates the
+  /// totals of the scene if a frame, a checkpoint or the run record needs them.
   bool is_sound(bool is_frame) {
     ModelTotals totals = outcome_.last_totals;
     if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % steps_between_totals == 0)
@@ -117,8 +120,8 @@ class TimeLoop {
     return true;
   }
 
-  /// Stops the run if a signal or the time limit requests it. Writes a checkpoint if one is due or if the run
-  /// stops.
+  /// Stops the run if a signal or the time limit requests this. Writes a checkpoint if one is due or if the
+  /// run stops.
   void guard() {
     if (parts_.communicator.is_root()) parts_.progress.update(step());
     bool is_checkpoint = due_.is_checkpoint(step());
@@ -134,7 +137,7 @@ class TimeLoop {
     if (is_checkpoint) parts_.checkpoints.write(parts_, current_history());
   }
 
-  /// Returns the history of this run until the present step, including the earlier runs that it continues.
+  /// Returns steps and cost of this run until the present step, including the earlier runs that it continues.
   RunHistory current_history() const {
     const double seconds = MPI_Wtime() - start_;
     return {.steps_done = step(),

@@ -10,7 +10,7 @@ namespace beadswim {
 
 class Checkpoints;
 
-/// Steps and cost of the earlier runs that this run continues; zero for a new run.
+/// Number of steps and cost of the earlier runs that this run continues; zero for a new run.
 struct RunHistory {
   long steps_done = 0;
   double wall_seconds = 0, core_seconds = 0;
@@ -36,9 +36,9 @@ struct RunParts {
   Progress& progress;
 };
 
-/// Advances the model until the last step, a fault, the time limit or a signal. A new run has no `history`;
-/// otherwise the run continues after `history`. After a fault, no frame and no checkpoint is written.
-/// Collective.
+/// Advances the model until the last step, a fault, the time limit or a signal. `history`: steps and cost of
+/// the run that this run continues; nullopt for a new run. After a fault, no frame and no checkpoint is
+/// written. Collective.
 RunOutcome run_to_end(const RunParts& parts, const std::optional<RunHistory>& history);
 
 }  // namespace beadswim

@@ -9,11 +9,12 @@
 
 namespace beadswim {
 
-/// Returns the plan of the run with the requested model. Throws InputError on all ranks. Collective.
+/// Returns the description of the run with the requested model. Throws InputError on all ranks if the model
+/// cannot treat the layout. Collective.
 std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
                                     const Communicator& communicator);
 
-/// Returns the constant data of the trajectory: box, beads, layout and version.
+/// Returns the constant data of the trajectory file: box, beads, layout and program version.
 TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan);
 
 }  // namespace beadswim

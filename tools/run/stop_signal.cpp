@@ -15,7 +15,7 @@ void store_signal(int signal) {
 }  // namespace
 
 void catch_stop_signals() {
-  std::signal(SIGPIPE, SIG_IGN);  // a closed pipe then causes a write error
+  std::signal(SIGPIPE, SIG_IGN);  // writing to a closed pipe then fails with an error
   for (const int signal : {SIGINT, SIGTERM, SIGUSR1}) std::signal(signal, store_signal);
 }
 

@@ -10,8 +10,8 @@
 #include "beadswim/tools/program.hpp"
 #include "predict_layout.hpp"
 
-// beadswim-theory predicts velocity and stroke of a swimmer, by all methods that can treat it or by the
-// methods that --method names.
+// beadswim-theory predicts velocity and stroke of a swimmer by all theory methods that can treat it, or by
+// the methods that --method names.
 
 namespace beadswim {
 namespace {
@@ -31,38 +31,42 @@ std::string stroke_methods() {
 }
 
 std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
-  auto program = make_program(
-      "beadswim-theory",
-      "Predicts velocity and stroke of one swimmer, by every method that can treat it: closed forms to exact "
-      "Stokes flow, in open space or the layout's box, with and without inertia. Prints JSON.");
-  program->add_option("LAYOUT", request.layout_path, "Layout; - is standard input.");
+  auto program = make_program("beadswim-theory",
+                              "Predicts the velocity and stroke of one swimmer by every method that can "
+                              "treat it, from closed formulas to exact Stokes flow, in unbounded fluid or in "
+                              "the layout's box, with and without inertia. Prints the predictions as JSON.");
+  program->add_option("LAYOUT", request.layout_path, "Layout file (JSON); - is standard input.");
   begin_group(*program, "Methods");
   program
       ->add_option("--method", request.methods,
-                   "Methods to use, listed below; all leaves out those that cannot treat the swimmer")
+                   "Methods to use, from the list below; all uses every method that can treat the swimmer")
       ->delimiter(',')
       ->allow_extra_args(false)  // otherwise CLI11 takes the name of the layout as a method
       ->default_str("all")
       ->type_name("NAME,...");
   begin_group(*program, "Input");
   program
-      ->add_option("--swimmer", request.swimmer, "Id of the swimmer to predict; required if swimmers differ")
+      ->add_option("--swimmer", request.swimmer,
+                   "Id of the swimmer to predict; required if the swimmers of the layout differ")
       ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->type_name("ID");
   program
-      ->add_option("--stroke-from", request.stroke_path,
-                   "Run record whose last cycle is the stroke of the methods " + stroke_methods())
+      ->add_option(
+          "--stroke-from", request.stroke_path,
+          "Run record whose last cycle contains the measured stroke for the methods " + stroke_methods())
       ->type_name("FILE");
   begin_group(*program, "Methods");
   program
       ->add_option("--tolerance", request.tolerance,
-                   "Relative error of second order in amplitude above which to warn [1]")
+                   "Expected relative error of the methods of second order in the driving amplitude above "
+                   "which a warning is printed [1]")
       ->type_name("E")
       ->check(finite_positive())
       ->capture_default_str();
   begin_group(*program, "Input");
-  program->add_flag("--jsonl", request.json_lines,
-                    "Read one layout per line and write one prediction per line; stop at an invalid line.");
+  program->add_flag(
+      "--jsonl", request.json_lines,
+      "Read one layout per line and write one prediction document per line; stop at the first invalid line.");
   set_footer(*program,
              {"beadswim-theory layout.json >theory.json",
               "for T in 2400 4800; do \\\n"
@@ -84,12 +88,13 @@ Json predictions_json(PredictionDocument predicted, const CLI::App& program) {
   return predictions_to_json(predicted);
 }
 
-/// Prints one line per reason, which lists all methods that were omitted for this reason.
+/// Prints one line per reason, which lists the theory methods that were omitted for this reason.
 void print_left_out_methods(const std::vector<LeftOutMethod>& left_out) {
   std::map<std::string, std::vector<std::string>> methods_by_reason;
   for (const auto& [method, reason] : left_out) methods_by_reason[reason].push_back(method);
   for (const auto& [reason, names] : methods_by_reason) {
-    print_to_stderr(fmt::format("beadswim-theory: left out {}: {}\n", fmt::join(names, ", "), reason));
+    print_to_stderr(
+        fmt::format("beadswim-theory: methods left out: {}; reason: {}\n", fmt::join(names, ", "), reason));
   }
 }
 
@@ -99,7 +104,8 @@ void print_warnings(const PredictionDocument& predicted) {
   print_left_out_methods(predicted.left_out);
 }
 
-/// Numbers of layouts with warnings and with omitted methods, for input with one layout per line.
+/// Counters for input with one layout per line: all layouts, layouts with warnings, layouts with omitted
+/// methods.
 struct Tally {
   int layouts = 0, warned = 0, incomplete = 0;
 
@@ -112,11 +118,13 @@ struct Tally {
   void report() const {
     if (warned > 0)
       print_to_stderr(fmt::format(
-          "beadswim-theory: {} of {} layouts have warnings: see \"warnings\" of each\n", warned, layouts));
+          "beadswim-theory: {} of {} layouts have warnings: see the key \"warnings\" of each prediction\n",
+          warned, layouts));
     if (incomplete > 0) {
-      print_to_stderr(fmt::format(
-          "beadswim-theory: methods were left out for {} of {} layouts: see \"left_out\" of each\n",
-          incomplete, layouts));
+      print_to_stderr(
+          fmt::format("beadswim-theory: methods were left out for {} of {} layouts: see the key \"left_out\" "
+                      "of each prediction\n",
+                      incomplete, layouts));
     }
   }
 };

@@ -15,15 +15,17 @@ const SwimmerRecord& find_swimmer_record(const RunRecord& run, std::optional<int
   const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(), is_requested);
   if (found != run.swimmers.end()) return *found;
   if (run.swimmers.empty()) {
-    throw InputError("--stroke-from " + path,
-                     fmt::format("the record contains only statistics of the swarm, because the run has more "
-                                 "than {} swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
-                                 max_swimmers_listed));
+    throw InputError(
+        "--stroke-from " + path,
+        fmt::format("the run record contains only statistics of the swarm, because the run has more than {} "
+                    "swimmers; run a smaller cell of the scene (beadswim-layout reduce)",
+                    max_swimmers_listed));
   }
   const std::string which = id ? fmt::format("swimmer {}", *id) : "swimmers one by one";
   throw InputError(
       "--stroke-from " + path,
-      fmt::format("the run record does not list {}; it lists {} swimmers", which, run.swimmers.size()));
+      fmt::format("the run record does not list {}, but only {} other swimmers; give a swimmer of the record",
+                  which, run.swimmers.size()));
 }
 
 }  // namespace

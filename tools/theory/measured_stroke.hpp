@@ -8,7 +8,7 @@
 
 namespace beadswim {
 
-/// Stroke of a swimmer in a run, with its units and its period.
+/// Stroke of a swimmer that a run measured, with units and driving period of the run.
 struct MeasuredStroke {
   std::string source;  ///< path of the run record, for messages
   Units units;
@@ -16,8 +16,9 @@ struct MeasuredStroke {
   Stroke stroke;
 };
 
-/// Reads the stroke of the last cycle from a run record. `swimmer`: id of the swimmer; nullopt: the first
-/// swimmer of the record. Throws InputError if there is no such swimmer, or if it has not completed a cycle.
+/// Reads the stroke in the last cycle of a run from its record. `swimmer`: id of the swimmer; nullopt: the
+/// first swimmer of the record. Throws InputError if the record has no such swimmer, or if the swimmer has
+/// not completed a cycle.
 MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> swimmer);
 
 }  // namespace beadswim

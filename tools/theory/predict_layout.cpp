@@ -17,8 +17,8 @@ namespace {
 
 constexpr const char* all_methods = "all";
 
-/// Returns the parameters of a swimmer that theory needs. Throws InputError if its beads
-/// would leave the line or if a spring has no stiffness. The message names layout and swimmer.
+/// Returns the parameters of a swimmer that theory needs. Throws InputError, with layout and swimmer in the
+/// message, if a spring has no stiffness or if the beads would leave their common line.
 CollinearSwimmer collinear(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
   try {
     return collinear_swimmer(layout.resolved_type(swimmer), swimmer.axis, layout.fluid.dynamic_viscosity());
@@ -33,11 +33,13 @@ const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& sou
       std::find_if(swimmers.begin(), swimmers.end(), [&](const Swimmer& s) { return s.id == id; });
   if (found != swimmers.end()) return *found;
   const auto [lowest, highest] = std::ranges::minmax_element(swimmers, {}, &Swimmer::id);
-  throw InputError("--swimmer", fmt::format("{} has no swimmer of id {}; its ids are {} to {}", source, id,
-                                            lowest->id, highest->id));
+  throw InputError("--swimmer",
+                   fmt::format("the layout {} has no swimmer with the id {}; the ids range from {} to {}",
+                               source, id, lowest->id, highest->id));
 }
 
-/// Returns the first swimmer if all swimmers have the same parameters in theory. Throws InputError if not.
+/// Returns the first swimmer of the layout. Throws InputError if other swimmers have other parameters,
+/// because one prediction would then not be valid for all.
 const Swimmer& find_common_swimmer(const Layout& layout, const std::string& source) {
   const Swimmer& first = layout.swimmers.front();
   const CollinearSwimmer shape = collinear(layout, first, source);
@@ -51,14 +53,15 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
   return first;
 }
 
-/// Returns the measured stroke. Throws InputError if units or period of its run differ from the layout.
+/// Returns the measured stroke. Throws InputError if units or driving period of the run differ from those of
+/// the layout.
 Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const MeasuredStroke& measured) {
   const std::string where = "--stroke-from " + measured.source;
   if (!same_units(layout.units, measured.units)) {
     throw InputError(
         where, "the run's units of length and time differ from the layout's; give a run of the same layout");
   }
-  constexpr double period_tolerance = 1e-9;  // relative, for rounding errors
+  constexpr double period_tolerance = 1e-9;  // relative; allows for rounding errors
   if (std::abs(measured.period / swimmer.period - 1) > period_tolerance) {
     throw InputError(
         where,
@@ -68,8 +71,8 @@ Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const M
   return measured.stroke;
 }
 
-/// Returns true if the method needs a measured stroke or a box and there is none. --method all then omits the
-/// method without a message.
+/// Returns true if the method needs a measured stroke, or a box, that the question does not contain. --method
+/// all omits such a method without a message.
 bool lacks_input(const Method& method, const Question& question) {
   const bool lacks_stroke = method.input == Method::Input::stroke && !question.measured_stroke;
   const bool lacks_box =
@@ -93,7 +96,9 @@ void predict_by_all(const Question& question, PredictionDocument& document) {
     }
   }
   if (document.predictions.empty()) {
-    throw InputError("--method all", "no method can predict this swimmer; the first one cannot because " + document.left_out.front().reason);
+    throw InputError("--method all",
+                     fmt::format("no method can predict this swimmer; {}, for example, cannot because {}",
+                                 document.left_out.front().method, document.left_out.front().reason));
   }
 }
 
@@ -103,12 +108,13 @@ void predict_by(const std::vector<std::string>& names, const Question& question,
   for (const std::string& name : names) {
     if (name == all_methods)
       throw InputError("--method",
-                       "\"all\" cannot be combined with other names; leave out \"all\" or the other names");
+                       "\"all\" stands for all methods and cannot be combined with names of methods; leave "
+                       "out \"all\" or the names");
     document.predictions.push_back(predict(find_method(name), question));
   }
 }
 
-/// Throws InputError if a measured stroke was given but none of the predictions uses it.
+/// Throws InputError if a measured stroke was given, but no method of the predictions uses it.
 void check_stroke_is_used(const PredictionDocument& document, const Question& question) {
   if (!question.measured_stroke) return;
   std::vector<std::string> users, reasons;
@@ -121,8 +127,9 @@ void check_stroke_is_used(const PredictionDocument& document, const Question& qu
   if (std::any_of(document.predictions.begin(), document.predictions.end(), uses_it)) return;
   for (const LeftOutMethod& left_out : document.left_out) {
     if (std::find(users.begin(), users.end(), left_out.method) == users.end()) continue;
-    throw InputError("--stroke-from", fmt::format("no method can use the measured stroke; {}: {}",
-                                                  left_out.method, left_out.reason));
+    throw InputError("--stroke-from",
+                     fmt::format("no method can use the measured stroke; {}, for example, cannot because {}",
+                                 left_out.method, left_out.reason));
   }
   throw InputError("--stroke-from",
                    fmt::format("none of the named methods uses a measured stroke; add one of {} to --method",

@@ -25,20 +25,23 @@ struct ViewRequest {
 void add_flags(CLI::App& program, ViewRequest& request) {
   program
       .add_option("FILE", request.file,
-                  "Trajectory of beadswim-run: .h5md, or .h5md.part of an unfinished run.")
+                  "Trajectory file of beadswim-run (.h5md), or the file of an unfinished run (.h5md.part).")
       ->required()
       ->type_name("RUN.h5md");
-  program.add_option("-o,--output", request.output, "Page to write; - is standard output")
+  program.add_option("-o,--output", request.output, "Web page to write; - is standard output")
       ->required()
       ->type_name("PAGE.html|-");
-  program.add_option("--every", request.every, "Show every Nth frame and the last, to make the page smaller")
+  program
+      .add_option("--every", request.every,
+                  "Interval between the frames that the page contains: every Nth frame and the last. A "
+                  "larger N makes the page smaller")
       ->type_name("N")
       ->default_val(1)
       ->check(whole_positive());
   program
       .add_option("--block-swimmers", request.block_swimmers,
-                  "Swimmers per block along x, y, z by layers of the layout, or in all by ids; colours can "
-                  "distinguish blocks")
+                  "Number of swimmers in a block: along x, y, z (by layers of the layout), or in total (by "
+                  "consecutive ids). The page can colour swimmers by block")
       ->type_name("NX,NY,NZ|N")
       ->default_val("1,3,3")
       ->check(number_list({1, 3}, whole_positive()));
@@ -55,9 +58,9 @@ void require_page() {
 void require_output(const ViewRequest& request) {
   const std::string& path = request.output;
   if (path != "-" && !path.ends_with(".html") && !path.ends_with(".htm")) {
-    throw InputError(
-        "--output",
-        fmt::format("\"{}\" does not end in .html; name a file that does, or - for standard output", path));
+    throw InputError("--output", fmt::format("the file name \"{}\" does not end in .html; give a name that "
+                                             "ends in .html, or - for standard output",
+                                             path));
   }
   require_other_file(request.file, path);
 }
@@ -67,7 +70,8 @@ PageOptions options_of(const ViewRequest& request) {
           .block_swimmers = parse_whole_numbers(request.block_swimmers)};
 }
 
-/// Throws InputError if the page would be larger than max_bytes. The message states the --every to use.
+/// Throws InputError if the page would be larger than max_bytes. The message states the value of --every that
+/// makes it small enough.
 void require_page_size(const TrajectoryFile& file, const PageOptions& options) {
   const double bytes = expected_bytes(file, options);
   if (bytes <= max_bytes) return;
@@ -81,8 +85,8 @@ void require_page_size(const TrajectoryFile& file, const PageOptions& options) {
 int run(int argc, const char* const* argv) {
   const auto program = make_program(
       "beadswim-view",
-      "Writes a trajectory as a web page of one file, which needs no network: all beads in three "
-      "dimensions over time, with strokes, paths and turning of chosen swimmers.");
+      "Writes a trajectory as a web page in one file, which works without a network. The page shows all "
+      "beads in three dimensions over time, and the stroke, path and rotation of selected swimmers.");
   ViewRequest request;
   add_flags(*program, request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;

@@ -18,13 +18,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the page reads little-endian numbers");
 
-/// Returns an HTML element with the values in base64.
+/// Returns an HTML element that contains the values, encoded in base64.
 template <class T>
 std::string data_element(const std::string& id, const std::vector<T>& values) {
   return fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", id, base64(values));
 }
 
-/// Returns an HTML element with the document as JSON. "<" is escaped, because it would begin a tag.
+/// Returns an HTML element that contains the document as JSON. "<" is escaped, because it would begin a tag
+/// in HTML.
 std::string scene_element(const Json& document) {
   std::string text;
   for (const char c : dump_json_line(document)) {
@@ -37,12 +38,12 @@ std::string scene_element(const Json& document) {
   return "<script type=\"application/json\" id=\"scene\">" + text + "</script>\n";
 }
 
-/// Replaces the bytes of a file name that are not valid UTF-8.
+/// Replaces bytes that are not valid UTF-8 in a file name.
 std::string replace_invalid_utf8(const std::string& name) {
   return Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
-/// Returns the content of the element "scene": the facts about file, box, swimmers, frames and cycles.
+/// Returns the content of the HTML element "scene": data about file, box, swimmers, frames and cycles.
 Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
                    const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
   const TrajectoryHeader& header = file.reader.header();
@@ -73,8 +74,8 @@ Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& f
   return scene;
 }
 
-/// Returns the quantisation step of each swimmer [length], chosen such that the largest displacement of its
-/// beads along an axis since the first frame fits into 16 bits.
+/// Returns for each swimmer the step with which displacements are stored as integers [length]. With this
+/// step, the largest displacement of its beads since the first frame, along any axis, fits into 16 bits.
 std::vector<float> swimmer_steps(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
                                  const TrajectoryFrame& first) {
   std::vector<double> largest(first.positions.size() / 3, 0);
@@ -90,7 +91,8 @@ std::vector<float> swimmer_steps(const TrajectoryFile& file, const std::vector<s
   return steps;
 }
 
-/// Returns the displacements of all beads since the first frame, in steps of their swimmers.
+/// Returns the displacements of all beads since the first frame, as integer multiples of the steps of their
+/// swimmers.
 std::vector<std::int16_t> quantised_displacements(const TrajectoryFrame& frame, const TrajectoryFrame& first,
                                                   const std::vector<float>& steps) {
   std::vector<std::int16_t> flat;
@@ -102,7 +104,7 @@ std::vector<std::int16_t> quantised_displacements(const TrajectoryFrame& frame, 
   return flat;
 }
 
-/// Function that returns a quantity of one swimmer in one cycle; NaN if the swimmer has not completed a cycle
+/// Function that returns one quantity of a swimmer in one cycle; NaN if the swimmer has not completed a cycle
 /// yet.
 using CycleQuantity = std::function<double(const CycleStatistics&)>;
 

@@ -7,13 +7,13 @@
 
 namespace beadswim {
 
-/// Selection of frames, and colouring of blocks.
+/// Selection of the frames that the page shows, and size of the blocks of swimmers that it colours.
 struct PageOptions {
   std::size_t every = 1;                     ///< shows the frames 0, every, 2 every, ... and the last
   std::vector<int> block_swimmers{1, 3, 3};  ///< swimmers per block, as in block_number()
 };
 
-/// Returns the indices of the frames to show: 0, every, 2 every, ... and the last frame.
+/// Returns the indices of the frames that the page shows: 0, every, 2 every, ... and the last frame.
 std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every);
 
 /// Returns the data of the page as HTML elements. The element <script type="application/json" id="scene">
@@ -33,7 +33,7 @@ std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every);
 /// phase1 or phase2 (arm phases). Throws InputError that names the file and the place in it.
 std::string page_data(const TrajectoryFile& file, const PageOptions& options);
 
-/// Estimates the size of page_data() [byte]. For large swarms the error is below 10 %.
+/// Returns the approximate size of page_data() [byte]. For large swarms the error is below 10 %.
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options);
 
 }  // namespace beadswim

@@ -11,20 +11,22 @@ namespace beadswim {
 /// Integer that represents NaN.
 inline constexpr std::int16_t not_a_number = -32768;
 
-/// Returns the smallest step with which all numbers up to `largest` can be stored; 0 if `largest` is 0.
+/// Returns the smallest step with which every number up to the absolute value `largest` can be stored in 16
+/// bits; 0 if `largest` is 0.
 float smallest_step(double largest);
 
-/// Returns number / step, rounded to the nearest integer; `not_a_number` for NaN. The rounding error is at
+/// Returns number / step, rounded to the nearest integer, or `not_a_number` for NaN. The rounding error is at
 /// most half a step.
 std::int16_t round_to_steps(double number, float step);
 
-/// Quantised table. Each column has the smallest step that can store its largest number.
+/// Table of numbers that are stored as integer multiples of a step. Each column has the smallest step that
+/// can store its largest number.
 struct QuantisedTable {
   std::vector<float> steps;          ///< one per column
   std::vector<std::int16_t> values;  ///< row by row
 };
 
-/// Quantises a table, which is given row by row.
+/// Converts a table, whose values are given row by row, to integers and steps.
 QuantisedTable quantised(std::span<const double> rows, std::size_t columns);
 
 }  // namespace beadswim

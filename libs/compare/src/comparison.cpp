@@ -23,7 +23,7 @@ bool can_decide(const Reference& reference, std::span<const ComparedQuantity> qu
                      [&](ComparedQuantity quantity) { return reference.swimming.contains(quantity); });
 }
 
-/// Returns a row without its numbers.
+/// Returns a row with quantity, sources and method, but without the compared numbers.
 ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity) {
   ComparisonRow row;
   row.quantity = quantity;

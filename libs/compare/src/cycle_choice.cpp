@@ -20,8 +20,8 @@ CycleChoice parse_cycle_choice(const std::string& text) {
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (fault != std::errc{} || end != digits.data() + digits.size() || number < 1) {
     throw InputError(Setting::cycle,
-                     fmt::format("\"{}\" must be \"last\", the number of a cycle (1 or more), or "
-                                 "\"mean:N\" with N of 1 or more",
+                     fmt::format("\"{}\" must be \"last\", the number of a cycle (1 or more), or \"mean:N\" "
+                                 "for the mean of the last N cycles (N is 1 or more)",
                                  text));
   }
   return {mean ? CycleChoice::Kind::last : CycleChoice::Kind::index, number};
@@ -30,7 +30,7 @@ CycleChoice parse_cycle_choice(const std::string& text) {
 std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> cycles,
                                                const CycleChoice& choice, const std::string& source) {
   if (cycles.empty()) {
-    throw InputError(source, "contains no complete cycle; run for one cycle or more");
+    throw InputError(source, "the run record contains no complete cycle; run for one cycle or more");
   }
   const auto number = static_cast<std::size_t>(choice.number);
   if (choice.kind == CycleChoice::Kind::last && number <= cycles.size()) return cycles.last(number);
@@ -41,8 +41,9 @@ std::span<const CycleStatistics> select_cycles(std::span<const CycleStatistics> 
   const std::string wanted = choice.kind == CycleChoice::Kind::index
                                  ? fmt::format("cycle {}", choice.number)
                                  : fmt::format("{} cycles", choice.number);
-  throw InputError(source, fmt::format("does not contain {}, only cycles {} to {}", wanted,
-                                       cycles.front().index, cycles.back().index));
+  throw InputError(
+      source, fmt::format("the run does not contain {}, only cycles {} to {}; give {} another value", wanted,
+                          cycles.front().index, cycles.back().index, Setting::cycle));
 }
 
 }  // namespace beadswim

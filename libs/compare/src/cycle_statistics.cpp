@@ -41,7 +41,8 @@ void require_one_cycle(int index, Samples samples, double period) {
   }
 }
 
-/// Returns (1/T) int_0^T value(sample) dt by the trapezoidal rule.
+/// Returns the time average of value(sample) over the period T = `period`, (1/T) int_0^T value(sample) dt, by
+/// the trapezoidal rule.
 template <typename Value>
 Vec3 time_average(Samples samples, double period, Value value) {
   Vec3 integral = Vec3::Zero();
@@ -61,9 +62,9 @@ Vec3 direction(const SwimmerSample& sample) {
   return (sample.bead_positions[2] - sample.bead_positions[0]).normalized();
 }
 
-/// Fits the stroke of one arm: arm 0 joins beads 1 and 2, arm 1 joins beads 2 and 3. The times of the samples
-/// are those of the driving, so the arm phases are relative to the driving. Omits the last sample, because it
-/// has the same phase as the first.
+/// Fits the stroke of one arm: arm 0 joins beads 1 and 2, arm 1 joins beads 2 and 3. The sample times are
+/// also the times in the driving forces, so the fitted phase is relative to the driving. Omits the last
+/// sample, because it has the same phase as the first.
 StrokeFit fit_arm(Samples samples, std::size_t arm, double period) {
   std::vector<double> times, lengths;
   for (const SwimmerSample& sample : samples.first(samples.size() - 1)) {

@@ -8,7 +8,7 @@
 namespace beadswim {
 namespace {
 
-/// Evaluates the errors of all runs that share a setting and a resolution.
+/// Evaluates the errors of `runs`, which have the same setting and the same resolution.
 ErrorsAtResolution errors_of(const std::vector<const CostedRun*>& runs,
                              std::span<const ComparedValues> reference) {
   std::vector<double> costs;

@@ -22,7 +22,7 @@ struct NearestOther {
   double squared_distance;
 
   bool full() const { return true; }
-  double worstDist() const { return squared_distance * (1 + 1e-12); }  // distances to branches have roundoff
+  double worstDist() const { return squared_distance * (1 + 1e-12); }  // margin for roundoff in the search
   bool addPoint(double squared, IndexType point) {
     if (point != self) squared_distance = std::min(squared_distance, squared);
     return squared_distance > 0;  // false ends the search: no point can be closer than distance 0
@@ -54,7 +54,8 @@ std::vector<Vec3> shifts_to_images(const std::optional<Box>& box) {
   return shifts;
 }
 
-/// Returns the distance from a point to its own nearest periodic image.
+/// Returns the distance from a point to its own nearest periodic image [length]; infinity in open space or
+/// between walls.
 double shortest_period(const std::optional<Box>& box) {
   double shortest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3 && box; ++axis) {

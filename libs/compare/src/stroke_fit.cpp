@@ -41,15 +41,15 @@ StrokeFit from_linear_form(double mean, double a, double b) {
 StrokeFit fit_stroke(std::span<const double> times, std::span<const double> lengths,
                      double angular_frequency) {
   if (times.size() != lengths.size() || times.size() < 3) {
-    throw InputError("stroke fit",
-                     fmt::format("there are {} times and {} lengths; the fit needs equal numbers, at least 3",
-                                 times.size(), lengths.size()));
+    throw InputError("stroke fit", fmt::format("there are {} times and {} arm lengths; the fit needs one arm "
+                                               "length per time, and at least 3 times",
+                                               times.size(), lengths.size()));
   }
   Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(harmonic_design(times, angular_frequency));
   qr.setThreshold(rank_threshold);
   if (qr.rank() < 3) {
     throw InputError("stroke fit",
-                     "the times of the samples do not determine mean, amplitude and phase; "
+                     "the times of the samples do not determine mean, amplitude and phase of the arm length; "
                      "sample the cycle at three phases or more that are not half a period apart");
   }
   const auto n = static_cast<Eigen::Index>(lengths.size());

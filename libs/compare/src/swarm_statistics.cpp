@@ -22,8 +22,9 @@ double mean_of(std::span<const double> values) {
   return values.front() + sum / static_cast<double>(values.size());
 }
 
-/// Returns the spread of at least one value. The deviation is evaluated in a second pass, because <x^2> -
-/// <x>^2 would lose significance for small deviations.
+/// Returns mean, standard deviation, smallest and largest value of at least one value. The deviation is
+/// evaluated in a second pass, because the formula <x^2> - <x>^2 (<>: mean) would lose significance for small
+/// deviations.
 Spread spread_of(std::span<const double> values) {
   const double mean = mean_of(values);
   double squares = 0;

@@ -31,8 +31,8 @@ std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator&
   MPI_Gather(&bytes, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, communicator.get());
   if (std::accumulate(sizes.begin(), sizes.end(), 0L) > std::numeric_limits<int>::max())
     throw SolverError(
-        "one rank cannot gather more than 2 GiB; use fewer swimmers, or a smaller cell of the scene "
-        "(beadswim-layout reduce)");
+        "one MPI rank cannot collect more than 2 GiB of data from the other ranks; use fewer swimmers, or a "
+        "smaller cell of the scene (beadswim-layout reduce)");
   std::exclusive_scan(sizes.begin(), sizes.end(), starts.begin(), 0);
   std::vector<char> all(communicator.is_root() ? starts.back() + sizes.back() : 0);
   MPI_Gatherv(own.data(), bytes, MPI_BYTE, all.data(), sizes.data(), starts.data(), MPI_BYTE, 0,

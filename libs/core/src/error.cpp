@@ -30,8 +30,8 @@ int report_current_exception(const std::string& program) {
     return say(error, ExitStatus::stopped_early);
   } catch (const std::bad_alloc&) {
     print_to_stderr(
-        fmt::format("{}: out of memory; use fewer swimmers or cells, a machine with more memory, or a higher "
-                    "limit (ulimit -v)\n",
+        fmt::format("{}: out of memory; use fewer swimmers or lattice cells, a machine with more memory, or "
+                    "a higher limit (ulimit -v)\n",
                     program));
     return static_cast<int>(ExitStatus::failed);
   } catch (const std::exception& error) {

@@ -33,12 +33,12 @@ std::size_t edit_distance(const std::string& a, const std::string& b, Part part)
   return part == Part::whole ? last.back() : *std::min_element(last.begin(), last.end());
 }
 
-/// Returns true if `name`, of n letters, may be a misspelling of `candidate`. One of these conditions
-/// suffices:
+/// Returns true if `name` may be a misspelling of `candidate`. If n is the number of letters of `name`, one
+/// of these conditions suffices:
 ///   - the edit distance is less than n, and at most max(2, n/3), or at most 1 if n < 4
 ///   - n >= 3, and the edit distance to a part of the candidate is at most n/4
 bool is_near(const std::string& name, const std::string& candidate) {
-  // A longer name comes from a damaged document, and its edit distance would take long to evaluate.
+  // Longer names occur only in damaged documents. The evaluation of their edit distances would take long.
   constexpr std::size_t max_length = 100;
   if (name.size() > max_length) return false;
   const std::size_t distance = edit_distance(name, candidate, Part::whole);
@@ -68,7 +68,7 @@ std::string format_suggestion(const std::string& name, const std::vector<std::st
 }
 
 std::string format_unknown_name(const std::string& name, const std::vector<std::string>& allowed) {
-  return fmt::format("unknown \"{}\"{} There are {}", name, format_suggestion(name, allowed),
+  return fmt::format("unknown value \"{}\"{} Valid values: {}", name, format_suggestion(name, allowed),
                      fmt::join(allowed, ", "));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double max_wait = 2;  // longest time between the failures of two ranks that fail together [s]
 
-/// Returns true if all ranks call this function within max_wait. Collective if it returns true.
+/// Returns true if all ranks call this function within `max_wait` seconds, otherwise false.
 bool all_ranks_fail_together(const Communicator& communicator) {
   MPI_Request barrier = MPI_REQUEST_NULL;
   MPI_Ibarrier(communicator.get(), &barrier);
@@ -41,7 +41,7 @@ int end_after_failure(const std::string& program, const Communicator& failures) 
 
 void abort_after_failure(const std::string& program, const Communicator& failures) {
   constexpr int failed = static_cast<int>(ExitStatus::failed);
-  // If rank 0 fails too, it reports and ends this rank meanwhile.
+  // If rank 0 fails too, it reports its error and ends all ranks while this rank waits.
   if (!failures.is_root()) std::this_thread::sleep_for(std::chrono::duration<double>(max_wait));
   report_current_exception(program);
   if (failures.size() == 1) std::_Exit(failed);

@@ -10,7 +10,7 @@ namespace beadswim {
 namespace {
 
 constexpr double target_intervals = 5;
-constexpr double target_integer_intervals = 7;  // up to six cycles have one tick per cycle
+constexpr double target_integer_intervals = 7;  // an axis of up to six cycles then has one tick per cycle
 constexpr double margin = 0.06;                 // on each side, divided by the range of the data
 constexpr double single_value_margin = 0.1;     // relative to the value, on each side
 
@@ -36,7 +36,8 @@ int decimal_exponent(double value) {
   return static_cast<int>(std::floor(std::log10(value) + 1e-9));
 }
 
-/// Adds equidistant ticks to an axis whose ends are set. Their distance is 1, 2 or 5 times a power of ten.
+/// Adds ticks at equal distances to an axis whose ends are set. The distance between neighbouring ticks is 1,
+/// 2 or 5 times a power of ten.
 void add_round_ticks(AxisScale& scale, TickKind kind) {
   const double length = scale.high - scale.low;
   const double step = kind == TickKind::any ? round_step(length / target_intervals)

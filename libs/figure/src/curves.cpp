@@ -78,7 +78,7 @@ void append_points_and_curves(const std::vector<PointGroup>& groups, const std::
     panel.series.push_back(
         {.label = group.label, .x = group.x, .y = group.y, .colour = colour.value_or(g), .shape = g});
   }
-  constexpr int first_open_shape = 4;  // the filled markers of runs are more prominent
+  constexpr int first_open_shape = 4;  // predictions have open markers, runs filled markers
   for (int c = 0; c < static_cast<int>(curves.size()); ++c) {
     const Curve& curve = curves[static_cast<std::size_t>(c)];
     std::ranges::move(curve_series(curve.points, {.label = curve.label,

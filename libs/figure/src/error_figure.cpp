@@ -18,10 +18,11 @@ const std::string front_text = "On the front, no other run is both cheaper and m
 
 void require_plottable(const ErrorPoint& point, const std::string& quantity, const std::string& cost) {
   if (point.error > 0 && std::isfinite(point.error) && point.cost > 0 && std::isfinite(point.cost)) return;
-  throw InputError(point.source,
-                   fmt::format("has an error of {:g} in the {} and a cost of {:g} {}; a logarithmic axis "
-                               "needs positive finite numbers; is this file the reference itself?",
-                               point.error, quantity, point.cost, cost));
+  throw InputError(
+      point.source,
+      fmt::format("the run has an error of {:g} in the {} and a cost of {:g} {}, but a logarithmic axis "
+                  "needs positive finite numbers; leave this file out if it is the reference itself",
+                  point.error, quantity, point.cost, cost));
 }
 
 /// Returns the Pareto front in order of increasing cost: each of its points has a smaller error than all
@@ -52,7 +53,7 @@ void append(const std::vector<ErrorPoint>& points, Series& series) {
   }
 }
 
-/// Adds a panel, and a note that names its most accurate point.
+/// Adds a panel, and a note that names the most accurate point of the panel.
 void add_panel(const QuantityErrors& errors, const std::string& cost, Figure& figure) {
   Panel panel{.x_label = {cost, "s"},
               .y_label = {"error of the " + errors.quantity, "%"},

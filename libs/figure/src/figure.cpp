@@ -90,8 +90,11 @@ PanelRange panel_range(const Panel& panel) {
   }
   if (all.is_empty()) {
     const bool logarithmic = panel.y_scale == ScaleKind::logarithmic;
-    throw InputError("figure", fmt::format("there is no {} point to draw for \"{}\"",
-                                           logarithmic ? "positive" : "finite", panel.y_label.quantity));
+    throw InputError(
+        "figure",
+        fmt::format(
+            "there is no point with a {} value of \"{}\" to draw; add files that contain such a value",
+            logarithmic ? "positive" : "finite", panel.y_label.quantity));
   }
   return {all.x, plain.is_empty() ? all.y : plain.y};
 }
@@ -108,8 +111,8 @@ PlotArea plot_area(const Panel& panel, double top) {
           .y = axis_scale(range.y, panel.y_scale, TickKind::any)};
 }
 
-/// Returns the text of an axis label, for example "velocity (10⁻⁵ um/s)". The power of ten is the one that
-/// the tick labels omit.
+/// Returns the text of an axis label with unit, for example "velocity (10⁻⁵ um/s)". The text contains the
+/// power of ten by which the tick labels must be multiplied.
 std::string label_text(const AxisLabel& label, int exponent) {
   const std::string power = exponent == 0 ? "" : power_of_ten(exponent);
   const std::string gap = power.empty() || label.unit.empty() ? "" : " ";

@@ -5,7 +5,7 @@
 namespace beadswim {
 namespace {
 
-const Vec3 to_the_eye = Vec3(0.42, -0.84, 0.34).normalized();  // direction from the centre of the block
+const Vec3 to_the_eye = Vec3(0.42, -0.84, 0.34).normalized();  // direction from the block centre to the eye
 constexpr double eye_distance = 3.2;                           // from the centre, relative to the diagonal
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace beadswim {
 
 /// Central projection of a rectangular block onto a part of the page. The eye is in front of the block, a
-/// little to the right and above.
-///   page point = (d.right, -d.up) / (d.forward) scale + shift, d = point - eye
+/// little to the right and above. With the vector d = point - eye and the scalar product ".",
+///   page point = (d.right, -d.up) / (d.forward) scale + shift
 /// right, up and forward are the unit vectors of the directions of view.
 class Perspective {
  public:
@@ -19,7 +19,7 @@ class Perspective {
 
   /// Returns the projection of a point onto the page.
   svg::Point project(const Vec3& point) const;
-  double depth(const Vec3& point) const { return (point - eye_).dot(forward_); }  ///< [length]
+  double depth(const Vec3& point) const { return (point - eye_).dot(forward_); }  ///< from the eye [length]
   /// Returns the projected size [px] of a length that has the depth of the point.
   double projected_size(const Vec3& point, double length) const { return scale_ * length / depth(point); }
   double width() const { return width_; }    ///< width of the projected block [px]

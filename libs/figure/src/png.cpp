@@ -26,10 +26,17 @@ using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
 
 TemporaryFile temporary_file(const std::string& content) {
   TemporaryFile file(std::tmpfile());
-  if (!file) throw SolverError(fmt::format("a temporary file cannot be created: {}", std::strerror(errno)));
+  if (!file)
+    throw SolverError(
+        fmt::format("a temporary file for the .png picture cannot be created: {}; free disk space for "
+                    "temporary files, or write .svg",
+                    std::strerror(errno)));
   const std::size_t written = std::fwrite(content.data(), 1, content.size(), file.get());
   if (written != content.size() || std::fflush(file.get()) != 0) {
-    throw SolverError(fmt::format("the temporary file cannot be written: {}", std::strerror(errno)));
+    throw SolverError(
+        fmt::format("the temporary file for the .png picture cannot be written: {}; free disk space for "
+                    "temporary files, or write .svg",
+                    std::strerror(errno)));
   }
   std::rewind(file.get());
   return file;
@@ -56,9 +63,10 @@ int run_filter(const std::string& what_for, char* const* command, std::FILE* inp
   const int fault = posix_spawnp(&child, command[0], &actions, nullptr, command, environ);
   posix_spawn_file_actions_destroy(&actions);
   if (fault != 0) {
-    throw InputError(what_for,
-                     fmt::format("{} cannot be started: {}; install the package librsvg2-bin, or write .svg",
-                                 command[0], std::strerror(fault)));
+    throw InputError(
+        what_for,
+        fmt::format("the program {} cannot be started: {}; install the package librsvg2-bin, or write .svg",
+                    command[0], std::strerror(fault)));
   }
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
@@ -73,7 +81,8 @@ std::string svg_to_png(const std::string& svg, const std::string& path) {
   std::string program = "rsvg-convert", zoom = "--zoom=2", format = "--format=png";
   const std::array<char*, 4> command{program.data(), zoom.data(), format.data(), nullptr};
   if (const int status = run_filter(path, command.data(), input.get(), output.get())) {
-    throw SolverError(fmt::format("{}: rsvg-convert failed with status {}", path, status));
+    throw SolverError(
+        fmt::format("{}: the program rsvg-convert failed with status {}; write .svg instead", path, status));
   }
   return content_of(output.get());
 }

@@ -148,8 +148,8 @@ std::string draw_marks(const SwarmPicture& picture, const Perspective& view) {
   return elements;
 }
 
-/// Draws a distance with its label. The label is to the right of a steep arrow. It is above or below an
-/// approximately horizontal arrow, on the side away from the beads.
+/// Draws a distance with its label. The label of a steep arrow is at its right. The label of an approximately
+/// horizontal arrow is above or below the arrow, on the side away from the beads.
 std::string draw_distance(const PictureDistance& distance, const Perspective& view) {
   const Vec3 from = distance.from + distance.arrow_offset, to = distance.to + distance.arrow_offset;
   const svg::Point a = view.project(from), b = view.project(to), bead = view.project(distance.from);
@@ -188,7 +188,9 @@ std::string draw_keys(const SwarmPicture& picture, double top) {
 }
 
 void require_swimmers(const SwarmPicture& picture) {
-  if (picture.swimmers.empty()) throw InputError("figure", "there is no swimmer to draw");
+  if (picture.swimmers.empty())
+    throw InputError("figure",
+                     "there is no swimmer to draw; give a layout or a trajectory that contains swimmers");
 }
 
 struct Block {

@@ -37,7 +37,7 @@ struct PageLayout {
   double scale = 1;  ///< [px/length]
   std::array<svg::Point, 3> centres;
   std::array<double, 3> radii{};
-  double top = 0, bottom = 0;  ///< y coordinates of the largest bead [px]
+  double top = 0, bottom = 0;  ///< y coordinates of top and bottom of the largest bead [px]
 
   double end() const { return centres[2].x + radii[2]; }
 };

@@ -15,8 +15,8 @@ int cut(int n, int parts, int p) {
   return static_cast<int>(static_cast<long>(n) * p / parts);
 }
 
-/// Returns the grid of `ranks` blocks with the cheapest halo exchange, subject to grid[a] <= cells[a].
-/// Returns 0 in all components if there is no such grid.
+/// Returns the numbers of blocks along x, y and z (in total `ranks`) for which the halo exchange is cheapest.
+/// No axis has more blocks than cells. Returns 0 in all components if there is no such grid.
 Index3 cheapest_grid(const Index3& cells, int ranks) {
   Index3 best = Index3::Zero();
   double min_cost = std::numeric_limits<double>::infinity();
@@ -27,8 +27,8 @@ Index3 cheapest_grid(const Index3& cells, int ranks) {
       if ((ranks / gx) % gy != 0) continue;
       const Index3 grid(gx, gy, ranks / gx / gy);
       if ((grid > cells).any()) continue;
-      // Relative cost of the exchange across x: each exchanged population lies in a separate cache line, and
-      // the rows become shorter.
+      // Cost of exchanging a halo cell across x, divided by the cost across y or z. It is larger because each
+      // exchanged population lies in a separate cache line, and because the rows become shorter.
       constexpr double strided = 4;
       const double cost = strided * gx * n[1] * n[2] + grid[1] * n[0] * n[2] + grid[2] * n[0] * n[1];
       if (cost < min_cost) {

@@ -23,7 +23,8 @@ constexpr FaceDirections directions_along(int axis, int sign) {
   return found;
 }
 
-/// Returns the sign of the velocity component of populations that enter through the face on `side`.
+/// Returns the sign of the velocity of populations that enter the block through the face on `side` of an axis
+/// (0: low side, 1: high side).
 constexpr int entering_sign(int side) {
   return side == 0 ? 1 : -1;
 }
@@ -52,7 +53,7 @@ void prefetch_run(const Real* first, const CellRun& run) {
 /// Copies the populations of a run of cells. Returns the address after the last copied value.
 template <class Real>
 Real* copy_run(const Real* from, const CellRun& run, Real* to) {
-  if (run.cells == 1) {  // every run of a plane across x: avoids a function call
+  if (run.cells == 1) {  // planes perpendicular to x: avoids a function call
     *to = *from;
     return to + 1;
   }
@@ -96,8 +97,9 @@ auto* row_of(SomePopulations& populations, PopulationKind kind, int i, std::ptrd
                                                  first);
 }
 
-/// Fills the halo plane on `side` of `axis`. Copies direction from[k] of the cell whose index is larger by
-/// `distance` to direction to[k] of each halo cell, for all k.
+/// Fills the halo plane on `side` of `axis`. For all k, copies the population of direction from[k] to the
+/// population of direction to[k] of each halo cell. The source cell has an index that is larger than the
+/// index of the halo cell by `distance`.
 template <class Real>
 void copy_into_halo(Populations& populations, PopulationKind kind, int axis, int side,
                     const FaceDirections& to, const FaceDirections& from, std::ptrdiff_t distance) {
@@ -153,7 +155,7 @@ void bounce_back_at_face(Populations& populations, int axis, int side, int low_z
   }
 }
 
-/// Returns the number of populations of one kind that leave through a face.
+/// Returns the number of populations of one kind that one message along `axis` contains.
 std::size_t num_face_populations(const Populations& populations, int axis) {
   std::size_t count = entering_directions;
   for (int a = 0; a < 3; ++a) {
@@ -192,8 +194,8 @@ const std::byte* unpack(Populations& populations, PopulationKind kind, int axis,
 }
 
 /// Calls visit(kind) for each kind of population that one message contains. A population of kind `behind` may
-/// have entered the neighbour through another face. The kinds `leaving` and `behind` are therefore exchanged
-/// after all entering populations.
+/// have entered the neighbour through another face. Messages with the kinds `leaving` and `behind` are
+/// therefore exchanged after the messages with entering populations.
 template <class Visit>
 void for_each_kind(HaloContent content, Visit&& visit) {
   if (content == HaloContent::entering) return visit(PopulationKind::entering);
@@ -208,8 +210,8 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
     : comm_(communicator.get()), rank_(communicator.rank()), content_(content) {
   if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
     throw InputError(
-        fmt::format("a block is only one cell thick on {} ranks, but multireflection needs two cells; use "
-                    "fewer ranks or another {}",
+        fmt::format("with {} ranks the block of cells of a rank is only one cell thick, but the "
+                    "multireflection bead boundary needs two cells; use fewer ranks or another {}",
                     communicator.size(), Setting::bead_boundary));
   }
   const Index3 position = decomposition.grid_position(rank_);
@@ -227,8 +229,8 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
   }
 }
 
-/// If messages are pending, an error has interrupted a step and the program is about to stop all ranks. Until
-/// then MPI may write into the buffers, which are therefore not freed.
+/// Does not free the message buffers if messages are in transit, because MPI may still write into them. This
+/// happens only if an exception has interrupted a time step; the program is then about to stop all ranks.
 Halo::~Halo() {
   if (!has_pending_messages_) return;
   for (Face& face : faces_[2]) {
@@ -290,7 +292,8 @@ void Halo::start_as(Populations& populations) {
   bounce_back_at_walls<Real>(populations, 0, populations.size()[2]);
 }
 
-/// Fills the halo cells across one axis that need no message. Sends the messages along this axis.
+/// Fills the halo cells beyond the faces perpendicular to `axis` that need no message. Sends the messages
+/// along this axis.
 template <class Real>
 void Halo::start_across(Populations& populations, HaloContent content, int axis) {
   if (is_cut(axis)) send<Real>(populations, content, axis);

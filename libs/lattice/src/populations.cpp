@@ -18,8 +18,9 @@ std::ptrdiff_t round_up_to_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
 Populations::Populations(const Index3& size, Precision precision, HaloContent halo)
     : precision_(precision), size_(size) {
   const auto per_line = static_cast<std::ptrdiff_t>(line / bytes_per_population(precision));
-  // Cells behind halo cells lie up to one cell outside the halo. One extra cell per row and one extra row per
-  // plane separate the cells behind one face from the cells behind the opposite face.
+  // With HaloContent::behind, populations of cells up to one cell outside the halo are stored too. One extra
+  // cell per row and one extra row per plane separate the cells beyond one face from the cells beyond the
+  // opposite face.
   const int behind = halo == HaloContent::behind ? 1 : 0;
   // Rows are not aligned with cache lines, because the padding would cost more time than alignment saves.
   pitch_y_ = size[0] + 2 + behind;
@@ -27,8 +28,9 @@ Populations::Populations(const Index3& size, Precision precision, HaloContent ha
   // Entering populations are stored up to one cell and one row outside the halo.
   first_ = behind * pitch_z_ + pitch_y_ + 2;
   const std::ptrdiff_t cells = pitch_z_ * (size[2] + 2) + 2 * first_;  // including cells outside the halo
-  // A sweep advances through the 19 arrays in parallel. Arrays whose distance is a multiple of a page (4 KiB)
-  // would compete for the same cache sets. Each array is therefore shifted by `stagger` further cache lines.
+  // A sweep advances through the 19 arrays in parallel. If the distance of two arrays were a multiple of a
+  // page (4 KiB), they would compete for the same cache sets. Each array is therefore shifted by `stagger`
+  // further cache lines.
   constexpr std::ptrdiff_t lines_a_page = 4096 / line, stagger = 5;
   const std::ptrdiff_t pitch_i = round_up_to_multiple(cells, lines_a_page * per_line) + stagger * per_line;
   for (int i = 0; i < d3q19::directions; ++i) {

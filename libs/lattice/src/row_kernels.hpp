@@ -24,10 +24,10 @@ struct SweepRow {
 template <class Real>
 struct TotalsRow {
   const Real* outgoing[d3q19::directions];  ///< addresses of the outgoing populations of the first cell
-  long cells;                               ///< at most order_free::max_terms
+  long cells;                               ///< number of cells, at most order_free::max_terms
 };
-/// Sums over a row of cells. Each term is split into a coarse and a fine part, so that the sums do not depend
-/// on the order of the terms (OrderFreeSum).
+/// Sums of density deviation and momentum over a row of cells. Each term is split into a coarse and a fine
+/// part, so that the sums do not depend on the order of the terms (OrderFreeSum).
 struct RowTotals {
   double coarse[4], fine[4];  ///< sums of density deviation and of the three momentum components
   bool fits;                  ///< false if a term was too large or NaN; the sums are then invalid

@@ -26,7 +26,8 @@ void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
 
 }  // namespace
 
-/// Arguments of the row kernel in the precision of the populations. Only `first` changes from row to row.
+/// Arguments of the kernel that sweeps one row, in the precision of the populations. Only `first`, the index
+/// of the first cell of the row, changes from row to row.
 struct BlockSweep::Rows {
   std::variant<SweepRow<double>, SweepRow<float>> row;
 };

@@ -25,7 +25,8 @@ void FluidTotals::subtract(const FluidTotals& other) {
 
 namespace {
 
-/// Adds `cells` consecutive cells of a row, beginning with cell `first`.
+/// Adds density deviation and momentum of `cells` consecutive cells of a row, beginning with cell `first`, to
+/// `totals`.
 template <class Real>
 void add_run(FluidTotals& totals, const Populations& populations, std::ptrdiff_t first, long cells) {
   TotalsRow<Real> row{.outgoing = {}, .cells = cells};

@@ -13,9 +13,9 @@ class ContactFinder {
   ContactFinder(const ContactScale& scale, std::vector<Contact>& contacts)
       : scale_(scale), contacts_(contacts) {}
 
-  /// Adds a pair of beads as a contact if its gap is below the cutoff. `separation` is the vector from the
-  /// second centre to the first, `radii` the sum of the radii. `is_image`: the second bead is a periodic
-  /// image.
+  /// Adds a pair of beads as a contact if the gap of their surfaces is below the cutoff. `separation` is the
+  /// vector from the centre of the second bead to the centre of the first, `radii` the sum of their radii
+  /// [length]. `is_image`: the second bead is a periodic image.
   void add_pair(int first, int second, bool is_image, const Vec3& separation, double radii) {
     const double distance = separation.norm(), gap = distance - radii;
     const double cutoff = scale_.cutoff_per_radius * radii / 2;
@@ -66,7 +66,8 @@ std::vector<Contact> find_contacts(const ContactScale& scale, const std::optiona
                                    std::span<const double> radii, std::span<const Vec3> positions) {
   std::vector<Contact> contacts;
   ContactFinder finder(scale, contacts);
-  const Vec3 lengths = mirrored_lengths(box);  // doubled between walls: no neighbours across a wall
+  // The lengths are doubled along axes with walls, so that no pair is found across a wall.
+  const Vec3 lengths = mirrored_lengths(box);
   const CellList cells(positions, (2 + scale.cutoff_per_radius) * scale.largest_radius, lengths);
   const std::vector<int>& order = cells.order();
   for (int s = 0; s < std::ssize(order); ++s) {

@@ -17,8 +17,8 @@ bool is_within_swimmer(const Contact& c) {
   return c.first / 3 == c.second / 3 && !c.is_image;
 }
 
-/// Returns the change of the gap that displacements of the beads cause. The mirror image of a bead moves
-/// opposite to the bead along the normal of the wall.
+/// Returns the change of the gap of a contact that displacements of the beads cause. The mirror image of a
+/// bead moves opposite to the bead along the normal of the wall.
 double gap_change(const Contact& c, const Beads& displacements) {
   if (c.first == c.second) return 2 * c.normal.dot(displacements[c.first]);
   return c.normal.dot(displacements[c.first] - displacements[c.second]);
@@ -45,9 +45,9 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
   std::vector<Matrix9> stiffness(last_ - first_, Matrix9::Zero());
   for (const Contact& c : external_contacts_) {
     add_contact_force(c, c.law.force, external_forces);
-    // Each bead gets twice the stiffness of the contact. This assumes that the other bead, or the mirror
-    // image, moves opposite to it by the same distance. For a bead and its own image, the loop adds the
-    // stiffness twice.
+    // Each bead of a contact gets twice its stiffness in the matrix of its swimmer. This assumes that the
+    // other bead, or the mirror image, moves opposite to it by the same distance. If a bead is in contact
+    // with its own image, the loop reaches it twice and adds the stiffness once each time.
     const double share = c.first == c.second ? 1 : 2;
     for (const int bead : {c.first, c.second})
       if (const std::size_t s = bead / 3; s >= first_ && s < last_)
@@ -68,8 +68,8 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
                                              .scale = step.contact_scale}));
 }
 
-/// Evaluates value(swimmer, part) for each swimmer of this rank. Returns the values of the swimmers of all
-/// ranks.
+/// Evaluates value(swimmer, part) for each swimmer of this rank, where `part` is its linear system. Returns
+/// the values of the swimmers of all ranks. Collective.
 template <class Value>
 Beads ImplicitBalance::gather(const Value& value) const {
   Beads beads(history_.size());
@@ -105,7 +105,8 @@ Beads ImplicitBalance::displacements(const Beads& velocities) const {
   return u;
 }
 
-/// Returns u - u*, the displacements from the expansion point at these velocities.
+/// Returns u - u*: the displacements u of the beads at the end of a step with these velocities, minus the
+/// expansion point u*.
 Beads ImplicitBalance::displacements_from_expansion(const Beads& velocities) const {
   Beads beyond = displacements(velocities);
   flat(beyond) -= flat(expansion_point_);

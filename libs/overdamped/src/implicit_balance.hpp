@@ -11,32 +11,41 @@
 
 namespace beadswim {
 
-/// References to the scene and its communicator, which must outlive this object.
+/// References to the scene of a time step and its communicator, which must outlive this object.
 struct StepScene {
   const OverdampedScene& scene;
-  std::span<const double> radii;  ///< one per bead [length]
+  std::span<const double> radii;  ///< radius of each bead [length]
   const ContactScale& contact_scale;
   const Communicator& communicator;
 };
 
-/// Linear system of a time step, linearised at the expansion point u*. Symbols as in implicit_step.hpp. Each
-/// rank stores the parts of its own swimmers. Arguments and results contain all beads and are equal on all
-/// ranks. Functions that return Beads are collective.
+/// Linear system of a time step, F + D v = drive and v = mu F, linearised at the expansion point u*
+/// (implicit_step.hpp). u: displacements of the beads in the step; v, F: velocities and forces at its end;
+/// mu, D: mobility and resistance; d: velocities in the flow of other swimmers. Each rank stores the parts of
+/// its own swimmers. Arguments and results contain all beads and are equal on all ranks. Functions that
+/// return Beads are collective.
 class ImplicitBalance {
  public:
-  /// Evaluates forces and contacts at the expansion point. `start`: positions x now; `history`: r;
-  /// `expansion_point`: u*; `distant`: d. `history` and `expansion_point` must outlive this object.
+  /// Evaluates forces and contacts at the expansion point. `start`: positions of the beads at the start of
+  /// the step; `history`: r in w u - r = h v (StepRule); `expansion_point`: u*; `distant`: d. `history` and
+  /// `expansion_point` must outlive this object.
   ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start, const Beads& history,
                   const Beads& expansion_point, const Beads& distant);
 
-  Beads initial_displacements() const;                                       ///< u for the given d
-  Beads initial_forces() const;                                              ///< F for the given d
-  Beads displacements(const Beads& velocities) const;                        ///< u = (r + h v)/w
-  Beads residual(const Beads& forces, const Beads& velocities) const;        ///< drive - D v - F
-  Beads left_hand_side(const Beads& forces, const Beads& velocities) const;  ///< F + D v
-  Beads own_forces(const Beads& residual) const;    ///< solves (1 + D mu_own) p = residual for p
-  Beads own_velocities(const Beads& forces) const;  ///< mu_own F
-  /// Returns the smallest gap of all contacts at the end of the step [length].
+  /// Return u and F if each swimmer is solved alone, in the flow d passed to the constructor.
+  Beads initial_displacements() const;
+  Beads initial_forces() const;
+  /// Returns the displacements u = (r + h v)/w for the velocities v at the end of the step.
+  Beads displacements(const Beads& velocities) const;
+  /// Returns the residual drive - D v - F of the force balance.
+  Beads residual(const Beads& forces, const Beads& velocities) const;
+  /// Returns the left-hand side F + D v of the force balance.
+  Beads left_hand_side(const Beads& forces, const Beads& velocities) const;
+  /// Returns the solution p of (1 + D mu_own) p = residual. mu_own: mobility of each swimmer alone.
+  Beads own_forces(const Beads& residual) const;
+  /// Returns mu_own F, the velocities that forces F cause if each swimmer is alone.
+  Beads own_velocities(const Beads& forces) const;
+  /// Returns the smallest gap of all contacts at the end of a step with these velocities [length].
   double smallest_gap(const Beads& velocities) const;
 
  private:
@@ -50,7 +59,7 @@ class ImplicitBalance {
   const Beads &history_, &expansion_point_;
   std::size_t first_ = 0, last_ = 0;  ///< this rank has the swimmers [first_, last_)
   std::vector<ImplicitSwimmer> parts_;
-  std::vector<Contact> internal_contacts_, external_contacts_;  ///< within a swimmer; all others
+  std::vector<Contact> internal_contacts_, external_contacts_;  ///< within one swimmer; all others
 };
 
 }  // namespace beadswim

@@ -9,18 +9,19 @@
 namespace beadswim {
 namespace {
 
-/// Largest accepted norm of the final correction, divided by the tolerance of the mobility product and the
-/// norm of the velocities.
+/// Largest accepted norm of the final correction of the velocities, divided by the product of the norm of the
+/// velocities and the tolerance of the mobility product.
 constexpr double residual_share = 0.3;
 
-constexpr int max_products = 100;  ///< per expansion point
+constexpr int max_products = 100;  ///< largest number of mobility products per expansion point
 
 /// Number of search directions that the GCR method stores, each with three vectors per bead.
 constexpr std::size_t max_directions = 20;
 
-/// Limits of the distance between the expansion point u* and the solution u [smallest radius].
-///   own_move_limit        for the initial guess as u* and each swimmer solved alone
-///   own_move_tolerance    if own_move_limit is exceeded: u* is iterated until it changes by less
+/// Limits of the distance of a bead between the expansion point u* and the solution u, divided by the
+/// smallest radius.
+///   own_move_limit        for each swimmer solved alone, with the initial guess as u*
+///   own_move_tolerance    if own_move_limit is exceeded, u* is iterated until it changes by less than this
 ///   joint_move_tolerance  for all swimmers solved together; if exceeded, u* is moved to the solution
 ///   joint_move_limit      largest distance that counts as converged after max_iterations
 constexpr double own_move_limit = 1e-3, own_move_tolerance = 1e-6, joint_move_tolerance = 1e-2,
@@ -41,8 +42,9 @@ ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double>
     for (const Spring& spring : type.springs) shortest_arm_ = std::min(shortest_arm_, spring.rest_length);
 }
 
-/// Returns the largest distance between `from` and `to` of any bead [smallest radius]. All ranks use the
-/// value of rank 0, because roundoff may differ between processors and all ranks must make the same decision.
+/// Returns the largest distance of one bead between the lists `from` and `to`, divided by the smallest
+/// radius. All ranks use the value of rank 0, because roundoff may differ between processors and all ranks
+/// must make the same decision.
 double ImplicitStep::largest_move(const Beads& from, const Beads& to) const {
   double farthest = 0;
   for (std::size_t b = 0; b < from.size(); ++b) {

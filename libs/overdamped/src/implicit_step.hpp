@@ -40,10 +40,10 @@
 namespace beadswim {
 
 struct ImplicitStepResult {
-  Beads displacements;  ///< u
-  Beads velocities;     ///< v
-  Beads distant;        ///< d, velocities in the flow of all other swimmers
-  long products = 0;    ///< mobility products evaluated
+  Beads displacements;  ///< u, displacements of the beads in the step
+  Beads velocities;     ///< v, velocities of the beads at the end of the step
+  Beads distant;        ///< d, velocities of the beads in the flow of all other swimmers
+  long products = 0;    ///< number of mobility products evaluated
   /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
   bool is_converged = true;
@@ -55,8 +55,9 @@ class ImplicitStep {
   ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, const MobilityProduct& mobility,
                const Communicator& communicator);
 
-  /// Solves one step. `start`: positions now; `from`: r; `guess`: initial guess of u; `distant`: extrapolated
-  /// d. All arrays contain all beads and are equal on all ranks. Collective.
+  /// Solves one step. `start`: positions at the start of the step; `from`: r in w u - r = h v (StepRule);
+  /// `guess`: initial guess of the displacements u; `distant`: extrapolated velocities d in the flow of all
+  /// other swimmers. All arrays contain all beads and are equal on all ranks. Collective.
   ImplicitStepResult solve(const StepRule& rule, const Beads& start, const Beads& from, const Beads& guess,
                            const Beads& distant) const;
 
@@ -70,7 +71,7 @@ class ImplicitStep {
   const MobilityProduct& mobility_;
   const Communicator& communicator_;
   ContactScale contact_scale_;
-  double smallest_radius_;                                         ///< [length]
+  double smallest_radius_;                                         ///< radius of the smallest bead [length]
   double shortest_arm_ = std::numeric_limits<double>::infinity();  ///< smallest rest length [length]
 };
 

@@ -7,7 +7,8 @@ BeadVectors beads_of(const Vector9& x) {
   return {x.segment<3>(0), x.segment<3>(3), x.segment<3>(6)};
 }
 
-/// Adds the forces and the stiffness of contacts between the three beads of one swimmer.
+/// Adds the forces and the stiffness of contacts between the three beads of one swimmer to `forces` and
+/// `stiffness`.
 void add_own_contacts(const SwimmerType& type, const ContactScale& scale, const BeadVectors& beads,
                       Vector9& forces, Matrix9& stiffness) {
   for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {

@@ -24,13 +24,13 @@ void check_no_slip_walls(const Layout& layout, const std::string& source) {
 /// Throws InputError if the box is too narrow for the Ewald sum or for contacts between beads and images.
 void require_room(const OverdampedScene& scene, const std::string& source) {
   const double largest = largest_radius(scene.types);
-  constexpr double radii = 4.4;  // no bead may be in contact with two images of the same bead
+  constexpr double radii = 4.4;  // in narrower boxes a bead may touch two images of one bead
   for (int a = 0; a < 3 && scene.box; ++a) {
     if (scene.box->lengths[a] >= radii * largest) continue;
-    throw InputError(
-        fmt::format("{}:/domain/lengths/{}", source, a),
-        fmt::format("{:.6g} is less than {} radii of the largest bead, {:.6g}; enlarge the box or use {} lbm",
-                    scene.box->lengths[a], radii, radii * largest, Setting::model));
+    throw InputError(fmt::format("{}:/domain/lengths/{}", source, a),
+                     fmt::format("the box length {:.6g} is less than {} radii of the largest bead, {:.6g}; "
+                                 "enlarge the box or use {} lbm",
+                                 scene.box->lengths[a], radii, radii * largest, Setting::model));
   }
 }
 

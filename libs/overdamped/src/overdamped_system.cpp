@@ -11,7 +11,7 @@
 namespace beadswim {
 namespace {
 
-/// Returns sum_i factor_i beads_i.
+/// Returns the sum of factor times vector over all terms, separately for each bead.
 Beads weighted_sum(std::initializer_list<std::pair<double, const Beads*>> terms) {
   Beads sum(terms.begin()->second->size(), Vec3::Zero());
   for (const auto& [factor, beads] : terms)
@@ -45,7 +45,7 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
   return rank_share(std::ssize(scene_.swimmers), communicator_.rank(), communicator_.size());
 }
 
-/// Solves one step from the present positions. Adds its mobility products to the statistics.
+/// Solves one step from the present positions. Adds the mobility products that this needs to state_.products.
 ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
                                                 const Beads& distant) {
   ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
@@ -54,7 +54,8 @@ ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Bead
   return result;
 }
 
-/// Sets the velocities at the initial positions. They follow from a time step of length zero.
+/// Sets the velocities of the beads at their initial positions, as the velocities of a time step of length
+/// zero.
 void OverdampedSystem::solve_initial_velocities() {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
@@ -102,7 +103,8 @@ void OverdampedSystem::take_bdf_step() {
   const double h = scene_.step;
   const Beads u1 = weighted_sum({{1, &x1}, {-1, &x}}), u2 = weighted_sum({{1, &x2}, {-1, &x}});
   const StepRule rule{.weight = 11.0 / 6, .span = h, .time = time() + h};
-  // The guess is the cubic in time through x and x_1 with the slopes v and v_1.
+  // The initial guess of the new positions is the cubic polynomial in time through the positions x and x_1
+  // with the velocities v and v_1 as slopes.
   ImplicitStepResult result = solve_step(rule, weighted_sum({{-1.5, &u1}, {1.0 / 3, &u2}}),
                                          weighted_sum({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
                                          weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
@@ -135,7 +137,8 @@ void OverdampedSystem::step() {
   for (const Vec3& v : state_.velocities[0]) state_.largest_speed = std::max(state_.largest_speed, v.norm());
 }
 
-/// Records the first fault. Each rank stores all beads, so all ranks find the same fault.
+/// Records the first fault in this step, if there is one. Each rank stores all beads, so that all ranks find
+/// the same fault.
 void OverdampedSystem::check_faults() {
   const auto& [now, before, earlier] = state_.positions;
   const auto record_fault = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number,

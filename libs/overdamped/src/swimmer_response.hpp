@@ -17,10 +17,11 @@ inline Vector9 as_vector(std::span<const Vec3> beads) {
   return Eigen::Map<const Vector9>(beads[0].data());
 }
 
-/// Returns the Rotne-Prager mobility of a swimmer alone in open space [time/mass].
+/// Returns the Rotne-Prager mobility of a swimmer alone in open space [time/mass]. viscosity: dynamic
+/// viscosity of the fluid [mass/(length time)].
 Matrix9 own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity);
 
-/// Returns the forces of the springs (without dashpots) and of the angular spring.
+/// Returns the forces on the beads of the springs (without dashpots) and of the angular spring.
 Vector9 own_forces(const SwimmerType& type, const BeadVectors& positions);
 
 /// Returns the stiffness -dF/dx of own_forces() [mass/time^2]. The contribution of the springs is exact. The

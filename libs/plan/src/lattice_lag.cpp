@@ -21,8 +21,9 @@ double mass(double radius, double density) {
 
 }  // namespace
 
-// The matrix M is a function of omega rho/eta, divided by eta. Replacing eta by eta (1 - eps) therefore
-// divides M by 1 - eps and omega by 1 - eps. The derivative dM/d(ln omega) is a central difference.
+// The matrix M is a function of omega rho/eta, divided by eta (omega: frequency, rho: density, eta:
+// viscosity). Replacing eta by eta (1 - eps) therefore divides M by 1 - eps and omega by 1 - eps. The
+// derivative dM/d(ln omega) is a central difference.
 Eigen::Matrix3cd LatticeLag::FrequencySamples::with_delayed_stress(Complex eps) const {
   return (at + eps * (above - below) / (2 * frequency_step)) / (1.0 - eps);
 }
@@ -58,7 +59,8 @@ LatticeLag::Motion LatticeLag::motion(const Eigen::Matrix3cd& mobility, const Ei
           .reynolds = reynolds_stress_velocity(reynolds_, force)};
 }
 
-// Returns the mobility U/F of the last equation in lattice_lag.hpp.
+// Returns the mobility U/F, where the force of the fluid acts on beads one time step late: the last equation
+// in lattice_lag.hpp. U are the velocities of the beads, F the forces of driving, springs and dashpots.
 Eigen::Matrix3cd LatticeLag::with_delayed_links(const Eigen::Matrix3cd& induced,
                                                 const LatticeTiming& timing) const {
   const CollinearSwimmer& swimmer = scene_.swimmer;

@@ -13,7 +13,7 @@
 namespace beadswim {
 namespace {
 
-constexpr std::array edges{12, 24, 48, 96};  // of the block of a rank [cell]; the smallest fits the cache
+constexpr std::array edges{12, 24, 48, 96};  // edges of a rank's block [cell]; 12 fits in the cache
 constexpr double timing_interval = 0.06;     // duration of one timing [s]
 constexpr int rounds = 3;
 
@@ -26,8 +26,8 @@ CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
   return scene;
 }
 
-/// Returns a scene with swimmers at rest side by side. Beads have a radius of 4 cells. Their volume fraction
-/// is that of the swarm in the paper.
+/// Returns a scene with swimmers at rest side by side. Beads have a radius of 4 cells. The volume fraction of
+/// the beads is that of the swarm in the paper.
 CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks) {
   CoupledScene scene = fluid_scene(64, precision, ranks);
   scene.bead_boundary = scheme;
@@ -92,7 +92,9 @@ LatticeSpeed::LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions)
            std::ranges::max(own.seconds_per_area) < longest;
   };
   if (precisions_.size() != all_values<Precision>.size() || !std::ranges::all_of(precisions_, is_sound))
-    throw InputError("precisions", "the table is not as this version writes it");
+    throw InputError("precisions",
+                     "the table of lattice speeds does not have the format of this program version; measure "
+                     "the speeds again");
 }
 
 LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {

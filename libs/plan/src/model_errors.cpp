@@ -22,9 +22,12 @@ QuasiStaticMotion motion_of(const Prediction& prediction) {
   return {.velocity = prediction.velocity, .arm_amplitudes = prediction.stroke.amplitude};
 }
 
-/// Returns the motion by a mobility model in the question's box. It is the Rotne-Prager motion in the box,
-/// corrected by the difference between the model and Rotne-Prager theory in open space. The difference of the
-/// velocities is multiplied by the ratio of the stroke areas in the box and in open space.
+/// Returns the motion by a mobility model in the question's box. No method treats all models in a box. The
+/// motion by Rotne-Prager theory (RP) in the box is therefore corrected by the difference between the model
+/// and RP in open space:
+///   velocity   v_RP,box + (v_model - v_RP) A_box/A
+///   amplitude  d_RP,box d_model/d_RP
+/// A = d_1 d_2 sin(beta) is the stroke area by RP, with the arm amplitudes d_1, d_2 and the phase shift beta.
 QuasiStaticMotion motion_in_box(const Question& question, const char* method_in_open_space) {
   const Prediction pairs_in_box = predicted("rpy-box-ode", question);
   const Prediction pairs = predicted("rpy-ode", question), model = predicted(method_in_open_space, question);
@@ -51,28 +54,30 @@ double relative(double value, double reference) {
   return reference != 0 ? std::abs(value / reference - 1) : 0;
 }
 
-/// Returns the scatter of results with a bead boundary over different bead positions within a cell, divided
-/// by the scatter with the bead boundary mr (docs/resolution.md).
+/// Returns the scatter of the results of runs that differ only in the position of beads within a cell. The
+/// scatter with the given bead boundary is divided by the scatter with the bead boundary mr
+/// (docs/resolution.md).
 double scatter_over_mr(BeadScheme scheme) {
   return scheme == BeadScheme::mr ? 1 : scheme == BeadScheme::staircase ? 4 : 1.5;
 }
 
-/// Returns the error by cells of finite size. It is fitted to measurements: docs/speed-against-error.md with
-/// small time steps, docs/hard-cases.md below 2 cells per radius.
+/// Returns the relative error by cells of finite size. The formulas are fits to measurements:
+/// docs/speed-against-error.md for small time steps, and docs/hard-cases.md below 2 cells per radius.
+///
 /// The mobility of a bead on the lattice depends on its position within a cell. An oscillation over several
 /// cells averages this dependence. An oscillation over less than a cell does not, which causes the error
 /// `by_place`. `swing`: the smaller arm amplitude [cell].
 ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme, double swing) {
-  constexpr double shortest = 0.2;  // for smaller swings the error is constant [cell]
+  constexpr double shortest = 0.2;  // [cell]; the error is constant for smaller `swing`
   const double n2 = cells_per_radius * cells_per_radius, n5 = n2 * n2 * cells_per_radius;
   const double by_place = 0.114 / std::pow(cells_per_radius, 1.7) / std::pow(std::max(swing, shortest), 2.5);
   const double arm = 0.03 / n2 + 0.05 / n5, scatter = scatter_over_mr(scheme);
   return {.velocity = scatter * (0.045 / n2 + by_place), .arm_amplitudes = {scatter * arm, scatter * arm}};
 }
 
-/// Returns the error by gaps that cells do not resolve. `at_rest`: smallest gap at rest [cell] ("contact at
-/// the start" in docs/hard-cases.md). `smallest_stroke_gap`: smallest gap during the stroke [cell] ("driving"
-/// in docs/hard-cases.md).
+/// Returns the relative error that occurs because cells do not resolve gaps between beads. `at_rest`:
+/// smallest gap at rest [cell]. `smallest_stroke_gap`: smallest gap during the stroke [cell]. The errors were
+/// measured in the cases "contact at the start" and "driving" of docs/hard-cases.md.
 ErrorEstimate error_of_gaps(double at_rest, double smallest_stroke_gap) {
   constexpr double resolved = 2.5, unresolved_gap = 1, touching = 0.25;  // [cell]
   constexpr double max_error_at_rest = 0.25, max_error_in_stroke = 0.04;
@@ -117,8 +122,8 @@ BestPrediction best_prediction(const Question& question) {
   return known;
 }
 
-// The error of the time steps is 3.3e-5 of the velocity with 100 steps per cycle. It is proportional to the
-// third power of the time step (docs/method/mobility-swarms.md).
+// The error by time steps of finite length is 3.3e-5 of the velocity with 100 steps per cycle. It is
+// proportional to the third power of the time step (docs/method/mobility-swarms.md).
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              int steps_per_cycle) {
   const QuasiStaticMotion motion = question.box ? motion_in_box(question, method_of(model))

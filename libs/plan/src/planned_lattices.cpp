@@ -20,21 +20,23 @@
 namespace beadswim {
 namespace {
 
+/// Cells per radius and relaxation times that a plan tries if the user sets none.
 constexpr std::array usual_cells{2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0};
 constexpr std::array usual_times{0.6, 0.8, 1.0, 1.5, 2.0};
 
-/// Returns resolutions within 13 % of `usual_cells` [cells per radius] for which each edge of the box is an
-/// integer number of cells. Multiples of 1/4 are preferred. Returns an empty list in open space.
+/// Returns numbers of cells per radius for which each edge of the box is an integer number of cells. They
+/// differ from `usual_cells` by at most 13 %. Multiples of 1/4 are preferred. Returns an empty list in open
+/// space.
 std::vector<double> commensurate_resolutions(const Layout& layout) {
   if (!layout.domain) return {};
   const Vec3 edges = layout.domain->lengths / smallest_radius(layout);
   const auto is_commensurate = [&](double cells) {
-    constexpr double roundoff = 1e-9;  // relative, as in put_on_lattice
+    constexpr double roundoff = 1e-9;  // relative deviation, as in put_on_lattice()
     return (cells * edges.array() - (cells * edges.array()).round()).abs().maxCoeff() <
            roundoff * cells * edges.maxCoeff();
   };
   std::vector<double> result;
-  constexpr double max_cells = 1e6;  // along an edge, as in put_on_lattice
+  constexpr double max_cells = 1e6;  // number of cells along an edge, as in put_on_lattice()
   for (const double usual : usual_cells) {
     if (usual * edges.maxCoeff() > max_cells) break;
     constexpr double within = 0.13, odd = 0.1;
@@ -63,8 +65,8 @@ std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, doub
         mach, Setting::relaxation_time, Setting::cells_per_radius);
   if (on_lattice.density_on_lattice() < min_stable_density)
     return fmt::format(
-        "beads of {:.2g} times the fluid's density on the lattice may become unstable; use a larger {} or {} "
-        "psm",
+        "the beads' density on the lattice is {:.2g} times the fluid's density, so the run may become "
+        "unstable; use a larger {} or {} psm",
         on_lattice.density_on_lattice(), Setting::relaxation_time, Setting::bead_boundary);
   if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time)
     return fmt::format("relaxation time {:.4g} is too close to 1/2; use {} or more",
@@ -118,7 +120,8 @@ void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSp
   run.output_bytes = output_bytes(run.settings, on_lattice.scene.swimmers.size(), cells, bytes / cells);
 }
 
-/// Returns the candidate with these settings. `speed` is measured by the first candidate that needs it.
+/// Returns the candidate (possible run) with these settings. `speed`: cost of lattice steps, measured by the
+/// first candidate that needs it.
 PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,
                        const RunSettings& settings, const std::string& source,
                        std::optional<LatticeSpeed>& speed, const Communicator& communicator) {
@@ -128,7 +131,7 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
   run.refused = reason_against([&] {
     request.require_choices_apply(settings);
     const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
-    // Throws if a type needs too many substeps.
+    // The call of substeps_for() throws if a type needs too many substeps.
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
     const long steps = total_steps(settings.cycles, steps_per_cycle);

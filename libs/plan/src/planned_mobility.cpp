@@ -11,7 +11,8 @@
 namespace beadswim {
 namespace {
 
-/// Measures the core-seconds of one product of mobility and forces. Collective.
+/// Returns the measured core-seconds of one product of the mobility matrix and the forces on all beads.
+/// Collective.
 double product_seconds(const OverdampedScene& scene, const Communicator& communicator) {
   const Beads places = rest_positions(scene);
   Beads forces(places.size()), velocities(places.size());
@@ -45,8 +46,8 @@ std::string mobility_obstacle(const SceneFacts& facts) {
   return {};
 }
 
-/// Adds the cost of a candidate: products of mobility and forces, other work of each step, memory and disk
-/// space (docs/method/mobility-swarms.md, docs/performance.md).
+/// Sets the cost of the candidate `run`: core-seconds for products of mobility matrix and forces and for
+/// other work of each step, memory and disk space (docs/method/mobility-swarms.md, docs/performance.md).
 void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
   const bool has_dashpots = std::ranges::any_of(setup.scene.types, [](const SwimmerType& type) {
     return type.springs[0].damping > 0 || type.springs[1].damping > 0;

@@ -25,15 +25,18 @@ SwimmerFacts evaluate_swimmer(Representative representative) {
   swimmer_facts.obstacle = reason_against([&] {
     swimmer_facts.lag.emplace(question);
     if (std::hypot(axial_amplitude[0], axial_amplitude[1]) < negligible * std::hypot(driven[0], driven[1]))
-      throw InputError("the driving is perpendicular to the axis and only bends the swimmer");
+      throw InputError(
+          "the driving forces are perpendicular to the swimmer's axis and only bend the swimmer, without a "
+          "stroke along the axis");
     swimmer_facts.best = best_prediction(question);
   });
   return swimmer_facts;
 }
 
-/// Returns exp(rate cycles), the factor by which deviations from the order of a swarm grow. The rate
-/// [1/cycle] is a power law of drag times angular frequency over stiffness, gamma omega/k. It passes through
-/// two values of docs/swarm-stability.md: 0.011 at gamma omega/k = 0.59 and 0.10 at 3.4.
+/// Returns exp(rate cycles), the factor by which deviations from the order of a swarm grow in `cycles`
+/// cycles. The rate [1/cycle] is a power law of gamma omega/k, where gamma is the drag coefficient of a bead,
+/// omega the driving frequency and k the stiffness. The power law passes through two values of
+/// docs/swarm-stability.md: rate 0.011 at gamma omega/k = 0.59, and rate 0.10 at gamma omega/k = 3.4.
 double growth_of_disorder(const CollinearSwimmer& swimmer, double cycles) {
   const double drag = 6 * std::numbers::pi * swimmer.viscosity * swimmer.radius[1];
   const double softness =
@@ -65,7 +68,7 @@ double growth_of_tilt(const SwimmerType& type, double viscosity) {
 SceneFacts scene_facts(const Layout& layout, double cycles) {
   SceneFacts facts;
   if (layout.domain) {
-    constexpr double off_place = 1e-6;  // [smallest radius], as in beadswim-layout reduce
+    constexpr double off_place = 1e-6;  // relative to the smallest radius, as in beadswim-layout reduce
     ReducedCell reduced = reduce(layout, off_place * smallest_radius(layout));
     facts.cell = std::move(reduced.layout);
     facts.cells = reduced.cells;
@@ -87,7 +90,7 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
 
 std::string film_obstacle(const SwimmerFacts& swimmer_facts) {
   if (!swimmer_facts.best) return "theory cannot predict the motion: " + swimmer_facts.obstacle;
-  constexpr double thin = 0.5;  // [radius]
+  constexpr double thin = 0.5;  // relative to the smallest bead radius
   if (swimmer_facts.best->smallest_stroke_gap >=
       thin * *std::ranges::min_element(swimmer_facts.representative.question.swimmer.radius))
     return {};

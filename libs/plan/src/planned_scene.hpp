@@ -32,24 +32,25 @@ struct SceneFacts {
 /// Returns the facts of a layout for a run of `cycles` base cycles.
 SceneFacts scene_facts(const Layout& layout, double cycles);
 
-/// Returns a message if theory finds no periodic motion for the swimmer. Returns a message, too, if beads
-/// come so close during the stroke that no mobility model is accurate in the thin film between them.
-/// Otherwise returns an empty string.
+/// Returns the reason why no mobility model is accurate for the swimmer: theory finds no periodic motion, or
+/// beads come so close during the stroke that the thin film between them matters. Otherwise returns an empty
+/// string.
 std::string film_obstacle(const SwimmerFacts& swimmer_facts);
 
-/// Returns the larger of `a` and `b` for each quantity.
+/// Returns the larger of the errors in `a` and `b`, separately for the velocity and for each arm amplitude.
 ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
 
 /// Returns all errors, multiplied by `factor`.
 ErrorEstimate scaled(double factor, ErrorEstimate error);
 
-/// Factor of the error estimate if the prediction for a swimmer was made for simplified neighbours, a
-/// simplified box or a simplified driving.
+/// Factor that multiplies an error estimate if its prediction was made for simplified neighbours, a
+/// simplified box or a simplified driving of the swimmer.
 constexpr double approximation_factor = 2;
 
-/// Returns the largest expected errors of the swimmers that represent the scene. Each error is multiplied by
-/// the factor for approximations, by the growth of an initial tilt during the run and by the growth of
-/// disorder. `error_of` returns the ErrorEstimate for one SwimmerFacts.
+/// Returns the largest expected errors of the swimmers that represent the scene. `error_of` returns the
+/// ErrorEstimate for one SwimmerFacts. All its errors are multiplied by approximation_factor if the
+/// prediction is for a simplified scene, and by the growth of a tilt in half a period if forces act at an
+/// angle to the axis. The error of the velocity is also multiplied by the growth of disorder in the run.
 template <class ErrorOf>
 ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
   ErrorEstimate error;
@@ -66,12 +67,12 @@ ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
 /// in short runs.
 constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
 
-/// Returns the disk space of the trajectory, the flow fields and the checkpoints [byte]. `bytes_per_cell`:
-/// state of one lattice cell [byte].
+/// Returns the disk space of the trajectory, the flow fields and the checkpoints [byte] for the given numbers
+/// of swimmers and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
 double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_per_cell);
 
-/// Return the candidates with the model lbm and with mobility models, with their errors and costs.
-/// Collective.
+/// Return the candidates (possible runs) with the model lbm and with mobility models, with their expected
+/// errors and costs. Collective.
 std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,
                                      const PlanRequest& request, const std::string& source,
                                      const Communicator& communicator);

@@ -13,11 +13,12 @@
 namespace beadswim {
 namespace {
 
-/// Returns a periodic box for one swimmer, whose volume is about the volume of `box` divided by the number of
-/// swimmers (its share). Its length along the swimmer is the edge of `box` in this direction, divided by an
-/// integer. This integer is the largest that keeps the length above 1.2 swimmer lengths and above the edge of
-/// a cube with the volume of the share. Length and width are increased, if necessary, to 1.2 swimmer lengths
-/// and four bead radii.
+/// Returns a periodic box for one swimmer that stands for its part of `box`. Its dimensions are
+///   volume  about V = (volume of `box`)/swimmers
+///   length  L/n, where L is the edge of `box` along the swimmer and n the largest integer for which L/n is
+///           at least 1.2 swimmer lengths and at least the cube root of V
+///   width   sqrt(V/length)
+/// The length is increased to 1.2 swimmer lengths and the width to four bead radii if they are smaller.
 BoxPlace share_of(const Box& box, std::size_t swimmers, const CollinearSwimmer& swimmer, const Vec3& axis) {
   constexpr double room = 1.2, radii_across = 4;
   int along = 0;
@@ -37,7 +38,7 @@ SwimmerType driven_along_its_line(SwimmerType type, const Vec3& axis) {
   return type;
 }
 
-/// Returns whether the driving has a component perpendicular to the axis.
+/// Returns true if the driving forces have a component perpendicular to the axis.
 bool is_driven_across(const SwimmerType& type, const Vec3& axis) {
   constexpr double largest_sine = 1e-9;
   return type.driving.frame == DrivingFrame::lab && axis.cross(Vec3::UnitX()).norm() > largest_sine;
@@ -59,7 +60,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
     result.approximation = "alone in open space, without neighbours";
   } else if (!surroundings.obstacle.empty()) {
     question.box = share_of(*cell.domain, cell.swimmers.size(), question.swimmer, swimmer.axis);
-    const std::string& why = surroundings.obstacle;  // the remedy follows a semicolon
+    const std::string& why = surroundings.obstacle;  // form: "reason; remedy"
     result.approximation = "alone in its share of the box (" + why.substr(0, why.find(';')) + ")";
   }
   if (across) {
@@ -70,7 +71,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
   return result;
 }
 
-/// Type and driving, without the phase offset.
+/// Name of the type of a swimmer, and its driving without the phase offset.
 using Kind = std::tuple<std::string, DrivingFrame, double, double, double, double>;
 
 Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
@@ -79,8 +80,8 @@ Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
           driving.amplitude[1], driving.phase, driving.period};
 }
 
-/// Returns the first swimmer, those with the largest and the smallest force, and those with the longest and
-/// the shortest period, without duplicates.
+/// Returns the first swimmer, the swimmers with the largest and the smallest force, and the swimmers with the
+/// longest and the shortest period. A swimmer with several of these properties is returned once.
 std::vector<const Swimmer*> extremes(const Layout& cell, const std::vector<const Swimmer*>& all) {
   const auto force = [&](const Swimmer* swimmer) {
     const auto& [a, b] = cell.resolved_type(*swimmer).driving.amplitude;

@@ -12,11 +12,11 @@ namespace beadswim {
 
 long total_steps(double cycles, long steps_per_cycle) {
   const double steps = cycles * static_cast<double>(steps_per_cycle);
-  constexpr double max_steps = 1e15;  // doubles are exact up to here
+  constexpr double max_steps = 1e15;  // doubles represent all integers up to this number
   if (steps > max_steps) {
-    throw InputError(
-        Setting::cycles,
-        fmt::format("{:.3g} cycles are {:.3g} steps; at most {:.3g} are possible", cycles, steps, max_steps));
+    throw InputError(Setting::cycles, fmt::format("{:.3g} cycles are {:.3g} time steps, but at most {:.3g} "
+                                                  "time steps are possible; run fewer cycles",
+                                                  cycles, steps, max_steps));
   }
   return std::max(1L, std::lround(steps));
 }

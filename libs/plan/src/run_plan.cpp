@@ -19,7 +19,7 @@ namespace {
 
 constexpr double default_tolerance = 0.03;
 
-/// Rejects runs that need more memory than the nodes have. Collective.
+/// Rejects runs that need more memory than the machines have. Collective.
 void mark_runs_beyond_memory(std::vector<PlannedRun>& runs, const Communicator& communicator) {
   double bytes_of_rank = installed_bytes() / count_ranks_on_node(communicator);
   MPI_Allreduce(MPI_IN_PLACE, &bytes_of_rank, 1, MPI_DOUBLE, MPI_MIN, communicator.get());
@@ -27,8 +27,8 @@ void mark_runs_beyond_memory(std::vector<PlannedRun>& runs, const Communicator& 
     const double needed = run.memory_bytes / communicator.size();
     if (run.refused.empty() && needed > bytes_of_rank)
       run.refused = fmt::format(
-          "the run needs {:.3g} GB per rank, but only {:.3g} GB are installed; use more machines, {} single, "
-          "fewer {} or a smaller scene",
+          "the run needs {:.3g} GB per rank, but only {:.3g} GB per rank are installed; use more machines, "
+          "{} single, fewer {} or a smaller scene",
           1e-9 * needed, 1e-9 * bytes_of_rank, Setting::precision, Setting::cells_per_radius);
   }
 }
@@ -37,12 +37,12 @@ void mark_runs_beyond_memory(std::vector<PlannedRun>& runs, const Communicator& 
 /// error is not finite. All ranks use the choice of rank 0. Collective.
 void choose(RunPlan& plan, const Communicator& communicator) {
   constexpr int none = -1;
-  std::array<int, 2> found{none, none};  // choice, best
+  std::array<int, 2> found{none, none};  // indices of the cheapest and of the most accurate run
   auto& [choice, best] = found;
   for (int r = 0; r < std::ssize(plan.runs); ++r) {
     PlannedRun& run = plan.runs[r];
     if (run.refused.empty() && !std::isfinite(run.error.largest() + run.core_seconds))
-      run.refused = "the error cannot be estimated";
+      run.refused = "the error of this run cannot be estimated";
     if (!run.refused.empty()) continue;
     if (best == none || run.error.largest() < plan.runs[best].error.largest()) best = r;
     if (run.error.largest() > plan.tolerance) continue;
@@ -57,7 +57,7 @@ std::string in_percent(double share) {
   return fmt::format("{:.2g} %", 100 * share);
 }
 
-/// Adds the difficulties of one swimmer to `plan.hard`.
+/// Adds the difficulties of predicting the motion of one swimmer to `plan.hard`.
 void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
   const Question& question = swimmer_facts.representative.question;
   const BestPrediction& best = *swimmer_facts.best;
@@ -74,20 +74,20 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
   }
   if (!swimmer_facts.representative.approximation.empty())
     add("error estimates are for a swimmer " + swimmer_facts.representative.approximation +
-        ", and are doubled");
+        ", because theory cannot treat the swimmer in this scene; these estimates are doubled");
   if (constexpr double tips_over = 20; swimmer_facts.tilt_growth > tips_over)
-    add(
-        fmt::format("driving along a fixed direction compresses the swimmer for so long that a tilt grows "
-                    "{:.2g} times and the swimmer turns over; without a disturbance it stays straight",
-                    swimmer_facts.tilt_growth));
-  reason_against([&] {  // if this throws, the row of the candidate contains the message
+    add(fmt::format(
+        "driving along a fixed direction compresses the swimmer for so long that a small tilt grows {:.2g} "
+        "times and the swimmer turns over; a swimmer without any disturbance keeps its orientation",
+        swimmer_facts.tilt_growth));
+  reason_against([&] {  // an error is ignored here; the candidate reports it as PlannedRun::refused
     const ErrorEstimate stokes =
         mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{}.steps_per_cycle);
     const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
       add(
           fmt::format("inertia and other effects that mobility models neglect change the velocity by up to "
-                      "{} and arms by up to {}",
+                      "{} and the arm amplitudes by up to {}",
                       in_percent(stokes.velocity), in_percent(std::max(first, second))));
   });
 }
@@ -97,15 +97,16 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
     if (swimmer_facts.best) {
       add_hard_cases_of(plan, swimmer_facts);
     } else {
-      plan.hard.push_back(fmt::format(
-          "swimmer {}: {}; error estimates include only the time lag and the cells of the lattice",
-          swimmer_facts.representative.swimmer, film_obstacle(swimmer_facts)));
+      plan.hard.push_back(
+          fmt::format("swimmer {}: {}; error estimates include only the cell size of the lattice and its lag "
+                      "(delay of stress and forces)",
+                      swimmer_facts.representative.swimmer, film_obstacle(swimmer_facts)));
     }
   }
   if (constexpr double much = 1.5; facts.disorder_growth > much)
     plan.hard.push_back(
-        fmt::format("differences between swimmers grow {:.2g} times in the run, and the errors of single "
-                    "swimmers grow with them",
+        fmt::format("small differences between swimmers grow {:.2g} times during the run, and the velocity "
+                    "errors of single swimmers grow by the same factor",
                     facts.disorder_growth));
 }
 
@@ -113,8 +114,8 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
   if (const int copies = facts.cells.prod(); copies > 1) {
     const Vec3& box = facts.cell.domain->lengths;
     plan.proposals.push_back({fmt::format(
-        "the scene consists of {} copies of a cell of {:g} x {:g} x {:g} with {} of {} swimmers; a run of "
-        "the cell has 1/{} of the cost",
+        "the scene consists of {} copies of a cell of {:g} x {:g} x {:g} with {} of the {} swimmers; a run "
+        "of one cell has 1/{} of the cost",
         copies, box[0], box[1], box[2], facts.cell.swimmers.size(), layout.swimmers.size(), copies)});
   }
   const SwimmerFacts& swimmer_facts = facts.swimmer_facts.front();
@@ -123,16 +124,18 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
     return;
   const std::optional<SufficientBox> box =
       sufficient_box(swimmer_facts.representative.question, plan.tolerance / 3);
-  constexpr double worthwhile = 0.7;  // largest volume of a proposed box / volume of the present box
+  constexpr double worthwhile = 0.7;  // largest proposed volume, relative to the box of the layout
   if (!box || (layout.domain && box->lengths.prod() > worthwhile * layout.domain->lengths.prod())) return;
   int along = 0;
   layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);
   Vec3 lengths;
   for (int a = 0; a < 3; ++a) lengths[(along + a) % 3] = box->lengths[a];
-  plan.proposals.push_back({fmt::format("make the layout with this box: a single swimmer needs no larger "
-                                        "box; theory predicts a change of {} in velocity and stroke",
-                                        in_percent(box->change)),
-                            lengths});
+  plan.proposals.push_back(
+      {fmt::format(
+           "make the layout with this box: a single swimmer needs no larger box; theory predicts that this "
+           "box changes velocity and stroke by at most {}, compared with the present layout",
+           in_percent(box->change)),
+       lengths});
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& 
         const double kz = waves.wave(2, nz);
         const double k2 = kx * kx + ky * ky + kz * kz, k = std::sqrt(k2);
         if (k > waves.cut) break;
-        const double multiplicity = 2 * (ny > 0 ? 2 : 1) * (nz > 0 ? 2 : 1);  // both signs of each k
+        const double multiplicity = 2 * (ny > 0 ? 2 : 1) * (nz > 0 ? 2 : 1);  // both signs of k_x, k_y, k_z
         const Complex denominator =
             sound_speed * sound_speed * k2 - omega * omega + 2.0 * i_unit * omega * nu * k2;
         const Complex term = multiplicity / waves.volume() * waves.mirror_factor(1, ky) *

@@ -37,7 +37,7 @@ std::optional<SufficientBox> sufficient_box(const Question& question, double tol
     const Vec3 lengths = box_around(swimmer, free_length);
     Question boxed = question;
     boxed.box = box_place_at_centre(lengths);
-    double change = INFINITY;  // unchanged if the box is too narrow for theory
+    double change = INFINITY;  // stays infinite if the box is too narrow for theory
     reason_against([&] { change = change_between(best_prediction(boxed), reference); });
     if (change <= tolerance) return SufficientBox{.lengths = lengths, .change = change};
   }

@@ -12,17 +12,18 @@
 namespace beadswim {
 namespace {
 
-// Errors of single precision, measured relative to double precision and divided by the speed of the fastest
-// bead. They are upper bounds of the error of the velocity in one cycle, and of the drift of the mean fluid
-// velocity per step.
+// Upper bounds of errors of single precision, measured by comparison with double precision and divided by the
+// speed of the fastest bead: the error of the velocity of a swimmer in one cycle, and the change of the mean
+// fluid velocity per step.
 constexpr double error_over_bead_speed = 1e-8;
 constexpr double drift_over_bead_speed = 1e-13;
 
-// Error of double precision: error of the displacement in one cycle, if coordinates are some tens of cells.
+// Error of the displacement of a swimmer in one cycle in double precision, if coordinates are some tens of
+// cells.
 constexpr double displacement_error = 1e-13;  // [cell]
 
 struct Speeds {
-  double bead, swimmer;  ///< fastest bead; swimmer, averaged over a period [cell/step]
+  double bead, swimmer;  ///< of the fastest bead; of the swimmer, period average [cell/step]
 };
 
 /// Returns the speeds of a swimmer of this type with the driving along its axis.
@@ -41,7 +42,7 @@ double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long 
   for (const SwimmerType& type : scene.types) {
     const Speeds speeds = predicted_speeds(type, lattice_viscosity(scene.relaxation_time));
     if (speeds.bead == 0) continue;  // the type is not driven
-    constexpr double none = 1e-12;   // swimmer speed over bead speed that is zero within roundoff
+    constexpr double none = 1e-12;   // smaller ratios of swimmer speed to bead speed are roundoff
     const bool is_swimming = speeds.swimmer > none * speeds.bead;
     if (scene.precision == Precision::fp64) {
       if (is_swimming)

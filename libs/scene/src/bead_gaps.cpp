@@ -101,7 +101,7 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
 double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain) {
   double gap = domain ? smallest_wall_gap(beads, *domain) : std::numeric_limits<double>::infinity();
   for (const BeadPair& pair : own_image_pairs(beads, domain)) gap = std::min(gap, surface_gap(beads, pair));
-  for (std::size_t i = 1; i < beads.size(); ++i) {  // an upper bound from successive beads
+  for (std::size_t i = 1; i < beads.size(); ++i) {  // gives an upper bound of the gap
     const BeadPair pair{
         .first = i, .second = i - 1, .distance = (beads[i].centre - beads[i - 1].centre).norm()};
     gap = std::min(gap, surface_gap(beads, pair));

@@ -31,9 +31,10 @@ void check_unit(Quantity quantity, const Units::Unit& unit, const char* place, F
   const Units::Unit* known = find_known_unit(quantity, unit.name);
   constexpr double tolerance = 1e-9;
   if (!known || std::abs(unit.si_factor / known->si_factor - 1) < tolerance) return;
-  faults.push_back({fmt::format("{}/si_factor", place),
-                    fmt::format("{}: one {} is {} in SI; give that factor or another unit name",
-                                unit.si_factor, unit.name, known->si_factor)});
+  faults.push_back(
+      {fmt::format("{}/si_factor", place),
+       fmt::format("the factor {} is wrong: one {} is {} in SI units; give that factor or another unit name",
+                   unit.si_factor, unit.name, known->si_factor)});
 }
 
 void check_units(const Units& units, Faults& faults) {
@@ -49,11 +50,10 @@ void check_types(const std::map<std::string, SwimmerType>& types, Faults& faults
       const double length = type.springs[arm].rest_length;
       const double contact = type.beads[arm].radius + type.beads[arm + 1].radius;
       if (length > contact) continue;
-      faults.push_back(
-          {fmt::format("/types/{}/springs/{}/rest_length", name, arm),
-           fmt::format(
-               "{}: beads {} and {} overlap; the rest length must be greater than {}, the sum of their radii",
-               length, arm + 1, arm + 2, contact)});
+      faults.push_back({fmt::format("/types/{}/springs/{}/rest_length", name, arm),
+                        fmt::format("with the rest length {}, beads {} and {} overlap; the rest length must "
+                                    "be greater than {}, the sum of their radii",
+                                    length, arm + 1, arm + 2, contact)});
     }
   }
 }
@@ -64,8 +64,9 @@ void check_type_names(const Layout& layout, Faults& faults) {
   for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
     const std::string& type = layout.swimmers[i].type;
     if (layout.types.count(type) > 0) continue;
-    faults.push_back({swimmer_place(i, "type"), fmt::format("\"{}\": no such type under /types{}", type,
-                                                            format_suggestion(type, names))});
+    faults.push_back(
+        {swimmer_place(i, "type"), fmt::format("the swimmer type \"{}\" is not defined under /types{}", type,
+                                               format_suggestion(type, names))});
   }
 }
 
@@ -74,9 +75,9 @@ void check_ids(const std::vector<Swimmer>& swimmers, Faults& faults) {
   for (std::size_t i = 0; i < swimmers.size(); ++i) {
     const auto [entry, is_new] = first_with.try_emplace(swimmers[i].id, i);
     if (is_new) continue;
-    faults.push_back(
-        {swimmer_place(i, "id"), fmt::format("{}: /swimmers/{} has this id already; ids must differ",
-                                             swimmers[i].id, entry->second)});
+    faults.push_back({swimmer_place(i, "id"),
+                      fmt::format("the id {} is already used by /swimmers/{}; give each swimmer another id",
+                                  swimmers[i].id, entry->second)});
   }
 }
 
@@ -86,8 +87,9 @@ void check_axes(const std::vector<Swimmer>& swimmers, Faults& faults) {
     if (std::abs(length - 1) <= axis_tolerance) continue;
     const std::string remedy =
         length > 0 ? "; divided by its length it is " + in_words(swimmers[i].axis / length) : "";
-    faults.push_back({swimmer_place(i, "axis"), fmt::format("{}: has length {:.9g}; must be a unit vector{}",
-                                                            in_words(swimmers[i].axis), length, remedy)});
+    faults.push_back({swimmer_place(i, "axis"),
+                      fmt::format("the axis {} has the length {:.9g}, but must be a unit vector{}",
+                                  in_words(swimmers[i].axis), length, remedy)});
   }
 }
 
@@ -96,10 +98,9 @@ void check_positions(const Box& domain, const std::vector<Swimmer>& swimmers, Fa
     const Vec3& x = swimmers[i].position;
     if ((x.array() >= 0).all() && (x.array() <= domain.lengths.array()).all()) continue;
     faults.push_back(
-        {swimmer_place(i, "position"),
-         fmt::format(
-             "{}: bead 2 lies outside the box; each coordinate must be between 0 and the box length, {}",
-             in_words(x), in_words(domain.lengths))});
+        {swimmer_place(i, "position"), fmt::format("the position {} of bead 2 lies outside the box; each "
+                                                   "coordinate must be between 0 and the box length, {}",
+                                                   in_words(x), in_words(domain.lengths))});
   }
 }
 
@@ -135,7 +136,7 @@ void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, 
     const std::string other = &first == &second ? "its own periodic image" : bead_in_words(second, layout);
     faults.push_back(
         {swimmer_place(first.swimmer, "position"),
-         fmt::format("{} overlaps {}{}: their centres are {:.6g} apart, and must be more than {:.6g}",
+         fmt::format("{} overlaps {}{}: their centres are {:.6g} apart, but must be more than {:.6g} apart",
                      bead_in_words(first, layout), other,
                      through_boundary ? " through the periodic boundary" : "", pair.distance,
                      first.radius + second.radius)});

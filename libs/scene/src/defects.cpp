@@ -18,9 +18,9 @@
 namespace beadswim {
 namespace {
 
-/// Purposes of random numbers (KeyedRandom). Each purpose has its own sequence, so that different changes
-/// with the same seed use different random numbers. The values of this enumeration must not change, because
-/// the results of a seed depend on them.
+/// Purposes for which random numbers are used. KeyedRandom has a different sequence for each purpose, even
+/// for equal seeds and equal ids. The values of this enumeration must not change, because the defects that a
+/// seed generates depend on them.
 enum Purpose : std::uint64_t { draw = 0, place, turn, region, offset, strength, frequency, layer };
 
 KeyedRandom swimmer_random(const Swimmer& swimmer, std::uint64_t seed, Purpose purpose) {
@@ -32,12 +32,14 @@ std::size_t resolved_count(const ShareOrCount& share_or_count, std::size_t all, 
     return static_cast<std::size_t>(std::lround(*fraction * static_cast<double>(all)));
   const auto count = static_cast<std::size_t>(std::get<std::int64_t>(share_or_count));
   if (count <= all) return count;
-  throw InputError(Setting::count, fmt::format("{} is greater than the number of {}, {}; reduce the count",
-                                               count, things, all));
+  throw InputError(
+      Setting::count,
+      fmt::format("the count {} is greater than the number of {}, {}; reduce the count", count, things, all));
 }
 
-/// Draws `count` of the indices 0 ... keys.size() - 1: the indices whose keys have the smallest random
-/// numbers. Returns them in ascending order.
+/// Selects `count` of the indices 0 ... keys.size() - 1 at random: each key yields a random number, and the
+/// indices with the smallest random numbers are selected. Returns them in ascending order. A key is the id of
+/// a swimmer, or the number of a distance between layers.
 std::vector<std::size_t> draw_keys(const std::vector<std::uint64_t>& keys, std::size_t count,
                                    std::uint64_t seed, Purpose purpose) {
   std::vector<std::pair<std::uint64_t, std::size_t>> tickets;
@@ -52,11 +54,15 @@ std::vector<std::size_t> draw_keys(const std::vector<std::uint64_t>& keys, std::
 
 const Box& required_box(const Layout& layout, const char* defect) {
   if (layout.domain) return *layout.domain;
-  throw InputError("/domain",
-                   fmt::format("the domain is null (unbounded fluid), but {} requires a box", defect));
+  throw InputError(
+      "/domain",
+      fmt::format(
+          "the domain is null (unbounded fluid), but {} requires a box; make the layout with {} X,Y,Z",
+          defect, Setting::box));
 }
 
-/// Returns the gap that added or separated beads should have to other surfaces [length].
+/// Returns the gap to other surfaces that the positions of added swimmers must have, and that displaced
+/// swimmers should have [length].
 double min_clearance(const Layout& layout) {
   return 0.1 * smallest_radius(layout);
 }
@@ -67,13 +73,14 @@ Driving own_driving(const Layout& layout, const Swimmer& swimmer) {
 
 double positive_factor(const Swimmer& swimmer, double factor, const char* what) {
   if (factor > 0) return factor;
-  throw InputError(Setting::sigma, fmt::format("the {} of swimmer {} would be multiplied by {:.3g} and must "
-                                               "stay positive; reduce {} or choose another {}",
+  throw InputError(Setting::sigma, fmt::format("the random factor of the {} of swimmer {} is {:.3g}, but "
+                                               "must be positive; reduce {} or choose another {}",
                                                what, swimmer.id, factor, Setting::sigma, Setting::seed));
 }
 
-/// Displacement of a swimmer with several overlapping beads: the mean of the displacements required by beads,
-/// plus the largest displacement required by walls along each axis.
+/// Displacement of a swimmer whose beads are too close to other beads or to walls. It is the mean of the
+/// displacements that the pairs of close beads require, plus, along each axis, the largest displacement that
+/// walls require.
 class Push {
  public:
   void add_bead_push(const Vec3& push) {
@@ -90,8 +97,9 @@ class Push {
   int bead_pushes_ = 0;
 };
 
-/// Calls `change` for the driving of each chosen swimmer, with random numbers that depend on the swimmer's
-/// id.
+/// Calls change(swimmer, driving, random) for each chosen swimmer, and stores the changed `driving` as the
+/// swimmer's own driving. `random` yields random numbers that depend on the seed, on `purpose` and on the id
+/// of the swimmer.
 void change_driving(Layout& layout, const std::vector<std::size_t>& chosen, std::uint64_t seed,
                     Purpose purpose,
                     const std::function<void(const Swimmer&, Driving&, KeyedRandom&)>& change) {
@@ -153,11 +161,9 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
   for (const Swimmer& swimmer : layout.swimmers) added.id = std::max(added.id, swimmer.id);
   const auto ids_left = static_cast<std::size_t>(std::numeric_limits<int>::max() - added.id);
   if (count > ids_left) {
-    throw InputError(
-        "interstitial",
-        fmt::format(
-            "the largest possible id is {}, and the swimmers have ids up to {}; give them smaller ids",
-            std::numeric_limits<int>::max(), added.id));
+    throw InputError("interstitial", fmt::format("the largest possible id is {}, and the swimmers have ids "
+                                                 "up to {}; give the swimmers smaller ids",
+                                                 std::numeric_limits<int>::max(), added.id));
   }
   const SwimmerType& type = layout.types.at(added.type);
   constexpr int max_trials = 100000;
@@ -275,7 +281,7 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
   const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
   std::ranges::sort(order, {}, [&](std::size_t s) { return height(s); });
   const double same = 1e-6 * smallest_radius(layout);
-  if (periodic) {  // a layer at a face of the box may be split between both ends; this joins it
+  if (periodic) {  // joins the two parts of a layer that lies at a periodic face
     const double length = layout.domain->lengths[axis];
     while (height(order.back()) > length - same && height(order.front()) < same) {
       height(order.back()) -= length;
@@ -288,8 +294,9 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
     layers.back().push_back(s);
   }
 
-  // Gap n is between layers n - 1 and n. In a periodic box, gap 0 is between the image of the last layer and
-  // layer 0. In open space and between walls there is no gap 0.
+  // `numbers` contains the numbers of the distances between layers that may change. Distance n is between
+  // layers n - 1 and n. Distance 0 exists only in a periodic box, between the image of the last layer and
+  // layer 0.
   const std::size_t first = periodic ? 0 : 1;
   std::vector<std::uint64_t> numbers;
   for (std::size_t n = first; n < layers.size(); ++n) numbers.push_back(n);
@@ -304,9 +311,10 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
       if (here - before + more <= 0) {
         throw InputError(
             Setting::sigma,
-            fmt::format("two of {} layers are {:.4g} apart, and this distance would change by {:.4g}; reduce "
-                        "the value or choose another {}, and add jitter only afterwards",
-                        layers.size(), here - before, more, Setting::seed));
+            fmt::format("two neighbours of the {} layers of swimmers are {:.4g} apart, and the random change "
+                        "of this distance by {:.4g} would make the layers exchange places; reduce {} or "
+                        "choose another {}, and apply jitter only after this defect",
+                        layers.size(), here - before, more, Setting::sigma, Setting::seed));
       }
       shift += more;
     }
@@ -321,7 +329,8 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
 void repair_overlaps(Layout& layout) {
   constexpr int max_passes = 1000;
   const double clearance = min_clearance(layout);
-  // Beads are displaced to the gap `clearance`, but half of this gap is accepted, so that the iteration ends.
+  // Beads are displaced to a gap of `clearance`, but half of this gap is accepted, so that the iteration
+  // ends.
   const double tolerance = 0.5 * clearance;
   for (int pass = 0; pass < max_passes; ++pass) {
     const std::vector<PlacedBead> beads = placed_beads(layout);
@@ -354,8 +363,8 @@ void repair_overlaps(Layout& layout) {
       layout.swimmers[s].position = wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain);
   }
   throw InputError(Setting::repair,
-                   fmt::format("beads are still too close after {} passes; there is too little space around "
-                               "them; enlarge the box or reduce the defects",
+                   fmt::format("beads are still too close to each other after {} attempts to move "
+                               "overlapping swimmers apart; enlarge the box or reduce the defects",
                                max_passes));
 }
 

@@ -5,7 +5,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns the index of the layer of each coordinate.
+/// Returns the number of the layer of each coordinate. In sorted order, successive coordinates that differ by
+/// at most `thickness` [length] belong to the same layer.
 std::vector<int> layers_of(const std::vector<double>& coordinates, double thickness) {
   std::vector<double> sorted = coordinates;
   std::ranges::sort(sorted);

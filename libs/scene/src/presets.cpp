@@ -7,8 +7,9 @@ namespace beadswim {
 
 namespace {
 
-/// Returns the common parameters of the paper's scenes: equal beads and arms, A = B, alpha = pi/2, densities
-/// 1, nu = 1/3.
+/// Returns a layout with the parameters that all scenes of the paper share, in lattice units: equal beads and
+/// arms, driving amplitudes A = B, driving phase alpha = pi/2, density 1 of beads and fluid, kinematic
+/// viscosity nu = 1/3. `arm` is the rest length.
 Layout paper_scene(double radius, double arm, double stiffness, double amplitude, double period) {
   const Bead bead{.radius = radius, .density = 1};
   const Spring spring{.stiffness = stiffness, .rest_length = arm, .damping = 0};

@@ -22,7 +22,8 @@ class SwimmerFinder {
         cells_(positions(layout), tolerance, box.lengths) {}
 
   /// Returns the distance from `position` to the nearest swimmer that is equivalent to swimmer `s`, is within
-  /// the tolerance and is accepted by `admits` [length]. Infinite if there is none.
+  /// the tolerance and for which admits(index) is true [length]. Returns infinity if there is no such
+  /// swimmer.
   double distance_to_twin(std::size_t s, const Vec3& position,
                           const std::function<bool(std::size_t)>& admits) const {
     double nearest = std::numeric_limits<double>::infinity();
@@ -56,8 +57,9 @@ class SwimmerFinder {
   CellList cells_;
 };
 
-/// Returns the largest distance of a swimmer from an equivalent one [length], after a displacement of the
-/// scene along `axis` by the edge of the box divided by `parts`. Infinite if a swimmer has no equivalent one.
+/// Displaces the scene along `axis` by the edge of the box divided by `parts`, and searches, for each
+/// displaced swimmer, the nearest equivalent swimmer of the original scene. Returns the largest distance
+/// between the two [length], or infinity if a swimmer has no equivalent one.
 double largest_shift_after_move(const Layout& layout, const SwimmerFinder& finder, int axis,
                                 std::size_t parts) {
   const Vec3 step = Vec3::Unit(axis) * layout.domain->lengths[axis] / static_cast<double>(parts);
@@ -72,10 +74,9 @@ double largest_shift_after_move(const Layout& layout, const SwimmerFinder& finde
 
 ReducedCell reduce(const Layout& layout, double tolerance) {
   if (!layout.domain) {
-    throw InputError(
-        "/domain",
-        fmt::format("the domain is null (unbounded fluid) and does not repeat; make the layout with {} X,Y,Z",
-                    Setting::box));
+    throw InputError("/domain", fmt::format("the domain is null (unbounded fluid), so the scene does not "
+                                            "repeat; make the layout with {} X,Y,Z",
+                                            Setting::box));
   }
   const std::size_t all = layout.swimmers.size();
   ReducedCell result{.layout = layout};
@@ -95,8 +96,8 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   Box& cell = *result.layout.domain;
   cell.lengths = layout.domain->lengths.cwiseQuotient(result.cells.cast<double>().matrix());
   for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = wrapped(swimmer.position, cell);
-  // Keeps one swimmer of each set of equivalent swimmers. Two swimmers that are both equivalent to a third
-  // one can differ by up to twice the tolerance.
+  // Keeps one swimmer of each set of equivalent swimmers. Two swimmers within the tolerance of a third
+  // swimmer can differ by up to twice the tolerance.
   const SwimmerFinder twins(result.layout, cell, 2 * tolerance);
   std::vector<bool> is_kept(all);
   std::vector<Swimmer> firsts;
@@ -108,9 +109,9 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
     firsts.push_back(result.layout.swimmers[s]);
   }
   if (static_cast<double>(firsts.size()) * result.cells.cast<double>().prod() != static_cast<double>(all)) {
-    throw InputError(
-        Setting::tolerance,
-        "the tolerance is so large that different swimmers match each other; reduce the tolerance");
+    throw InputError(Setting::tolerance,
+                     "the tolerance of positions is so large that different swimmers count as copies of one "
+                     "swimmer; reduce the tolerance");
   }
   result.layout.swimmers = std::move(firsts);
   return result;

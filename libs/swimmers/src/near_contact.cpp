@@ -69,8 +69,11 @@ struct AngularImpulses {
   Vec3 first, second;
 };
 
-/// Solves (1 + M C) w = w* (near_contact.hpp) with C = step ((c_aa, c_ab), (c_ab, c_bb)). Returns the
-/// impulses -C w.
+/// Returns the angular impulses -C w of the film on the two beads, where w are the angular velocities at the
+/// end of the step and C = step ((c_aa, c_ab), (c_ab, c_bb)) contains the coefficients `film`. Solves
+///   (1 + M C) w = w*
+/// w* are the angular velocities without the film, and M is the change of w per angular impulse
+/// (near_contact.hpp).
 AngularImpulses film_angular_impulses(const PairRotation& w, const Sliding& film, double step) {
   // clang-format off
   const double c11 = step * film.aa, c12 = step * film.ab, c22 = step * film.bb;
@@ -88,9 +91,10 @@ AngularImpulses film_angular_impulses(const PairRotation& w, const Sliding& film
 }
 
 /// Returns the angular impulses of friction. Friction stops the sliding of the surfaces at the point of
-/// contact if an impulse of at most `max_impulse` suffices. Otherwise its impulse is `max_impulse`. The
-/// sliding velocity is n x (r_a w_a + r_b w_b), where n is the unit vector along the line of centres, and r_a
-/// and r_b are the distances of the point of contact from the centres.
+/// contact if an impulse of at most `max_impulse` suffices. Otherwise the friction impulse is `max_impulse`.
+/// The sliding velocity is n x (r_a w_a + r_b w_b), where n is the unit vector along the line of centres, w_a
+/// and w_b are the angular velocities of the beads relative to this line, and r_a and r_b are the distances
+/// of the point of contact from the centres.
 AngularImpulses friction_angular_impulses(const PairRotation& w, double r_a, double r_b, double max_impulse) {
   const Vec3 sliding = r_a * w.first + r_b * w.second;
   const double mobility = r_a * r_a * w.first_mobility + r_b * r_b * w.second_mobility +
@@ -111,7 +115,8 @@ PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& fir
   const double gap = distance - a - b;
   const double reduced_mass_shared = 1 / (first.pairs / first.mass + second.pairs / second.mass);
   const double reduced_mass_alone = 1 / (1 / first.mass + 1 / second.mass);
-  // The resistance of the film is limited for beads with several pairs. near_contact.hpp states the reason.
+  // If a bead has several close pairs, the resistance of the film is limited, because the impulses of the
+  // other pairs are known only from the previous step (near_contact.hpp).
   const double other_pairs = std::max(first.pairs, second.pairs) - 1;
   const auto limit_fraction = [&](double resistance, double mobility) {
     return other_pairs * step * resistance * mobility > 1 ? 1 / (other_pairs * step * resistance * mobility)

@@ -40,7 +40,8 @@ Phase moved(const Phase& phase, const Phase& rate, double interval) {
 
 /// Returns omega^2/K_A = sum_i g_i^2/m_i, where omega is the angular frequency of bending, K_A the angular
 /// stiffness and m_i the mass of bead i. The bending angle is theta = sum_i g_i y_i, with g = (1/l1, -1/l1 -
-/// 1/l2, 1/l2) and the displacements y_i perpendicular to the swimmer.
+/// 1/l2, 1/l2), the rest lengths l1 and l2 of the arms, and the displacements y_i perpendicular to the
+/// swimmer.
 double bending_mobility(const SwimmerType& type) {
   const double g1 = 1 / type.springs[0].rest_length, g3 = 1 / type.springs[1].rest_length, g2 = g1 + g3;
   return g1 * g1 / mass(type.beads[0]) + g2 * g2 / mass(type.beads[1]) + g3 * g3 / mass(type.beads[2]);
@@ -70,9 +71,11 @@ int substeps_for(const SwimmerType& type, double step) {
   const double substeps = std::ceil(4 * step * std::max(frequency, damping_rate));
   constexpr double max_substeps = 10000;
   if (!(substeps <= max_substeps)) {
-    throw InputError("springs", fmt::format("the springs are so stiff or damped that a step needs {:.3g} "
-                                            "sub-steps, more than {}; use softer springs or a smaller step",
-                                            substeps, max_substeps));
+    throw InputError(
+        "springs",
+        fmt::format("the springs are so stiff or damped that a time step needs {:.3g} sub-steps, more than "
+                    "the limit of {}; use softer springs, less damping or a smaller time step",
+                    substeps, max_substeps));
   }
   return std::max(1, static_cast<int>(substeps));
 }
@@ -86,7 +89,7 @@ SwimmerType with_resolved_vibrations(SwimmerType type, double step) {
     const double needed = std::min(0.5 * step * spring.stiffness, reduced_mass * omega);
     spring.damping = std::max(spring.damping, needed);
   }
-  constexpr double fastest_bending = 0.75;  // [rad/step]
+  constexpr double fastest_bending = 0.75;  // largest angular frequency of bending [rad/step]
   const double stiffest = std::pow(fastest_bending / step, 2) / bending_mobility(type);
   type.angular_stiffness = std::min(type.angular_stiffness, stiffest);
   return type;

@@ -35,7 +35,7 @@ BeadVectors angular_spring_forces(double angular_stiffness, const BeadVectors& p
   constexpr double smallest_sine = 1e-12;
   const double theta_over_sine =
       sine > smallest_sine ? std::atan2(sine, cosine) / sine : (cosine > 0 ? 1 : 0);
-  // dU/d(arm_1) and dU/d(arm_2)
+  // Gradients of the bending energy U = K_A theta^2/2 with respect to arm_1 and arm_2.
   const Vec3 gradient_1 =
       -angular_stiffness * theta_over_sine / length_1 * (direction_2 - cosine * direction_1);
   const Vec3 gradient_2 =

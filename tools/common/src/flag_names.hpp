@@ -4,7 +4,7 @@
 
 namespace beadswim {
 
-/// Returns the flag that sets a setting of the libraries, for messages.
+/// Returns the flag with which users set this setting of the libraries, for error messages.
 std::string flag_of(Setting setting);
 
 }  // namespace beadswim

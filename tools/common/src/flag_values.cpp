@@ -11,14 +11,14 @@
 namespace beadswim {
 namespace {
 
-/// Returns the first character after a leading plus sign, because std::from_chars rejects a plus sign.
+/// Returns a pointer to the text after a leading plus sign, because std::from_chars rejects a plus sign.
 const char* first_digit(const std::string& text) {
   const bool has_plus = text.size() > 1 && text[0] == '+' && text[1] != '-';
   return text.data() + (has_plus ? 1 : 0);
 }
 
 /// Converts a text to a number. Returns nullopt if the text contains anything but a number. Returns infinity
-/// if the number is outside the range of double.
+/// if the number is too large for a double.
 std::optional<double> parse_number(const std::string& text) {
   const char* const last = text.data() + text.size();
   double value = 0;
@@ -27,8 +27,8 @@ std::optional<double> parse_number(const std::string& text) {
   return error == std::errc::result_out_of_range ? HUGE_VAL : value;
 }
 
-/// Returns an addition to the message for a percentage such as "5 %": the number to write instead. Returns an
-/// empty text if `text` is not a percentage.
+/// Returns an addition to an error message if the text is a percentage such as "5 %": the number to write
+/// instead (0.05). Returns an empty text otherwise.
 std::string percentage_hint(const std::string& text) {
   const bool is_percentage = text.ends_with("%");
   const auto number = parse_number(text.substr(0, text.find_last_not_of(" %") + 1));
@@ -36,13 +36,13 @@ std::string percentage_hint(const std::string& text) {
   return fmt::format("; write {:g} % as {:g}", *number, *number / 100);
 }
 
-/// Returns a validator of finite numbers for which `condition` is true. `allowed` describes these numbers in
-/// messages.
+/// Returns a validator that accepts finite numbers for which `condition` is true. `allowed` describes these
+/// numbers in error messages.
 CLI::Validator number_that(bool (*condition)(double), const std::string& allowed) {
   const auto fault = [condition, allowed](const std::string& text) {
     const std::optional<double> value = parse_number(text);
     const bool fine = value && std::isfinite(*value) && condition(*value);
-    return fine ? std::string{} : fmt::format("\"{}\": must be {}{}", text, allowed, percentage_hint(text));
+    return fine ? std::string{} : fmt::format("\"{}\": {}{}", text, allowed, percentage_hint(text));
   };
   return CLI::Validator(fault, "");
 }
@@ -50,11 +50,11 @@ CLI::Validator number_that(bool (*condition)(double), const std::string& allowed
 }  // namespace
 
 CLI::Validator finite() {
-  return number_that([](double) { return true; }, "a finite number");
+  return number_that([](double) { return true; }, "the value must be a finite number");
 }
 
 CLI::Validator finite_positive() {
-  return number_that([](double x) { return x > 0; }, "a finite number greater than 0");
+  return number_that([](double x) { return x > 0; }, "the value must be a finite number greater than 0");
 }
 
 CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
@@ -90,7 +90,7 @@ CLI::Validator product_tolerance() {
 }
 
 CLI::Validator finite_non_negative() {
-  return number_that([](double x) { return x >= 0; }, "a finite number, 0 or greater");
+  return number_that([](double x) { return x >= 0; }, "the value must be a finite number, 0 or greater");
 }
 
 CLI::Validator number_list(std::vector<std::size_t> counts, CLI::Validator each) {

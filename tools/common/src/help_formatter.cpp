@@ -25,14 +25,15 @@ std::string wrapped(const std::string& text, std::size_t indent) {
 
 namespace {
 
-/// Splits a description of the form "sentence [unit]" into sentence and unit.
+/// Splits a flag's description of the form "sentence [unit]" into sentence and unit.
 std::pair<std::string, std::string> split_off_unit(const std::string& description) {
   const std::size_t start = description.rfind(" [");
   if (!description.ends_with("]") || start == std::string::npos) return {description, ""};
   return {description.substr(0, start), description.substr(start + 2, description.size() - start - 3)};
 }
 
-/// Returns " [unit; default: value; required]", without the properties that the flag does not have.
+/// Returns the text " [unit; default: value; required]" for the help of a flag. Omits the parts that the flag
+/// does not have.
 std::string format_properties(const CLI::Option& option, const std::string& unit) {
   std::vector<std::string> parts;
   if (!unit.empty()) parts.push_back(unit);

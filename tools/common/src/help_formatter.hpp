@@ -6,11 +6,11 @@
 namespace beadswim {
 
 /// Formats the help of a program. The first line of each flag contains its name and the type of its value.
-/// The next lines contain its description, followed by unit, default and "required" in brackets. The
-/// description that the program passes to CLI11 must end with the unit in brackets if the flag has a unit.
+/// The next lines contain its description, followed by unit, default and "required" in brackets. If a flag
+/// has a unit, the description that is passed to CLI11 must end with the unit in brackets.
 ///
-/// help2man converts the output of --help-all to a manual page. It makes one section from each command, which
-/// has the heading *command*, and one section from all examples, whose lines begin with $.
+/// The program help2man converts the output of --help-all to a manual page. A heading *command* begins a
+/// section of this page. Lines that begin with $ are examples, which form one section for all commands.
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option(const CLI::Option* option, bool is_positional) const override;

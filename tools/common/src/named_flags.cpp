@@ -9,7 +9,7 @@ CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vec
                       const std::string& initial, const std::string& help,
                       const std::function<void(const std::string&)>& take) {
   return command.add_option_function(flag, take, help)
-      ->run_callback_for_default()  // a restart sets flags of the checkpoint by default_val()
+      ->run_callback_for_default()  // --restart sets values from the checkpoint with default_val()
       ->check(one_of(words))
       ->type_name(fmt::format("{}", fmt::join(words, "|")))
       ->default_str(initial);

@@ -15,14 +15,14 @@
 namespace beadswim {
 namespace {
 
-/// Returns the command on the command line, for example the command "swimmer" of "beadswim-layout swimmer".
-/// Returns the program if there is no command.
+/// Returns the command that the command line names, for example the command "swimmer" of "beadswim-layout
+/// swimmer". Returns the program if the command line names no command.
 const CLI::App& chosen_command(const CLI::App& program) {
   const auto chosen = program.get_subcommands();
   return chosen.empty() ? program : chosen_command(*chosen.back());
 }
 
-/// Returns the long names, without dashes, of all flags that the help lists.
+/// Returns the long names, without dashes, of all flags that the help of the command lists.
 std::vector<std::string> long_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
@@ -44,7 +44,7 @@ bool looks_like_flag(const std::string& argument) {
   return argument.size() > 1 && argument[0] == '-' && !is_negative_number;
 }
 
-/// Returns the names of all commands of the same program that have a flag with the name `word`.
+/// Returns the names of all other commands of this program that have a flag with the name `word`.
 std::vector<std::string> others_with_flag(const std::string& word, const CLI::App& command) {
   std::vector<std::string> names;
   if (command.get_parent() == nullptr) return names;
@@ -62,7 +62,8 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
     throw InputError(
         name, fmt::format("the flag is in the wrong place; write the flag after \"{}\"", full_name(command)));
   if (const auto others = others_with_flag(word, command); !others.empty()) {
-    throw InputError(name, fmt::format("has no meaning for {}, only for {}; remove the flag",
+    throw InputError(name, fmt::format("the command \"{}\" does not have this flag; only these commands have "
+                                       "the flag: {}; remove the flag",
                                        command.get_name(), fmt::join(others, ", ")));
   }
   const std::string nearest = nearest_name(word, known);
@@ -71,8 +72,8 @@ std::vector<std::string> others_with_flag(const std::string& word, const CLI::Ap
                         nearest.empty() ? "." : "; did you mean --" + nearest + "?", full_name(command)));
 }
 
-/// Throws InputError if an argument is neither a flag or its value nor a command nor the name of a file. The
-/// message reports the first unknown flag, otherwise the first such argument.
+/// Throws InputError if the command line contains an argument that the parser could not use. The message
+/// reports the first unknown flag; without an unknown flag, it reports the first such argument.
 void refuse_leftovers(const CLI::App& program) {
   const CLI::App& command = chosen_command(program);
   const std::vector<std::string> leftovers = program.remaining(true);
@@ -85,7 +86,8 @@ void refuse_leftovers(const CLI::App& program) {
   const std::string what =
       commands.empty() ? std::string("unexpected argument.")
                        : fmt::format("unknown command{}", format_suggestion(leftovers.front(), commands));
-  throw InputError(leftovers.front(), fmt::format("{} \"{} --help\" lists all", what, full_name(command)));
+  throw InputError(leftovers.front(),
+                   fmt::format("{} \"{} --help\" lists what is allowed", what, full_name(command)));
 }
 
 /// Throws InputError if a flag is given twice or without its value.
@@ -93,29 +95,31 @@ void refuse_wrong_counts(const CLI::App& command, const CLI::ArgumentMismatch& e
   for (const CLI::Option* option : command.get_options()) {
     const std::string name = option->get_name();
     if (!std::string(error.what()).starts_with(name + ":")) continue;
-    throw InputError(name, option->count() > 1 ? fmt::format("given {} times; give it once", option->count())
-                                               : fmt::format("needs a value: {}", option->get_type_name()));
+    throw InputError(name,
+                     option->count() > 1
+                         ? fmt::format("the flag is given {} times; give the flag only once", option->count())
+                         : fmt::format("the flag needs a value: {}", option->get_type_name()));
   }
 }
 
-/// Throws InputError if a flag without a value is given with one. The message of CLI11 for this error
-/// contains "FLAG = ".
+/// Throws InputError if a value is given for a flag that takes no value. CLI11 reports this error with a
+/// message that contains "FLAG = ".
 void refuse_values(const CLI::App& command, const std::string& message) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_items_expected_max() == 0 &&
         message.find(option->get_name() + " = ") != std::string::npos)
-      throw InputError(option->get_name(), "takes no value; remove \"=\" and the text after it");
+      throw InputError(option->get_name(), "the flag takes no value; remove \"=\" and the text after it");
   }
 }
 
-/// Throws InputError if the value of a flag or the name of a file is empty. The usual cause is a shell
-/// variable that is not set.
+/// Throws InputError if the value of a flag or the name of a file is empty. An unset shell variable usually
+/// causes this.
 void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::vector<std::string>& values = option->results();
     if (option->get_items_expected_max() == 0 || std::find(values.begin(), values.end(), "") == values.end())
       continue;
-    throw InputError(option->get_name(), "has an empty value; is a variable not set?");
+    throw InputError(option->get_name(), "the value of the flag is empty; is a shell variable not set?");
   }
   for (const CLI::App* chosen : command.get_subcommands()) refuse_empty_values(*chosen);
 }
@@ -124,26 +128,27 @@ void refuse_empty_values(const CLI::App& command) {
 void refuse_absent(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
-    throw InputError(option->get_name(),
-                     fmt::format("is required but not given; see \"{} --help\"", full_name(command)));
+    throw InputError(option->get_name(), fmt::format("the flag is required but not given; see \"{} --help\"",
+                                                     full_name(command)));
   }
 }
 
-/// Throws InputError if two flags exclude each other, or if a flag is given without another flag that it
-/// needs.
+/// Throws InputError if the command line contains two flags that exclude each other, or a flag without
+/// another flag that it needs.
 void refuse_combinations(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0) continue;
     for (const CLI::Option* other : option->get_excludes()) {
       if (other->count() == 0) continue;
-      throw InputError(option->get_name(),
-                       fmt::format("cannot be combined with {}; remove one of the two", other->get_name()));
+      throw InputError(
+          option->get_name(),
+          fmt::format("the flag cannot be combined with {}; remove one of the two flags", other->get_name()));
     }
     for (const CLI::Option* other : option->get_needs()) {
       if (other->count() > 0) continue;
-      throw InputError(option->get_name(),
-                       fmt::format("has no effect without {}; add the missing flag or remove this one",
-                                   other->get_name()));
+      throw InputError(
+          option->get_name(),
+          fmt::format("the flag has no effect without {0}; add {0}, or remove the flag", other->get_name()));
     }
   }
 }
@@ -167,7 +172,8 @@ void refuse_combinations(const CLI::App& command) {
   throw InputError("command line", fmt::format("{}; see \"{} --help\"", what, full_name(command)));
 }
 
-/// Adds the flags on the command line with their values, in the order of the help, and the names of commands.
+/// Adds the flags of the command line with their values, in the order of the help, and the names of commands
+/// to `arguments`.
 void append_arguments(const CLI::App& command, Json& arguments) {
   for (const CLI::Option* option : command.get_options()) {
     const bool names_file = option->get_type_name().find("FILE") != std::string::npos;
@@ -237,7 +243,7 @@ std::optional<int> parse_command_line(CLI::App& program, int argc, const char* c
 void require_other_file(const std::string& input, const std::string& output) {
   std::error_code not_there;
   if (input == "-" || !std::filesystem::equivalent(input, output, not_there)) return;
-  throw InputError(output, "the output would replace the input file; name another file");
+  throw InputError(output, "the output would replace the input file; name another output file");
 }
 
 Json provenance_record(const CLI::App& program) {

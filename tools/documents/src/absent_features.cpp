@@ -30,7 +30,8 @@ const std::array<AbsentFeature, 3>& absent_features() {
   return features;
 }
 
-/// Throws InputError if a key of the object asks for an absent feature. Other values have no keys.
+/// Throws InputError if a key of the JSON object requests a feature that this version does not have. Does
+/// nothing if the value is not an object.
 void refuse_keys(const Json& object, const std::string& place) {
   if (!object.is_object()) return;
   for (const auto& [key, value] : object.items()) {

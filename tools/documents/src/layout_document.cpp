@@ -39,7 +39,7 @@ Json json_of(const Units& units) {
 
 // --- driving
 
-/// Returns `driving`, after replacing the members that `json` contains.
+/// Returns a copy of `driving` in which the members that `json` contains are replaced.
 Driving override_driving(Driving driving, const Json& json) {
   visit_fields(
       [&](const char* name, auto& field, auto...) {
@@ -49,7 +49,7 @@ Driving override_driving(Driving driving, const Json& json) {
   return driving;
 }
 
-/// Returns the members of `driving` that differ from `of_type`, the driving of the type.
+/// Returns the members of a swimmer's driving that differ from `of_type`, the driving of the swimmer's type.
 Json difference(const Driving& driving, const Driving& of_type) {
   Json json = driving;
   const Json ordinary = of_type;
@@ -62,7 +62,7 @@ Json difference(const Driving& driving, const Driving& of_type) {
 
 // --- types
 
-/// Converts a type. Optional keys of the driving that are absent keep their defaults.
+/// Converts JSON to a swimmer type. Driving parameters that the JSON omits keep their default values.
 SwimmerType type_from(Json json) {
   json["driving"] = override_driving({}, json["driving"]);
   return json.get<SwimmerType>();

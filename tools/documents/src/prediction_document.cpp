@@ -3,7 +3,8 @@
 #include "beadswim/io/schema.hpp"
 #include "units_json.hpp"
 
-/// Converts settings to a JSON object and back: one key per setting, in order, with a string or a number.
+/// Converts the settings of a prediction to a JSON object and back: one key per setting, in order, with a
+/// string or a number as value.
 template <>
 struct nlohmann::adl_serializer<std::vector<beadswim::Prediction::Setting>> {
   static void to_json(beadswim::Json& json, const std::vector<beadswim::Prediction::Setting>& settings) {

@@ -13,14 +13,15 @@ namespace {
 
 void throw_if_trajectory(const std::string& path) {
   if (!path.ends_with(".h5md")) return;
-  throw InputError(path, "is a trajectory; give the run record (JSON) that beadswim-run printed with it");
+  throw InputError(path,
+                   "the file is a trajectory; give the run record (JSON) that beadswim-run printed with it");
 }
 
 bool is_blank(const std::string& line) {
   return line.find_first_not_of(" \t\r\n") == std::string::npos;
 }
 
-/// Returns whether the text has several lines, of which the first is a complete JSON document.
+/// Returns true if the text has several lines and its first line is a complete JSON document.
 bool is_json_lines(const std::string& text) {
   std::istringstream lines(text);
   std::string first, next;
@@ -44,12 +45,11 @@ std::vector<SourceJson> documents_by_line(const std::string& text, const std::st
 
 RunRecord require_swimmers(RunRecord record, const std::string& source) {
   if (!record.swimmers.empty()) return record;
-  throw InputError(
-      source,
-      fmt::format(
-          "contains only statistics of the swarm, as all records of more than {} swimmers do; use the "
-          "run's trajectory (.h5md): beadswim-plot trajectories or swarm, beadswim-view",
-          max_swimmers_listed));
+  throw InputError(source,
+                   fmt::format("the run record contains only statistics of the swarm, because the run has "
+                               "more than {} swimmers; draw the run's trajectory (.h5md) with beadswim-plot "
+                               "trajectories, beadswim-plot swarm or beadswim-view",
+                               max_swimmers_listed));
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::vector<SourceJson> read_json_documents(const std::string& path, const std::
   throw_if_trajectory(path);
   const std::string source = source_name(path);
   const std::string text = read_text(path);
-  if (is_blank(text)) throw InputError(source, fmt::format("is empty; {} is needed here", wanted));
+  if (is_blank(text)) throw InputError(source, fmt::format("the input is empty; {} is needed here", wanted));
   if (is_json_lines(text)) return documents_by_line(text, source);
   return {{source, parse_json(text, source)}};
 }
@@ -86,7 +86,7 @@ SwimmingDocument swimming_from_json(const Json& document, const std::string& sou
   throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
                                        "(\"beadswim/prediction/1\") is needed here",
                                        schema.empty() ? "the document does not name its schema"
-                                                      : "is \"" + schema + "\""));
+                                                      : "the document has the schema \"" + schema + "\""));
 }
 
 SwimmingDocument read_swimming(const std::string& path) {
@@ -117,7 +117,9 @@ const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::strin
   if (found != run.swimmers.end()) return *found;
   std::vector<int> ids;
   for (const SwimmerRecord& swimmer : run.swimmers) ids.push_back(swimmer.id);
-  throw InputError(source, fmt::format("contains no swimmer {}; the ids are {}", id, fmt::join(ids, ", ")));
+  throw InputError(
+      source, fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}",
+                          id, fmt::join(ids, ", ")));
 }
 
 std::optional<double> driving_period(const PredictionDocument& document) {

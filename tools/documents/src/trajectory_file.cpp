@@ -25,8 +25,8 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   }
   Layout layout = layout_from_json(parse_json(found->second, place), place).layout;
   if (layout.swimmers.size() * 3 != reader.header().swimmer.size()) {
-    throw InputError(place, fmt::format("the layout has {} swimmers, but the trajectory has {}; give a "
-                                        "trajectory file of beadswim-run",
+    throw InputError(place, fmt::format("the layout has {} swimmers, but the trajectory has {} swimmers; "
+                                        "give a trajectory file of beadswim-run",
                                         layout.swimmers.size(), reader.header().swimmer.size() / 3));
   }
   if (!have_equal_lengths(reader.header().box, layout.domain)) {
@@ -37,7 +37,7 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   return layout;
 }
 
-/// Returns the index into layout.swimmers of each swimmer in the file.
+/// Returns for each swimmer in the trajectory file its index in layout.swimmers.
 std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader& reader,
                                     const std::string& path) {
   std::map<int, std::size_t> index_of;
@@ -47,11 +47,10 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
   for (std::size_t bead = 0; bead < of_bead.size(); bead += 3) {
     const auto found = index_of.find(of_bead[bead]);
     if (found == index_of.end()) {
-      throw InputError(
-          path + ":/particles/beads/swimmer",
-          fmt::format(
-              "swimmer {} is not in the layout, or occurs twice; give a trajectory file of beadswim-run",
-              of_bead[bead]));
+      throw InputError(path + ":/particles/beads/swimmer",
+                       fmt::format("swimmer {} is not in the layout, or occurs twice in the trajectory; give "
+                                   "a trajectory file of beadswim-run",
+                                   of_bead[bead]));
     }
     indices.push_back(found->second);
     index_of.erase(found);
@@ -87,8 +86,11 @@ void throw_unknown_swimmer(const std::string& flag, int id, const std::vector<in
   const auto distance = [id](int other) { return std::abs(static_cast<long>(other) - id); };
   const int nearest = *std::ranges::min_element(ids, {}, distance);
   const auto [low, high] = std::ranges::minmax(ids);
-  throw InputError(flag, fmt::format("there is no swimmer {} in {}; the nearest is {}, ids are {} to {}", id,
-                                     source, nearest, low, high));
+  throw InputError(
+      flag,
+      fmt::format(
+          "there is no swimmer with the id {} in {}; the nearest id is {}, and the ids range from {} to {}",
+          id, source, nearest, low, high));
 }
 
 }  // namespace beadswim

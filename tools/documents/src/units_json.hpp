@@ -5,10 +5,10 @@
 
 namespace beadswim {
 
-/// Writes units as "lattice", or as an object with length, time and mass, each { "name", "si_factor" }.
+/// Converts units to JSON: "lattice", or an object with length, time and mass, each { "name", "si_factor" }.
 void to_json(Json& json, const Units& units);
 
-/// Reads units from JSON that a schema has validated.
+/// Converts JSON, which a schema must have validated, to units.
 void from_json(const Json& json, Units& units);
 
 }  // namespace beadswim

@@ -11,7 +11,7 @@ CLI::Validator relaxation_time() {
   const auto fault = [](const std::string& text) {
     std::string why = finite_positive()(text);
     if (!why.empty() || std::stod(text) > 0.5) return why;
-    return text +
+    return "the relaxation time " + text +
            " is not above 0.5, so the viscosity (tau - 1/2)/3 would not be positive; values from 0.6 to 1.5 "
            "work well";
   };
@@ -20,23 +20,28 @@ CLI::Validator relaxation_time() {
 
 void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
-  add_choice(
-      program, "--model", options.settings.model,
-      "What moves the beads: lbm, a lattice-Boltzmann fluid; rpy or oseen, a mobility; rpy+near, with near "
-      "field; auto, the cheapest by --plan, or lbm without --tolerance");
-  program.add_flag("--plan", options.plan,
-                   "Run nothing; print expected error and cost of all possible runs, and the cheapest within "
-                   "--tolerance (default here: 0.03). Exit status 2 if there is none.");
+  add_choice(program, "--model", options.settings.model,
+             "Model of the fluid: lbm (lattice Boltzmann); mobilities without inertia rpy (Rotne-Prager), "
+             "rpy+near (with near field), oseen (point forces); auto: the cheapest run within --tolerance, "
+             "as --plan finds it, or lbm without --tolerance");
+  program.add_flag(
+      "--plan", options.plan,
+      "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
+      "--tolerance (default with --plan: 0.03). The exit status is 2 if no run is within it.");
 }
 
 void add_length(CLI::App& program, RunSettings& settings) {
   begin_group(program, "Length and sampling");
-  program.add_option("--cycles", settings.cycles, "Length of the run, fractions allowed [base period]")
+  program
+      .add_option("--cycles", settings.cycles,
+                  "Length of the run, also fractional; the base period is the driving period that all "
+                  "swimmers share, otherwise the period of the first swimmer's type [base period]")
       ->type_name("C")
       ->check(finite_positive());
   program
       .add_option("--frames-per-cycle", settings.frames_per_cycle,
-                  "Frames of the trajectory per base period; also samples per period to fit strokes")
+                  "Number of frames of the trajectory per base period; also the number of samples per "
+                  "driving period to which strokes are fitted")
       ->type_name("N")
       ->check(whole_number(4, 1000000));
 }
@@ -45,68 +50,82 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
   begin_group(program, "Model");
   program
       .add_option("--tolerance", mobility.tolerance,
-                  "Largest relative error: with auto or --plan, of velocity and arm amplitudes; with rpy, "
-                  "rpy+near or oseen, of bead velocities (root mean square) [1]")
+                  "Largest relative error. With --model auto or --plan: expected error of velocity and arm "
+                  "amplitudes. With rpy, rpy+near or oseen: root-mean-square error of the bead velocities in "
+                  "a step [1]")
       ->type_name("E")
       ->check(finite_positive());
   begin_group(program, "Length and sampling");
   program
       .add_option("--steps-per-cycle", mobility.steps_per_cycle,
-                  "Time steps per shortest driving period, for models rpy, rpy+near and oseen")
+                  "Number of time steps per shortest driving period of the swimmers, for the models rpy, "
+                  "rpy+near and oseen")
       ->type_name("N")
       ->check(whole_number(20, 1000000));
 }
 
 void add_resolution(CLI::App& program, LatticeSettings& lattice) {
   begin_group(program, "Lattice (model lbm)");
-  program.add_option("--cells-per-radius", lattice.cells_per_radius, "Cells per smallest bead radius [cell]")
+  program
+      .add_option("--cells-per-radius", lattice.cells_per_radius,
+                  "Resolution of the lattice: smallest bead radius in cells [cell]")
       ->type_name("N")
       ->check(finite_positive())
       ->default_str("the layout's, else 4");
   program
       .add_option("--relaxation-time", lattice.relaxation_time,
-                  "Relaxation time tau, which sets the time step: nu = (tau - 1/2)/3; adjusted so that a "
-                  "period is a whole number of steps [step]")
+                  "Relaxation time tau of the lattice collision. It sets the time step by nu = (tau - 1/2)/3 "
+                  "cell^2/step, nu: kinematic viscosity; tau is adjusted so that a period is a whole number "
+                  "of steps [step]")
       ->type_name("TAU")
       ->check(relaxation_time())
       ->default_str("the layout's, else 1");
 }
 
 void add_beads_in_fluid(CLI::App& program, LatticeSettings& lattice) {
-  add_choice(program, "--bead-boundary", lattice.bead_boundary,
-             "No-slip scheme on beads: staircase (half-way bounce-back, as in the paper), cli (linear "
-             "interpolation), mr (multireflection), psm (partially saturated cells)");
+  add_choice(
+      program, "--bead-boundary", lattice.bead_boundary,
+      "Scheme of the no-slip condition on bead surfaces: staircase (half-way bounce-back, as in Pickl et al. "
+      "2017), cli (linear interpolation), mr (multireflection), psm (partially saturated cells)");
   add_switch(program, "--delay-correction", lattice.delay_correction,
-             "Increase bead density to compensate the delay of the fluid force on the lattice");
+             "Increase the bead density to compensate the delay with which the lattice fluid exerts its "
+             "force on a bead");
   add_switch(program, "--radius-correction", lattice.radius_correction,
-             "Adjust bead radius so that the mean drag is that of the layout's radius");
-  add_switch(program, "--lubrication", lattice.lubrication,
-             "Add the part of lubrication that the lattice does not resolve");
-  program.add_option("--friction", lattice.friction, "Coulomb friction coefficient of touching beads [1]")
+             "Adjust the bead radius on the lattice so that the drag, averaged over positions within a cell, "
+             "is that of a sphere with the layout's radius");
+  add_switch(
+      program, "--lubrication", lattice.lubrication,
+      "Add the part of the lubrication force between close surfaces that the lattice does not resolve");
+  program
+      .add_option("--friction", lattice.friction,
+                  "Coefficient of Coulomb friction between beads in contact [1]")
       ->type_name("MU")
       ->check(finite_non_negative());
   add_choice(program, "--precision", lattice.precision,
-             "Precision of the populations; single halves the memory and nearly halves the time");
+             "Floating-point precision of the fluid populations; single needs half the memory and a little "
+             "over half the time");
 }
 
 void add_stops(CLI::App& program, RunOptions& options) {
   begin_group(program, "Checkpoints and restart");
   program
       .add_option("--checkpoint-every", options.settings.checkpoint_every,
-                  "Interval of checkpoints, written to FILE.h5md.ckpt.0 and .1 in turn [base period]")
+                  "Interval between checkpoints, which are written alternately to FILE.h5md.ckpt.0 and "
+                  "FILE.h5md.ckpt.1 [base period]")
       ->type_name("C")
       ->check(finite_positive())
       ->default_str("only at a stop by time or signal");
   program
       .add_option("--restart", options.restart,
-                  "Continue from a checkpoint, or the last one of a trajectory, with its layout and flags; "
-                  "new --cycles (in total), outputs and number of ranks are allowed")
+                  "Checkpoint from which the run continues with the same layout and flags, or trajectory, "
+                  "whose last checkpoint is then used. Only --cycles (the total length), output flags and "
+                  "the number of ranks may change")
       ->type_name("FILE.h5md|FILE.h5md.ckpt.N")
       ->default_str("");
   program
       .add_option("--time-limit", options.time_limit,
-                  "Wall time after which to stop with results, a checkpoint and exit status 4, as on SIGINT, "
-                  "SIGTERM and SIGUSR1 [s]")
+                  "Wall time after which the run stops, writes its results and a checkpoint, and ends with "
+                  "exit status 4. The signals SIGINT, SIGTERM and SIGUSR1 have the same effect [s]")
       ->type_name("S")
       ->check(finite_positive())
       ->default_str("none");
@@ -116,23 +135,26 @@ void add_outputs(CLI::App& program, RunOptions& options) {
   begin_group(program, "Output");
   program
       .add_option("--flow-every", options.settings.flow_every,
-                  "Interval of flow fields in FILE.flow.pvd: velocity, pressure, beads [base period]")
+                  "Interval between flow fields (velocity, pressure, beads) for ParaView, which "
+                  "FILE.h5md.flow.pvd lists [base period]")
       ->type_name("C")
       ->check(finite_positive())
       ->default_str("none");
   add_choice(program, "--progress", options.progress,
-             "Progress on standard error; auto is bar on a terminal, else lines, every 10 s");
+             "Form of the progress messages on standard error; auto is bar on a terminal, otherwise lines. "
+             "All except bar are printed every 10 s");
   program.add_flag("!--no-provenance", options.with_provenance,
-                   "Leave cost and provenance out of the run record: equal runs then give equal bytes.");
+                   "Omit cost and provenance from the run record, so that equal runs give equal bytes.");
 }
 
-/// Adds all flags. Provenance lists the flags in the same order.
+/// Adds all flags to the program. The provenance record lists the flags in this order.
 void add_flags(CLI::App& program, RunOptions& options) {
-  program.add_option("LAYOUT", options.layout, "Layout; - is standard input.");
+  program.add_option("LAYOUT", options.layout, "Layout file (JSON); - is standard input.");
   begin_group(program, "Output");
   program
       .add_option("-o,--output", options.output,
-                  "Trajectory to write (H5MD), replaced when the run ends; required without --restart")
+                  "Trajectory file to write (H5MD); an existing file is replaced when the run ends. Required "
+                  "without --restart")
       ->type_name("FILE.h5md")
       ->default_str("");
   add_model(program, options);
@@ -148,8 +170,9 @@ void add_flags(CLI::App& program, RunOptions& options) {
              "choosing-a-model.md");
 }
 
-/// Throws InputError if the model is a mobility and --tolerance is not a valid tolerance of mobility
-/// products. In plans, --tolerance limits other errors (velocity and arm amplitudes) and has a wider range.
+/// Throws InputError if the model is a mobility and the value of --tolerance is not a valid tolerance of
+/// mobility products. With --plan and --model auto, --tolerance limits the errors of velocity and arm
+/// amplitudes instead and has a wider range.
 void require_fitting_tolerance(const RunOptions& options) {
   if (!options.given.contains("--tolerance") || options.plan || options.settings.model == RunModel::lbm ||
       options.settings.model == RunModel::automatic)
@@ -165,9 +188,9 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
                                                 const FlagValues& defaults) {
   const auto program = make_program(
       "beadswim-run",
-      "Runs a layout: swimmers in a lattice-Boltzmann fluid, or by a mobility. Writes bead trajectories "
-      "(H5MD) and prints the run record (JSON): velocity and stroke of each cycle. Use mpirun -n N for N "
-      "ranks.");
+      "Simulates the swimmers of a layout in a lattice-Boltzmann fluid, or with a mobility (fluid without "
+      "inertia). Writes the trajectory of the beads (H5MD) and prints the run record (JSON) with velocity "
+      "and stroke of each cycle. Use mpirun -n N to run on N ranks.");
   RunOptions options;
   options.settings.model = RunModel::automatic;
   add_flags(*program, options);
@@ -175,7 +198,9 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
     CLI::Option* option = program->get_option_no_throw(flag);
     if (option == nullptr || option->get_items_expected_max() == 0)
       throw InputError("--restart",
-                       fmt::format("this program does not know the flag {} of the checkpoint's run", flag));
+                       fmt::format("this program does not know the flag {} of the checkpoint's run; continue "
+                                   "with the program version that wrote the checkpoint",
+                                   flag));
     try {
       option->default_val(value);
     } catch (const CLI::Error& error) {
@@ -206,11 +231,11 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
 }
 
 void refuse_lattice_flags(const RunOptions& options, RunModel model) {
-  refuse_flags(
-      options,
-      {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
-       "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
-      "the flag applies to the lattice only; leave it out, or use --model lbm instead of " + to_text(model));
+  refuse_flags(options,
+               {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
+                "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
+               "the flag applies to the lattice only; leave the flag out, or use --model lbm instead of " +
+                   to_text(model));
 }
 
 FlagValues result_flags(const RunSettings& settings) {

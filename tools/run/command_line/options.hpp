@@ -29,7 +29,7 @@ struct RunOptions {
   std::string output;
   RunSettings settings;              ///< the model is `automatic` until a plan has chosen one
   bool plan = false;                 ///< true: prints the plan and does not run
-  std::string restart;               ///< checkpoint or trajectory; empty: the run begins at time 0
+  std::string restart;               ///< checkpoint or trajectory; empty: begins at time 0
   std::optional<double> time_limit;  ///< wall time [s]
   ProgressStyle progress = ProgressStyle::automatic;
   bool with_provenance = true;
@@ -40,27 +40,27 @@ struct RunOptions {
 /// Values of flags as text, by the name of the flag.
 using FlagValues = std::map<std::string, std::string>;
 
-/// Parses the command line. Returns an exit status if the program has only to print --help or --version.
-/// `defaults`: default values of flags, for example from a checkpoint, which replace the defaults of the
-/// program. Throws InputError if the command line or `defaults` are invalid.
+/// Parses the command line. For --help and --version, prints the requested text and returns an exit status.
+/// `defaults`: values that replace the program's default values of flags, for example values from a
+/// checkpoint. Throws InputError if the command line or `defaults` are invalid.
 std::variant<RunOptions, int> parse_run_options(int argc, const char* const* argv,
                                                 const FlagValues& defaults = {});
 
-/// Throws InputError if one of the flags is on the command line. `why` follows the flag's name in the
-/// message.
+/// Throws InputError if the command line contains one of the flags. `why`: text that follows the name of the
+/// flag in the message.
 void refuse_flags(const RunOptions& options, std::initializer_list<const char*> flags,
                   const std::string& why);
 
-/// Throws InputError if the command line contains a flag that has an effect only with the model lbm. `model`:
-/// mobility model of the run, for the message.
+/// Throws InputError if the command line contains a flag that affects only the model lbm. `model`: mobility
+/// model of the run, for the message.
 void refuse_lattice_flags(const RunOptions& options, RunModel model);
 
-/// Returns the flags that determine the trajectory of the beads, with their values in `settings`. These
-/// values cannot change when a run continues from a checkpoint.
+/// Returns the flags that affect the motion of the beads, with their values in `settings`. These values must
+/// stay the same when a run continues from a checkpoint.
 FlagValues result_flags(const RunSettings& settings);
 
-/// Returns the flags for the length of the run and for its outputs, with their values in `settings`. A run
-/// that continues from a checkpoint uses these values unless its command line contains others.
+/// Returns the flags that set the length of the run and its outputs, with their values in `settings`. A run
+/// that continues from a checkpoint uses these values, unless its command line contains other values.
 FlagValues length_and_output_flags(const RunSettings& settings);
 
 }  // namespace beadswim

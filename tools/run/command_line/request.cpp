@@ -8,8 +8,8 @@
 namespace beadswim {
 namespace {
 
-/// Reads a file or standard input on rank 0 and returns the text on all ranks. Other ranks cannot read
-/// standard input. Throws InputError on all ranks if rank 0 cannot read the file.
+/// Reads a file, or standard input, on rank 0 and returns its text on all ranks, because standard input is
+/// available on rank 0 only. Throws InputError on all ranks if rank 0 cannot read the file.
 std::string read_text_once(const std::string& path, const Communicator& communicator) {
   std::string text, failure;
   if (communicator.is_root()) {
@@ -24,7 +24,7 @@ std::string read_text_once(const std::string& path, const Communicator& communic
   return text;
 }
 
-/// Returns the layout as JSON text without provenance, to compare two layouts.
+/// Returns the layout without provenance as JSON text, by which two layouts can be compared.
 std::string scene_text(LayoutDocument document) {
   document.provenance = Json::array();
   return dump_json(layout_to_json(document));

@@ -9,25 +9,25 @@
 
 namespace beadswim {
 
-/// The command line, and the checkpoint from which the run continues.
+/// The options of the command line, and the checkpoint from which the run continues, if any.
 struct Request {
   RunOptions options;
   std::unique_ptr<CheckpointReader> checkpoint;  ///< nullptr: the run begins at time 0
-  long steps_done = 0;                           ///< steps before the checkpoint
+  long steps_done = 0;                           ///< number of time steps before the checkpoint
 
   /// Returns the name of the layout in messages.
   std::string source() const { return options.layout == "-" ? "standard input" : options.layout; }
-  /// Returns true if the run continues from a checkpoint and writes to the trajectory of the previous run.
+  /// Returns true if the run continues from a checkpoint and writes to the trajectory of the earlier run.
   bool continues_same_trajectory() const;
 };
 
-/// Parses the command line and opens the checkpoint of --restart. Returns an exit status if the program has
-/// only to print --help or --version. Throws InputError on all ranks if the command line or the checkpoint is
-/// invalid. Collective.
+/// Parses the command line and opens the checkpoint of --restart. For --help and --version, prints the
+/// requested text and returns an exit status. Throws InputError on all ranks if the command line or the
+/// checkpoint is invalid. Collective.
 std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator);
 
-/// Reads the layout from the file of the command line or from the checkpoint. Throws InputError on all ranks
-/// if both are given and differ, or if the layout is invalid. Collective.
+/// Reads the layout from the file that the command line names, or from the checkpoint. Throws InputError on
+/// all ranks if the layout is invalid, or if file and checkpoint contain different layouts. Collective.
 LayoutDocument read_layout(const Request& request, const Communicator& communicator);
 
 }  // namespace beadswim

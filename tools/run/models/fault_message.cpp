@@ -14,19 +14,20 @@ std::string name_of(const BeadName& bead) {
   return fmt::format("bead {} of swimmer {}", bead.bead + 1, bead.swimmer);
 }
 
-/// Returns "bead 2 of swimmer 7 at (x, y, z)", in units of the layout.
+/// Returns the place of a fault as text, in units of the layout: "bead 2 of swimmer 7 at (x, y, z)".
 std::string place_of(const Fault& fault, const LatticeScales& scales) {
   const Vec3 p = fault.position * scales.cell;
   return fmt::format("{} at ({:.6g}, {:.6g}, {:.6g})", name_of(fault.bead), p[0], p[1], p[2]);
 }
 
-/// Returns the likely cause of a non-finite state or of beads that are too fast, with a remedy.
+/// Returns the likely cause of an instability, with a remedy. An instability is a non-finite state, or a bead
+/// that is too fast. `mach_so_far`: largest Mach number of a bead before the fault.
 std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_so_far) {
   const double density = on_lattice.density_on_lattice(), tau = on_lattice.lattice.relaxation_time;
   if (density < min_stable_density) {
     return fmt::format(
-        "the beads' density on the lattice, {:.3g} times the fluid's, is too low for the explicit coupling; "
-        "use {}--bead-boundary psm, or a larger --relaxation-time",
+        "the beads' density on the lattice, {:.3g} times the fluid's density, is too low for the explicit "
+        "coupling of beads and fluid; use {}--bead-boundary psm, or a larger --relaxation-time",
         density, on_lattice.corrects_delay ? "" : "--delay-correction on, ");
   }
   if (tau < min_stable_relaxation_time) {
@@ -47,13 +48,14 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
   const LatticeScales& scales = on_lattice.lattice.scales;
   switch (fault.kind) {
     case FaultKind::speed:
-      return fmt::format("{} moves {:.3g} cells per step, rotation included, above the limit of {}; {}",
-                         place_of(fault, scales), fault.value, speed_limit,
-                         cause_of_instability(on_lattice, mach_so_far));
+      return fmt::format(
+          "the surface of {} moves {:.3g} cells per step, rotation included, above the limit of {} cells per "
+          "step; {}",
+          place_of(fault, scales), fault.value, speed_limit, cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::torn_arm:
       return fmt::format(
-          "the arm from {} to bead {} is torn: its length is {:.3g} times the rest length, above {}; use "
-          "weaker driving or stiffer springs",
+          "the arm from {} to bead {} is torn: its length is {:.3g} times the rest length, above the limit "
+          "of {} times; use weaker driving or stiffer springs",
           place_of(fault, scales), fault.other.bead + 1, fault.value, max_stretch);
     case FaultKind::wall:
       return fmt::format(
@@ -71,17 +73,18 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
                          cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::mass:
       return fmt::format(
-          "fluid and beads have lost a fraction {:.3g} of their mass: the fluid is becoming unstable; {}",
+          "the total mass, which should be constant, has changed by a fraction {:.3g}: the fluid is becoming "
+          "unstable; {}",
           fault.value, cause_of_instability(on_lattice, mach_so_far));
     case FaultKind::momentum:
       return fmt::format(
-          "the momentum of fluid and beads has changed by {:.3g} times the beads' momentum at their largest "
-          "speed; {}",
+          "the total momentum of fluid and beads, which should be constant, has changed by {:.3g} times the "
+          "momentum that all beads would have at the speed of the fastest bead; {}",
           fault.value,
           on_lattice.scene.precision == Precision::fp32 ? "use --precision double"
                                                         : cause_of_instability(on_lattice, mach_so_far));
   }
-  return "unknown fault";
+  return "a fault of unknown kind was found; this is a fault of the program, please report it";
 }
 
 }  // namespace

@@ -13,8 +13,8 @@
 namespace beadswim {
 namespace {
 
-/// Converts the values of one plane of cells to the order of VTK. `plane` contains one component after the
-/// other, as gather_plane() returns it. In the result, all components of a cell are adjacent.
+/// Converts the values of one plane of cells to the order of VTK, in which all components of a cell are
+/// adjacent. In `plane`, which gather_plane() returns, all values of one component are adjacent.
 std::vector<float> interleaved(const std::vector<double>& plane, int components) {
   const std::size_t cells = plane.size() / components;
   std::vector<float> result;
@@ -78,7 +78,7 @@ void FlowOutput::write(const CoupledSystem& system) {
     Vec3 velocity;
     double number;
   };
-  std::unordered_map<std::ptrdiff_t, CoveredCell> covered_cells;  // covered cells contain no fluid
+  std::unordered_map<std::ptrdiff_t, CoveredCell> covered_cells;  // cells within beads contain no fluid
   system.coverage().for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
     const BeadOnLattice& covering = system.beads_here()[bead];
     covered_cells.emplace(cell, CoveredCell{covering.velocity_at(from_centre), 1.0 + covering.name.bead});
@@ -103,7 +103,7 @@ void FlowOutput::write(const CoupledSystem& system) {
         return covered_cell != covered_cells.end() ? covered_cell->second.number : 0.0;
       })};
   const Index3& cells = system.decomposition().cells();
-  if (!communicator_.is_root()) {  // sends planes in the order in which rank 0 writes them
+  if (!communicator_.is_root()) {  // sends its part of each plane, in the order of rank 0
     for (const VtiField& f : fields) {
       for (int z = 0; z < cells[2]; ++z) f.plane(z);
     }

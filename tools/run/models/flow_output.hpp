@@ -9,23 +9,23 @@
 
 namespace beadswim {
 
-/// Writes flow fields, in units of the layout, to files TRAJECTORY.flow/STEP.vti. The file
-/// TRAJECTORY.flow.pvd lists them for ParaView.
+/// Writes flow fields, in units of the layout, to files TRAJECTORY.flow/STEP.vti, and lists these files for
+/// ParaView in TRAJECTORY.flow.pvd. TRAJECTORY is the path of the trajectory file.
 class FlowOutput {
  public:
-  /// Creates the folder. `interval`: number of steps between flow fields. `done`: last step of the earlier
-  /// run that this run continues, or 0. Fields of the earlier run up to this step stay in the list. Throws
-  /// InputError if the folder cannot be created.
+  /// Creates the folder for the files. `interval`: number of time steps between two flow fields. `done`: last
+  /// step of the earlier run that this run continues, or 0. Flow fields of the earlier run until this step
+  /// stay in the list of files. Throws InputError if the folder cannot be created.
   FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
              const Communicator& communicator);
 
-  /// Writes for each cell the velocity, the pressure minus the pressure at rest, and the number of the bead
-  /// that covers it (0: none). Collective.
+  /// Writes velocity, pressure and bead for each cell: the pressure is relative to the fluid at rest, and the
+  /// bead is the number of the bead that covers the cell (0: none). Collective.
   void write(const CoupledSystem& system);
 
  private:
   PvdEntry entry_of(long step) const;
-  void remove_after(long done) const;  ///< removes fields of later steps, which this run writes anew
+  void remove_after(long done) const;  ///< removes flow fields of later steps, which this run rewrites
 
   std::string stem_;
   LatticeScales scales_;

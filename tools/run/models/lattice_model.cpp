@@ -94,7 +94,7 @@ std::array<Vec3, 3> LatticeModel::bead_positions(int number, double ahead) const
   std::array<Vec3, 3> positions;
   for (int b = 0; b < 3; ++b) {
     const BeadMotion& bead = swimmer.motion[b];
-    const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // per step
+    const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // velocity change per step
     positions[b] = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
   }
   return positions;

@@ -9,10 +9,10 @@
 
 namespace beadswim {
 
-/// Plan of a run with the model lbm.
+/// Description of a run with the model lbm (lattice Boltzmann).
 struct LatticePlan : ModelPlan {
-  /// The communicator must outlive the plan. Throws the errors of put_on_lattice() (scene_on_lattice.hpp).
-  /// Throws InputError if the machine has too little memory. Collective.
+  /// The communicator must exist as long as the plan. Throws the errors of put_on_lattice()
+  /// (scene_on_lattice.hpp), and InputError if the memory of the machine does not suffice. Collective.
   LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
               const Communicator& communicator);
 
@@ -22,7 +22,7 @@ struct LatticePlan : ModelPlan {
   SceneOnLattice on_lattice;
 };
 
-/// The model lbm.
+/// The model lbm: resolved beads in a lattice-Boltzmann fluid.
 class LatticeModel : public Model {
  public:
   LatticeModel(const LatticePlan& plan, long flow_until);
@@ -55,8 +55,8 @@ class LatticeModel : public Model {
   const Communicator& communicator_;
   CoupledSystem system_;
   std::optional<FlowOutput> flow_;
-  long first_step_ = 0;                     ///< number of steps of the earlier run that this run continues
-  SceneTotals first_totals_, last_totals_;  ///< in lattice units
+  long first_step_ = 0;                     ///< steps of the earlier run that this run continues
+  SceneTotals first_totals_, last_totals_;  ///< at the start of the run, and most recently; in lattice units
   long last_totals_step_ = 0;
 };
 

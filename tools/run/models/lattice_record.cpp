@@ -67,7 +67,7 @@ void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const 
   cost.mlups = 1e-6 * static_cast<double>(*cost.cell_updates) / cost.wall_seconds;
   cost.communication = communication_of(system, own_steps, communicator);
   record.near_contact = near_contact_of(system, on_lattice);
-  // After a fault, beads no longer move, so the last state is not a result.
+  // After a fault the beads do not move any more, so the hash of the last state would be meaningless.
   if (record.status != RunStatus::failed && record.status != RunStatus::stopped_speed)
     record.state_sha256 = state_sha256(system, communicator);
 }

@@ -15,7 +15,7 @@ LatticePart part_of(const CoupledSystem& system, const Communicator& communicato
   return {.cells = decomposition.cells(), .offset = block.offset, .size = block.size};
 }
 
-/// Adds the populations of this rank to a checkpoint, in the floating-point precision of the run.
+/// Writes the populations of this rank to a checkpoint, in the floating-point precision of the run.
 template <class Real>
 void add_populations(CheckpointWriter& file, const CoupledSystem& system, const LatticePart& part) {
   const Populations& populations = system.populations();
@@ -48,8 +48,8 @@ bool is_sound(const SwimmerState& swimmer, const PlacedSwimmer& of_scene) {
          });
 }
 
-/// Reads all swimmers of the checkpoint in chunks and returns those that this rank owns. Throws SolverError
-/// if the checkpoint contains swimmers of another scene.
+/// Reads the swimmers of a checkpoint in chunks and returns those swimmers that this rank owns. Throws
+/// SolverError if the checkpoint contains the swimmers of another scene.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
   const std::uint64_t total_bytes = file.size(swimmers_section), chunk_bytes = 4096 * snapshot_size();
   const std::vector<PlacedSwimmer>& of_scene = system.scene().swimmers;

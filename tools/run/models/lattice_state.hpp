@@ -3,8 +3,9 @@
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
 
-// Sections of a checkpoint of a lattice run: the populations, and the swimmers with their pending impulses,
-// which the fluid has transferred and the beads have not yet received.
+// Sections of a checkpoint that describe the state of a lattice run: the populations of the fluid, and the
+// swimmers with their pending impulses. A pending impulse is momentum that the fluid has already lost to a
+// bead, but the bead has not yet received.
 
 namespace beadswim {
 

@@ -14,17 +14,17 @@
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "command_line/options.hpp"
 
-// Interface between the time loop of a run and the model of the fluid. A ModelPlan describes a run and makes
-// its Model.
+// Interface between the time loop of a run and the physical model, which moves fluid and beads. A ModelPlan
+// describes a run before it begins and makes its Model.
 //
-// Quantities are in units of the layout, except positions and motions of beads. These are in units of the
-// model [ModelUnits], so that a checkpoint stores samples without a conversion.
+// Quantities have the units of the layout. Positions and motions of beads are an exception: they have the
+// units of the model [ModelUnits], so that checkpoints store them without conversion.
 //
-// All functions are collective, unless their comment says that they are local to one rank.
+// All functions are collective, except those whose comment says "Local", which any rank may call alone.
 
 namespace beadswim {
 
-/// Units of a model, expressed in units of the layout.
+/// Units of length and time of a model, expressed in units of the layout.
 struct ModelUnits {
   double length = 1, time = 1;
 
@@ -37,27 +37,27 @@ struct SwimmerIdentity {
   int type = 0;  ///< index into ModelPlan::periods and ModelPlan::radii
 };
 
-/// Present positions and velocities of a swimmer's beads.
+/// Present positions and velocities of the beads of a swimmer, with its axis at time 0.
 struct SwimmerPose {
   int id = 0;
   Vec3 initial_axis = Vec3::UnitX();
   SwimmerMotion motion;  ///< [ModelUnits]
 };
 
-/// Totals of the scene.
+/// Momentum, mean flow and mass of the scene.
 struct ModelTotals {
   std::optional<Vec3> momentum;       ///< momentum of fluid and beads [mass length/time]
   Vec3 mean_flow = Vec3::Zero();      ///< velocity of fluid and beads, averaged over the volume [length/time]
   std::optional<double> mass_excess;  ///< mass relative to the fluid at rest, minus 1
 };
 
-/// Fault that ends a run.
+/// Fault (unphysical state) that ends a run.
 struct ModelFault {
   RunStatus status = RunStatus::failed;  ///< failed or stopped_speed
   std::string message;                   ///< place, fault, likely cause and remedy, for users
 };
 
-/// Swimmers in a fluid, advanced step by step.
+/// Swimmers in a fluid, which are advanced in time steps.
 class Model {
  public:
   Model() = default;
@@ -65,58 +65,62 @@ class Model {
   Model(const Model&) = delete;
   Model& operator=(const Model&) = delete;
 
-  /// Advances by one time step. Does not throw if the state becomes unphysical; then fault() returns the
-  /// fault.
+  /// Advances fluid and beads by one time step. If the state becomes unphysical, step() does not throw;
+  /// fault() then returns the fault.
   virtual void step() = 0;
-  /// Returns the number of steps since the start of the run, including steps of runs that it continues.
-  /// Local.
+  /// Returns the number of time steps since time 0, including the steps of earlier runs that this run
+  /// continues. Local.
   virtual long steps_done() const = 0;
 
-  /// Returns the number of swimmers that this rank owns until the next step. Local.
+  /// Returns the number of swimmers that this rank owns. It can change in the next step. Local.
   virtual int own_swimmers() const = 0;
-  /// Returns id and type of a swimmer that this rank owns. `number`: from 0 to own_swimmers() - 1. Local.
-  virtual SwimmerIdentity own_swimmer(int number) const = 0;
-  /// Returns the bead positions of a swimmer that this rank owns, at the present time plus `ahead` time steps
-  /// [ModelUnits]. `ahead`: fraction of a step, positive or negative. The error is of third order in `ahead`.
+  /// Returns id and type of a swimmer that this rank owns. `number`: index from 0 to own_swimmers() - 1.
   /// Local.
+  virtual SwimmerIdentity own_swimmer(int number) const = 0;
+  /// Returns the bead positions of a swimmer that this rank owns at the present time plus `ahead` time steps
+  /// [ModelUnits]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or negative.
+  /// The error is proportional to ahead^3. Local.
   virtual std::array<Vec3, 3> bead_positions(int number, double ahead) const = 0;
-  /// Returns all swimmers in the order of their ids on rank 0, and an empty list on other ranks.
+  /// Returns the beads of all swimmers, in the order of their ids, on rank 0, and an empty list on other
+  /// ranks.
   virtual std::vector<SwimmerPose> gather_swimmers() const = 0;
 
   virtual ModelTotals first_totals() const = 0;  ///< totals at the start of the run
   virtual ModelTotals totals() = 0;              ///< evaluates the present totals
-  /// Returns the first fault of any rank, or nullopt; the same on all ranks. Total mass and momentum are
-  /// checked only if totals() was called after the last step.
+  /// Returns the first fault that any rank has found; nullopt if there is none. The result is the same on all
+  /// ranks. Total mass and momentum are checked only if totals() was called after the last step.
   virtual std::optional<ModelFault> fault() const = 0;
 
-  /// Writes the present flow fields. Has no effect if the options do not request flow fields.
+  /// Writes the present flow fields, if the options request flow fields.
   virtual void write_flow() = 0;
-  /// Adds the data of the model to a record that contains status, momentum and cost.
+  /// Adds the data that only this model has to a record that already contains status, momentum and cost.
   virtual void describe(RunRecord& record) const = 0;
-  /// Returns warnings about states of the run that may have impaired the results, one line each.
+  /// Returns warnings about states during the run that may have made the results less accurate, one line
+  /// each.
   virtual std::vector<std::string> warnings() const = 0;
 
-  /// Writes the numbers that describe the past of the run, such as largest speed and smallest gap, for a
-  /// checkpoint. Rank 0 writes them.
+  /// Writes the extreme values of the run until now, such as largest speed and smallest gap, for a
+  /// checkpoint. Only rank 0 writes data.
   virtual void write_history(OutgoingMessage& history) const = 0;
-  /// Writes the state, from which the run continues, as sections of a checkpoint.
+  /// Writes the state of fluid and beads, from which a run can continue, as sections of a checkpoint.
   virtual void write_state(CheckpointWriter& checkpoint) = 0;
-  /// Restores the history and the state of a run that had completed `steps_done` steps.
+  /// Restores extreme values and state from the checkpoint of a run that had completed `steps_done` time
+  /// steps.
   virtual void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) = 0;
 };
 
-/// Description of a run. It is made before memory for the model is allocated.
+/// Description of a run, made before the memory for its model is allocated.
 struct ModelPlan {
   ModelPlan() = default;
   virtual ~ModelPlan() = default;
   ModelPlan(const ModelPlan&) = delete;
   ModelPlan& operator=(const ModelPlan&) = delete;
 
-  /// Makes the model in its initial state. `flow_until`: step up to which an earlier run has written flow
-  /// fields. The plan must outlive the model. Throws InputError on all ranks.
+  /// Makes the model in its initial state. `flow_until`: time step until which an earlier run has already
+  /// written flow fields. The plan must exist as long as the model. Throws InputError on all ranks.
   virtual std::unique_ptr<Model> make(long flow_until) const = 0;
 
-  RunOptions options;  ///< requested options; the plan has set those that were left open
+  RunOptions options;  ///< options of the command line, completed by the plan
   ModelUnits units;
   double base_period = 0;                    ///< duration of one cycle of the run [time]
   double time_step = 0;                      ///< [time]

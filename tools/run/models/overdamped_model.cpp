@@ -91,8 +91,8 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
   switch (fault.kind) {
     case OverdampedFaultKind::torn_arm:
       return fmt::format(
-          "arm {} {} is torn: its length is {:.3g} times the rest length, above 2; use weaker driving or "
-          "stiffer springs",
+          "arm {} {} is torn: its length is {:.3g} times the rest length, above the limit of 2 times; use "
+          "weaker driving or stiffer springs",
           fault.bead, place, fault.value);
     case OverdampedFaultKind::speed:
       return fmt::format(
@@ -101,8 +101,8 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           fault.bead, place, fault.value, other_model);
     case OverdampedFaultKind::wall:
       return fmt::format(
-          "bead {} {} is {:.3g} beyond a wall; increase --steps-per-cycle, reduce the driving amplitude, or "
-          "enlarge the box",
+          "bead {} {} lies {:.3g} beyond a wall; increase --steps-per-cycle, reduce the driving amplitude, "
+          "or enlarge the box",
           fault.bead, place, fault.value);
     case OverdampedFaultKind::not_converged:
       return "the solver for the velocities and forces of a step did not converge; increase "
@@ -114,7 +114,7 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
           "amplitude{}",
           fault.bead, place, other_model);
   }
-  return "unknown fault";
+  return "a fault of unknown kind was found; this is a fault of the program, please report it";
 }
 
 std::optional<ModelFault> OverdampedModel::fault() const {
@@ -153,11 +153,11 @@ std::vector<std::string> OverdampedModel::warnings() const {
   if (!std::isfinite(gap)) return {};
   const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
   return {
-      fmt::format("beads came within {:.3g} of each other or of a wall and were repelled; {}; compare this "
-                  "run with a run by --model lbm",
+      fmt::format("beads came within a distance of {:.3g} of each other or of a wall and were repelled; {}; "
+                  "compare this run with a run by --model lbm",
                   gap,
-                  knows_films ? "the repulsion is not physical"
-                              : "models of point forces lack the film between close surfaces")};
+                  knows_films ? "this repulsion is artificial and not a physical force"
+                              : "this model neglects lubrication by the fluid film between close surfaces")};
 }
 
 void OverdampedModel::write_history(OutgoingMessage& history) const {

@@ -8,10 +8,10 @@
 
 namespace beadswim {
 
-/// Plan of a run with a mobility model.
+/// Description of a run with a mobility model.
 struct OverdampedPlan : ModelPlan {
-  /// The communicator must outlive the plan. Throws InputError if the layout has no-slip walls, if its box is
-  /// too narrow, or if an option is set that applies to the model lbm only.
+  /// The communicator must exist as long as the plan. Throws InputError if the layout has no-slip walls, if
+  /// its box is too narrow, or if the options contain a flag that applies to the model lbm only.
   OverdampedPlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                  const Communicator& communicator);
 
@@ -22,7 +22,7 @@ struct OverdampedPlan : ModelPlan {
   double kinematic_viscosity = 0;
 };
 
-/// The models rpy, rpy+near and oseen.
+/// The mobility models rpy, rpy+near and oseen: beads without inertia in a fluid without inertia.
 class OverdampedModel : public Model {
  public:
   explicit OverdampedModel(const OverdampedPlan& plan);
@@ -36,7 +36,7 @@ class OverdampedModel : public Model {
   std::vector<SwimmerPose> gather_swimmers() const override;
 
   ModelTotals first_totals() const override { return {}; }
-  ModelTotals totals() override { return {}; }  // without inertia, momentum and mean flow are not evaluated
+  ModelTotals totals() override { return {}; }  // no inertia: momentum and mean flow not evaluated
   std::optional<ModelFault> fault() const override;
 
   void write_flow() override {}

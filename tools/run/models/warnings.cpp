@@ -30,14 +30,14 @@ void warn_of_resolution(Lines& lines, const SceneOnLattice& on_lattice) {
 void warn_of_stability(Lines& lines, const SceneOnLattice& on_lattice) {
   if (on_lattice.density_on_lattice() < min_stable_density) {
     lines.push_back(fmt::format(
-        "the beads' density on the lattice is {:.3g} times the fluid's; below {} the explicit coupling may "
-        "become unstable; use --delay-correction on, and with it a larger --relaxation-time",
+        "the beads' density on the lattice is {:.3g} times the fluid's density; below {} times, the explicit "
+        "coupling may become unstable; use --delay-correction on, together with a larger --relaxation-time",
         on_lattice.density_on_lattice(), min_stable_density));
   }
   if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time) {
     lines.push_back(
         fmt::format("the relaxation time {:.4g} is so close to 1/2 that viscosity hardly damps unresolved "
-                    "flow: the fluid may become unstable or falsely turbulent; use {} or more",
+                    "flow: the fluid may become unstable or show unphysical turbulence; use {} or more",
                     on_lattice.lattice.relaxation_time, min_stable_relaxation_time));
   }
   if (on_lattice.damps_springs) {
@@ -56,18 +56,19 @@ void warn_of_stability(Lines& lines, const SceneOnLattice& on_lattice) {
 
 void warn_of_roundoff(Lines& lines, Precision precision, double error) {
   if (error <= tolerated_roundoff) return;
-  const std::string much = std::isfinite(error)
-                               ? fmt::format("{:.2g} of its value", error)
-                               : "more than its value, because the velocity is zero to second order";
+  const std::string much =
+      std::isfinite(error)
+          ? fmt::format("{:.2g}", error)
+          : "more than 1, because the velocity is zero to second order in the driving amplitude";
   if (precision == Precision::fp32) {
     lines.push_back(
-        fmt::format("in single precision the velocity may be wrong by {}: a swimmer is slow compared with "
-                    "its beads, or the run is long; use --precision double",
+        fmt::format("in single precision the relative error of the velocity may be {}: a swimmer is slow "
+                    "compared with its beads, or the run is long; use --precision double",
                     much));
   } else {
     lines.push_back(
-        fmt::format("a swimmer moves so little per cycle that roundoff may change its velocity by {}; "
-                    "increase the driving amplitude, or use the velocity of beadswim-theory",
+        fmt::format("a swimmer moves so little per cycle that roundoff may cause a relative error of its "
+                    "velocity of {}; increase the driving amplitude, or use the velocity of beadswim-theory",
                     much));
   }
 }
@@ -84,10 +85,11 @@ std::vector<std::string> warnings_before(const SceneOnLattice& on_lattice, doubl
 
 std::vector<std::string> warnings_after(double mach) {
   if (mach <= max_incompressible_mach) return {};
-  return {fmt::format(
-      "beads reached Mach {:.2g}: the fluid's compressibility, about {:.0f} % at that speed, affects the "
-      "motion; reduce the time step by a smaller --relaxation-time or a larger --cells-per-radius",
-      mach, 100 * mach * mach)};
+  return {
+      fmt::format("beads reached Mach {:.2g}, where compression changes the density of the fluid by about "
+                  "{:.0f} % and affects the motion; reduce the time step by a smaller --relaxation-time or a "
+                  "larger --cells-per-radius",
+                  mach, 100 * mach * mach)};
 }
 
 }  // namespace beadswim

@@ -15,7 +15,7 @@
 namespace beadswim {
 namespace {
 
-/// Returns the entries of the cache that must agree with this program and machine for the cache to be valid.
+/// Returns the entries that a cache file must contain to be valid for this program and this machine.
 Json cache_key(int ranks) {
   return {{"schema", "beadswim/lattice-speed/1"},
           {"version", version() + " (" + revision() + ")"},
@@ -23,7 +23,7 @@ Json cache_key(int ranks) {
           {"ranks", ranks}};
 }
 
-/// Writes the cache. Errors are ignored, because without a cache the next plan repeats the measurement.
+/// Writes the cache file. Errors are ignored: without the file, the next plan measures the speed again.
 void write_cache(const Json& document, int ranks) {
   const std::string path = speed_cache_path(ranks);
   if (path.empty()) return;
@@ -34,7 +34,7 @@ void write_cache(const Json& document, int ranks) {
   }
 }
 
-/// Returns the cost from the cache; nullopt if there is no valid cache.
+/// Returns the measured time of lattice steps from the cache file; nullopt if there is no valid cache file.
 std::optional<LatticeSpeed> cached_speed(int ranks) {
   const std::string path = speed_cache_path(ranks);
   std::error_code unknown;
@@ -45,7 +45,7 @@ std::optional<LatticeSpeed> cached_speed(int ranks) {
     for (const auto& [name, value] : wanted.items())
       if (document.at(name) != value) return std::nullopt;
     return lattice_speed_from_json(document);
-  } catch (const std::exception&) {  // a damaged cache is measured again
+  } catch (const std::exception&) {  // a damaged file counts as absent: the speed is measured again
     return std::nullopt;
   }
 }
@@ -71,8 +71,8 @@ LatticeSpeed speed_of_this_machine(const Communicator& communicator) {
   if (text.empty()) {
     if (communicator.is_root())
       print_to_stderr(
-          "beadswim-run: measuring the lattice speed of this machine; this is done once and takes some "
-          "seconds\n");
+          "beadswim-run: measuring how fast this machine updates lattice cells; this measurement is made "
+          "once and takes some seconds\n");
     const LatticeSpeed speed = LatticeSpeed::measured(communicator);
     if (communicator.is_root()) write_cache(lattice_speed_to_json(speed), communicator.size());
     return speed;

@@ -8,16 +8,16 @@
 
 namespace beadswim {
 
-/// Returns the cost of lattice steps on this machine. Reads it from the cache file speed_cache_path() if the
-/// same version of the program has measured it on the same processor with the same number of ranks. Otherwise
-/// measures it, which takes some seconds, prints a message on standard error and writes the cache.
-/// Collective.
+/// Returns the time of lattice steps on this machine. If the same version of the program has already measured
+/// it on the same processor with the same number of ranks, reads the time from the cache file
+/// speed_cache_path(). Otherwise measures the time, which takes some seconds, prints a message on standard
+/// error, and writes the cache file. Collective.
 LatticeSpeed speed_of_this_machine(const Communicator& communicator);
 
 Json lattice_speed_to_json(const LatticeSpeed& speed);
 
-/// Converts the result of lattice_speed_to_json() back. Throws an exception derived from std::exception if
-/// `json` has another form.
+/// Converts JSON that lattice_speed_to_json() has made to a LatticeSpeed. Throws an exception derived from
+/// std::exception if `json` has another form.
 LatticeSpeed lattice_speed_from_json(const Json& json);
 
 /// Returns the path of the cache file for this number of ranks. The folder is $XDG_CACHE_HOME/beadswim or,

@@ -31,12 +31,14 @@ std::string row(const PlannedRun& run, const RunOptions& options, const Communic
                      size_text(run.output_bytes), remark);
 }
 
-/// Replaces the numbers in a reason by #, so that reasons that differ only in numbers can be grouped.
+/// Replaces the numbers in the reason why a run is impossible by #. Reasons that differ only in numbers
+/// become equal and can be grouped.
 std::string reason_kind(std::string reason) {
   return std::regex_replace(reason, std::regex("[0-9][0-9.e+-]*"), "#");
 }
 
-/// Returns false if another possible run costs less and has an expected error at most 5 % larger.
+/// Returns true if no other possible run is cheaper and has an expected error of at most 1.05 times the error
+/// of `run`.
 bool is_on_front(const RunPlan& plan, const PlannedRun& run) {
   constexpr double error_margin = 1.05;
   return std::ranges::none_of(plan.runs, [&](const PlannedRun& other) {
@@ -65,7 +67,7 @@ Json json_of(const PlannedRun& run, const RunOptions& options, const Communicato
   return json;
 }
 
-/// Returns the command that writes the proposed layout.
+/// Returns the command that writes the layout which a plan proposes instead of the present one.
 std::string command_of(const Proposal& proposal) {
   if (!proposal.box) return "beadswim-layout reduce";
   const Vec3& box = *proposal.box;

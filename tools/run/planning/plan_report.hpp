@@ -8,13 +8,14 @@
 
 namespace beadswim {
 
-/// Formats the plan as text for standard error. A table lists all possible mobility runs, and the lattice
-/// runs for which no cheaper run has a similar or smaller error. Below it stand the impossible runs, grouped
-/// by reason, the difficulties of the scene and the proposals. `options`: command line that requested the
-/// plan.
+/// Formats the plan as text for standard error. A table lists all possible runs with mobilities, and those
+/// lattice runs for which no cheaper run has a similar or smaller expected error. Below the table, the text
+/// lists the impossible runs with their reasons ("refused"), properties of the scene that make runs
+/// inaccurate or impossible ("hard"), and proposed layouts ("propose"). `options`: command line that
+/// requested the plan.
 std::string plan_table(const RunPlan& plan, const RunOptions& options, const Communicator& communicator);
 
-/// Returns all runs of the plan in the format of schemas/plan.schema.json.
+/// Returns all runs of the plan as a document that follows schemas/plan.schema.json.
 Json plan_to_json(const RunPlan& plan, const RunOptions& options, const Communicator& communicator);
 
 }  // namespace beadswim

@@ -9,7 +9,7 @@
 namespace beadswim {
 namespace {
 
-/// Returns the largest resident memory of each rank, summed over all ranks [byte]. Collective.
+/// Returns the peak resident memory of each rank, summed over all ranks [byte]. Collective.
 std::int64_t peak_memory_bytes(const Communicator& communicator) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -18,7 +18,7 @@ std::int64_t peak_memory_bytes(const Communicator& communicator) {
   return bytes;
 }
 
-/// Returns the driving of all swimmers, without amplitudes and phase if they differ between swimmers.
+/// Returns the driving for the run record. Omits amplitudes and phase if they differ between swimmers.
 DrivingRecord driving_of(const Layout& layout, double base_period) {
   const Driving first = layout.resolved_type(layout.swimmers.front()).driving;
   for (const Swimmer& swimmer : layout.swimmers) {
@@ -29,7 +29,8 @@ DrivingRecord driving_of(const Layout& layout, double base_period) {
   return {.period = base_period, .amplitude = first.amplitude, .phase = first.phase};
 }
 
-/// Adds momentum and mass change to the record if the model evaluates them.
+/// Adds momentum and relative mass change to the record if the model evaluates them. `first`, `last`: totals
+/// at the start and at the end of the run.
 void add_conservation(RunRecord& record, const ModelTotals& first, const ModelTotals& last) {
   if (first.momentum && last.momentum)
     record.momentum = MomentumRecord{.total = *last.momentum, .initial = *first.momentum};

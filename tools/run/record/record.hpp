@@ -7,11 +7,11 @@
 
 namespace beadswim {
 
-/// Returns the run record, which is complete on rank 0 only. Collective.
+/// Returns the run record. It is complete on rank 0 only. Collective.
 RunRecord make_record(const RunParts& parts, const LayoutDocument& layout, const RunOutcome& outcome);
 
-/// Returns the dimensionless numbers of a run, without the Mach number. All arguments have the same system of
-/// units. `speed`: largest bead speed. `period`: base period.
+/// Returns the dimensionless numbers of a run, except the Mach number. `speed`: largest bead speed. `period`:
+/// base period. All arguments must have the same system of units.
 DimensionlessNumbers dimensionless_numbers(std::span<const SwimmerType> types, double speed,
                                            double kinematic_viscosity, double period);
 

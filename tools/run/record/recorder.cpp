@@ -10,8 +10,8 @@
 namespace beadswim {
 namespace {
 
-/// Interpolates linearly between `first` (part = 0) and `last` (part = 1). If `first` and `last` are equal,
-/// std::lerp returns exactly this value.
+/// Interpolates linearly between `first` (for part = 0) and `last` (for part = 1). std::lerp makes the result
+/// exact if `first` and `last` are equal.
 Vec3 interpolate(double part, const Vec3& first, const Vec3& last) {
   Vec3 result;
   for (int a = 0; a < 3; ++a) result[a] = std::lerp(first[a], last[a], part);
@@ -66,7 +66,8 @@ void Recorder::sample(const Model& model) {
     if (!schedules_.is_due(name.type, step)) continue;
     const SamplingSchedule& schedule = schedules_.of(name.type);
     const long number = schedule.number_at(step);
-    // The end of a cycle is sampled at its exact time, which differs from this step by less than half a step.
+    // The end of a cycle is sampled at its exact time, which can differ from the time of this step by up to
+    // half a time step.
     const bool ends_cycle = number % schedule.per_cycle() == 0;
     const double time = ends_cycle ? schedule.time_of(number) : static_cast<double>(step);
     const PositionSample position_sample{
@@ -112,7 +113,7 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
   if (logs_.size() > max_swimmers_listed) cycles.clear();
   cycles.push_back(cycle_statistics(index, log.samples, log.period));
   log.samples.erase(log.samples.begin(),
-                    log.samples.end() - 1);  // the last sample is the first of the next cycle
+                    log.samples.end() - 1);  // the last sample also begins the next cycle
 }
 
 void Recorder::record(const Model& model, const ModelTotals& totals) {

@@ -11,37 +11,39 @@
 
 namespace beadswim {
 
-/// Records frames and samples. A frame contains the positions and velocities of all beads and is written to
-/// the trajectory. A sample contains the bead positions of one swimmer; rank 0 computes cycle statistics from
-/// samples. Frames are taken at the same phases of each base period. Samples are taken at the same phases of
-/// each period of the swimmer's own driving.
+/// Records frames and samples of a run. A frame contains the positions and velocities of all beads and is
+/// written to the trajectory. A sample contains the bead positions of one swimmer; rank 0 computes the
+/// statistics of each cycle from the samples. Frames are taken at equal phases of each base period. Samples
+/// are taken at equal phases of each driving period of the swimmer.
 class Recorder {
  public:
   Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
            const Communicator& communicator);
 
-  /// Returns the step of a frame. Frame k is taken at the step nearest to k/frames_per_cycle base cycles.
+  /// Returns the time step at which a frame is taken: the step nearest to frame / frames_per_cycle base
+  /// cycles.
   long step_of_frame(long frame) const;
 
-  /// Returns whether the next frame is due at this step.
+  /// Returns true if the next frame must be taken at this step.
   bool is_due(long step) const { return step == step_of_frame(next_frame_); }
 
-  /// Samples the swimmers of this rank for which a sample is due. Call it before the first step and after
-  /// every step.
+  /// Takes the samples that are due at the present step, for the swimmers of this rank. Must be called before
+  /// the first step and after every step.
   void sample(const Model& model);
 
-  /// Records the next frame. `totals`: present totals of the model. Collective.
+  /// Takes the next frame and writes it to the trajectory. `totals`: present totals of the model. Collective.
   void record(const Model& model, const ModelTotals& totals);
 
-  // Return statistics, on rank 0 only. For more than max_swimmers_listed swimmers, swimmers() contains only
-  // the last cycle.
+  // Return statistics, on rank 0 only. For more than max_swimmers_listed swimmers, the result of swimmers()
+  // contains only the last cycle of each swimmer.
   std::vector<SwimmerRecord> swimmers() const;
   const std::vector<SwarmCycle>& swarm() const { return swarm_; }
 
-  /// Returns the state for a checkpoint on rank 0, and an empty list on other ranks. Collective.
+  /// Returns the state of the recorder for a checkpoint, on rank 0; returns an empty list on other ranks.
+  /// Collective.
   std::vector<char> state();
-  /// Restores the state of a run that had completed `steps_done` steps. `state` is used on rank 0 only.
-  /// Throws SolverError if the state belongs to another run.
+  /// Restores the recorder of a run that had completed `steps_done` time steps. `state` is used on rank 0
+  /// only. Throws SolverError if the state belongs to another run.
   void restore(std::vector<char> state, long steps_done);
 
  private:
@@ -59,7 +61,7 @@ class Recorder {
       visit("positions", position_sample.positions);
     }
   };
-  /// Data of one swimmer on rank 0.
+  /// Data that rank 0 stores for one swimmer.
   struct SwimmerLog {
     SwimmerRecord record;
     std::array<Bead, 3> beads;  ///< beads in units of the layout
@@ -73,7 +75,7 @@ class Recorder {
     Vec3 mean_flow = Vec3::Zero();
   };
 
-  /// Returns whether frames and samples can be those of a run that had completed `steps_done` steps.
+  /// Returns true if the restored frames and samples are possible after `steps_done` time steps.
   bool is_consistent_with(long steps_done) const;
   void gather_samples();
   void store_samples(const FlowSample& now);
@@ -94,7 +96,7 @@ class Recorder {
   TrajectoryWriter& trajectory_;
   SamplingSchedules schedules_;
   long next_frame_ = 0;
-  OutgoingMessage pending_samples_;  ///< samples of this rank that rank 0 does not yet have
+  OutgoingMessage pending_samples_;  ///< samples of this rank that were not yet sent to rank 0
 
   // Used on rank 0 only:
   std::vector<PositionSample> gathered_;  ///< samples of all ranks since the last frame

@@ -7,8 +7,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns the period [step], rounded to an integer if the difference is roundoff. Samples of swimmers with
-/// the base period are then taken exactly at frames.
+/// Returns the period in time steps. Rounds it to an integer if the difference is a rounding error, so that
+/// samples of swimmers with the base period are taken exactly at frames.
 double in_steps(double period) {
   const double whole = std::round(period);
   return std::abs(period - whole) < 1e-9 * period ? whole : period;

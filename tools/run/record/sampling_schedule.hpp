@@ -5,11 +5,11 @@
 
 namespace beadswim {
 
-/// Sampling times of a swimmer. Sample k is taken at the step nearest to k/per_cycle() driving periods.
+/// Sampling times of a swimmer: sample k is taken at the time step nearest to k/per_cycle() driving periods.
 class SamplingSchedule {
  public:
-  /// `period`: driving period [step]. There are at most `max_per_cycle` samples per period, and at most one
-  /// per step.
+  /// `period`: driving period [step]. The schedule has at most `max_per_cycle` samples per period, and at
+  /// most one sample per time step.
   SamplingSchedule(double period, int max_per_cycle);
 
   int per_cycle() const { return per_cycle_; }
@@ -22,7 +22,7 @@ class SamplingSchedule {
   double interval_;  ///< [step]
 };
 
-/// Sampling times of all swimmer types. The steps of a run are queried in ascending order.
+/// Sampling times for each swimmer type. The caller must query the steps of a run in ascending order.
 class SamplingSchedules {
  public:
   SamplingSchedules(std::span<const double> periods, int max_per_cycle);
@@ -30,7 +30,7 @@ class SamplingSchedules {
   const SamplingSchedule& of(int type) const { return types_[type].schedule; }
   bool is_any_due(long step) const { return step == next_step_; }
   bool is_due(int type, long step) const { return types_[type].next_step == step; }
-  void advance_to(long step);  ///< skips samples before `step`
+  void advance_to(long step);  ///< skips samples that are due before `step`
 
  private:
   struct Type {

@@ -14,7 +14,7 @@ async function bundle(entry) {
 
 const hash = (text) => `'sha256-${createHash("sha256").update(text).digest("base64")}'`;
 
-/** Returns the parts of the page before and after the data. Its policy allows only its own script and style, and no requests. */
+/** Returns the parts of the page before and after the data. The page allows only its own script and style, and no network requests. */
 async function buildPage() {
   const script = await bundle("src/main.ts");
   const style = await bundle("src/style.css");
@@ -26,7 +26,7 @@ async function buildPage() {
   return html.split("<!-- data -->");
 }
 
-/** Returns a C++ string literal in several lines. "?" is escaped because "??" would begin a trigraph. */
+/** Returns the text as a C++ string literal in several lines. "?" is escaped, because "??" would begin a trigraph. */
 function cppLiteral(text) {
   const characters = [...Buffer.from(text)].map((byte) => {
     if (byte === 0x22 || byte === 0x5c) return "\\" + String.fromCharCode(byte);

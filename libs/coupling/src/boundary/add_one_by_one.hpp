@@ -4,9 +4,9 @@
 
 namespace beadswim {
 
-/// Adds the terms of a batch to the order-free sums of a bead one by one: batch.terms[t][k], k < count, to
-/// sums.sums[t]. This accepts larger terms than the kernels. Throws FaultError if a term is too large for the
-/// sums or non-finite.
+/// Adds the terms batch.terms[t][k], k < count, to the sums of a bead: one by one, for each quantity t to
+/// sums.sums[t]. This accepts larger terms than the vectorised addition in the kernels. Throws FaultError if
+/// a term is non-finite or too large for OrderFreeSum.
 template <class Batch, class Sums>
 void add_one_by_one(const Batch& batch, int count, Sums& sums, const BeadOnLattice& bead) {
   try {

@@ -22,7 +22,8 @@ LinkBead link_bead(const BeadOnLattice& bead, double slip = 0) {
           .slip = slip};
 }
 
-/// Fills the unused entries of the last vector of the batch with links that contribute nothing.
+/// Fills the unused entries of the last vector of the batch with zeros, so that they contribute nothing to
+/// sums. The direction is (1, 0, 0), so that no division by zero occurs.
 void fill_lanes(LinkBatch& batch) {
   for (int k = batch.links; k % LinkSums::lanes != 0; ++k) {
     for (double* values :
@@ -70,7 +71,7 @@ class LinkReflection {
     }
   }
 
-  /// Reflects all links that were added.
+  /// Reflects the populations at all links that were added since the last call.
   void flush() {
     if (batch_.links == 0) return;
     fetch();

@@ -8,9 +8,9 @@
 
 namespace beadswim {
 
-/// Links of one image of a bead. x is the fluid cell of a link and c the direction from x to the covered
-/// cell. f(x) is the outgoing population of x along c, and g(x) the outgoing population along -c. Unused
-/// entries of the last vector have direction (1, 0, 0) and are otherwise zero.
+/// Links of one image of a bead, one array entry per link. x is the fluid cell of a link and c the direction
+/// from x to the covered cell. f(x) is the outgoing population of x along c, and g(x) the outgoing population
+/// along -c. Unused entries of the last vector have direction (1, 0, 0) and are otherwise zero.
 struct LinkBatch {
   static constexpr int max_links = 64;
 
@@ -19,7 +19,8 @@ struct LinkBatch {
   double cx[max_links], cy[max_links], cz[max_links];  ///< -c
   double weight[max_links];                            ///< weight of the direction
   double outgoing[max_links];                          ///< f(x)
-  double fluid_behind[max_links];    ///< BeadLink::fluid_behind; if too small, cli and mr use a simpler law
+  /// BeadLink::fluid_behind. If it is 0, cli and mr use the equation of staircase; if 1, mr uses that of cli.
+  double fluid_behind[max_links];
   double behind[max_links];          ///< f(x - c); for cli and mr
   double arrived[max_links];         ///< g(x); for cli and mr
   double two_behind[max_links];      ///< f(x - 2 c); for mr

@@ -11,8 +11,9 @@
 namespace beadswim {
 namespace {
 
-/// A cell that several beads touch. The law of saturated_cell.hpp applies, with F = sum of sigma (u_b - v)
-/// over the beads.
+/// A cell that several beads touch. The equations of saturated_cell.hpp apply, with the force F = sum of
+/// sigma (u_b - v) over the beads. sigma: coupling rate of a bead; u_b: velocity of the bead at the cell; v:
+/// momentum of the fluid, averaged over the step.
 class SharedCell {
  public:
   void add(const SaturatedRun& run, double solid_fraction, double viscosity, const Vec3& from_centre,
@@ -30,8 +31,8 @@ class SharedCell {
   /// Returns the force F on fluid that streams in with momentum u.
   Vec3 force(const Vec3& u) const { return (pull_ - sigma_ * u) / (1 + sigma_ / 2); }
 
-  /// Divides the change of the momentum of the fluid among the beads. u: momentum before; change: actual
-  /// change, after the populations were rounded.
+  /// Divides the change of the momentum of the fluid in this step among the beads. u: momentum before the
+  /// change; change: actual change, after the populations were rounded.
   void distribute_change(std::vector<SaturatedSums>& sums, const Vec3& u, const Vec3& change) const {
     const Vec3 mean = u + 0.5 * force(u);
     Vec3 rest = change;  // the first bead gets the remainder, so that rounding loses no momentum
@@ -63,8 +64,8 @@ class SharedCell {
   Vec3 pull_ = Vec3::Zero();
 };
 
-/// Applies the forces in the cells of one row. Passes cells that a single bead touches to the kernel.
-/// Evaluates cells that several beads touch one by one.
+/// Applies the forces of beads on the fluid in the cells of one row. Passes cells that a single bead touches
+/// to the vectorised kernel. Evaluates cells that several beads touch one by one.
 template <class Real>
 class SaturatedRowUpdate {
  public:
@@ -97,7 +98,8 @@ class SaturatedRowUpdate {
     return false;
   }
 
-  /// Applies the force in the cells [low, high) of a run. No other bead touches these cells.
+  /// Applies the force of the bead on the fluid in the cells [low, high) of a run. No other bead touches
+  /// these cells.
   void push(const SaturatedRun& run, int low, int high) {
     constexpr int max_cells = SaturatedBatch<Real>::max_cells, lanes = SaturatedSums::lanes;
     for (; low < high; low += max_cells) {

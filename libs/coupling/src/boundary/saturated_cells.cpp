@@ -117,7 +117,8 @@ void SaturatedCells::cut(const Vec3& centre, double radius, const BeadImage& ima
   }
 }
 
-/// Returns C(a, b, c) of the corner at which the planes x, y and z intersect (sphere_overlap.hpp).
+/// Returns C(a, b, c), the signed volume of the bead between its centre and the corner (a, b, c) at which
+/// three planes between cells intersect (sphere_overlap.hpp). x, y, z: indices of the planes in cuts_.planes.
 double SaturatedCells::volume_below(int x, int y, int z, double radius) const {
   const auto& [planes, one, two] = cuts_;
   const std::size_t nx = planes[0].size(), ny = planes[1].size();

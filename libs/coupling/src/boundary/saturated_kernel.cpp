@@ -29,7 +29,8 @@ BEADSWIM_KERNEL Lanes load_populations(const Real* from, int cells) {
   return __builtin_convertvector(stored, Lanes);
 }
 
-/// Stores populations and returns the values as stored.
+/// Stores one population of each of `cells` cells. Returns the stored values, which are rounded to the type
+/// Real.
 template <class Real>
 BEADSWIM_KERNEL Lanes store_populations(Lanes f, int cells, Real* to) {
   Real __attribute__((vector_size(lanes * sizeof(Real)))) stored;
@@ -54,7 +55,8 @@ BEADSWIM_KERNEL void store_terms(double (*terms)[64], int first, const Lanes (&p
   for (int t = 0; t < 6; ++t) __builtin_memcpy(&terms[t][first], &values[t], sizeof values[t]);
 }
 
-/// Applies the force to up to `lanes` cells of the batch, beginning with cell `first`.
+/// Applies the force of the bead on the fluid in up to `lanes` cells of the batch, beginning with cell
+/// `first`.
 template <class Real>
 BEADSWIM_KERNEL void push_lanes(SaturatedBatch<Real>& batch, const SaturatedBead& b, int first) {
   const int cells = batch.cells - first < lanes ? batch.cells - first : lanes;

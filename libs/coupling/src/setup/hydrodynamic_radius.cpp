@@ -12,8 +12,9 @@ struct Calibration {
   std::array<double, 4> excess;  ///< hydrodynamic radius minus `radius`, in the order of BeadScheme [cell]
 };
 
-/// Rounded results of the case hydrodynamic-radius in docs/results/verification.jsonl, with which a test
-/// compares this table. docs/verification.md reports their scatter.
+/// Measured excess radii, rounded from the case hydrodynamic-radius in docs/results/verification.jsonl, with
+/// which a test compares this table. docs/verification.md lists their standard deviations over positions of
+/// the bead within a cell.
 constexpr std::array calibrations{std::to_array<Calibration>({
     {1.5, {-0.0659, -0.0705, -0.0183, -0.0641}}, {1.75, {-0.0702, -0.0666, -0.0095, -0.0420}},
     {2, {-0.0710, -0.0658, -0.0082, -0.0336}},   {2.25, {-0.0438, -0.0502, -0.0013, -0.0341}},

@@ -33,7 +33,7 @@ double lattice_bytes(const CoupledScene& scene) {
   // Links per unit of surface area [1/cell^2]: sum of |c_i.n| over one direction of each opposite pair,
   // averaged over the surface normals n.
   constexpr double links_of_area = 5.74;
-  constexpr double lists = 1.2;  // factor that accounts for the lists of rows and segments
+  constexpr double lists = 1.2;  // memory of links, rows and segments, divided by the memory of links
   return cells + lists * sizeof(BeadLink) * links_of_area * bead_surface(scene);
 }
 
@@ -47,12 +47,12 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
   const std::string model = has_walls ? "" : fmt::format(", {} rpy (without cells)", Setting::model);
   const std::string precision =
       scene.precision == Precision::fp64 ? fmt::format("{} single, ", Setting::precision) : "";
-  throw InputError(
-      "box", fmt::format(
-                 "the {:.3g} cells need {:.3g} GB, {:.3g} GB more than this machine has; use {}fewer {}, a "
-                 "smaller {} in the layout (beadswim-layout reduce, if the scene repeats){} or more machines",
-                 scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack, precision,
-                 Setting::cells_per_radius, Setting::box, model));
+  throw InputError("box",
+                   fmt::format("the {:.3g} lattice cells need {:.3g} GB of memory, {:.3g} GB more than this "
+                               "machine has; use {}fewer {}, a smaller {} in the layout (beadswim-layout "
+                               "reduce, if the scene repeats){} or more machines",
+                               scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
+                               precision, Setting::cells_per_radius, Setting::box, model));
 }
 
 }  // namespace beadswim

@@ -24,7 +24,8 @@ namespace {
 /// choice.
 constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time = 1};
 
-/// Smallest radius of a bead [cell]. A smaller bead may contain no cell centre, so that it covers no cell.
+/// Smallest permitted radius of a bead [cell]. A smaller bead may contain no cell centre, so that it covers
+/// no cell.
 constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
@@ -47,21 +48,21 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
         const double gap = to_wall - type.beads[b].radius;
         if (gap >= min_wall_gap * cell) continue;
         throw InputError(fmt::format("{}:/swimmers/{}/position", source, s),
-                         fmt::format("bead {} is {:.3g} from a wall perpendicular to {}; the gap must be at "
-                                     "least half a cell, {:.3g}; move the swimmer or use more {}",
+                         fmt::format("bead {} has a gap of {:.3g} to a wall perpendicular to {}; the gap "
+                                     "must be at least half a cell, {:.3g}; move the swimmer or use more {}",
                                      b + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
       }
     }
   }
 }
 
-/// Throws InputError if the relaxation time is so small that links are unstable or stroke amplitudes wrong by
-/// up to 50 %.
+/// Throws InputError if the relaxation time is below min_stable_relaxation_time and the scheme has links. The
+/// links are then unstable, or the relative errors of stroke amplitudes reach 50 %.
 void require_viscosity(BeadScheme scheme, double relaxation_time) {
   if (!has_links(scheme) || relaxation_time >= min_stable_relaxation_time) return;
   throw InputError(Setting::relaxation_time,
-                   fmt::format("{:.6g} is so close to 1/2 that the flow at bead surfaces is unstable with {} "
-                               "{}; use {} or more, or {} psm",
+                   fmt::format("the relaxation time {:.6g} is so close to 1/2 that the flow at bead surfaces "
+                               "is unstable with {} {}; use {} or more, or {} psm",
                                relaxation_time, Setting::bead_boundary, to_text(scheme),
                                min_stable_relaxation_time, Setting::bead_boundary));
 }
@@ -71,11 +72,10 @@ void require_slip(BeadScheme scheme, double relaxation_time) {
   constexpr double nearest = 1e-4;
   const double antisymmetric_time = 1 / relaxation_rates(relaxation_time).antisymmetric;
   if (scheme != BeadScheme::mr || std::abs(1 - antisymmetric_time) > nearest) return;
-  throw InputError(
-      Setting::relaxation_time,
-      fmt::format(
-          "{:.6g} makes the correction of multireflection ({} mr) undefined; use 0.87 or 0.88, or another {}",
-          relaxation_time, Setting::bead_boundary, Setting::bead_boundary));
+  throw InputError(Setting::relaxation_time,
+                   fmt::format("the relaxation time {:.6g} makes the correction of multireflection ({} mr) "
+                               "undefined; use 0.87 or 0.88, or another {}",
+                               relaxation_time, Setting::bead_boundary, Setting::bead_boundary));
 }
 
 Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) {
@@ -86,44 +86,49 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
     const double whole = std::round(exact);
     const std::string place = fmt::format("{}:/domain/lengths/{}", source, a);
     if (whole > max_cells)
-      throw InputError(place,
-                       fmt::format("{} is {:.3g} cells, above the limit of {}; use a smaller box or fewer {}",
-                                   lengths[a], exact, max_cells, Setting::cells_per_radius));
+      throw InputError(
+          place,
+          fmt::format(
+              "the box length {} is {:.3g} cells, above the limit of {}; use a smaller box or fewer {}",
+              lengths[a], exact, max_cells, Setting::cells_per_radius));
     if (whole < 1 || std::abs(exact - whole) > roundoff * whole) {
-      throw InputError(place, fmt::format("{} is {:.6g} cells of {:.6g}, not a whole number; the nearest "
-                                          "lengths are {:.10g} and {:.10g}; use one of them or another {}",
-                                          lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
-                                          (std::floor(exact) + 1) * cell, Setting::cells_per_radius));
+      throw InputError(
+          place,
+          fmt::format("the box length {} is {:.6g} cells of size {:.6g}, not a whole number; the nearest "
+                      "lengths are {:.10g} and {:.10g}; use one of these lengths or another {}",
+                      lengths[a], exact, cell, std::max(1.0, std::floor(exact)) * cell,
+                      (std::floor(exact) + 1) * cell, Setting::cells_per_radius));
     }
     cells[a] = static_cast<int>(whole);
   }
   return cells;
 }
 
-/// Returns the delay of the force of the fluid as a phase [rad]. period: [step].
+/// Returns the delay of the force of the fluid on a bead as a phase [rad] of a motion with the period
+/// `period` [step].
 double phase_of_delay(const LatticeChoice& lattice, double period) {
   return 2 * std::numbers::pi * force_delay(lattice.relaxation_time) / period;
 }
 
 /// Returns the lattice for a layout. Throws InputError if beads are too small or time steps too long.
 LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, double period) {
-  constexpr double latest = 0.3;  // [rad]
+  constexpr double latest = 0.3;  // largest permitted phase of the delay [rad]
   const LatticeChoice lattice = choose_lattice(smallest_radius(layout), resolution, layout.fluid, period);
   if (resolution.cells_per_radius < smallest_bead) {
-    throw InputError(
-        Setting::cells_per_radius,
-        fmt::format(
-            "with {}, a bead may cover no cell at all; use at least {}, or 3 or more to resolve the beads",
-            resolution.cells_per_radius, smallest_bead));
+    throw InputError(Setting::cells_per_radius,
+                     fmt::format("with {} cells per radius, a bead may cover no cell at all; use at least {} "
+                                 "cells per radius, or 3 or more to resolve the beads",
+                                 resolution.cells_per_radius, smallest_bead));
   }
   const double steps = shortest_period(layout) / lattice.scales.step, late = phase_of_delay(lattice, steps);
   if (late <= latest) return lattice;
-  throw InputError(Setting::relaxation_time,
-                   fmt::format("{} makes the time step so long that a period has {:.6g} steps and the force "
-                               "of the fluid is late by a phase of {:.2g} rad; strokes would be wrong by as "
-                               "much or more. At most {} rad are allowed: use a smaller {} or more {}",
-                               resolution.relaxation_time, steps, late, latest, Setting::relaxation_time,
-                               Setting::cells_per_radius));
+  throw InputError(
+      Setting::relaxation_time,
+      fmt::format("the relaxation time {} makes the time step so long that a period has {:.6g} steps and the "
+                  "force of the fluid is late by a phase of {:.2g} rad; strokes would be wrong by as much or "
+                  "more. A delay of at most {} rad is allowed: use a smaller {} or more {}",
+                  resolution.relaxation_time, steps, late, latest, Setting::relaxation_time,
+                  Setting::cells_per_radius));
 }
 
 SwimmerType type_on_lattice(const SwimmerType& type, const LatticeChoice& lattice, bool corrects_delay) {

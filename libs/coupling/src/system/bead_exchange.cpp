@@ -7,8 +7,8 @@
 namespace beadswim {
 namespace {
 
-/// Number of layers of cells around a block in which its rank still receives beads. The rank thus also
-/// receives a bead that has left its block in this step.
+/// Number of layers of cells around a block. A rank receives all beads that touch its block or these layers.
+/// It therefore also receives a bead that has left its block in this step.
 constexpr int margin = 2;
 
 constexpr int publish_tag = 11, collect_tag = 12;  // Halo uses the tags 0 and 1

@@ -49,7 +49,7 @@ std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, con
 }
 
 LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
-  constexpr double roughness = 1e-3;  // [smallest radius]
+  constexpr double roughness = 1e-3;  // height of the roughness, divided by the smallest radius
   const auto range = [&](double normal, double tangential) {
     return LubricationRange{
         .normal = normal, .tangential = tangential, .smallest = roughness * smallest_radius};
@@ -63,11 +63,13 @@ LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius) {
     case BeadScheme::psm:
       return range(0.6, 0.2);
   }
-  throw SolverError("unknown bead boundary");
+  throw SolverError(
+      "the bead boundary has an unknown value; this is a fault of the program, please report it");
 }
 
 NearContactLaw near_contact_law(const CoupledScene& scene) {
-  // Duration of a collision [step]: the shortest duration for which an implicit step follows the spring.
+  // Duration of a collision of two beads [step]. In a shorter collision, an implicit time step would not
+  // follow the contact spring.
   constexpr double collision_steps = 2;
   double smallest = std::numeric_limits<double>::infinity();
   for (const SwimmerType& type : scene.types) {

@@ -7,7 +7,8 @@
 namespace beadswim {
 namespace {
 
-/// Largest permitted relative changes.
+/// Largest permitted changes of the momentum, divided by the momentum of all beads at their largest speed,
+/// and of the mass, divided by the mass of the fluid.
 struct Limits {
   double momentum, mass;
 };
@@ -34,7 +35,7 @@ std::optional<Fault> conservation_fault(const CoupledScene& scene, const SceneTo
 
   const bool periodic =
       std::ranges::all_of(scene.boundary, [](Boundary ends) { return ends == Boundary::periodic; });
-  constexpr double slowest = 1e-9;  // lower bound of the speed in the scale, for beads at rest [cell/step]
+  constexpr double slowest = 1e-9;  // lower bound; avoids a division by zero for beads at rest [cell/step]
   const double scale = mass_of_beads(scene) * std::max(bead_speed, slowest);
   const double gained = (now.momentum - first.momentum).norm() / scale;
   if (periodic && !(gained <= limit.momentum)) return Fault{.kind = FaultKind::momentum, .value = gained};

@@ -13,9 +13,9 @@
 namespace beadswim {
 namespace {
 
-/// Adds the change of the momentum of the fluid within a bead to the impulse on the bead. This fluid moves
-/// with the bead, but its inertia is not part of the inertia of the bead. The force that accelerates this
-/// fluid must therefore not act on the bead.
+/// Adds to the impulse on a bead the change of the momentum of the fluid within the bead (`inner` before,
+/// `inner_now` after the step). This fluid moves with the bead, but its inertia is not part of the inertia of
+/// the bead. The force that accelerates this fluid must therefore not act on the bead.
 void add_change(Load& impulse, Load& inner, const Load& inner_now) {
   impulse.force += inner_now.force - inner.force;
   impulse.torque += inner_now.torque - inner.torque;
@@ -23,8 +23,8 @@ void add_change(Load& impulse, Load& inner, const Load& inner_now) {
 }
 
 /// Predicts the velocities of the beads at the end of the next step for the case that no bead is close to
-/// another. Extrapolates the change of velocity in this step, after subtraction of the impulses of close
-/// beads.
+/// another. Extrapolates the change of velocity in this step linearly, after subtraction of the impulses from
+/// close beads. before: motion before this step; close: impulses from close beads in this step.
 void predict(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLoads& close,
              const SwimmerType& type) {
   for (int b = 0; b < 3; ++b) {

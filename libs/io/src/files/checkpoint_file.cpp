@@ -59,15 +59,17 @@ H5Handle open_file(const std::string& path, const Communicator& communicator) {
   // Rank 0 first checks that the file exists and is an HDF5 file, before all ranks open it in parallel.
   const bool is_hdf5 = !communicator.is_root() || H5Fis_hdf5(path.c_str()) > 0;
   if (!all_agree(is_hdf5, communicator))
-    throw InputError(
-        path, "is not a checkpoint, or cannot be read; name FILE.h5md.ckpt.0, FILE.h5md.ckpt.1 or FILE.h5md");
+    throw InputError(path,
+                     "the file is not a checkpoint, or cannot be read; name FILE.h5md.ckpt.0, "
+                     "FILE.h5md.ckpt.1 or FILE.h5md");
   const H5Handle access = parallel_access(communicator, path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (!all_agree(file >= 0, communicator))
     throw InputError(
         path,
-        fmt::format("is not a checkpoint, or is damaged; take the other checkpoint, or begin without {}",
-                    Setting::restart));
+        fmt::format(
+            "the file is not a checkpoint, or is damaged; take the other checkpoint, or begin without {}",
+            Setting::restart));
   return {file, H5Fclose, path};
 }
 
@@ -93,7 +95,7 @@ H5Handle transfer_mode(H5FD_mpio_xfer_t mode, const std::string& what) {
   return transfer;
 }
 
-// Return start and extents of one component of a rank's part in the dataset [component][z][y][x].
+// Return start and extents of one component of `part` in the dataset [component][z][y][x].
 std::array<hsize_t, 4> start_of(const LatticePart& part, int component) {
   return {hsize_t(component), hsize_t(part.offset[2]), hsize_t(part.offset[1]), hsize_t(part.offset[0])};
 }
@@ -118,13 +120,14 @@ void add_to(LatticeHash& hash, const LatticePart& part, int component, std::span
   }
 }
 
-/// Completes the hash of a checkpoint and returns it. The hash covers name, size and contents of each
-/// section, then the hash of the lattice.
+/// Adds the hash of the lattice to the hash of the sections. Returns the resulting hash of the checkpoint as
+/// text.
 std::string finish_hash(Sha256& hash, std::uint64_t lattice) {
   const std::string text = fmt::format("{}:{:016x}", lattice_name, lattice);
   hash.update(std::as_bytes(std::span(text)));
   return hash.hexadecimal();
 }
+/// Adds name and size [byte] of a section to the hash. The caller adds the contents of the section next.
 void begin_section(Sha256& hash, const std::string& name, std::uint64_t size) {
   const std::string text = fmt::format("{}:{}:", name, size);
   hash.update(std::as_bytes(std::span(text)));
@@ -280,8 +283,9 @@ void CheckpointWriter::finish() {
   MPI_Barrier(communicator_.get());
   if (communicator_.is_root()) {
     if (const int reason = name_finished_file(path_)) {
-      throw SolverError(fmt::format("{} cannot be stored on the disk as {}: {}", part_name(path_), path_,
-                                    std::strerror(reason)));
+      throw SolverError(
+          fmt::format("the checkpoint {} cannot be stored on the disk as {}: {}; check the disk",
+                      part_name(path_), path_, std::strerror(reason)));
     }
   }
   MPI_Barrier(communicator_.get());
@@ -301,8 +305,8 @@ CheckpointReader::~CheckpointReader() {
 void CheckpointReader::require_undamaged() const {
   const auto require = [this](bool is_undamaged) {
     if (!all_agree(is_undamaged, communicator_))
-      throw InputError(path_, fmt::format("is damaged: the contents do not match the stored hash; take the "
-                                          "other checkpoint, or begin without {}",
+      throw InputError(path_, fmt::format("the checkpoint is damaged: its contents do not match the stored "
+                                          "hash; take the other checkpoint, or begin without {}",
                                           Setting::restart));
   };
   std::string format, hash_on_file;
@@ -322,13 +326,12 @@ void CheckpointReader::require_undamaged() const {
   require(is_read);
   if (!all_agree(!format.empty(), communicator_))
     throw InputError(path_,
-                     "is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, "
+                     "the file is an HDF5 file but not a checkpoint of Beadswim; name FILE.h5md.ckpt.0, "
                      "FILE.h5md.ckpt.1 or FILE.h5md");
   if (!all_agree(format == format_name, communicator_))
-    throw InputError(path_,
-                     fmt::format("does not have the checkpoint format of this version, {}; continue with "
-                                 "the version that wrote the file, or begin without {}",
-                                 format_name, Setting::restart));
+    throw InputError(path_, fmt::format("the file does not have the checkpoint format of this program, {}; "
+                                        "continue with the version that wrote the file, or begin without {}",
+                                        format_name, Setting::restart));
   lattice = sum_over_ranks(lattice, communicator_);
   require(!communicator_.is_root() || finish_hash(hash, lattice) == hash_on_file);
 }
@@ -380,9 +383,9 @@ std::vector<char> CheckpointReader::bytes(const std::string& section, std::uint6
   if (count == 0) return {};
   const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
   if (first + count > shape_of<1>(dataset, path_ + ":/" + section)[0])
-    throw SolverError(
-        fmt::format("{}:/{}: the data end too early; take the other checkpoint, or begin without {}", path_,
-                    section, Setting::restart));
+    throw SolverError(fmt::format(
+        "{}:/{}: the data of the checkpoint end too early; take the other checkpoint, or begin without {}",
+        path_, section, Setting::restart));
   std::vector<char> result(count);
   const Selection selection = select(dataset, std::array{hsize_t(first)}, std::array{hsize_t(count)}, path_);
   check_hdf5(H5Dread(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
@@ -401,7 +404,8 @@ void CheckpointReader::copy_to(const std::string& section, int descriptor) const
   const std::uint64_t all = size(section);
   const auto require = [&](bool fine) {
     if (!fine)
-      throw SolverError(fmt::format("{} of {} cannot be written: {}", section, path_, std::strerror(errno)));
+      throw SolverError(fmt::format("the file {} that the checkpoint {} contains cannot be written: {}",
+                                    section, path_, std::strerror(errno)));
   };
   require(ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0);
   for (std::uint64_t done = 0; done < all;) {

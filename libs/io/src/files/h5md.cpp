@@ -18,21 +18,23 @@
 namespace beadswim {
 namespace {
 
-// Cycle quantities are in a group of their own, outside the H5MD groups, because MDAnalysis expects one value
-// per frame in every series of /observables.
+// The quantities of each cycle are in a separate group, outside the H5MD groups, because MDAnalysis expects
+// one value per frame in every series of the H5MD group /observables.
 const std::string swimmers_group = "swimmers/";
-constexpr const char* trajectory_section = "trajectory";  ///< section of a checkpoint
+constexpr const char* trajectory_section = "trajectory";  ///< name of a section of the checkpoint
 
 /// Creates and locks PATH.part and stores its descriptor in `part`. Returns an empty text, or the reason why
 /// the trajectory cannot be created.
 std::string creation_fault(const std::string& path, int& part) {
   struct stat existing {};
-  if (path == "-" || path.ends_with('/')) return "not the name of a file";
+  if (path == "-" || path.ends_with('/')) return fmt::format("\"{}\" is not the name of a file", path);
   if (stat(path.c_str(), &existing) == 0 && !S_ISREG(existing.st_mode))
-    return path + " exists and is not a regular file";
+    return fmt::format("the path {} exists and is not a regular file", path);
   part = open(part_name(path).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (part < 0) return fmt::format("{} cannot be created: {}", part_name(path), std::strerror(errno));
-  if (flock(part, LOCK_EX | LOCK_NB) != 0) return part_name(path) + " is being written by another run";
+  if (part < 0)
+    return fmt::format("the file {} cannot be created: {}", part_name(path), std::strerror(errno));
+  if (flock(part, LOCK_EX | LOCK_NB) != 0)
+    return fmt::format("the file {} is being written by another run", part_name(path));
   return "";
 }
 
@@ -64,17 +66,17 @@ H5Handle open_file(const std::string& path, int locked, const CheckpointReader* 
   const hid_t file = checkpoint != nullptr ? H5Fopen(part.c_str(), H5F_ACC_RDWR, access)
                                            : H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access);
   if (file < 0) {
-    throw InputError(
-        Setting::output,
-        path +
-            ": HDF5 cannot create the file; on a network file system that does not support locks, "
-            "set HDF5_USE_FILE_LOCKING=FALSE");
+    throw InputError(Setting::output,
+                     path +
+                         ": HDF5 cannot create the file; on a network file system that does not support "
+                         "locks, set the environment variable HDF5_USE_FILE_LOCKING=FALSE");
   }
   return {file, H5Fclose, path};
 }
 
-/// Smallest size [byte] of a frame that is stored in a compressed chunk of its own. Smaller frames share
-/// uncompressed chunks. In both cases, writing a frame does not move data of earlier frames.
+/// Smallest size of a row (the data of one frame in one dataset) that is stored in a compressed chunk of its
+/// own [byte]. Smaller rows share uncompressed chunks. In both cases, writing a row does not move data of
+/// earlier frames.
 constexpr hsize_t chunk_bytes = 16384;
 
 struct WrappedPositions {
@@ -192,10 +194,9 @@ void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vect
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::vector<hsize_t> extent(row.size() + 1);
   if (H5Sget_simple_extent_ndims(space) != std::ssize(extent))
-    throw SolverError(what +
-                      fmt::format(": the checkpoint contains this dataset with other dimensions; take the "
-                                  "other checkpoint, or begin without {}",
-                                  Setting::restart));
+    throw SolverError(what + fmt::format(": the dataset in the checkpoint has other dimensions than in this "
+                                         "run; take the other checkpoint, or begin without {}",
+                                         Setting::restart));
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   series_.emplace(
       name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type, .rows = extent[0]});
@@ -292,7 +293,8 @@ void TrajectoryWriter::finish() {
   MPI_Bcast(&reason, 1, MPI_INT, 0, comm_);
   if (reason != 0) {
     throw SolverError(
-        fmt::format("{} cannot be renamed to {}: {}", part_name(path_), path_, std::strerror(reason)));
+        fmt::format("the complete trajectory {} cannot be renamed to {}: {}; rename the file by hand",
+                    part_name(path_), path_, std::strerror(reason)));
   }
 }
 

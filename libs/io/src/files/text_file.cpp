@@ -39,7 +39,8 @@ class Descriptor {
     for (std::size_t written = 0; written < text.size();) {
       const ssize_t count = ::write(number_, text.data() + written, text.size() - written);
       if (count < 0 && errno == EINTR) continue;
-      if (count < 0) throw SolverError(fmt::format("{}: cannot be written: {}", path, system_message()));
+      if (count < 0)
+        throw SolverError(fmt::format("{}: the file cannot be written: {}", path, system_message()));
       written += static_cast<std::size_t>(count);
     }
   }
@@ -47,7 +48,7 @@ class Descriptor {
   void sync(const std::string& path) const {
     // Some network file systems cannot synchronise folders and return EINVAL.
     if (::fsync(number_) != 0 && errno != EINVAL) {
-      throw SolverError(fmt::format("{}: cannot be written: {}", path, system_message()));
+      throw SolverError(fmt::format("{}: the file cannot be written: {}", path, system_message()));
     }
   }
 
@@ -70,7 +71,8 @@ class TemporaryFile {
 
   void replace_target() {
     if (::rename(path_.c_str(), target_.c_str()) != 0) {
-      throw SolverError(fmt::format("{}: the existing file cannot be replaced by the new one: {}", target_.string(), system_message()));
+      throw SolverError(fmt::format("{}: the existing file cannot be replaced by the new one: {}",
+                                    target_.string(), system_message()));
     }
     path_.clear();
   }
@@ -83,14 +85,15 @@ class TemporaryFile {
 InputError cannot_be_created(const std::string& path) {
   return InputError(
       path,
-      fmt::format("cannot be created: {}; name a file in a folder that exists and that you may write to",
-                  system_message()));
+      fmt::format(
+          "the file cannot be created: {}; name a file in a folder that exists and that you may write to",
+          system_message()));
 }
 
 void write_stdout(const std::string& text) {
   const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
   if (written != text.size() || std::fflush(stdout) != 0) {
-    throw SolverError(fmt::format("stdout: cannot be written: {}", system_message()));
+    throw SolverError(fmt::format("standard output: the text cannot be written: {}", system_message()));
   }
 }
 
@@ -98,7 +101,8 @@ void write_stdout(const std::string& text) {
 fs::path link_target(const std::string& link) {
   std::error_code loop;
   const fs::path target = fs::weakly_canonical(link, loop);
-  if (loop) throw InputError(link, fmt::format("cannot be created: {}; name a file", loop.message()));
+  if (loop)
+    throw InputError(link, fmt::format("the file cannot be created: {}; name another file", loop.message()));
   return target;
 }
 
@@ -110,7 +114,7 @@ void write_in_place(const fs::path& target, const std::string& text) {
 
 void replace_file(const fs::path& target, const std::string& text) {
   std::error_code ignored;
-  if (fs::is_directory(target, ignored)) throw InputError(target, "is a folder; name a file");
+  if (fs::is_directory(target, ignored)) throw InputError(target, "this path is a folder; name a file");
   TemporaryFile temporary(target);
   {
     const Descriptor file(temporary.path(), O_WRONLY | O_CREAT | O_TRUNC);
@@ -134,11 +138,11 @@ std::string read_text(const std::string& path) {
   }
   std::error_code ignored;
   if (fs::is_directory(path, ignored))
-    throw InputError(path, "is a folder; name a file, or - for standard input");
+    throw InputError(path, "this path is a folder; name a file, or - for standard input");
   const std::ifstream file(path, std::ios::binary);
   if (!file) {
-    throw InputError(
-        path, fmt::format("cannot be read: {}; name a file, or - for standard input", system_message()));
+    throw InputError(path, fmt::format("the file cannot be read: {}; name a file, or - for standard input",
+                                       system_message()));
   }
   text << file.rdbuf();
   return text.str();

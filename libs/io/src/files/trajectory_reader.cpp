@@ -34,21 +34,24 @@ void require_regular_file(const std::string& path) {
   struct stat status {};
   if (path == "-") throw InputError(path, "a trajectory cannot be read from standard input; name the file");
   if (stat(path.c_str(), &status) != 0 || access(path.c_str(), R_OK) != 0) {
-    throw_input_error(path, fmt::format("cannot be read: {}", std::strerror(errno)));
+    throw_input_error(path, fmt::format("the file cannot be read: {}", std::strerror(errno)));
   }
-  if (!S_ISREG(status.st_mode)) throw_input_error(path, "is not a regular file");
+  if (!S_ISREG(status.st_mode)) throw_input_error(path, "this path is not a regular file");
 }
 
 void require_read(herr_t status, const std::string& place) {
-  if (status < 0) throw_input_error(place, "is damaged");
+  if (status < 0) throw_input_error(place, "this part of the HDF5 file is damaged");
 }
 
-/// Refuses HDF5 files of other programs.
+/// Throws InputError if the HDF5 file lacks a group of Beadswim trajectories, because another program wrote
+/// it.
 void require_groups(hid_t file, const std::string& path) {
   for (const char* group : {"h5md", "particles", "particles/beads", "particles/beads/species"}) {
     if (H5Lexists(file, group, H5P_DEFAULT) > 0) continue;
-    throw_input_error(path,
-                      fmt::format("is an HDF5 file but not a trajectory of Beadswim: /{} is missing", group));
+    throw_input_error(
+        path,
+        fmt::format("the file is an HDF5 file but not a trajectory of Beadswim: the group /{} is missing",
+                    group));
   }
 }
 
@@ -59,15 +62,18 @@ H5Handle open_file(const std::string& path) {
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_file_locking(access, false, true), path);
   H5Handle file = checked_handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
-                                 "is not an HDF5 file, or is damaged");
+                                 "the file is not an HDF5 file, or is damaged");
   require_groups(file, path);
   return file;
 }
 
 std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
-  const H5Handle space = checked_handle(H5Dget_space(dataset), H5Sclose, place, "is damaged");
+  const H5Handle space =
+      checked_handle(H5Dget_space(dataset), H5Sclose, place, "this part of the HDF5 file is damaged");
   const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 0) throw_input_error(place, "the shape of the dataset cannot be read");
+  if (rank < 0)
+    throw_input_error(place,
+                      "the dimensions of this HDF5 dataset cannot be read, because the file is damaged");
   std::vector<hsize_t> extents(rank);
   H5Sget_simple_extent_dims(space, extents.data(), nullptr);
   return extents;
@@ -119,9 +125,11 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
   const std::string place = fmt::format("{}:/{}", path, object);
   const H5Handle attribute =
       checked_handle(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                     place, fmt::format("has no attribute \"{}\"", name));
-  const H5Handle type = checked_handle(H5Aget_type(attribute), H5Tclose, place, "is damaged");
-  const H5Handle space = checked_handle(H5Aget_space(attribute), H5Sclose, place, "is damaged");
+                     place, fmt::format("this HDF5 object has no attribute \"{}\"", name));
+  const H5Handle type =
+      checked_handle(H5Aget_type(attribute), H5Tclose, place, "this part of the HDF5 file is damaged");
+  const H5Handle space =
+      checked_handle(H5Aget_space(attribute), H5Sclose, place, "this part of the HDF5 file is damaged");
   const std::size_t length = text_length(type);
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
   hsize_t file_size = 0;
@@ -131,10 +139,9 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
                       fmt::format("the attribute \"{}\" declares more data than the file contains", name));
   std::string padded(length * count, '\0');
   if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
-    throw_input_error(
-        place,
-        fmt::format("the HDF5 attribute \"{}\" is not a string; the file is damaged or of another program",
-                    name));
+    throw_input_error(place, fmt::format("the HDF5 attribute \"{}\" is not a string; the file is damaged or "
+                                         "was written by another program",
+                                         name));
   }
   return split_padded_texts(padded, length);
 }
@@ -155,17 +162,18 @@ TrajectoryReader::TrajectoryReader(const std::string& path)
       mean_flow_(open_series("observables/mean_flow/value", {3})),
       momentum_(open_series("observables/momentum/value", {3})) {
   if (frames_ == 0)
-    throw InputError(path, "contains no frame yet; wait for the first frame of the run, or run again");
+    throw InputError(
+        path, "the trajectory contains no frame yet; wait for the first frame of the run, or run again");
   if (beads_ == 0 || beads_ > max_beads)
-    throw_input_error(path, fmt::format("has an invalid number of beads, {}", beads_));
+    throw_input_error(path, fmt::format("the trajectory has an invalid number of beads, {}", beads_));
   read_header();
 }
 
 TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
                                                      std::vector<hsize_t> row) const {
   const std::string place = path_ + ":/" + name;
-  H5Handle dataset =
-      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or damaged");
+  H5Handle dataset = checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place,
+                                    "this part of the HDF5 file is missing or damaged");
   Table table{.place = place, .dataset = std::move(dataset), .extents = {}};
   table.extents = extents_of(table.dataset, place);
   if (table.extents.size() != row.size() + 1 ||
@@ -190,17 +198,20 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   size[0] = count;
   hsize_t numbers = 1;
   for (const hsize_t n : size) numbers *= n;
-  const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place, "is damaged");
+  const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place,
+                                       "this part of the HDF5 file is damaged");
   if (!holds<Number>(type))
     throw_input_error(table.place, "the dataset does not have the number type given in docs/formats/h5md.md");
-  const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place, "is damaged");
-  const H5Handle in_memory =
-      checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place, "is damaged");
+  const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place,
+                                          "this part of the HDF5 file is damaged");
+  const H5Handle in_memory = checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place,
+                                            "this part of the HDF5 file is damaged");
   require_read(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
                table.place);
   std::vector<Number> values(numbers);
   if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
-    throw_input_error(table.place, "the numbers of the dataset cannot be read");
+    throw_input_error(table.place,
+                      "the numbers in this HDF5 dataset cannot be read, because the file is damaged");
   }
   return values;
 }
@@ -210,7 +221,7 @@ std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t firs
   std::vector<Number> values = read_raw_rows<Number>(table, first, count);
   const auto is_number = [](Number value) { return std::isfinite(static_cast<double>(value)); };
   if (!std::all_of(values.begin(), values.end(), is_number)) {
-    throw_input_error(table.place, "contains a non-finite number");
+    throw_input_error(table.place, "the dataset contains a non-finite number");
   }
   return values;
 }
@@ -219,7 +230,7 @@ template <typename Number>
 std::vector<Number> TrajectoryReader::read_all(const std::string& name) const {
   const Table table = open_table(name, {});
   if (table.extents[0] != beads_)
-    throw_input_error(table.place, fmt::format("does not have {} entries, one per bead", beads_));
+    throw_input_error(table.place, fmt::format("the dataset does not have {} entries, one per bead", beads_));
   return read_rows<Number>(table, 0, beads_);
 }
 
@@ -232,23 +243,25 @@ std::vector<Vec3> TrajectoryReader::vectors(const Table& table, std::size_t fram
 
 std::string TrajectoryReader::text(const std::string& name) const {
   const std::string place = path_ + ":/" + name;
-  const H5Handle dataset =
-      checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place, "is missing or damaged");
-  const H5Handle type = checked_handle(H5Dget_type(dataset), H5Tclose, place, "is damaged");
+  const H5Handle dataset = checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place,
+                                          "this part of the HDF5 file is missing or damaged");
+  const H5Handle type =
+      checked_handle(H5Dget_type(dataset), H5Tclose, place, "this part of the HDF5 file is damaged");
   const std::size_t length = text_length(type);
   require_storage(dataset, {}, place);
   std::string padded(length, '\0');
   if (length == 0 || !extents_of(dataset, place).empty() ||
       H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
-    throw_input_error(place, "the HDF5 dataset is not a string; the file is damaged or of another program");
+    throw_input_error(
+        place, "the HDF5 dataset is not a string; the file is damaged or was written by another program");
   }
   return split_padded_texts(padded, length).front();
 }
 
 std::map<std::string, std::string> TrajectoryReader::texts(const std::string& group) const {
   const std::string place = path_ + ":/" + group;
-  const H5Handle opened_group =
-      checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place, "is missing or damaged");
+  const H5Handle opened_group = checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place,
+                                               "this part of the HDF5 file is missing or damaged");
   H5G_info_t info{};
   require_read(H5Gget_info(opened_group, &info), place);
   std::map<std::string, std::string> result;
@@ -256,7 +269,7 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
     std::array<char, 256> name{};
     if (H5Lget_name_by_idx(opened_group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
                            H5P_DEFAULT) < 0) {
-      throw_input_error(place, "is damaged");
+      throw_input_error(place, "this part of the HDF5 file is damaged");
     }
     result[name.data()] = text(group + "/" + name.data());
   }
@@ -278,7 +291,7 @@ std::optional<Box> TrajectoryReader::box(std::size_t frame) const {
   const Box box{.lengths = {edges[0], edges[4], edges[8]}, .boundary = boundary_};
   for (int a = 0; a < 3; ++a) {
     if (!(box.lengths[a] > 0) && (box.is_periodic(a) || box.lengths[a] != 0)) {
-      throw_input_error(edges_.place, "contains a box edge that is not positive");
+      throw_input_error(edges_.place, "the dataset contains a box edge that is not positive");
     }
   }
   return box.lengths == Vec3::Zero() ? std::nullopt : std::optional(box);
@@ -291,7 +304,8 @@ void TrajectoryReader::read_header() {
   header_.bead = read_all<int>("particles/beads/species");
   header_.radius = read_all<double>("particles/beads/radius");
   if (!std::ranges::all_of(header_.radius, [](double radius) { return radius > 0; }))
-    throw_input_error(path_ + ":/particles/beads/radius", "contains a radius that is not positive");
+    throw_input_error(path_ + ":/particles/beads/radius",
+                      "the dataset contains a bead radius that is not positive");
   header_.creator_version = text_attribute(file_, path_, "h5md/creator", "version").front();
   header_.parameters = texts("parameters");
   require_complete_swimmers();
@@ -304,8 +318,9 @@ void TrajectoryReader::require_complete_swimmers() const {
         header_.bead[b] == static_cast<int>(b % 3) + 1 && header_.swimmer[b] == header_.swimmer[b - b % 3];
   }
   if (!is_complete)
-    throw_input_error(path_ + ":/particles/beads/species",
-                      "must be 1, 2, 3 for the three consecutive beads of each swimmer");
+    throw_input_error(
+        path_ + ":/particles/beads/species",
+        "the numbers of the beads must be 1, 2, 3 for the three consecutive beads of each swimmer");
 }
 
 std::vector<double> TrajectoryReader::times() const {
@@ -323,7 +338,7 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   for (std::size_t b = 0; b < beads_ && frame_box; ++b)
     frame.positions[b] += images[b].cwiseProduct(frame_box->lengths);
   if (!std::ranges::all_of(frame.positions, [](const Vec3& position) { return position.allFinite(); }))
-    throw_input_error(image_.place, "gives a bead position that is not finite");
+    throw_input_error(image_.place, "the dataset gives a bead position that is not finite");
   frame.mean_flow = vectors(mean_flow_, index)[0];
   frame.momentum = vectors(momentum_, index)[0];
   return frame;
@@ -351,7 +366,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
       std::vector<double>& numbers = cycle.columns[i].numbers = read_raw_rows<double>(tables[i], c, 1);
       const auto is_infinite = [](double number) { return std::isinf(number); };
       if (std::ranges::any_of(numbers, is_infinite))
-        throw_input_error(tables[i].place, "contains an infinite number");
+        throw_input_error(tables[i].place, "the dataset contains an infinite number");
     }
   }
   return cycles;

@@ -22,7 +22,7 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// Writes text. A failure is detected at the end of the file by ferror.
+/// Writes text without a check for errors. The caller checks with ferror at the end of the file.
 void put(std::FILE* file, const std::string& text) {
   std::fwrite(text.data(), 1, text.size(), file);
 }
@@ -67,7 +67,7 @@ void write_vti(const std::string& path, const Index3& cells, double spacing,
   const bool failed = std::fclose(file.release()) != 0 || !written;
   if (failed || std::rename(part.c_str(), path.c_str()) != 0) {
     std::remove(part.c_str());  // frees the disk space
-    throw SolverError(path + " cannot be written; is the disk full?");
+    throw SolverError(path + ": the file cannot be written; is the disk full?");
   }
 }
 

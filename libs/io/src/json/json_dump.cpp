@@ -16,7 +16,10 @@ constexpr std::size_t indent_width = 2;
 /// Throws SolverError if the document contains a non-finite number, which JSON cannot represent.
 void require_finite(const Json& value, const std::string& pointer) {
   if (value.is_number_float() && !std::isfinite(value.get<double>())) {
-    throw SolverError(fmt::format("a result at {} is {}, not a finite number", pointer, value.get<double>()));
+    throw SolverError(
+        fmt::format("the result at {} is {}, not a finite number, which JSON cannot contain; check the input "
+                    "for extreme values",
+                    pointer, value.get<double>()));
   }
   if (value.is_object()) {
     for (const auto& [key, member] : value.items()) require_finite(member, pointer + pointer_step(key));

@@ -74,7 +74,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     auto& members = open_.back()->get_ref<Json::object_t&>();
     if (!keys_.back().insert(key).second) {
       throw InputError(source_ + ":" + open_pointer() + pointer_step(key),
-                       "this key is given twice in one object; remove one of the two");
+                       "this key is given twice in one object; remove one of the two entries");
     }
     members.emplace_back(std::move(key), nullptr);
     return true;
@@ -83,11 +83,11 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t byte, const std::string& token, const Json::exception& error) override {
     constexpr int number_overflow = 406;
     const std::string what =
-        error.id == number_overflow ? fmt::format("{} is beyond the range of a double", token)
-        : is_second_document(byte)
-            ? "a second document begins here, but only one is read; select one, for example with head or jq "
-              "(beadswim-plot, and beadswim-theory for streams of layouts, read one document per line)"
-            : explanation(text_, byte, error.what());
+        error.id == number_overflow ? fmt::format("the number {} is beyond the range of a double", token)
+        : is_second_document(byte)  ? "a second JSON document begins here, but only one document is read; "
+                                      "select one document, for example with head or jq (only beadswim-plot, "
+                                      "and beadswim-theory for streams of layouts, read one document per line)"
+                                    : explanation(text_, byte, error.what());
     throw InputError(source_, line_and_column(text_, byte) + ": " + what);
   }
 
@@ -101,8 +101,9 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   void open(Json container) {
     if (open_.size() == max_levels)
-      throw InputError(source_,
-                       fmt::format("is nested more than {} levels deep; no valid document is", max_levels));
+      throw InputError(source_, fmt::format("the document is nested more than {} levels deep, deeper than "
+                                            "any layout, record or prediction; give another file",
+                                            max_levels));
     open_.push_back(add(std::move(container)));
   }
 
@@ -141,8 +142,9 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
 Json parse_json(const std::string& text, const std::string& source) {
   if (text.starts_with("\x89HDF")) {
-    throw InputError(
-        source, "is an HDF5 file, like a trajectory; give a JSON document: layout, run record or prediction");
+    throw InputError(source,
+                     "the file is an HDF5 file, like a trajectory; give a JSON document: layout, run record "
+                     "or prediction");
   }
   DocumentBuilder builder(text, source);
   Json::sax_parse(text, &builder);

@@ -36,8 +36,8 @@ const Rules& rules_of(const std::string& name) {
   throw std::logic_error("no schema " + name + " is built in");
 }
 
-/// Returns the keys of a path of valijson, in which each step has the form "[key]". Omits the first step,
-/// "<root>".
+/// Returns the keys from the root of the document to the place of an error. valijson writes each key as
+/// "[key]", after a first step "<root>", which is omitted.
 std::vector<std::string> path_of(const valijson::ValidationResults::Error& error) {
   std::vector<std::string> path;
   for (const std::string& step : error.context) {

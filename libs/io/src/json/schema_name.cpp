@@ -27,22 +27,25 @@ std::optional<SchemaName> parse_schema_name(const std::string& text) {
 
 std::string disagreement(const SchemaName& found, const SchemaName& wanted, const std::string& found_text) {
   if (found.kind != wanted.kind) {
-    return fmt::format("\"{}\" is another kind of document (\"{}\"); a \"{}\" document is needed here",
-                       found_text, found.kind, wanted.kind);
+    return fmt::format(
+        "the schema \"{}\" belongs to another kind of document (\"{}\"); give a document of the kind \"{}\"",
+        found_text, found.kind, wanted.kind);
   }
   if (found.version > wanted.version) {
-    return fmt::format("\"{}\" is newer than this program, which reads version {}; update Beadswim",
-                       found_text, wanted.version);
+    return fmt::format(
+        "the schema \"{}\" is newer than this program, which reads version {}; update Beadswim", found_text,
+        wanted.version);
   }
-  return fmt::format("\"{}\" is a version that this program cannot read; the program reads version {}",
-                     found_text, wanted.version);
+  return fmt::format(
+      "the schema \"{}\" has a version that this program cannot read; give a document of version {}",
+      found_text, wanted.version);
 }
 
 }  // namespace
 
 void check_schema_name(const Json& document, const std::string& expected, const std::string& source) {
   if (!document.is_object()) {
-    throw InputError(source, fmt::format("the document is {} {}; an object with \"schema\": \"{}\" is needed",
+    throw InputError(source, fmt::format("the JSON document is {} {}; give an object with \"schema\": \"{}\"",
                                          document.is_array() ? "an" : "a", document.type_name(), expected));
   }
   const auto entry = document.find("schema");
@@ -53,12 +56,13 @@ void check_schema_name(const Json& document, const std::string& expected, const 
     }
     throw InputError(
         source,
-        fmt::format("lacks the key \"schema\"; add \"schema\": \"{}\" if the document has this format",
-                    expected));
+        fmt::format(
+            "the document lacks the key \"schema\"; add \"schema\": \"{}\" if the document has this format",
+            expected));
   }
   const std::string place = source + ":/schema";
   const auto found = entry->is_string() ? parse_schema_name(entry->get<std::string>()) : std::nullopt;
-  if (!found) throw InputError(place, fmt::format("{}: must be \"{}\"", entry->dump(), expected));
+  if (!found) throw InputError(place, fmt::format("{}: the schema must be \"{}\"", entry->dump(), expected));
   const SchemaName wanted = parse_schema_name(expected).value();
   if (found->kind != wanted.kind || found->version != wanted.version) {
     throw InputError(place, disagreement(*found, wanted, entry->get<std::string>()));

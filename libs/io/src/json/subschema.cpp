@@ -5,8 +5,8 @@
 namespace beadswim {
 namespace {
 
-/// Branches of an if/then/else that apply to a value. Both are true if it is unknown which branch applies:
-/// the value is missing, or the condition does not concern the type only.
+/// Branches of an if/then/else of a schema that apply to a value. Both are true if it is unknown which branch
+/// applies, because the value is missing or because the condition concerns more than the type of the value.
 struct Branches {
   bool then_taken = true;
   bool else_taken = true;
@@ -18,7 +18,8 @@ Branches branches(const Json& condition, const Json* value) {
   return {met, !met};
 }
 
-/// Adds a schema to `found`, and all parts of the schema that apply to the same value (allOf, anyOf, ...).
+/// Adds a schema to `found`, and all its parts that apply to the same value: the target of $ref, and the
+/// parts of allOf, anyOf, oneOf and if/then/else.
 void add_expanded(const Json& root, const Json& schema, const Json* value, Subschemas& found) {
   if (!schema.is_object()) return;
   if (const auto reference = schema.find("$ref"); reference != schema.end()) {

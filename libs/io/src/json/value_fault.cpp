@@ -14,8 +14,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns true if valijson only repeats the failure of a value for an object or array that contains the
-/// value.
+/// Returns true if the failure of an object or array only repeats the failure of a value inside it. The
+/// validator library valijson reports such repetitions.
 bool is_echo(const SchemaFailure& failure) {
   return failure.description.starts_with("Failed to validate");
 }
@@ -41,7 +41,7 @@ std::string allowed_range(const Subschemas& schemas) {
   for (const auto& [keyword, words] : bounds) {
     if (const Json* bound = find_keyword(schemas, keyword)) parts.push_back(words + " " + bound->dump());
   }
-  return fmt::format("must be {}", fmt::join(parts, " and "));
+  return fmt::format("the value must be {}", fmt::join(parts, " and "));
 }
 
 std::string allowed_count(const Subschemas& schemas, const Json& value) {
@@ -51,10 +51,10 @@ std::string allowed_count(const Subschemas& schemas, const Json& value) {
                               : least && value.size() < least->get<std::size_t>()
                                   ? "at least " + least->dump()
                                   : "at most " + most->dump();
-  return fmt::format("has {} elements; {} are needed", value.size(), allowed);
+  return fmt::format("the array has {} elements, but {} are needed", value.size(), allowed);
 }
 
-/// ", or an object ..." if the schema allows an object in place of a name.
+/// Returns ", or an object ..." if the schema allows an object in place of a name, otherwise an empty text.
 std::string allowed_object(const Subschemas& schemas) {
   const Json* condition = find_keyword(schemas, "if");
   if (condition == nullptr || *condition != Json{{"type", "object"}}) return "";
@@ -65,7 +65,7 @@ std::string allowed_object(const Subschemas& schemas) {
 std::string allowed_names(const Subschemas& schemas, const Json& value) {
   const Json& names = *find_keyword(schemas, "enum");
   const std::string what = names.size() == 1 ? names[0].dump() : "one of " + names.dump();
-  const std::string text = fmt::format("must be {}{}", what, allowed_object(schemas));
+  const std::string text = fmt::format("the value must be {}{}", what, allowed_object(schemas));
   if (!value.is_string()) return text;
   return text + format_suggestion(value.get<std::string>(), names.get<std::vector<std::string>>());
 }
@@ -75,7 +75,7 @@ std::string allowed_type(const Subschemas& schemas, const Json& value) {
   const std::string names = type.is_array()
                                 ? fmt::format("{}", fmt::join(type.get<std::vector<std::string>>(), " or "))
                                 : type.get<std::string>();
-  return fmt::format("must be of type {}, not {}", names, value.type_name());
+  return fmt::format("the value must be of type {}, not {}", names, value.type_name());
 }
 
 /// Describes the values that the schema allows in place of an invalid value.
@@ -124,8 +124,8 @@ void add_failure(const SchemaFailure& failure, Place& place) {
   }
 }
 
-/// Groups failures by place, in the order of the first failure of each place. Omits repeated failures
-/// (echoes).
+/// Groups failures by their place in the document, in the order of the first failure of each place. Omits the
+/// failures of objects and arrays that only repeat the failure of a value inside them.
 std::vector<Place> gather_by_place(const std::vector<SchemaFailure>& failures) {
   std::vector<Place> places;
   std::map<std::vector<std::string>, std::size_t> index;
@@ -158,7 +158,7 @@ class Explainer {
       // A misspelt required key is both unknown and missing. It is reported once, as unknown.
       if (std::find(suggestions.begin(), suggestions.end(), key) != suggestions.end()) continue;
       const std::string what = meaning(member_schemas(schema_, schemas, key, nullptr));
-      faults.push_back({pointer, fmt::format("lacks the key \"{}\"{}", key, what)});
+      faults.push_back({pointer, fmt::format("the object lacks the key \"{}\"{}", key, what)});
     }
   }
 
@@ -181,7 +181,7 @@ class Explainer {
       const std::vector<std::string>& candidates = absent.empty() ? names : absent;
       suggestions.push_back(nearest_name(key, candidates));
       faults.push_back({pointer + pointer_step(key),
-                        fmt::format("unknown key{} Allowed here: {}", format_suggestion(key, candidates),
+                        fmt::format("unknown key{} Keys allowed here: {}", format_suggestion(key, candidates),
                                     fmt::join(names, ", "))});
     }
     return suggestions;

@@ -8,14 +8,15 @@
 
 namespace beadswim {
 
-/// A constraint of the schema that valijson found to be violated.
+/// A violated constraint of the schema, as the validator library valijson reports it.
 struct SchemaFailure {
   std::vector<std::string> path;  ///< keys and indices from the root to the value
   std::string description;        ///< message of valijson
 };
 
-/// Explains failures to users. Each fault contains the invalid value, the values that the schema allows and
-/// the nearest valid name. valijson repeats each failure for every ancestor; these repetitions are omitted.
+/// Returns explanations of the failures for users. Each fault contains the invalid value, the values that the
+/// schema allows and the nearest valid name. valijson reports each failure again for all objects and arrays
+/// that contain the value; these repetitions are omitted.
 std::vector<DocumentFault> explain_failures(const std::vector<SchemaFailure>& failures, const Json& schema,
                                             const Json& document);
 

@@ -1,5 +1,7 @@
 #include "beadswim/mobility/line_flow.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -19,13 +21,14 @@ SteadyLine unbounded_steady(double viscosity, double displacement) {
           .laplacian = {.value = laplacian, .slope = -3 * laplacian / displacement}};
 }
 
-/// Returns the kernel f(x_r - x_s), where direct = f(x_r - x_s).
+/// Returns the kernel K(x_r, x_s) = f(x_r - x_s) and its derivatives. `direct`: f and its slope at x_r - x_s.
 template <class T>
 LineKernel<T> make_kernel(const LineValue<T>& direct) {
   return {.value = direct.value, .by_receiver = direct.slope, .by_source = -direct.slope};
 }
 
-/// Returns the kernel f(x_r - x_s) - f(x_r + x_s), where mirrored = f(x_r + x_s).
+/// Returns the kernel K(x_r, x_s) = f(x_r - x_s) - f(x_r + x_s) between walls, and its derivatives. `direct`:
+/// f and its slope at x_r - x_s, `mirrored`: f and its slope at x_r + x_s.
 template <class T>
 LineKernel<T> make_kernel(const LineValue<T>& direct, const LineValue<T>& mirrored) {
   return {.value = direct.value - mirrored.value,
@@ -50,9 +53,10 @@ void check_alpha(std::complex<double> alpha) {
   const bool is_valid = std::isfinite(std::abs(alpha)) && alpha.real() > 0 &&
                         std::abs(alpha.imag()) <= alpha.real() * (1 + roundoff);
   if (is_valid) return;
-  throw InputError("flow on a line", "alpha is " + std::to_string(alpha.real()) + " + " +
-                                         std::to_string(alpha.imag()) +
-                                         " i; use the root of i omega rho / eta with positive real part");
+  throw InputError("flow on a line",
+                   fmt::format("the inverse penetration depth alpha = sqrt(i omega rho / eta) is {:f} + {:f} "
+                               "i; use the square root with positive real part",
+                               alpha.real(), alpha.imag()));
 }
 
 }  // namespace
@@ -65,8 +69,9 @@ LineFlow::LineFlow(double viscosity, const Box& box, double y, double z)
 void LineFlow::check_places(double receiver, double source) const {
   const double distance = receiver - source;
   if (periodic_ ? std::remainder(distance, periodic_->line().period) == 0 : distance == 0) {
-    throw InputError("flow on a line", "receiver and source are both at x = " + std::to_string(receiver) +
-                                           ": move one of them");
+    throw InputError("flow on a line", fmt::format("the point force and the point where its flow is "
+                                                   "evaluated are both at x = {:f}; move one of the points",
+                                                   receiver));
   }
   check_between_walls(receiver);
   check_between_walls(source);
@@ -74,8 +79,11 @@ void LineFlow::check_places(double receiver, double source) const {
 
 void LineFlow::check_between_walls(double place) const {
   if (!wall_ || (place > 0 && place < *wall_)) return;
-  throw InputError("flow on a line", "x = " + std::to_string(place) + " is not between the walls at 0 and " +
-                                         std::to_string(*wall_));
+  throw InputError(
+      "flow on a line",
+      fmt::format(
+          "the position x = {:f} is not between the walls at x = 0 and x = {:f}; move the point or the walls",
+          place, *wall_));
 }
 
 SteadyFlow LineFlow::steady(double receiver, double source) const {

@@ -28,10 +28,11 @@ double bispherical_coordinate(const Line& line, int i, int j) {
   return std::log1p(excess + std::sqrt(excess * (2 + excess)));
 }
 
-/// Estimates the multipole order that sphere i requires because of sphere j. The order n contributes C
-/// exp(-2 n xi) to the mobility. Numerical experiments give C near 8000 for distant spheres and near 8000/x^6
-/// for close spheres, where x is the mean of xi of both spheres. This is an initial guess. The actual error
-/// follows from the solution.
+/// Estimates the highest multipole order of sphere i that its neighbour j makes necessary. The multipoles of
+/// order n contribute about C exp(-2 n xi) to the mobility, where xi is the bispherical coordinate of sphere
+/// i. The estimate is therefore log(C/tolerance)/(2 xi). Numerical experiments give C near 8000 for distant
+/// spheres and near 8000/x^6 for close spheres, where x is the mean of xi of both spheres. The estimate is an
+/// initial guess; multipole_mobility() determines the actual error from the solution.
 double needed_order(const Line& line, int i, int j, double log_tolerance) {
   const double xi = bispherical_coordinate(line, i, j);
   const double mean_xi = (xi + bispherical_coordinate(line, j, i)) / 2;

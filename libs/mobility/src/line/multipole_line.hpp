@@ -5,12 +5,13 @@
 
 #include "multipole_sphere.hpp"
 
-// Spheres on a line. The number of multipoles of each sphere follows from the distances to its neighbours.
+// Spheres on a line for the multipole expansion of their flow. The number of multipoles of each sphere
+// follows from the distances to its neighbours.
 
 namespace beadswim::multipole {
 
-/// Spheres on a line and the layout of their linear system. The unknowns of sphere i start at row start[i].
-/// The last entry of `start` is the number of rows.
+/// Spheres on a line and the layout of the linear system for their multipole coefficients. The unknowns of
+/// sphere i start at row start[i]. The last entry of `start` is the number of rows.
 struct Line {
   std::span<const double> radius, position;  ///< [length]
   std::vector<Sphere> sphere;
@@ -22,13 +23,15 @@ struct Line {
   Pair pair(int receiver, int source) const;
 };
 
-/// Sets up the spheres. An empirical estimate gives the multipole orders for an error near
-/// exp(log_tolerance). Throws InputError if an order exceeds max_multipole_order.
+/// Sets up spheres with the radii and the positions along the line [length]. The multipole orders follow from
+/// an empirical estimate for a relative error of the mobility near exp(log_tolerance). Throws InputError if
+/// an order exceeds max_multipole_order.
 Line make_line(std::span<const double> radii, std::span<const double> positions, double log_tolerance);
 
 /// Returns the bispherical coordinate xi of sphere i relative to its nearest neighbour, or infinity for a
 /// lone sphere. All image points of the other spheres, reflected into sphere i, lie within a_i exp(-xi) of
-/// its centre. The multipoles of sphere i therefore decay with the order n as exp(-n xi).
+/// its centre, where a_i is its radius. The multipoles of sphere i therefore decay with the order n as
+/// exp(-n xi).
 double nearest_bispherical_coordinate(const Line& line, int i);
 
 }  // namespace beadswim::multipole

@@ -18,41 +18,42 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using multipole::Line;
 
-/// Linear system matrix * own = drive. Its solution `own` contains the own flow of each sphere
-/// (multipole_sphere.hpp). In column k, sphere k moves at unit velocity and all other spheres are at rest.
+/// Linear system matrix * own = drive for the multipole coefficients `own` of the flows that the spheres
+/// cause (own flows, multipole_sphere.hpp). In column k of `own` and `drive`, sphere k moves at unit velocity
+/// and all other spheres are at rest.
 struct System {
   MatrixXd matrix;  ///< identity minus the responses of spheres to the flows of other spheres
-  MatrixXd drive;   ///< own flow of the moving sphere if it were alone
-  std::vector<std::vector<MatrixXd>> translation{};  ///< T of multipole_sphere.hpp: [receiver][source]
+  MatrixXd drive;   ///< coefficients of the own flow of the moving sphere if it were alone
+  std::vector<std::vector<MatrixXd>> translation{};  ///< matrices T of multipole::translation()
 };
 
 struct Solution {
-  MatrixXd own;      ///< coefficients A and B of all spheres; one column per moving sphere
+  MatrixXd own;      ///< coefficients A_n and B_n of all spheres; one column per moving sphere
   MatrixXd adjoint;  ///< column i: derivatives of A_0 of sphere i by the rows of drive
 };
 
 void check_positive(double number, const std::string& name) {
   if (!(number > 0) || !std::isfinite(number)) {
-    throw InputError(name, fmt::format("{} must be greater than 0 and finite", number));
+    throw InputError(
+        name, fmt::format("the value {} is invalid: a finite number greater than 0 is needed", number));
   }
 }
 
 void check_line(std::span<const double> radii, std::span<const double> positions) {
   if (radii.empty() || radii.size() != positions.size()) {
-    throw InputError(
-        "spheres on a line",
-        fmt::format("there are {} radii and {} positions; give equal numbers of both, at least one",
-                    radii.size(), positions.size()));
+    throw InputError("spheres on a line", fmt::format("there are {} radii and {} positions of spheres; give "
+                                                      "one position per radius, and at least one sphere",
+                                                      radii.size(), positions.size()));
   }
   for (std::size_t i = 0; i < radii.size(); ++i) {
     check_positive(radii[i], fmt::format("radius of sphere {}", i + 1));
     if (i == 0) continue;
     const double distance = positions[i] - positions[i - 1], touching = radii[i] + radii[i - 1];
     if (!(distance > touching) || !std::isfinite(distance)) {
-      throw InputError(
-          fmt::format("spheres {} and {}", i, i + 1),
-          fmt::format("their centres are {} apart; the distance must be above {}, where the spheres touch",
-                      distance, touching));
+      throw InputError(fmt::format("spheres {} and {}", i, i + 1),
+                       fmt::format("the centres of the two spheres are {} apart; the distance must be above "
+                                   "{}, where the spheres touch",
+                                   distance, touching));
     }
   }
 }
@@ -82,7 +83,8 @@ Solution solve(const Line& line, const System& system) {
   return {.own = lu.solve(system.drive), .adjoint = lu.transpose().solve(strengths)};
 }
 
-/// Returns -8 pi eta a for each sphere. This factor times A_0 is the force of the sphere on the fluid.
+/// Returns -8 pi eta a for each sphere of radius a in a fluid of dynamic viscosity eta. This factor times the
+/// multipole coefficient A_0 of the sphere is the force of the sphere on the fluid.
 VectorXd force_per_strength(const Line& line, double viscosity) {
   const Eigen::Map<const VectorXd> radius(line.radius.data(), line.size());
   return -8 * std::numbers::pi * viscosity * radius;
@@ -92,15 +94,16 @@ MatrixXd symmetric_part(const MatrixXd& matrix) {
   return (matrix + matrix.transpose()) / 2;
 }
 
-/// Returns mu = R^-1. The resistance R_ik is the force of sphere i if sphere k moves at unit velocity.
+/// Returns the mobility mu = R^-1 [time/mass]. The element R_ik of the resistance is the force of sphere i on
+/// the fluid if sphere k moves at unit velocity and all other spheres are at rest.
 MatrixXd mobility_of(const Line& line, const Solution& flow, const VectorXd& force) {
   MatrixXd resistance(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) resistance.row(i) = force[i] * flow.own.row(line.start[i]);
   return symmetric_part(resistance.inverse());
 }
 
-/// Returns the derivatives of A_0 of all spheres (rows) by the offset from `source` to `receiver`. In column
-/// k, sphere k moves at unit velocity.
+/// Returns the derivatives of the multipole coefficients A_0 of all spheres (rows) by the offset of the
+/// centres, position of `receiver` minus position of `source`. In column k, sphere k moves at unit velocity.
 MatrixXd strength_slope(const Line& line, const System& system, const Solution& flow, int receiver,
                         int source) {
   const MatrixXd own = flow.own.middleRows(line.start[source], line.sphere[source].unknowns());
@@ -132,16 +135,16 @@ std::vector<MatrixXd> mobility_slopes(const Line& line, const System& system, co
   return slopes;
 }
 
-/// Returns an upper bound of the truncation error of each A_0. A multipole of order n contributes
-/// adjoint_n * own_n, which decays as exp(-2 n xi). The error is bounded by the geometric series that
-/// continues the last computed orders. Signs are ignored, so this series is about 50 times the true error of
-/// mu.
+/// Returns an upper bound of the truncation error of the coefficient A_0 of each sphere (rows), if sphere k
+/// moves at unit velocity (column k). The multipoles of order n contribute adjoint_n * own_n to A_0, which
+/// decays as exp(-2 n xi). The error is bounded by the geometric series that continues the last computed
+/// orders. Signs are ignored, so this series is about 50 times the true error of the mobility mu.
 ///
-/// The error of the slopes is larger than the error of mu by a factor 2 n d(xi)/dR, where R is the distance
-/// of the centres. The series is therefore multiplied by 10. In tests with 300 random lines of spheres, this
-/// bound was at least 4 times the error of the slopes.
+/// The derivatives of mu by the positions have a larger error: by a factor 2 n d(xi)/dR, where R is the
+/// distance of the centres. The series is therefore multiplied by 10. In tests with 300 random lines of
+/// spheres, this bound was at least 4 times the error of the derivatives.
 MatrixXd strength_error(const Line& line, const Solution& flow) {
-  constexpr int last = 2;  // one odd and one even order, for A and for B
+  constexpr int last = 2;  // one odd and one even order of A_n and of B_n
   constexpr double for_slopes = 10;
   MatrixXd error = MatrixXd::Zero(line.size(), line.size());
   for (int i = 0; i < line.size(); ++i) {
@@ -154,7 +157,8 @@ MatrixXd strength_error(const Line& line, const Solution& flow) {
   return error;
 }
 
-/// Returns the largest error of mu_ij, relative to sqrt(mu_ii mu_jj).
+/// Returns the largest error of an element mu_ij of the mobility relative to sqrt(mu_ii mu_jj), for given
+/// errors of the resistance matrix mu^-1.
 double relative_error(const MatrixXd& mobility, const MatrixXd& resistance_error) {
   const MatrixXd error = mobility.cwiseAbs() * resistance_error * mobility.cwiseAbs();
   const VectorXd root = mobility.diagonal().cwiseSqrt();
@@ -180,8 +184,11 @@ MultipoleMobility multipole_mobility(std::span<const double> radii, std::span<co
               .slope = mobility_slopes(line, system, flow, mobility, force),
               .order = line.largest_order()};
     }
-    if (!std::isfinite(error)) throw NotFiniteError("the mobility of spheres on a line is not finite");
-    log_tolerance -= std::log(error / tolerance) + 1;  // the excess of the error, and a margin
+    if (!std::isfinite(error))
+      throw NotFiniteError(
+          "the mobility of spheres on a line is not finite; check the radii, the positions and the "
+          "viscosity");
+    log_tolerance -= std::log(error / tolerance) + 1;  // ratio of error and tolerance, and a margin of e
   }
 }
 

@@ -6,8 +6,8 @@ namespace beadswim::multipole {
 
 namespace {
 
-/// Returns the coefficients B_0 .. B_L of own flows. Own flows are stored as A_0 .. A_L-1, B_1 .. B_L in 2L
-/// rows.
+/// Returns the coefficients B_0 .. B_L of own flows, with B_0 = -A_1. `own_flow` contains A_0 .. A_L-1, B_1
+/// .. B_L in 2L rows.
 Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
   const Eigen::Index order = own_flow.rows() / 2;
   Eigen::MatrixXd phi(order + 1, own_flow.cols());
@@ -19,7 +19,8 @@ Eigen::MatrixXd phi_part(const Eigen::MatrixXd& own_flow) {
 }  // namespace
 
 // clang-format off
-// The components P_l of the no-slip condition on r = 1 are, with X = A + alpha and Y = B + beta:
+// The components P_l of the no-slip condition on the surface r = 1 are, with X = A + alpha and Y = B + beta
+// (sums of the coefficients of the own and of the incoming flow):
 //
 //   tangential               0     = (l-2)/(2l-1) X_l-1 + (l+3)/(2l+3) X_l+1 + Y_l
 //   radial + (l+1) tang.     A_l-1 = (2l-1)/(2(l+1)) [ (l-2)(2l+1)/(2l-1) alpha_l-1 + (l+1) alpha_l+1 + (2l+1) beta_l ]
@@ -70,7 +71,7 @@ Eigen::MatrixXd translation(const Pair& pair) {
 
 // The potential z chi + phi of the source j is measured from its centre z_j. Relative to the centre z_i of
 // the receiver it is (z - z_j) chi_j + phi_j = (z - z_i) chi_j + [(z_i - z_j) chi_j + phi_j]. Therefore, with
-// offset = z_i - z_j:
+// offset = z_i - z_j, the radii a_i and a_j and the translation matrix T:
 //   alpha = T A,   beta = (a_j/a_i) T B + (offset/a_i) T A
 IncomingFlow unit_flows(const Pair& pair, const Eigen::MatrixXd& translation) {
   const int sources = pair.source_order, rows = pair.receiver_order;
@@ -85,7 +86,8 @@ IncomingFlow unit_flows(const Pair& pair, const Eigen::MatrixXd& translation) {
   return flow;
 }
 
-// T_nm is proportional to |offset|^-(n+m+1), so d T_nm / d offset = -(n+m+1) T_nm / offset.
+// The translation matrix T_nm is proportional to |offset|^-(n+m+1), so d T_nm/d offset = -(n+m+1)
+// T_nm/offset.
 IncomingFlow flow_slopes(const Pair& pair, const Eigen::MatrixXd& translation,
                          const Eigen::MatrixXd& own_flow) {
   const Eigen::MatrixXd& t = translation;

@@ -1,5 +1,7 @@
 #include "beadswim/mobility/periodic_line.hpp"
 
+#include <fmt/core.h>
+
 #include <numbers>
 #include <string>
 
@@ -15,8 +17,9 @@ void check(const Box& box) {
   for (int axis = 0; axis < 3; ++axis) {
     const double length = box.lengths[axis];
     if (std::isfinite(length) && length > 0) continue;
-    throw InputError("box", std::string("its length along ") + axis_names[axis] + " is " +
-                                std::to_string(length) + "; the length must be finite and positive");
+    throw InputError("box",
+                     fmt::format("the box length along {} is {:f}; the length must be finite and positive",
+                                 axis_names[axis], length));
   }
 }
 
@@ -24,14 +27,15 @@ PeriodicLine::Axis transverse_axis(const Box& box, int axis, double place) {
   const double length = box.lengths[axis];
   if (!box.has_mirrors(axis)) return {.period = length, .mirror = 0};
   if (!(place > 0 && place < length)) {
-    throw InputError("box", std::string("the line at ") + axis_names[axis] + " = " + std::to_string(place) +
-                                " is not between the walls at 0 and " + std::to_string(length));
+    throw InputError("box", fmt::format("the line of spheres at {0} = {1:f} is not between the walls at {0} "
+                                        "= 0 and {0} = {2:f}; move the line or the walls",
+                                        axis_names[axis], place, length));
   }
   return {.period = 2 * length, .mirror = 2 * place};
 }
 
 /// Returns k^2 and a weight for each wavenumber k >= 0 of an axis below `longest` [1/length]. The weight is
-/// the sum of cos(k d) over both signs of k and over the copies of the line, at distance d from the line
+/// the sum of cos(k d) over both signs of k, and over the line (d = 0) and its mirror copy at the distance d
 /// along this axis.
 std::vector<PeriodicLine::Wave> axis_waves(const PeriodicLine::Axis& axis, double longest) {
   std::vector<PeriodicLine::Wave> waves;
@@ -44,7 +48,8 @@ std::vector<PeriodicLine::Wave> axis_waves(const PeriodicLine::Axis& axis, doubl
   return waves;
 }
 
-/// Returns the squared distances along one axis from the line to its images [length^2].
+/// Returns the squared distances along one axis from the line to its images within `cutoff` [length],
+/// including the line itself [length^2].
 std::vector<double> axis_images(const PeriodicLine::Axis& axis, double cutoff) {
   std::vector<double> squares;
   const auto add_lattice_of = [&](double offset) {
@@ -63,7 +68,8 @@ std::vector<double> axis_images(const PeriodicLine::Axis& axis, double cutoff) {
 
 PeriodicLine periodic_line(const Box& box, double y, double z) {
   check(box);
-  // About four images are then within the distance 6/xi = V^(1/3), for any shape of the box of volume V.
+  // The splitting parameter is xi = 6/V^(1/3) for a box of volume V. About four images are then within the
+  // distance 6/xi = V^(1/3), for any shape of the box.
   constexpr double splitting_of_unit_volume = 6;
   const double volume = box.lengths[0] * box.lengths[1] * box.lengths[2];
   return {.period = (box.has_mirrors(0) ? 2 : 1) * box.lengths[0],

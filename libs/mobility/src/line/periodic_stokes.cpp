@@ -33,11 +33,15 @@ TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, doubl
 }
 
 // clang-format off
-/// Evaluates the contribution of one image to the integral over s < 1/(4 xi^2) (periodic_stokes.hpp), times 4
-/// pi eta. With g = 2 xi exp(-xi^2 r^2)/sqrt(pi), d B_n/dx = -x B_{n+1} and the B_n of periodic_stokes.hpp:
+/// Evaluates the contribution of one image to G_xx and to (1/6) laplacian G_xx, times 4 pi eta: its part of
+/// the integral over s < 1/(4 xi^2) in periodic_stokes.hpp. (x, rho) is the vector from the image to the
+/// receiver, and rho2 = rho^2. With g = 2 xi exp(-xi^2 r^2)/sqrt(pi), d B_n/dx = -x B_{n+1} and the B_n of
+/// periodic_stokes.hpp:
 ///
 ///   oseen      B_0 - rho^2 B_1/2
-///   laplacian  (1/6) [ rho^2 B_2 - 2 B_1 + 2 xi^2 g (1 - xi^2 rho^2) ];  the last term is due to the limit
+///   laplacian  (1/6) [ rho^2 B_2 - 2 B_1 + 2 xi^2 g (1 - xi^2 rho^2) ]
+///
+/// The last term is due to the upper limit of the integral.
 SteadyLine screened_image(double x, double rho2, double xi) {
   const double r2 = x * x + rho2, r = std::sqrt(r2), xi2 = xi * xi;
   const double g   = 2 * xi / std::sqrt(pi) * std::exp(-xi2 * r2);

@@ -57,15 +57,17 @@ TransverseSum transverse_sum(const std::vector<PeriodicLine::Wave>& waves, doubl
   return sum;
 }
 
-/// A quadrature node of the integrals over s < tau, where s = 1/(4 p^2), with the factors of exp(-p^2 r^2)
-/// and of its second derivative along x.
+/// Quadrature node of the integrals over s < tau that give the sums over images
+/// (periodic_unsteady_stokes.hpp). s = 1/(4 p^2). The weights are factors of exp(-p^2 r^2) and of its second
+/// derivative along x.
 struct HeatNode {
   double p = 0;
   Complex plain;                           ///< factor of exp(-p^2 r^2) in both integrals
   Complex helmholtz_curved, total_curved;  ///< factors of the second derivative in each integral
 };
 
-/// Returns the quadrature nodes for
+/// Returns the quadrature nodes for integrals of the heat kernel g_s, with s = 1/(4 p^2) and tau = 1/(4
+/// xi^2):
 ///
 ///   integral_0^tau f(s) g_s ds = (2 pi^{3/2})^{-1} integral_xi^oo f e^{-p^2 r^2} dp
 ///
@@ -150,7 +152,8 @@ PeriodicUnsteadyStokes::PeriodicUnsteadyStokes(const PeriodicStokes& steady, Com
   }
 }
 
-/// Returns true if |alpha| V^{1/3} > 13, where V is the volume of the box. The splitting is xi = 6/V^{1/3}.
+/// Returns true if |alpha| V^{1/3} > 13, where V is the volume of the box. The unsteady flow of an image then
+/// decays within the box. The splitting parameter is xi = 6/V^{1/3}.
 bool PeriodicUnsteadyStokes::decays_within_box() const {
   return std::abs(alpha_) > 13.0 / 6 * steady_.line().splitting;
 }
@@ -199,7 +202,7 @@ PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::near_images(double displac
 }
 
 /// Evaluates the flow of the source itself that the sum over wavevectors contains: the integral over s > tau
-/// at r = 0. It follows from
+/// at r = 0, with tau = 1/(4 xi^2). It follows from
 ///
 ///   I = integral_0^xi e^{-alpha^2/(4 p^2)} dp = xi e^{-alpha^2 tau} - (alpha/2) sqrt(pi) erfc(alpha/(2 xi))
 PeriodicUnsteadyStokes::Parts PeriodicUnsteadyStokes::self_flow_of_waves() const {

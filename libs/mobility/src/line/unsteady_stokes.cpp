@@ -14,7 +14,7 @@ using Complex = std::complex<double>;
 using RadialDerivatives = std::array<Complex, 4>;
 
 // clang-format off
-/// Evaluates h = e^{-z}/r with z = alpha r:
+/// Evaluates h = e^{-z}/r and its derivatives, with z = alpha r and D = (1/r) d/dr:
 ///
 ///   D h = -h (1 + z)/r^2,   D^2 h = h (3 + 3 z + z^2)/r^4,   D^3 h = -h (15 + 15 z + 6 z^2 + z^3)/r^6
 RadialDerivatives decaying(Complex z, double r) {
@@ -31,7 +31,10 @@ RadialDerivatives coulomb(double r) {
   return decaying(0, r);
 }
 
-/// Evaluates h = (e^{-alpha r} - 1)/r = sum_{m >= 1} (-alpha)^m r^{m-1}/m! for |z| < 1, where z = alpha r.
+/// Evaluates the derivatives D h, D^2 h and D^3 h of h for |z| < 1, where z = alpha r, D = (1/r) d/dr and
+///
+///   h = (e^{-alpha r} - 1)/r = sum_{m >= 1} (-alpha)^m r^{m-1}/m!
+///
 /// Since D r^n = n r^{n-2}, each term is differentiated exactly. The term m = 1 is constant in space and has
 /// no derivatives. h itself is set to 0, because only its derivatives are used.
 RadialDerivatives decaying_less_coulomb(Complex z, double r) {
@@ -54,12 +57,12 @@ RadialDerivatives difference(const RadialDerivatives& a, const RadialDerivatives
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2], a[3] - b[3]};
 }
 
-/// Returns h(r) and its derivative by x. Since dr^2/dx = 2 x, d/dx = x D.
+/// Returns h(r) and its derivative by x, x D h with D = (1/r) d/dr, because dr/dx = x/r.
 LineValue<Complex> plain(const RadialDerivatives& h, double x) {
   return {h[0], x * h[1]};
 }
 
-/// Returns d^2 h/dx^2 = D h + x^2 D^2 h and its derivative by x, 3 x D^2 h + x^3 D^3 h.
+/// Returns d^2 h/dx^2 = D h + x^2 D^2 h and its derivative by x, 3 x D^2 h + x^3 D^3 h, with D = (1/r) d/dr.
 LineValue<Complex> second_derivative(const RadialDerivatives& h, double x) {
   return {h[1] + x * x * h[2], 3 * x * h[2] + x * x * x * h[3]};
 }

@@ -29,15 +29,15 @@ double work(const EwaldScene& scene, const EwaldPlan& plan) {
          window_point_work * scene.beads * std::pow(plan.window, 3) + mesh_point_work * points;
 }
 
-/// Returns s = xi * cutoff, such that the error is within the tolerance. The estimate assumes random forces F
-/// on spheres of radius a with the number density n. The pairs beyond the cutoff contribute to the velocity
-/// of a sphere about
+/// Returns s = xi * cutoff for which the error of the velocities is within the tolerance. The estimate
+/// assumes random forces F on spheres of radius a with the number density n. The pairs beyond the cutoff
+/// contribute to the velocity of a sphere about
 ///
 ///   F/(6 pi eta a)  3/(2 sqrt(pi)) xi a (1 + 4/3 (xi a s)^2) exp(-s^2) sqrt(pi n s/xi^3)
 ///
-/// This is the square root of the sum over all spheres at r > s/xi of the squared Gaussians in the near
-/// tensor. The neglected waves contribute an error of equal size. Each estimate may be at most a third of the
-/// tolerance.
+/// This is the square root of the sum over all spheres at r > s/xi of the squared Gaussians in the near part
+/// of the mobility tensor. The neglected wavevectors contribute an error of equal size. Each of the two
+/// errors may be at most a third of the tolerance.
 double scaled_cutoff(const EwaldScene& scene, double xi) {
   const double density = scene.beads / (scene.lengths[0] * scene.lengths[1] * scene.lengths[2]);
   const double size = xi * scene.largest_radius;
@@ -50,11 +50,12 @@ double scaled_cutoff(const EwaldScene& scene, double xi) {
   return s;
 }
 
-/// Returns the plan for the splitting parameter xi.
+/// Returns the cutoff and the mesh of an Ewald sum with the splitting parameter xi [1/length] whose estimated
+/// error is within the tolerance.
 EwaldPlan plan_with(const EwaldScene& scene, double xi) {
   const double s = scaled_cutoff(scene, xi);
-  // The window shape m with the smallest error, and this error, were found by numerical experiments
-  // (docs/method/mobility-product.md).
+  // For a window of P points per axis, numerical experiments gave the smallest error, 4 exp(-1.36 P) for
+  // small beads, with the window shape m = 0.95 sqrt(pi P) (docs/method/mobility-product.md).
   const auto shape = [](int points) { return 0.95 * std::sqrt(std::numbers::pi * points); };
   const double size = xi * s * scene.largest_radius;
   const auto error = [&](int points) {
@@ -62,8 +63,9 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
   };
   int window = 4;
   while (window < 26 && error(window) > scene.tolerance) window += 2;
-  // The windows may apply at most 0.6 of the far part's Gaussian: share = (window pi/(2 s m))^2 <= 0.6.
-  // Otherwise the remaining kernel of open space is too narrow for the mesh, and its samples alias.
+  // The windows may apply at most the share 0.6 of the exponent of the far part's Gaussian:
+  // share = (window pi/(2 s m))^2 <= 0.6. Otherwise the remaining kernel of open space is too narrow for the
+  // mesh, and its samples alias.
   const double minimum = std::numbers::pi * window / shape(window) / (2 * std::sqrt(0.6));
   return {.xi = xi,
           .cutoff = s / xi,
@@ -76,19 +78,19 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
 
 EwaldPlan plan_ewald(const EwaldScene& scene) {
   if (!(scene.tolerance >= 1e-12 && scene.tolerance <= 1e-2))
-    throw InputError(Setting::tolerance, fmt::format("{} is not between 1e-12 and 1e-2", scene.tolerance));
+    throw InputError(Setting::tolerance,
+                     fmt::format("the tolerance {} is not between 1e-12 and 1e-2; give a value in this range",
+                                 scene.tolerance));
   const double shortest = scene.lengths.minCoeff();
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
-  // The trial cutoffs decrease from half the shortest edge of a periodic box, or from V^(1/3) of the swarm in
-  // open space, to the largest bead diameter.
+  // The trial cutoffs decrease to the largest bead diameter. The first one is half the shortest edge of a
+  // periodic box, or V^(1/3) in open space, where V is the volume of the box around all beads.
   const double max_cutoff = scene.is_periodic ? shortest / 2 : std::cbrt(volume);
-  const double min_cutoff = 2 * scene.largest_radius;  // the sum over pairs must include all overlaps
+  const double min_cutoff = 2 * scene.largest_radius;  // the sum over pairs must include overlapping beads
   if (max_cutoff < min_cutoff)
-    throw InputError(
-        "box",
-        fmt::format(
-            "the edge {} is less than four times the bead radius {}; enlarge the box or use open space ({})",
-            shortest, scene.largest_radius, Setting::unbounded));
+    throw InputError("box", fmt::format("the shortest box edge {} is less than four times the largest bead "
+                                        "radius {}; enlarge the box or use open space ({})",
+                                        shortest, scene.largest_radius, Setting::unbounded));
   EwaldPlan best;
   double minimum = INFINITY;
   constexpr int trials = 60;
@@ -96,7 +98,7 @@ EwaldPlan plan_ewald(const EwaldScene& scene) {
     const double cutoff = std::max(max_cutoff * std::pow(0.9, t), min_cutoff);
     double xi = 5 / cutoff;
     for (int i = 0; i < 5; ++i)
-      xi *= plan_with(scene, xi).cutoff / cutoff;  // the cutoff depends weakly on xi
+      xi *= plan_with(scene, xi).cutoff / cutoff;  // xi * cutoff depends weakly on xi
     EwaldPlan plan = plan_with(scene, xi);
     plan.cutoff = std::min(plan.cutoff, max_cutoff);
     if (const double w = work(scene, plan); w < minimum) {

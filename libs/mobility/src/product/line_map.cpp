@@ -12,8 +12,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Returns n - 1 orthonormal columns that sum to zero. Column k, counted from 0, has k + 1 equal entries,
-/// followed by one entry of the opposite sign (Helmert matrix).
+/// Returns an n x (n - 1) matrix of orthonormal columns that sum to zero. Column k, counted from 0, has k + 1
+/// equal entries, followed by one entry of the opposite sign (Helmert matrix).
 MatrixXd zero_sum_basis(Eigen::Index n) {
   MatrixXd basis = MatrixXd::Zero(n, n - 1);
   for (Eigen::Index k = 0; k < n - 1; ++k) {
@@ -24,7 +24,8 @@ MatrixXd zero_sum_basis(Eigen::Index n) {
   return basis;
 }
 
-/// Returns the forces of sum 1 under which all spheres have the same velocity.
+/// Returns the forces of sum 1 under which all spheres have the same velocity, for the mobility matrix
+/// `mobility`.
 VectorXd uniform_velocity_forces(const MatrixXd& mobility) {
   const VectorXd forces = mobility.inverse() * VectorXd::Ones(mobility.rows());
   return forces / forces.sum();

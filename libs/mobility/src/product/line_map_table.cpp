@@ -10,9 +10,9 @@
 namespace beadswim {
 namespace {
 
-constexpr double max_gap = 64;                               // [mean radius]
+constexpr double max_gap = 64;                               // largest gap of a table [mean radius]
 constexpr double pair_excess = 0.01, triplet_excess = 0.02;  // cosh xi - 1 at the smallest gap
-constexpr double truncation = 1e-8;                          // tolerance of multipole_mobility
+constexpr double truncation = 1e-8;                          // tolerance of multipole_mobility()
 
 double mean(double a, double b) {
   return (a + b) / 2;
@@ -27,7 +27,7 @@ typename Lattice::Axis axis_of(double radius_i, double radius_j, double excess) 
 
 template <std::size_t n>
 Eigen::MatrixXd exact_map(const std::array<double, n>& radii, const std::array<double, n>& positions) {
-  constexpr double viscosity = 1;  // S does not depend on it
+  constexpr double viscosity = 1;  // S does not depend on the viscosity
   return line_map(multipole_mobility(radii, positions, viscosity, truncation).value,
                   rotne_prager_line(radii, positions, viscosity));
 }
@@ -54,8 +54,8 @@ std::array<double, n> lagrange_weights(double t) {
 
 }  // namespace
 
-/// Solves gap (R - a_l + a_s) = 2 excess R a_l. The radii are a_l (larger) and a_s (smaller), and the
-/// distance of the centres is R = gap + a_l + a_s.
+/// Solves gap (R - a_l + a_s) = 2 excess R a_l for the gap. a_l is the larger radius, a_s the smaller radius,
+/// and R = gap + a_l + a_s the distance of the centres.
 double min_tabulated_gap(double radius_i, double radius_j, double excess) {
   const auto [small, large] = std::minmax(radius_i, radius_j);
   const double half = small - excess * large;
@@ -142,7 +142,7 @@ TripletMapTable::TripletMapTable(const std::array<double, 3>& radii)
 
 Eigen::Matrix3d TripletMapTable::change(const std::array<double, 2>& gaps) const {
   const auto c = table_.at({std::log(gaps[0] / mean_radii_[0]), std::log(gaps[1] / mean_radii_[1])});
-  Eigen::Matrix3d change;  // columns sum to zero
+  Eigen::Matrix3d change;  // the columns of S - I sum to zero
   // clang-format off
   change <<  c[0],         c[1],         c[2],
             -c[0] - c[3], -c[1] - c[4], -c[2] - c[5],

@@ -107,12 +107,12 @@ struct Window {
   BEADSWIM_KERNEL void set_position(const WindowMesh& mesh, const double* position) {
     for (int a = 0; a < 3; ++a) {
       double place = (position[a] - mesh.origin[a]) * mesh.inverse_spacing[a];
-      // Periodic wrapping makes the index fit into an int.
+      // Wraps the position into the periodic mesh, so that its index fits into an int.
       place -= mesh.points[a] * std::floor(place * mesh.inverse_points[a]);
       const double below = std::floor(place);
       const bool is_on_mesh = below >= 0 && below < mesh.points[a];  // false for NaN
       first[a] = (is_on_mesh ? static_cast<int>(below) : 0) - P / 2 + 1;
-      // exp(-c (d + p)^2) = exp(-c d^2) exp(-2 c d)^p exp(-c p^2)
+      // Gaussian at window point p: exp(-c (d + p)^2) = exp(-c d^2) exp(-2 c d)^p exp(-c p^2)
       const double d = below - P / 2 + 1 - place;
       double power = mesh.height[a] * std::exp(-mesh.decay[a] * d * d);
       const double ratio = std::exp(-2 * mesh.decay[a] * d);

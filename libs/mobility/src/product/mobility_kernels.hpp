@@ -17,7 +17,7 @@ struct SortedSpheres {
   double lengths[3];                 ///< edges of the periodic box; 0 in open space [length]
 };
 
-/// Batch of pairs that one sphere forms with other spheres.
+/// Batch of pairs of spheres: pairs of one sphere ("the one sphere") with other spheres.
 struct PairBatch {
   static constexpr int capacity = 512;
   int count = 0;
@@ -25,14 +25,14 @@ struct PairBatch {
   /// d: position of the one sphere minus positions of the other spheres [length]. r2: squared lengths of d.
   double d[3][capacity], r2[capacity];
   double squares[capacity];      ///< a_i^2 + a_j^2 [length^2]; used only if radii differ
-  double force[3][capacity];     ///< forces on the other spheres
+  double force[3][capacity];     ///< forces on the other spheres [mass length/time^2]
   double velocity[3][capacity];  ///< velocities of the other spheres due to the force on the one sphere
 };
 
-/// Piecewise polynomials of degree 5 in r^2 for the components of a pair tensor up to the cutoff, isotropic
-/// and axial/r^2. If radii differ, both terms of SplitTensor are tabulated. Each interval [x, 2 x] of r^2,
-/// with x a power of two, is divided into 64 equal intervals. The bits of the double r^2 contain the number
-/// of the interval and the position within it.
+/// Table of a pair tensor (PairTensor) up to the cutoff: polynomials of degree 5 in r^2 for isotropic and
+/// axial/r^2, one set per interval of r^2. If radii differ, the two terms of SplitTensor are tabulated
+/// separately. Each interval [x, 2 x] of r^2, with x a power of two, is divided into 64 equal intervals. The
+/// bits of the double r^2 contain the number of the interval and the position within it.
 struct PairTable {
   static constexpr int degree = 5;
   static constexpr int stretch_bits = 6, shift = 52 - stretch_bits;
@@ -55,7 +55,8 @@ struct WindowMesh {
   double decay_at[3][max_points]{};  ///< exp(-decay p^2), p = 0, 1, ...
 };
 
-/// Positions of beads. The kernels process three values per bead, each with its own mesh.
+/// Positions of `count` beads, three coordinates per bead [length]. The kernels process three values per
+/// bead, such as force components, each with its own mesh.
 struct WindowBeads {
   long count = 0;
   const double* positions = nullptr;
@@ -79,11 +80,12 @@ BEADSWIM_DECLARE_MOBILITY_KERNELS(x86_64_v4)
 #endif
 
 struct MobilityKernels {
-  /// Adds to the batch each sphere in [begin, end) that is nearer than `cutoff` to sphere `one`, if it or
-  /// sphere `one` is a receiver. Returns the index at which to continue: `end`, or less if the batch is full.
+  /// Adds to the batch each sphere in [begin, end) that is nearer than `cutoff` to sphere `one`, unless
+  /// neither of the two spheres is a receiver. Returns the index at which to continue: `end`, or less if the
+  /// batch is full.
   int (*find_near_spheres)(const SortedSpheres&, int one, int begin, int end, double cutoff, PairBatch&);
-  /// Sets the velocities of the other spheres of a batch, which the force on the one sphere causes. Adds to
-  /// `velocity` the velocity of the one sphere, which the forces on the other spheres cause.
+  /// Sets the velocities of the other spheres of a batch that the force on the one sphere causes. Adds to
+  /// `velocity` the velocity of the one sphere that the forces on the other spheres cause.
   void (*pair_velocities)(const PairTable&, const double* force, PairBatch&, double* velocity);
   /// Adds the three values of each bead, multiplied by the weights of its window, to the three meshes.
   void (*spread_windows)(const WindowMesh&, const WindowBeads&, const double* numbers, double* const* onto);

@@ -19,16 +19,24 @@ namespace {
 constexpr std::size_t min_spheres_on_mesh = 1000;
 
 void check(const MobilityScene& scene) {
-  if (scene.radii.empty()) throw InputError("mobility", "the list of radii is empty; give at least one sphere");
+  if (scene.radii.empty())
+    throw InputError("mobility", "the list of radii is empty; give at least one sphere");
   for (const double radius : scene.radii)
     if (!(radius > 0 && std::isfinite(radius)))
-      throw InputError("mobility", fmt::format("the radius {} is invalid", radius));
+      throw InputError(
+          "mobility",
+          fmt::format("the radius {} of a sphere is invalid; a finite number greater than 0 is needed",
+                      radius));
   if (!(scene.viscosity > 0 && std::isfinite(scene.viscosity)))
-    throw InputError("mobility", fmt::format("the viscosity {} is invalid", scene.viscosity));
+    throw InputError("mobility",
+                     fmt::format("the viscosity {} is invalid; a finite number greater than 0 is needed",
+                                 scene.viscosity));
   if (!scene.box) return;
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
-      throw InputError("mobility", fmt::format("the box edge {} is invalid", length));
+      throw InputError(
+          "mobility",
+          fmt::format("the box edge {} is invalid; a finite number greater than 0 is needed", length));
 }
 
 int mirrors(const std::optional<Box>& box) {
@@ -74,10 +82,11 @@ struct MobilityProduct::Parts {
   std::optional<EwaldPlan> plan;
   std::unique_ptr<NearPairs> near_pairs;  ///< null: all pairs are summed without a mesh
   std::unique_ptr<ParticleMesh> mesh;
-  /// Self-mobility of each sphere, minus the part of it that the far part contains [time/mass].
+  /// Self-mobility of each sphere, minus the part of it that the far part of the Ewald sum contains
+  /// [time/mass].
   std::vector<double> self;
   std::optional<NearField> near_field;
-  std::optional<NearMap> near_map;  ///< map S at the positions mapped_places
+  std::optional<NearMap> near_map;  ///< map S of the forces at the positions mapped_places
   std::vector<Vec3> mapped_places;
 
   const NearMap& near_map_at(std::span<const Vec3> positions);
@@ -129,8 +138,8 @@ const std::optional<EwaldPlan>& MobilityProduct::plan() const {
   return parts_->plan;
 }
 
-/// Returns the map S at the positions. All products of a time step have the same positions and use the same
-/// map.
+/// Returns the map S of the forces (near_map.hpp) at the positions. All products of a time step have the same
+/// positions and use the same map.
 const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positions) {
   if (!near_map || !std::ranges::equal(positions, mapped_places)) {
     near_map = near_field->at(positions);
@@ -139,7 +148,8 @@ const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positio
   return *near_map;
 }
 
-/// Adds the velocities due to the forces, evaluated with pairs and mesh. `velocities` must be zero on entry.
+/// Adds the velocities of all spheres due to the forces, evaluated with pairs and mesh. `velocities` must be
+/// zero on entry.
 void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                             std::span<Vec3> velocities) const {
   std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());

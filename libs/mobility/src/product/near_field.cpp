@@ -25,8 +25,8 @@ class FoldedPositions {
     }
   }
 
-  /// Returns true if the smallest distance between images of points s and t is below the cutoff. A margin of
-  /// 1e-9 covers roundoff.
+  /// Returns true if the smallest distance between periodic images of points s and t is below the cutoff
+  /// [length]. A margin of 1e-9 covers roundoff.
   bool are_within(double cutoff, int s, int t) const {
     const Vec3 direct = (places_[s] - places_[t]).cwiseAbs();
     return direct.cwiseMin(lengths_ - direct).squaredNorm() < (1 + 1e-9) * cutoff * cutoff;
@@ -37,12 +37,13 @@ class FoldedPositions {
   std::vector<Vec3> places_;
 };
 
-/// Calls visit(separation, is_direct) for each periodic image of the separation `direct` that is shorter than
-/// `cutoff`. is_direct is true for `direct` itself.
+/// Calls visit(separation, is_direct) for each periodic image of the vector `direct` between two beads that
+/// is shorter than `cutoff`. is_direct is true for `direct` itself. `lengths`: edges of the periodic box
+/// [length], 0 in open space.
 template <class Visitor>
 void for_each_image(const Vec3& direct, const Vec3& lengths, double cutoff, const Visitor& visit) {
   Vec3 nearest = direct, edges = Vec3::Zero();
-  std::array<double, 3> around{};  // farther images per axis that may be within the cutoff
+  std::array<double, 3> around{};  // per axis: images beyond the nearest that may be within the cutoff
   for (int a = 0; a < 3; ++a) {
     if (lengths[a] == 0) continue;
     edges[a] = -std::nearbyint(direct[a] / lengths[a]);
@@ -76,7 +77,9 @@ NearField::NearField(std::vector<double> radii, std::optional<Box> box)
     : radii_(std::move(radii)), box_(box), lengths_(mirrored_lengths(box)) {
   if (radii_.size() % 3 != 0)
     throw InputError("mobility of near beads",
-                     fmt::format("the {} spheres are not a multiple of three", radii_.size()));
+                     fmt::format("there are {} spheres, but their number must be a multiple of three, "
+                                 "because each swimmer has three beads",
+                                 radii_.size()));
   std::map<std::array<double, 3>, int> tables;
   for (std::size_t b = 0; b < radii_.size(); b += 3) {
     const std::array<double, 3> own{radii_[b], radii_[b + 1], radii_[b + 2]};
@@ -132,8 +135,8 @@ std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) con
   return links;
 }
 
-/// Adds the link of two beads, or of a bead and a mirror image of a bead. `one` and `other` are indices into
-/// Images::places.
+/// Adds the near-field correction of two beads, or of a bead and a mirror image of a bead, to `links`. `one`
+/// and `other` are indices into Images::places.
 void NearField::add_pair(const Images& images, int one, int other, const Vec3& separation,
                          std::vector<PairLink>& links) const {
   const int beads = static_cast<int>(radii_.size());

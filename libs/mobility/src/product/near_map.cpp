@@ -7,8 +7,8 @@
 namespace beadswim {
 namespace {
 
-/// Returns an upper bound of the norm of the exponent L = sum of log S_p, and of the norm of its transpose.
-/// The bound is the largest sum of the norms of the 3 x 3 blocks in one row.
+/// Returns an upper bound of the norm of L = sum of log S_p over all pairs p (near_map.hpp), and of the norm
+/// of its transpose. The bound is the largest sum of the norms of the 3 x 3 matrices in one row of L.
 double norm_bound(std::span<const PairLink> pairs, std::size_t beads) {
   std::vector<double> rows(beads, 0.0);
   for (const PairLink& pair : pairs) {
@@ -51,9 +51,10 @@ NearMap::NearMap(std::vector<SwimmerLink> swimmers, std::vector<PairLink> pairs)
   parts_ = std::max(1, static_cast<int>(std::ceil(norm_bound(pairs_, place.size()))));
 }
 
-/// Applies exp(L/parts_) to the vectors `parts_` times, by its Taylor series. a and b are the components of
-/// the bead's and of its partner's vector along the axis of the pair. increments(pair, a, b) returns the
-/// changes of these two vectors along the axis.
+/// Applies exp(L/parts_), evaluated as a Taylor series, `parts_` times to the vectors of the beads. L is the
+/// sum of log S_p over all pairs p (near_map.hpp). increments(pair, a, b) returns the contributions of a pair
+/// to the products of L and the vectors, for the bead and for its partner, along the axis of the pair. a and
+/// b are the components of the vectors of the bead and of the partner along this axis.
 template <class PairAction>
 void NearMap::exponentiate(std::span<Vec3> vectors, const PairAction& increments) const {
   if (pairs_.empty()) return;

@@ -20,7 +20,7 @@ double chebyshev_point(int k) {
   constexpr int n = PairTable::degree + 1;
   return 0.5 - 0.5 * std::cos(std::numbers::pi * (k + 0.5) / n);
 }
-/// Returns the coefficients for given values.
+/// Returns the coefficients of the polynomial of degree 5 that has the given values at the Chebyshev points.
 Fit fit(const Fit& values) {
   constexpr int n = PairTable::degree + 1;
   static const Eigen::Matrix<double, n, n> inverse = [] {
@@ -88,7 +88,7 @@ void NearPairs::tabulate() {
   table_.coefficients = coefficients_.data();
 }
 
-/// Beads sorted by their cells, and the current batch of pairs of one bead.
+/// Beads sorted by the cells of the cell list, and the current batch of pairs of one bead.
 struct NearPairs::Work {
   CellList cells;
   std::vector<double> places[3];
@@ -140,7 +140,7 @@ void NearPairs::flush(Work& work, int one) const {
   for (int t = 0; t < batch.count; ++t) {
     const int other = batch.other[t];
     const Vec3 d(batch.d[0][t], batch.d[1][t], batch.d[2][t]);
-    if (batch.r2[t] <= min_tabulated_distance_ * min_tabulated_distance_) {  // rare
+    if (batch.r2[t] <= min_tabulated_distance_ * min_tabulated_distance_) {  // rare: within a bead diameter
       const double r = std::sqrt(batch.r2[t]);
       const PairTensor whole = tensor(work.radii[one], work.radii[other], r);
       work.velocities[one] += whole.apply(d, r, work.forces[other]);

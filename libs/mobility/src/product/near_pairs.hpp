@@ -21,13 +21,13 @@ class NearPairs {
     double viscosity;
     std::vector<double> radii;  ///< radii of all spheres, images included [length]
     Vec3 lengths;               ///< edges of the periodic box; 0 in open space [length]
-    double xi, cutoff;          ///< of the Ewald sum [1/length], [length]
+    double xi, cutoff;          ///< splitting parameter [1/length] and cutoff [length]
   };
 
   explicit NearPairs(Law law);
 
-  /// Adds the contribution of this rank's pairs. `velocities` contains only the spheres whose velocities are
-  /// required, which must be the first spheres.
+  /// Adds the velocities due to the pairs that this rank evaluates. `positions` and `forces` contain all
+  /// spheres. `velocities` contains only the first spheres, whose velocities are required.
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities, const Communicator& communicator) const;
 
@@ -44,7 +44,8 @@ class NearPairs {
   std::vector<double> coefficients_;
 };
 
-/// Adds the contribution of this rank to the sum over all pairs in open space, without an Ewald sum.
+/// Adds the velocities due to the pairs that this rank evaluates, in a direct sum over all pairs in open
+/// space (without an Ewald sum).
 void add_all_pairs(MobilityModel model, double viscosity, std::span<const double> radii,
                    std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
                    const Communicator& communicator);

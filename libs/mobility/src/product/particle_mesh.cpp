@@ -33,8 +33,8 @@ Complex* as_complex(const FftwArray& array) {
   return reinterpret_cast<Complex*>(array.get());
 }
 
-/// In-place Fourier transforms of real meshes. The ranks share a mesh by planes perpendicular to its first
-/// axis, and a transform by planes perpendicular to its second axis.
+/// In-place Fourier transforms of real meshes. Each rank owns planes of the mesh, perpendicular to the first
+/// axis. Of the Fourier transform, each rank owns planes perpendicular to the second axis.
 class Transform {
  public:
   Transform(const std::array<int, 3>& points, const Communicator& communicator) : points_(points) {
@@ -70,8 +70,9 @@ class Transform {
   int first_plane() const { return static_cast<int>(first_plane_); }
   std::ptrdiff_t wave_count() const { return waves_ * points_[0] * (points_[2] / 2 + 1); }
 
-  /// Calls visit(place, i, j, k) for each wavevector of this rank. `place` is its index in the array. i, j
-  /// and k are its signed indices along x, y and z.
+  /// Calls visit(place, i, j, k) for each wavevector of this rank. `place` is the index of the wavevector in
+  /// the array. i, j and k are the components along x, y and z in units of 2 pi/edge of the mesh; they have a
+  /// sign.
   template <class Visitor>
   void for_each_wave(const Visitor& visit) const {
     const auto signed_index = [](int i, int n) { return 2 * i > n ? i - n : i; };
@@ -98,10 +99,11 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 
 }  // namespace
 
-// If all beads have one radius, one field is transformed: the forces F. Its kernel includes the laplacian.
-// Otherwise a second field D is transformed: the forces times a_j^2. The velocities are then
+// If all beads have one radius, one field is transformed: the forces F. Its kernel contains the term with the
+// Laplacian. Otherwise a second field D is transformed: the forces times a_j^2, where a_j is the radius of
+// the bead on which the force acts. The velocity of bead i is then
 //
-//   u_i = (K F + L D) + a_i^2 (L F),     K: kernel of the Oseen term, L: kernel of laplacian/6
+//   u_i = (K F + L D) + a_i^2 (L F),     K: kernel of the Oseen tensor, L: kernel of its Laplacian/6
 struct ParticleMesh::Mesh {
   EwaldPlan plan;
   Vec3 lengths;
@@ -180,8 +182,9 @@ void ParticleMesh::Mesh::set_points(const std::array<int, 3>& points) {
 
 namespace {
 
-/// Returns the fraction of the far part's Gaussian that the windows apply along one axis, from 2 xi^2
-/// h^2/share = decay (particle_mesh.hpp).
+/// Returns `share`, the part of the exponent of the far part's Gaussian that the windows apply along one
+/// axis. It follows from 2 xi^2 h^2/share = decay, where h is the mesh spacing and the window is
+/// exp(-decay d^2) at the distance d in units of h (particle_mesh.hpp).
 double share_of(const EwaldPlan& plan, const WindowMesh& mesh, int axis) {
   const double xh = plan.xi / mesh.inverse_spacing[axis];
   return 2 * xh * xh / mesh.decay[axis];
@@ -195,8 +198,8 @@ void ParticleMesh::Mesh::fit_to_beads(std::span<const Vec3> positions) {
   const Vec3 wanted = 2 * ((high - low) / plan.spacing + Vec3::Constant(plan.window));
   if (!(wanted.prod() < max_points)) {
     throw SolverError(
-        fmt::format("the beads span {:.3g} x {:.3g} x {:.3g}, too much for a mesh of spacing {:.3g}; "
-                    "swimmers may have been torn apart",
+        fmt::format("the swarm of beads spans {:.3g} x {:.3g} x {:.3g}, too much for a mesh of spacing "
+                    "{:.3g}; the run may have become unstable: reduce the driving amplitude",
                     high[0] - low[0], high[1] - low[1], high[2] - low[2], plan.spacing));
   }
   std::array<int, 3> points;
@@ -318,14 +321,14 @@ void ParticleMesh::Mesh::multiply_periodic() {
     remaining[a] = (1 - share_of(plan, geometry, a)) * wave[a] * wave[a] / (4 * plan.xi * plan.xi);
   }
   const auto& n = geometry.points;
-  const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3 / V
+  const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3/V: mesh cell over box volume
   transform->for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
     std::array<Complex*, 3> force, second;
     for (int c = 0; c < 3; ++c) {
       force[c] = as_complex(values[0][c]) + place;
       second[c] = fields == 2 ? as_complex(values[1][c]) + place : nullptr;
     }
-    if (i == 0 && j == 0 && l == 0) {  // the mean flow is zero
+    if (i == 0 && j == 0 && l == 0) {  // wavevector 0: the mean flow is zero
       for (int c = 0; c < 3; ++c) *force[c] = 0;
       if (fields == 2)
         for (int c = 0; c < 3; ++c) *second[c] = 0;

@@ -17,8 +17,8 @@ std::string box_text(const Box& box) {
   return axis(0) + ", " + axis(1) + ", " + axis(2);
 }
 
-/// Adds validity, uncertainty and settings of both methods. `second_order`: velocity in the box to second
-/// order in amplitude [length/time].
+/// Adds the validity, the uncertainty and the settings that the methods rpy-box-perturbation and rpy-box-ode
+/// share. `second_order`: velocity in the box to second order in amplitude [length/time].
 void add_limits(const Question& question, double second_order, Prediction& prediction) {
   const CollinearSwimmer& swimmer = question.swimmer;
   const double unbounded = second_order_motion(swimmer, rest_mobility(swimmer, rotne_prager)).velocity;
@@ -39,7 +39,9 @@ void add_limits(const Question& question, double second_order, Prediction& predi
 std::optional<std::string> box_obstacle(const Question& question) {
   if (auto obstacle = overlap_obstacle(question)) return obstacle;
   if (!question.box_obstacle.empty()) return question.box_obstacle;
-  if (!question.box) return "the fluid of the layout is unbounded; use rpy-perturbation or rpy-ode";
+  if (!question.box)
+    return "this method needs a box, but the fluid of the layout is unbounded; use the method "
+           "rpy-perturbation or rpy-ode";
   return image_overlap(question.swimmer, *question.box);
 }
 

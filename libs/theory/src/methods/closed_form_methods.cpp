@@ -15,7 +15,7 @@ namespace beadswim {
 
 namespace {
 
-constexpr const char* remedy = "use a -perturbation method";
+constexpr const char* remedy = "use a method whose name ends in -perturbation";
 
 bool equal(double a, double b) {
   constexpr double roundoff = 1e-12;  // relative error of a unit conversion
@@ -25,36 +25,37 @@ bool equal(double a, double b) {
 std::optional<std::string> unequal_shape(const CollinearSwimmer& swimmer) {
   const auto& radius = swimmer.radius;
   if (!equal(radius[0], radius[1]) || !equal(radius[0], radius[2])) {
-    return fmt::format("the radii {}, {}, {} differ, but the closed form requires equal radii; {}", radius[0],
-                       radius[1], radius[2], remedy);
+    return fmt::format("the bead radii {}, {}, {} differ, but the closed form requires equal radii; {}",
+                       radius[0], radius[1], radius[2], remedy);
   }
   if (!equal(swimmer.arm[0], swimmer.arm[1])) {
-    return fmt::format("the arms {}, {} differ, but the closed form requires equal arms; {}", swimmer.arm[0],
-                       swimmer.arm[1], remedy);
+    return fmt::format("the arm lengths {}, {} differ, but the closed form requires equal arm lengths; {}",
+                       swimmer.arm[0], swimmer.arm[1], remedy);
   }
   return std::nullopt;
 }
 
 std::optional<std::string> unequal_response(const CollinearSwimmer& swimmer) {
   if (!equal(swimmer.stiffness[0], swimmer.stiffness[1])) {
-    return fmt::format("the stiffnesses {}, {} differ, but the closed form requires equal ones; {}",
+    return fmt::format("the stiffnesses {}, {} differ, but the closed form requires equal stiffnesses; {}",
                        swimmer.stiffness[0], swimmer.stiffness[1], remedy);
   }
   if (swimmer.damping[0] != 0 || swimmer.damping[1] != 0) {
-    return fmt::format("the closed form has no damping, but the springs have damping {}, {}; {}",
+    return fmt::format("the closed form neglects damping, but the springs have the damping {}, {}; {}",
                        swimmer.damping[0], swimmer.damping[1], remedy);
   }
   return std::nullopt;
 }
 
-/// Returns a pair mobility of zero. (4.4) to (4.8) of the paper are exact for beads without hydrodynamic
-/// interaction.
+/// Returns a pair mobility of zero. Equations (4.4) to (4.8) of Pickl et al. 2017 are exact for beads without
+/// hydrodynamic interaction.
 PairMobility no_interaction(double, double, double, double) {
   return {};
 }
 
-/// Returns the driven stroke to lowest order in lambda/l, with the amplitudes of (4.4) and (4.5). The paper
-/// states only the phase difference (4.6). The phase of each arm is taken from the linear response without
+/// Returns the stroke under the driving forces to lowest order in lambda/l (bead radius/arm length), with the
+/// arm amplitudes of equations (4.4) and (4.5) of Pickl et al. 2017. The paper states only the phase
+/// difference of the arms, equation (4.6). The phase of each arm is taken from the linear response without
 /// hydrodynamic interaction.
 Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
   Stroke stroke = first_order_stroke(swimmer, no_interaction);
@@ -65,8 +66,8 @@ Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
 constexpr const char* measured_origin = "measured";
 constexpr const char* driven_origin = "predicted by (4.4) to (4.8)";
 
-/// Velocity and stroke by a formula, with texts for users: where the stroke comes from, whether the formula
-/// is valid, and which pair mobility it uses.
+/// Velocity [length/time] and stroke by a closed formula, with texts for users: where the stroke comes from,
+/// whether the formula is valid, and which pair mobility it uses.
 struct Formula {
   double velocity = 0;
   Stroke stroke;
@@ -76,7 +77,7 @@ struct Formula {
   std::string pairs;
 };
 
-/// Relative difference from exact Stokes flow below which a truncated formula is usable.
+/// Relative difference from the velocity in exact Stokes flow below which a truncated formula is usable.
 constexpr double usable_distance = 0.25;
 
 /// Returns the velocity in exact Stokes flow with which a formula is compared. For a measured stroke, this is
@@ -86,7 +87,8 @@ std::optional<double> exact_reference_velocity(const Question& question, const F
   return measured ? exact_velocity_for_stroke(question, formula.stroke) : exact_velocity(question);
 }
 
-/// Returns the prediction of a formula with the text `validity`.
+/// Returns the prediction by a formula. `validity`: text about the range of validity, to which known limits
+/// are appended.
 Prediction make_prediction(const Question& question, const Formula& formula, const std::string& validity) {
   Prediction prediction;
   prediction.velocity = formula.velocity;
@@ -103,7 +105,8 @@ Prediction make_prediction(const Question& question, const Formula& formula, con
   return prediction;
 }
 
-/// Returns the prediction of a formula, whose validity states the distance from exact Stokes flow.
+/// Returns the prediction by a formula. Its text about validity states the relative distance from exact
+/// Stokes flow.
 Prediction compared_prediction(const Question& question, const Formula& formula) {
   const bool measured = formula.stroke_origin == measured_origin;
   const std::string distance =
@@ -112,19 +115,21 @@ Prediction compared_prediction(const Question& question, const Formula& formula)
                          formula.verdict + ": here " + distance + (measured ? ", of this stroke" : ""));
 }
 
-/// Returns compared_prediction(), marked as not usable unless the velocity is within `usable_distance` of
-/// exact Stokes flow.
+/// Returns the prediction by a formula, marked as not usable unless its velocity is within `usable_distance`
+/// of the velocity in exact Stokes flow.
 Prediction usable_if_close(const Question& question, const Formula& formula) {
   Prediction prediction = compared_prediction(question, formula);
   const std::optional<double> exact = exact_reference_velocity(question, formula);
   const bool near = exact && std::abs(formula.velocity / *exact - 1) < usable_distance;
   if (!near)
     mark_unusable(prediction,
-                  fmt::format("not known to be within {:.0f} % of exact Stokes flow", 100 * usable_distance));
+                  fmt::format("this formula is not known to be within {:.0f} % of exact Stokes flow",
+                              100 * usable_distance));
   return prediction;
 }
 
-/// Returns a formula with the stroke that the driving causes, to first order with the pair mobility `law`.
+/// Returns a formula whose stroke follows from the driving to first order with the pair mobility `law`. The
+/// velocity is not yet set. `pairs`: name of the law for users.
 Formula formula_for_driven_stroke(const Question& question, PairLaw law, const std::string& pairs) {
   Formula formula;
   formula.pairs = pairs;
@@ -134,8 +139,8 @@ Formula formula_for_driven_stroke(const Question& question, PairLaw law, const s
   return formula;
 }
 
-/// Returns a formula with the measured stroke, or with the stroke that the driving causes if none was
-/// measured.
+/// Returns a formula with the measured stroke or, if none was measured, with the stroke that follows from the
+/// driving. The velocity is not yet set.
 Formula formula_for_given_stroke(const Question& question, PairLaw law, const std::string& pairs) {
   Formula formula = formula_for_driven_stroke(question, law, pairs);
   if (!question.measured_stroke) return formula;
@@ -166,7 +171,8 @@ std::optional<std::string> rpy_force_printed_obstacle(const Question& question) 
 }
 
 std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
-  // (4.4) to (4.8) predict the stroke for equal springs only; a measured stroke needs no such formula.
+  // Equations (4.4) to (4.8) of the paper predict the stroke for equal springs only. A measured stroke does
+  // not require these equations.
   return question.measured_stroke ? equal_shape_obstacle(question) : equal_parts_obstacle(question);
 }
 
@@ -210,9 +216,9 @@ Prediction predict_oseen_ratio_printed(const Question& question) {
                                      .stroke_origin = driven_origin,
                                      .verdict = "(4.9) as printed, v_S from v_F of (4.3)",
                                      .pairs = "Oseen"});
-  mark_unusable(
-      prediction,
-      "with (4.4) to (4.8) v_S of (4.2) and v_F of (4.3) are the same, so this ratio does not hold");
+  mark_unusable(prediction,
+                "with the stroke of equations (4.4) to (4.8), the velocities v_S of equation (4.2) and v_F "
+                "of equation (4.3) are equal, so their ratio (4.9) does not hold");
   return prediction;
 }
 

@@ -9,7 +9,7 @@ namespace beadswim {
 
 namespace {
 
-/// Returns the absolute velocity below which a second-order velocity is only roundoff [length/time].
+/// Returns the speed below which a velocity to second order in amplitude is only roundoff [length/time].
 double velocity_roundoff(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   constexpr double relative_roundoff = 1e-12;
   const double largest_swing = std::max(stroke.amplitude[0], stroke.amplitude[1]);

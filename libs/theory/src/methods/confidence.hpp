@@ -22,19 +22,21 @@ bool beads_stay_apart(const CollinearSwimmer& swimmer, const Stroke& stroke);
 /// unknown or zero within roundoff.
 std::optional<double> exact_velocity(const Question& question);
 
-/// Returns the velocity of this stroke in exact Stokes flow, from the geometry factor [length/time]. Requires
-/// `question.exact`.
+/// Returns the velocity of `stroke` in exact Stokes flow to second order in amplitude, by the geometry factor
+/// [length/time]. Requires `question.exact`.
 double exact_stroke_velocity(const Question& question, const Stroke& stroke);
 
-/// Returns exact_stroke_velocity(); nullopt if `question.exact` is not set or if the velocity is zero within
-/// roundoff.
+/// Returns the velocity of `stroke` in exact Stokes flow to second order in amplitude [length/time]; nullopt
+/// if `question.exact` is not set or if the velocity is zero within roundoff.
 std::optional<double> exact_velocity_for_stroke(const Question& question, const Stroke& stroke);
 
-/// Returns sqrt((velocity/exact - 1)^2 + change^2), where `change` is the relative change at finite
-/// amplitude; nullopt if `exact` is unknown.
+/// Returns sqrt((velocity/exact - 1)^2 + change^2), the estimated relative error of a velocity. `exact` is
+/// the velocity in exact Stokes flow, `change` the relative change of the velocity at finite amplitude.
+/// Returns nullopt if `exact` is unknown.
 std::optional<double> relative_uncertainty(double velocity, std::optional<double> exact, double change);
 
-/// Returns a text such as "11.8 % above exact Stokes flow at l/lambda 5", or that the distance is unknown.
+/// Returns a text about the relative difference of `velocity` and `exact`, such as "11.8 % above exact Stokes
+/// flow at l/lambda 5", or that the difference is unknown.
 std::string distance_from_exact(const Question& question, double velocity, std::optional<double> exact);
 
 /// Marks the prediction as not usable and appends the reason to `validity`.
@@ -50,7 +52,8 @@ void add_amplitude_limit(const Question& question, Prediction& prediction);
 /// Adds the settings that all methods share: driving and dimensionless numbers.
 void add_driving_settings(const Question& question, Prediction& prediction);
 
-/// Adds validity and settings of second-order methods in open space: small amplitude, no inertia.
+/// Adds validity and settings that methods of second order in amplitude in open space share: small amplitude,
+/// no inertia.
 void add_common_limits(const Question& question, Prediction& prediction);
 
 /// Returns the penetration depth sqrt(2 nu / omega), divided by the mean rest length of the arms.

@@ -16,14 +16,14 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Stroke and velocity to second order, in the box or in open space.
+/// Stroke and velocity to second order in amplitude, in the box or in open space (inertia_corrected.hpp).
 struct Motion {
   Eigen::Vector2cd arm;
-  double drift = 0, reynolds = 0;  ///< V_drift and V_R, times C_exact/C_RP [length/time]
+  double drift = 0, reynolds = 0;  ///< velocities V_drift and V_R, times C_exact/C_RP [length/time]
   double within_beads = 0;         ///< part of `reynolds` from the volume of the beads [length/time]
 };
 
-/// Quantities that do not depend on the box.
+/// Quantities in open space, which do not depend on the box.
 struct OpenSpace {
   Eigen::Matrix2cd exact_impedance, pair_impedance;
   double geometry = 0, pair_geometry = 0;  ///< C in exact flow, C with Rotne-Prager mobility [1/length]
@@ -58,8 +58,9 @@ double root_of_squares(std::initializer_list<double> parts) {
   return std::sqrt(sum);
 }
 
-/// Returns the relative uncertainty of V_R in a box, where V_R is evaluated without images: l_1 + l_2 divided
-/// by the shortest edge of the box, at most 1.
+/// Returns the relative uncertainty of the velocity V_R by the Reynolds stress in a box, because V_R is
+/// evaluated without images: sum of the arm lengths divided by the shortest edge of the box, at most 1.
+/// Returns 0 in open space.
 double unknown_share_of_reynolds(const Question& question) {
   if (!question.box) return 0;
   const double narrowest = question.box->box.lengths.minCoeff();
@@ -81,8 +82,8 @@ InertialVelocity velocity_parts(const Question& question, const OpenSpace& space
   const double size = d1 * d2 > 0 ? std::abs(boxed.arm[0] * boxed.arm[1]) / (d1 * d2) : 1;
   v.by_amplitude = amplitude_change * size;
 
-  // The relative error of the pair approximation in each contribution is estimated by its error in the steady
-  // geometry factor. The errors have one cause, so their absolute values add.
+  // The relative error of each contribution due to the approximation by pairs of beads is estimated by the
+  // relative error of the steady geometry factor. The errors have one cause, so their absolute values add.
   const double pair_error = std::abs(space.pair_geometry / space.geometry - 1);
   const double inertial = v.by_stroke + v.by_drift + v.by_reynolds_stress;
   const double amplitude_share = v.quasi_static != 0 ? std::abs(inertial / v.quasi_static) : 1;
@@ -98,8 +99,8 @@ Complex complex_of(const Stroke& stroke, int arm) {
   return std::polar(stroke.amplitude[arm], stroke.phase[arm]);
 }
 
-/// Returns an upper bound of the error of sin(delta_1 - delta_2) for the stroke y, if the change from x to y
-/// has the relative error `relative_error`.
+/// Returns an upper bound of the error of sin(delta_1 - delta_2) for the complex arm amplitudes y. x are the
+/// arm amplitudes of the quasi-static stroke. The change from x to y has the relative error `relative_error`.
 double sin_uncertainty(const Eigen::Vector2cd& x, const Eigen::Vector2cd& y, double relative_error) {
   if (x[0] == 0.0 || x[1] == 0.0 || y[1] == 0.0) return 0;
   const Complex shift = y[0] / y[1];

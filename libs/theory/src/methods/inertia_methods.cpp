@@ -25,8 +25,8 @@ std::optional<std::string> penetration_depth_obstacle(const Question& question) 
   const double kappa = std::abs(inverse_penetration_depth(swimmer, question.fluid_density)) * largest;
   if (kappa < largest_kappa) return std::nullopt;
   return fmt::format(
-      "the penetration depth is {:.3g} times smaller than a bead, but the method is for slow flow; increase "
-      "{} or {}",
+      "the penetration depth is {:.3g} times smaller than the largest bead radius, but this method is for "
+      "slow oscillations; increase {} or {}",
       kappa / std::sqrt(2.0), Setting::period, Setting::viscosity);
 }
 
@@ -39,11 +39,11 @@ void add_settings(const Question& question, Prediction& prediction) {
   add_driving_settings(question, prediction);
 }
 
-/// Returns the relative uncertainty of the velocity with unsteady Faxen pairs. It combines
-///  - the relative error of steady Rotne-Prager pairs,
-///  - the same relative error of the change of velocity by inertia,
-///  - the contribution of the volume of the beads to V_R,
-///  - the relative change of the velocity at finite amplitude.
+/// Returns the relative uncertainty of the velocity by the method unsteady-response. It combines
+///   - the relative error of the velocity by steady Rotne-Prager mobility,
+///   - the same relative error for the change of the velocity by inertia,
+///   - the contribution of the volume of the beads to the velocity V_R by the Reynolds stress,
+///   - the relative change of the velocity at finite amplitude.
 std::optional<double> pair_uncertainty(const Question& question, double quasi_static, double velocity,
                                        double within_beads) {
   const std::optional<double> exact = exact_velocity(question);

@@ -22,7 +22,7 @@ std::optional<std::string> box_obstacle(const Question& question);
 std::optional<std::string> inertia_obstacle(const Question& question);
 std::optional<std::string> inertia_corrected_obstacle(const Question& question);
 
-// Closed forms of the paper.
+// Predictions by closed formulas, most of them from the paper (closed_forms.hpp).
 Prediction predict_oseen_force(const Question& question);
 Prediction predict_oseen_stroke(const Question& question);
 Prediction predict_oseen_ratio_printed(const Question& question);
@@ -33,23 +33,24 @@ Prediction predict_rpy_stroke_printed(const Question& question);
 Prediction predict_rpy_equal_weight(const Question& question);
 Prediction predict_multipole_stroke(const Question& question);
 
-// Second order in amplitude.
+// Predictions to second order in amplitude.
 Prediction predict_oseen_perturbation(const Question& question);
 Prediction predict_rpy_perturbation(const Question& question);
 Prediction predict_multipole_perturbation(const Question& question);
 Prediction predict_rpy_box_perturbation(const Question& question);
 
-// Finite amplitude.
+// Predictions at finite amplitude, by the periodic motion.
 Prediction predict_oseen_ode(const Question& question);
 Prediction predict_rpy_ode(const Question& question);
 Prediction predict_multipole_ode(const Question& question);
 Prediction predict_rpy_box_ode(const Question& question);
 
-// Inertia of fluid and beads.
+// Predictions with inertia of fluid and beads.
 Prediction predict_unsteady_response(const Question& question);
 Prediction predict_inertia_corrected(const Question& question);
 
-/// Returns the smallest gap for which exact_mobility() is used in a periodic motion [length].
+/// Returns the gap of neighbouring beads down to which exact_mobility() is used in a periodic motion
+/// [length].
 double min_exact_gap(const CollinearSwimmer& swimmer);
 
 /// Returns the periodic motion with exact mobilities in open space. Throws the errors of periodic_motion().

@@ -59,7 +59,7 @@ const Method& find_method(const std::string& name) {
 
 Prediction predict(const Method& method, const Question& question) {
   if (const auto obstacle = method.obstacle(question)) {
-    throw InputError(method.name, "cannot treat this swimmer: " + *obstacle);
+    throw InputError(method.name, "this method cannot treat this swimmer: " + *obstacle);
   }
   Prediction prediction = method.predict(question);
   const double offset = question.swimmer.phase_offset;
@@ -69,8 +69,8 @@ Prediction predict(const Method& method, const Question& question) {
   }
   if (!is_finite(prediction)) {
     throw InputError(name_of(Setting::method) + " " + method.name,
-                     "cannot treat this swimmer: the result is non-finite, because of a pole of the formula "
-                     "or of values beyond the range of a double");
+                     "this method cannot treat this swimmer: the result is non-finite, because of a pole of "
+                     "the formula or of values beyond the range of a double; use another method");
   }
   prediction.method = method.name;
   return prediction;

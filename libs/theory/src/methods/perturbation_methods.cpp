@@ -39,8 +39,8 @@ std::optional<std::string> exact_obstacle(const Question& question) {
   if (auto obstacle = overlap_obstacle(question)) return obstacle;
   if (question.exact) return std::nullopt;
   return fmt::format(
-      "beads nearly touch at rest (l/lambda {:.5g}), and the multipole series would need too many terms; use "
-      "rpy-perturbation, with lower accuracy",
+      "beads nearly touch at rest (separation ratio l/lambda = {:.5g}), and the multipole series would need "
+      "too many terms; use the less accurate method rpy-perturbation",
       separation_ratio(question.swimmer));
 }
 

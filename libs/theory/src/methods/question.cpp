@@ -15,8 +15,8 @@ namespace beadswim {
 
 namespace {
 
-/// Returns the exact reference; nullopt if beads touch, or if the gap is so small that the multipole series
-/// would need too many terms.
+/// Returns the motion in exact Stokes flow; nullopt if beads touch, or if the gap is so small that the
+/// multipole series would need too many terms.
 std::optional<ExactStokes> exact_stokes(const CollinearSwimmer& swimmer) {
   ExactStokes exact;
   const MobilityFunction mobility = [&](const LinePositions& positions) {
@@ -60,20 +60,20 @@ std::vector<std::string> warnings(const Question& question, double tolerance) {
   if (!beads_stay_apart(swimmer, motion.stroke)) {
     const std::array<double, 2> gaps = gaps_at_rest(swimmer);
     messages.push_back(
-        fmt::format("beads meet within the stroke: to first order the arms swing by {:.4g} and {:.4g}, with "
-                    "gaps of {:.4g} and {:.4g} between the beads at rest; lower {} or raise "
-                    "{}, {} or {}",
+        fmt::format("beads would touch during the stroke: in first-order theory the arm amplitudes are "
+                    "{:.4g} and {:.4g}, but the gaps between the beads at rest are {:.4g} and {:.4g}; lower "
+                    "{} or raise {}, {} or {}",
                     motion.stroke.amplitude[0], motion.stroke.amplitude[1], gaps[0], gaps[1],
                     Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm));
   }
   const double change =
       question.exact ? question.exact->amplitude_change : finite_amplitude_change(swimmer, pair_mobility);
   if (std::isfinite(change) && std::abs(change) > tolerance) {
-    messages.push_back(fmt::format(
-        "the driving is beyond small amplitude: closed forms and second-order methods leave out "
-        "about {:+.1f} % of the velocity, more than the tolerance of {:.3g} %; believe the -ode methods and "
-        "inertia-corrected instead",
-        100 * change, 100 * tolerance));
+    messages.push_back(
+        fmt::format("the driving amplitude is not small: closed forms and second-order methods neglect about "
+                    "{:+.1f} % of the velocity, more than the tolerance of {:.3g} %; use the methods whose "
+                    "names end in -ode, or inertia-corrected, instead",
+                    100 * change, 100 * tolerance));
   }
   return messages;
 }

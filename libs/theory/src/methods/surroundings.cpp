@@ -40,23 +40,24 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
   if (!layout.domain) return {};
   if (layout.swimmers.size() > 1) {
     return {.box = {},
-            .obstacle = fmt::format(
-                "the box holds {} swimmers, but theory treats only one per box; find the cell of one with "
-                "beadswim-layout reduce, or neglect its neighbours in a layout without box ({})",
-                layout.swimmers.size(), Setting::unbounded)};
+            .obstacle = fmt::format("the box holds {} swimmers, but theory treats only one swimmer per box; "
+                                    "reduce a periodic scene to one swimmer with beadswim-layout reduce, or "
+                                    "neglect the other swimmers in a layout without box ({})",
+                                    layout.swimmers.size(), Setting::unbounded)};
   }
   const auto& boundary = layout.domain->boundary;
   if (std::find(boundary.begin(), boundary.end(), Boundary::no_slip) != boundary.end()) {
-    return {
-        .box = {},
-        .obstacle = "the box has no-slip walls, but theory treats only periodic and free-slip boundaries"};
+    return {.box = {},
+            .obstacle =
+                "the box has no-slip walls, but theory treats only periodic and free-slip boundaries; make "
+                "the layout with such boundaries"};
   }
   const std::optional<int> axis = coordinate_axis(swimmer.axis);
   if (!axis)
     return {.box = {},
             .obstacle =
-                "the swimmer is not parallel to a box axis, so its images push it sideways; theory requires "
-                "an axis along x, y or z"};
+                "the swimmer is not parallel to a box axis, so the swimmer's images push it sideways; theory "
+                "requires an axis along x, y or z"};
   return {.box = box_place(*layout.domain, swimmer, *axis), .obstacle = {}};
 }
 

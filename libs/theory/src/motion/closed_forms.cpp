@@ -10,7 +10,8 @@ namespace beadswim {
 
 namespace {
 
-/// Symbols of (4.2) to (4.8) for a swimmer with equal beads, equal arms and equal springs.
+/// Symbols of equations (4.2) to (4.8) of Pickl et al. 2017 (closed_forms.hpp) for a swimmer with equal
+/// beads, equal arms and equal springs.
 struct EqualParts {
   explicit EqualParts(const CollinearSwimmer& swimmer)
       : A(swimmer.amplitude[0]),
@@ -21,19 +22,19 @@ struct EqualParts {
         cos_alpha(std::cos(swimmer.phase)) {}
 
   double A, B, k;
-  double W;  ///< pi eta omega lambda
+  double W;  ///< pi eta omega lambda, lambda: bead radius [mass/time^2]
   double sin_alpha, cos_alpha;
 
-  /// Returns (k^2 + 4 W^2) (k^2 + 36 W^2). The paper prints this product expanded in (4.4) and (4.5).
+  /// Returns (k^2 + 4 W^2) (k^2 + 36 W^2), which the paper prints expanded in equations (4.4) and (4.5).
   double denominator() const { return (k * k + 4 * W * W) * (k * k + 36 * W * W); }
-  /// Returns N of (4.7), the numerator of sin(delta1 - delta2).
+  /// Returns N of equation (4.7), the numerator of sin(delta1 - delta2).
   double shift_numerator() const {
     return 2 * (A * A - B * B) * W * k + A * B * (k * k + 12 * W * W) * sin_alpha;
   }
 };
 
 // clang-format off
-/// Returns the square of D of (4.8), the denominator of sin(delta1 - delta2), with powers of k and W
+/// Returns the square of D of equation (4.8), the denominator of sin(delta1 - delta2), with powers of k and W
 /// collected:
 ///
 ///   A^2 B^2 k^4 + 4 k^2 W^2 (A^4 + 6 A^2 B^2 + B^4) + 16 W^4 (4 A^4 + 25 A^2 B^2 + 4 B^4)
@@ -52,14 +53,17 @@ double shift_denominator_squared(const EqualParts& s) {
 }
 // clang-format on
 
-/// Returns S = omega d1 d2 sin(delta1 - delta2), which each stroke formula multiplies by its geometry factor.
+/// Returns S = omega d1 d2 sin(delta1 - delta2) [length^2/time]. The velocity of a stroke is S times a
+/// geometry factor [1/length].
 double stroke_area_rate(const CollinearSwimmer& swimmer, const Stroke& stroke) {
   return swimmer.angular_frequency() * stroke.area();
 }
 
-/// Returns omega lambda (28l - 45 lambda) / (192 l^3 [..]), the common factor of the printed and the repaired
-/// (4.23). [..] is the bracket in the denominator. `coefficient`: factor of l in the term k^2 W^2 of this
-/// bracket, 8 as printed and 10 as repaired.
+/// Returns the factor that equation (4.23) has in common as printed and as repaired. `coefficient` is the
+/// factor of l in the term k^2 W^2 of the denominator: 8 as printed and 10 as repaired. The factor is
+///
+///   omega lambda (28l - 45 lambda) / (192 l^3 Y)
+///   Y = (l - 5 lambda) k^4 + 4 W^2 (coefficient l - 33 lambda) k^2 + 144 W^4 l
 double rpy_force_prefactor(const CollinearSwimmer& swimmer, double coefficient) {
   const EqualParts s(swimmer);
   const double lambda = swimmer.radius[0], l = swimmer.arm[0], k2 = s.k * s.k, W2 = s.W * s.W;
@@ -68,7 +72,8 @@ double rpy_force_prefactor(const CollinearSwimmer& swimmer, double coefficient) 
   return swimmer.angular_frequency() * lambda * (28 * l - 45 * lambda) / (192 * l * l * l * bracket);
 }
 
-/// Returns (2l - 5 lambda) k^2 + 24 W^2 l, the bracket in the numerator of (4.23).
+/// Returns (2l - 5 lambda) k^2 + 24 W^2 l, a factor of the velocity in equation (4.23) for A = B. l: arm
+/// length, lambda: bead radius, k: stiffness, W = pi eta omega lambda.
 double rpy_force_symmetric_part(const CollinearSwimmer& swimmer) {
   const EqualParts s(swimmer);
   const double lambda = swimmer.radius[0], l = swimmer.arm[0];

@@ -16,14 +16,13 @@ namespace {
 /// InputError if they are neither.
 double driving_direction(DrivingFrame frame, const Vec3& axis) {
   if (frame != DrivingFrame::lab) return 1;
-  constexpr double largest_sine = 1e-9;  // sine of the angle to x: roundoff of a normalised axis
+  constexpr double largest_sine = 1e-9;  // largest sine of the angle to x, which roundoff may cause
   if (axis.cross(Vec3::UnitX()).norm() > largest_sine * axis.norm()) {
-    throw InputError(
-        "axis",
-        fmt::format(
-            "[{}, {}, {}] is not along x, but the driving is (frame \"lab\"), so the motion is not along the "
-            "axis; theory requires an axis along x, or driving of frame \"initial-axis\" or \"body\"",
-            axis.x(), axis.y(), axis.z()));
+    throw InputError("axis",
+                     fmt::format("the axis [{}, {}, {}] is not along x, but the driving forces are along x "
+                                 "(frame \"lab\"), so the motion is not along the axis; theory requires an "
+                                 "axis along x, or driving with the frame \"initial-axis\" or \"body\"",
+                                 axis.x(), axis.y(), axis.z()));
   }
   return axis.x() > 0 ? 1 : -1;
 }
@@ -32,8 +31,8 @@ void check_stiffness(const SwimmerType& type) {
   for (int arm = 0; arm < 2; ++arm) {
     if (!(type.springs[arm].stiffness > 0)) {
       throw InputError(fmt::format("springs/{}/stiffness", arm),
-                       fmt::format("a stiffness of {} does not fix the mean arm length, so no periodic "
-                                   "motion exists; theory needs a stiffness above 0",
+                       fmt::format("a spring stiffness of {} does not fix the mean arm length, so no "
+                                   "periodic motion exists; theory needs a stiffness above 0",
                                    type.springs[arm].stiffness));
     }
   }

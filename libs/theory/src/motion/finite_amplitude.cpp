@@ -10,10 +10,11 @@ namespace beadswim {
 
 namespace {
 
-constexpr double max_amplitude_over_gap = 0.02;  // arm amplitude over gap at rest, for the reduced driving
+constexpr double max_amplitude_over_gap = 0.02;  // arm amplitude divided by gap at rest
 
-/// Mobility in open space for arm lengths close to rest, by cubic interpolation in each arm length. It needs
-/// 16 evaluations of the mobility. Without interpolation, the periodic motion needs some hundred.
+/// Mobility in open space for arm lengths close to rest, by cubic interpolation in each arm length. The
+/// interpolation needs 16 evaluations of the mobility. Without interpolation, the periodic motion needs some
+/// hundred evaluations.
 class InterpolatedMobility {
  public:
   InterpolatedMobility(const CollinearSwimmer& swimmer, const MobilityFunction& mobility)
@@ -74,8 +75,8 @@ class InterpolatedMobility {
   std::array<std::array<Eigen::Matrix3d, 4>, 4> values_;
 };
 
-/// Returns a factor s of the driving amplitudes that keeps arm amplitudes and mean arm changes much smaller
-/// than the gaps.
+/// Returns a factor s by which the driving amplitudes are multiplied, so small that arm amplitudes and mean
+/// changes of the arm lengths are much smaller than the gaps between the beads.
 double small_driving(const CollinearSwimmer& swimmer, const SecondOrderMotion& motion) {
   const std::array<double, 2> gaps = gaps_at_rest(swimmer);
   double size = 0;

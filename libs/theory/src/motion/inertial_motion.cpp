@@ -16,7 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
-/// Returns m - m_f of the three beads [mass].
+/// Returns the mass of each bead minus the mass of the fluid that it displaces [mass].
 Eigen::Vector3d excess_masses(const InertialScene& scene) {
   Eigen::Vector3d excess;
   for (int i = 0; i < 3; ++i) {
@@ -26,10 +26,10 @@ Eigen::Vector3d excess_masses(const InertialScene& scene) {
   return excess;
 }
 
-/// Returns the mean of r^2 over the induced force of a bead, r: distance of the force from the centre
-/// [length^2]. On the surface r^2 is a^2, in the volume its mean is 3/5 a^2; the parts of the force on
-/// surface and volume are the weights. The result replaces a^2 in the steady flow of the force. `kappa`:
-/// alpha a.
+/// Returns the mean of r^2 over the induced force of a bead, where r is the distance from the centre
+/// [length^2]. This mean replaces a^2 in the steady flow of a bead of radius a. The parts of the force on the
+/// surface, where r^2 = a^2, and in the volume, where the mean of r^2 is 3/5 a^2, have the weights
+/// (1 + kappa)/D and (kappa^2/3)/D, with kappa = alpha a and D = 1 + kappa + kappa^2/3.
 Complex steady_size(double radius, Complex kappa) {
   return radius * radius * (1.0 + kappa + kappa * kappa / 5.0) / induced_force_factor(kappa);
 }
@@ -80,7 +80,8 @@ Eigen::Matrix3cd unsteady_mobility(const InertialScene& scene) {
 
 Eigen::Vector3cd induced_forces(const InertialScene& scene, const LinearResponse& response) {
   const double omega = scene.swimmer.angular_frequency();
-  // Adds -i omega (m - m_f) U, where U = i omega xi.
+  // Adds -i omega (m - m_f) U to the other forces, where U = i omega xi is the velocity of a bead, m its mass
+  // and m_f the mass of the fluid that it displaces.
   return response.force +
          omega * omega * excess_masses(scene).cast<Complex>().cwiseProduct(response.displacement);
 }

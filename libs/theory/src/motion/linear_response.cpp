@@ -9,7 +9,8 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
-/// Returns k_i + i omega c_i, the tension of spring and dashpot per change of arm length [mass/time^2].
+/// Returns k_i + i omega c_i for both arms (stiffness k_i, damping c_i): complex tension of spring and
+/// dashpot per change of the arm length [mass/time^2].
 Eigen::Vector2cd arm_stiffness(const CollinearSwimmer& swimmer) {
   const double omega = swimmer.angular_frequency();
   return {swimmer.stiffness[0] + i_unit * omega * swimmer.damping[0],

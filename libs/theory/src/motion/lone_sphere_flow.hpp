@@ -25,8 +25,9 @@
 
 namespace beadswim {
 
-/// Returns the flow per unit force of a sphere that oscillates with exp(i omega t): components along x and
-/// along s [time/mass]. Requires Re alpha > 0.
+/// Returns the flow per unit force of a sphere that oscillates with exp(i omega t) at the position (x, s)
+/// relative to its centre, x along the force, s across: components along x and s [time/mass]. `viscosity` is
+/// dynamic, alpha = sqrt(i omega rho/eta) with Re alpha > 0 [1/length].
 inline Eigen::RowVector2cd oscillating_sphere_flow(double radius, double viscosity,
                                                    std::complex<double> alpha, double x, double s) {
   using std::numbers::pi;
@@ -42,8 +43,8 @@ inline Eigen::RowVector2cd oscillating_sphere_flow(double radius, double viscosi
   return {(WH + Psi_1 + x * x * Psi_2) / viscosity, x * s * Psi_2 / viscosity};
 }
 
-/// Returns the gradient of the steady flow per unit force of a towed sphere [time/(mass length)]. Rows:
-/// direction of the derivative. Columns: component of the flow.
+/// Returns the gradient of the steady flow per unit force of a towed sphere at the position (x, s) relative
+/// to its centre [time/(mass length)]. Rows: direction of the derivative. Columns: component of the flow.
 inline Eigen::Matrix2d towed_sphere_gradient(double radius, double viscosity, double x, double s) {
   using std::numbers::pi;
   const double r2 = x * x + s * s, a2 = radius * radius;

@@ -25,12 +25,13 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Motion at the nodes (columns): change of arm 1, displacement of bead 2, change of arm 2 [length]. The
-/// changes of the arms are unknowns, not the positions of beads 1 and 3. The tension of a stiff spring would
-/// lose significance in the difference of two bead positions.
+/// Motion at the nodes (columns): change of the length of arm 1, displacement of bead 2, change of the length
+/// of arm 2 [length]. The changes of the arms are unknowns instead of the displacements of beads 1 and 3.
+/// With these displacements, the tension of a stiff spring would lose significance in the difference of two
+/// positions.
 using NodalMotion = NodalValues;
 
-/// Returns the matrix that maps a column of NodalMotion to the displacements of the three beads.
+/// Returns the matrix that maps a column of NodalMotion to the displacements of the three beads [length].
 Matrix3d beads_from_motion() {
   Matrix3d beads;
   // clang-format off
@@ -52,8 +53,9 @@ Vector3d motion_of_beads(const Vector3d& p) {
 ///
 ///   Z   = (D mu D^T)^-1, tensions of the arms per arm rate [mass/time]
 ///   g   tensions of the arms by the driving, F = D^T g [mass length/time^2]
-///   q   changes of the two arms [length]
-///   d   derivative with respect to omega t, so that rates and V/omega are lengths
+///   q   changes of the lengths of the two arms [length]
+///   p   displacements of the three beads [length]
+///   d   derivative with respect to omega t, so that dq, dp and V/omega are lengths
 ///
 /// Each row of the first equation balances the tensions of one arm. Roundoff of a stiff spring therefore does
 /// not affect the equation of a soft spring.
@@ -82,8 +84,8 @@ class HarmonicBalance {
 
   NodalMotion rates(const NodalMotion& motion) const { return motion * derivative_.transpose(); }
 
-  /// Returns minus the Newton step of the unknowns (motion, V/omega), if the driving is multiplied by
-  /// `driving`.
+  /// Returns the vector that Newton's method subtracts from the unknowns (motion, V/omega), if the driving
+  /// forces are multiplied by `driving`.
   VectorXd newton_step(const NodalMotion& motion, double velocity, double driving) const {
     const int unknowns = 3 * nodes_ + 1;
     const NodalMotion rate = rates(motion);
@@ -102,7 +104,7 @@ class HarmonicBalance {
     return jacobian.partialPivLu().solve(residual);
   }
 
-  /// Returns V as minus the mean of (w_k(x) - w_k(X)) dp_k/dt (periodic_motion.hpp) [length/time].
+  /// Returns the velocity V = -<sum_k (w_k(x) - w_k(X)) dp_k/dt> (periodic_motion.hpp) [length/time].
   double drift_velocity(const NodalMotion& motion) const {
     const Vector3d at_rest = rigid_force_distribution(mobility_({rest_[0], rest_[1], rest_[2]}).value);
     const NodalMotion rate = beads_ * rates(motion);
@@ -115,8 +117,9 @@ class HarmonicBalance {
   }
 
  private:
-  /// Residuals of the three equations at a node, and their derivatives with respect to the rate and the
-  /// motion at the node. The derivatives with respect to the motion omit terms that vanish with the residual.
+  /// Residuals of the three equations of motion at a node, and their derivatives with respect to the rate and
+  /// the motion at the node. The derivatives with respect to the motion omit terms that vanish with the
+  /// residual.
   struct NodeEquations {
     Vector3d residual;
     Matrix3d by_rate, by_motion;
@@ -166,7 +169,7 @@ class HarmonicBalance {
   Eigen::Vector2d row_scale_;  ///< scales the equations of both arms to the same magnitude
 };
 
-/// Unknowns of Newton's method.
+/// Unknowns of the equations of motion, which Newton's method determines.
 struct State {
   NodalMotion motion;
   double velocity = 0;  ///< V/omega [length]
@@ -180,12 +183,13 @@ double smallest_gap_of(const CollinearSwimmer& swimmer, const HarmonicBalance& b
   return smallest;
 }
 
-/// Solves the equations by Newton's method with the initial guess `state`. A step that would bring a gap
-/// below `min_gap` is halved until it does not. Returns nullopt if the method does not converge.
+/// Solves the equations of motion by Newton's method with the initial guess `state`, with the driving forces
+/// multiplied by `driving`. A step after which a gap would be below `min_gap` [length] is halved until no gap
+/// is. Returns nullopt if the method does not converge.
 std::optional<State> solve_newton(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
                                   State state, double driving, double min_gap) {
   constexpr int max_steps = 40, max_halvings = 12;
-  constexpr double last_step = 1e-8;  // relative; the error after the last step is its square
+  constexpr double last_step = 1e-8;  // relative to the motion; then the error is its square
   const int nodes = static_cast<int>(state.motion.cols());
   if (!(smallest_gap_of(swimmer, balance, state.motion) > min_gap)) state.motion.setZero();
   for (int step = 0; step < max_steps; ++step) {
@@ -206,7 +210,7 @@ std::optional<State> solve_newton(const CollinearSwimmer& swimmer, const Harmoni
   return std::nullopt;
 }
 
-/// Returns the first-order motion, the initial guess of Newton's method.
+/// Returns the motion to first order in the driving amplitude, the initial guess of Newton's method.
 State first_order_state(const CollinearSwimmer& swimmer, const LinePositions& rest,
                         const MobilityFunction& mobility, int nodes) {
   const LinearResponse response = linear_response(swimmer, mobility(rest).value);
@@ -220,15 +224,15 @@ State first_order_state(const CollinearSwimmer& swimmer, const LinePositions& re
 
 std::string contact_message(double reached, double min_gap) {
   return fmt::format(
-      "no periodic motion without contact was found: above about {:.2g} of the driving amplitude, a gap "
-      "between beads becomes smaller than {:.3g} or a soft spring collapses; reduce {}, or increase {}, {} "
-      "or {}",
+      "no periodic motion without contact was found: if the driving amplitude exceeds about {:.2g} times the "
+      "given amplitude, a gap between beads becomes smaller than {:.3g} or a soft spring collapses; reduce "
+      "{}, or increase {}, {} or {}",
       reached, min_gap, Setting::amplitude, Setting::stiffness, Setting::damping, Setting::arm);
 }
 
 /// Returns the motion under the full driving, with the initial guess `start`. If Newton's method does not
-/// converge, the driving increases from zero in smaller steps (continuation). Throws InputError if the steps
-/// become too small.
+/// converge, the driving is increased from zero in smaller steps (continuation). Throws InputError if such a
+/// step becomes smaller than 1/64 of the driving.
 State continue_to_full_driving(const CollinearSwimmer& swimmer, const HarmonicBalance& balance,
                                const State& start, double min_gap) {
   constexpr double smallest_step = 1.0 / 64;
@@ -269,7 +273,7 @@ double smallest_gap(const CollinearSwimmer& swimmer, const LinePositions& x) {
 PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositions& rest,
                                const MobilityFunction& mobility, double min_gap) {
   constexpr int min_nodes = 25, max_nodes = 401;
-  constexpr double resolved = 1e-12;  // amplitude of the highest harmonics relative to the motion
+  constexpr double resolved = 1e-12;  // amplitude of the highest harmonics, divided by the largest motion
   State state = first_order_state(swimmer, rest, mobility, min_nodes);
   const bool driven = state.motion.cwiseAbs().maxCoeff() > 0;
   for (int nodes = min_nodes; nodes <= max_nodes; nodes = 2 * nodes - 1) {
@@ -279,11 +283,10 @@ PeriodicMotion periodic_motion(const CollinearSwimmer& swimmer, const LinePositi
     state = continue_to_full_driving(swimmer, balance, state, min_gap);
     if (unresolved_part(state.motion) < resolved) return motion_result(swimmer, balance, state.motion);
   }
-  throw InputError(
-      "stroke",
-      fmt::format(
-          "the motion has more than {} harmonics; reduce {}, so that the gaps between beads stay larger",
-          max_nodes / 2, Setting::amplitude));
+  throw InputError("stroke",
+                   fmt::format("the periodic motion of the swimmer has more than {} harmonics, too many to "
+                               "compute; reduce {}, so that the gaps between beads stay larger",
+                               max_nodes / 2, Setting::amplitude));
 }
 
 }  // namespace beadswim

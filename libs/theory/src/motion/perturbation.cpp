@@ -8,7 +8,8 @@ namespace beadswim {
 
 namespace {
 
-/// Returns <dmu f> = 1/2 Re sum_k (d mu / d x_k) conj(xi_k) f, the mean bead velocities [length/time].
+/// Returns the mean bead velocities <dmu f> = 1/2 Re sum_k (d mu / d x_k) conj(xi_k) f [length/time]. xi_k
+/// are the displacements of the beads, f the forces on the beads, mu is the mobility.
 Eigen::Vector3d mean_drift(const LinearResponse& response, const std::array<Eigen::Matrix3d, 3>& slope) {
   Eigen::Vector3d drift = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {

@@ -35,8 +35,8 @@ std::vector<QuadratureNode> gauss_legendre(int count) {
   return nodes;
 }
 
-/// Integrand of Q on the half-plane (x, s), from the flows of the three spheres. x: coordinate along the
-/// axis; s: distance from the axis [length].
+/// Integrand of the matrix Q (reynolds_stress.hpp) on the half-plane (x, s), from the flows of the three
+/// spheres. x: coordinate along the axis of the swimmer; s: distance from this axis [length].
 class ReynoldsStress {
  public:
   ReynoldsStress(const CollinearSwimmer& swimmer, double fluid_density, const Eigen::Vector3d& towing)
@@ -47,7 +47,8 @@ class ReynoldsStress {
 
   const LinePositions& center() const { return center_; }
 
-  /// Returns the matrix of the elements u_i u_j* : grad u^ at (x, s).
+  /// Returns the matrix of the elements u_i u_j* : grad u^ at (x, s). u_i is the oscillating flow of sphere i
+  /// per induced force, u^ the steady flow of the towed spheres.
   Eigen::Matrix3cd integrand(double x, double s) const {
     Eigen::Matrix<std::complex<double>, 3, 2> flow;  // row: sphere; column: component along x, along s
     Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();

@@ -1,4 +1,4 @@
-// Plots beside the 3D view, against time in base periods. A vertical line marks the time that the view shows.
+// Plots of quantities against time in base periods, beside the 3D view. A vertical line marks the time of the frame in the view.
 
 import uPlot from "uplot";
 
@@ -19,14 +19,14 @@ const cssVariable = (name: string) => getComputedStyle(document.documentElement)
 
 const formatNumber = (value: number | null) => (value == null ? "–" : String(Number(value.toPrecision(4))));
 
-/** Returns an axis range with margins. Equal values need their own margin, because uPlot would draw an axis up to 100. */
+/** Returns the range of an axis, with margins. If all values are equal, uPlot alone would choose a range up to 100. */
 function range(_: uPlot, low: number, high: number): uPlot.Range.MinMax {
   if (low == null || high == null) return [0, 1];
   const margin = high > low ? 0.08 * (high - low) : Math.max(0.1 * Math.abs(high), 1e-3);
   return [low - margin, high + margin];
 }
 
-/** Returns the labels of the ticks, with enough digits to distinguish neighbouring ticks. */
+/** Returns the labels of axis ticks, with enough digits to distinguish neighbouring ticks. */
 function tickLabels(_: uPlot, values: number[]): string[] {
   const spacing = Math.abs(values[1] - values[0]) || 1, largest = Math.max(...values.map(Math.abs), spacing);
   if (largest < 1e-2 || largest >= 1e5) {
@@ -40,7 +40,7 @@ export class Charts {
   private charts: uPlot[] = [];
   private time = 0;
 
-  /** Calls `onSeek` with the time at which the user clicks [periods]. */
+  /** `onSeek`: function that is called with the time at which the user clicks in a plot [periods]. */
   constructor(private readonly parent: HTMLElement, private readonly onSeek: (time: number) => void) {
     new ResizeObserver(() => this.charts.forEach((chart) => chart.setSize(this.chartSize()))).observe(parent);
   }
@@ -80,7 +80,7 @@ export class Charts {
     return new uPlot(options, [plot.times, ...plot.curves.map((curve) => curve.values)], this.parent);
   }
 
-  /** Shows the values of the frame or cycle nearest to the current time in the legend. */
+  /** Shows in the legend of a plot the values of the frame or cycle that is nearest to the current time. */
   private showValues(chart: uPlot): void {
     const times = chart.data[0];
     let nearest = 0;

@@ -1,5 +1,5 @@
-// Colours of swimmers by block, velocity, orientation or phase. The colours are distinguishable with colour blindness: Okabe
-// and Ito's colours for blocks, viridis for scales, and for phases a cyclic scale whose lightness rises and falls.
+// Colours of swimmers by block, velocity, orientation or phase. People with colour blindness can distinguish them: blocks have
+// the colours of Okabe and Ito, scales are viridis or blue to orange, and phases have a cyclic scale whose lightness rises and falls.
 
 import { cycleAt, axisAngle } from "./motion";
 import type { CycleTable, Scene } from "./scene";
@@ -15,7 +15,7 @@ const diverging = ["#0072b2", "#7fb6d8", "#c8c8c8", "#e9ab7c", "#d55e00"].map(fr
 const cyclic = ["#2d1e6b", "#2f6db0", "#8fc3cf", "#f2ead8", "#dfa16b", "#a63c46", "#2d1e6b"].map(fromHex);
 const unknown: Colour = [0.55, 0.55, 0.55];
 
-/** Interpolates the colour scale `stops` at a position from 0 to 1; grey for a non-finite position. */
+/** Returns the colour at a position from 0 to 1 on the colour scale `stops`; grey if the position is not finite. */
 export function interpolate(stops: Colour[], position: number): Colour {
   if (!Number.isFinite(position)) return unknown;
   const scaled = Math.min(Math.max(position, 0), 1) * (stops.length - 1);
@@ -25,8 +25,8 @@ export function interpolate(stops: Colour[], position: number): Colour {
 
 export interface Colouring {
   title: string;
-  keys: { name: string; colour: Colour }[]; // one per category; empty for a scale
-  stops: Colour[]; // colours of the scale, equally spaced; empty for categories
+  keys: { name: string; colour: Colour }[]; // legend, one entry per category; empty for a scale
+  stops: Colour[]; // equally spaced colours of the scale; empty for categories
   ends: [string, string]; // values at the two ends of the scale
   /** Returns the colour of each swimmer in a frame. */
   colours(frame: number): Colour[];
@@ -35,7 +35,7 @@ export interface Colouring {
 export const colourings = ["block", "velocity", "orientation", "phase"] as const;
 export type ColouringName = (typeof colourings)[number];
 
-/** Returns the reason why the run has no data for this colouring; empty if it has. */
+/** Returns the reason why the run has no data for this colouring; an empty text if the run has the data. */
 export function unavailableReason(scene: Scene, name: ColouringName): string {
   const needsCycle = name === "velocity" || name === "phase";
   return needsCycle && scene.cycleTimes.length === 0 ? "the run ended no cycle" : "";
@@ -64,7 +64,7 @@ function* cycleNumbers(scene: Scene, table: CycleTable): Generator<number> {
   }
 }
 
-/** Colours each swimmer by its value in the cycle that contains the frame. `position` maps a value to 0 to 1 on the scale. */
+/** Colours each swimmer by its value in the cycle that contains the frame. `position`: maps a value to the scale from 0 to 1. */
 function byCycle(scene: Scene, table: CycleTable, position: (number: number) => number, stops: Colour[]): Colouring["colours"] {
   return (frame) => {
     const cycle = cycleAt(scene, scene.times[frame]) ?? 0;
@@ -85,7 +85,7 @@ function byVelocity(scene: Scene): Colouring {
 function byOrientation(scene: Scene): Colouring {
   const sampled = scene.frames.map((_, f) => f).filter((f) => f % Math.ceil(scene.frames.length / 20) === 0 || f === scene.frames.length - 1);
   const [low, high] = extent(sampled.flatMap((f) => scene.ids.map((_, s) => axisAngle(scene, s, f))));
-  const range = Math.max(high - low, 1e-3); // smaller ranges are rounding errors of positions
+  const range = Math.max(high - low, 1e-3); // smaller ranges could be rounding errors of positions
   return { title: "Angle from axis to x", keys: [], stops: sequential, ends: [`${low.toPrecision(3)}°`, `${(low + range).toPrecision(3)}°`],
     colours: (frame) => scene.ids.map((_, s) => interpolate(sequential, (axisAngle(scene, s, frame) - low) / range)) };
 }

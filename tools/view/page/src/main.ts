@@ -1,4 +1,5 @@
-// Entry point of the page of beadswim-view: reads the run in the page, and connects the controls, the 3D view and the plots.
+// Entry point of the page of beadswim-view: reads the data of the run that the page contains, and connects the controls, the 3D
+// view and the plots.
 
 import { Charts } from "./charts";
 import { colouring, colourings, unavailableReason, toCss, type Colouring, type ColouringName } from "./colours";
@@ -16,8 +17,8 @@ function element<T extends HTMLElement>(id: string): T {
 }
 
 class Player {
-  private framePosition = 0; // shown frame; fractional between two frames
-  private clock = 0; // time of the animation [periods]; runs continuously, also if the view jumps from frame to frame
+  private framePosition = 0; // index of the frame in the view; fractional between two frames
+  private clock = 0; // time of the animation [periods]; increases continuously, also if the view shows whole frames only
   private playing = false;
   private picked: number | null = null;
   private colouring: Colouring;
@@ -252,14 +253,14 @@ class Player {
     this.charts.setTime(time);
   }
 
-  /** Returns the position of the middle bead of the picked swimmer in the view; null if none is picked. */
+  /** Returns the position in the view of the middle bead of the selected swimmer; null if no swimmer is selected. */
   private pickedPosition(): Point | null {
     if (this.picked === null) return null;
     const first = 9 * this.picked + 3;
     return Array.from(this.stage.positions.subarray(first, first + 3)) as Point;
   }
 
-  /** Shifts the path of the picked swimmer to the image that is shown, and centres the view on the swimmer if it is followed. */
+  /** Shifts the path of the selected swimmer to its periodic image in the view. Centres the view on the swimmer if it is followed. */
   private showPicked(unwrappedPosition: Point | null): void {
     const position = this.pickedPosition();
     if (!position || !unwrappedPosition) return;

@@ -1,5 +1,5 @@
-// Positions of beads, and quantities of a swimmer derived from them. A frame position is the index of a frame; between two
-// frames it has a fractional part, and positions are interpolated linearly.
+// Positions of beads, and quantities that follow from them. A frame position is a time, given as the index of a frame; between
+// two frames it has a fractional part, and bead positions are interpolated linearly.
 
 import type { Scene } from "./scene";
 
@@ -7,14 +7,14 @@ export type Point = [number, number, number];
 
 const frameBefore = (scene: Scene, framePosition: number) => Math.min(Math.floor(framePosition), scene.frames.length - 1);
 
-/** Returns the time of a frame position [periods]. */
+/** Returns the time of a frame position (fractional index of a frame) [periods]. */
 export function timeAt(scene: Scene, framePosition: number): number {
   const frame = frameBefore(scene, framePosition);
   const next = Math.min(frame + 1, scene.frames.length - 1);
   return scene.times[frame] + (framePosition - frame) * (scene.times[next] - scene.times[frame]);
 }
 
-/** Returns the frame position of a time [periods]. A time before or after the run gives the first or last frame. */
+/** Returns the frame position (fractional index of a frame) of a time [periods]; the first or last frame outside the run. */
 export function framePositionAt(scene: Scene, time: number): number {
   const last = scene.times.length - 1;
   if (last === 0 || time <= scene.times[0]) return 0;
@@ -28,13 +28,13 @@ export function framePositionAt(scene: Scene, time: number): number {
   return low + (time - scene.times[low]) / (scene.times[high] - scene.times[low]);
 }
 
-/** Returns whether the run has at least eight frames per period, so that positions may be interpolated between frames. */
+/** Returns true if the run has at least eight frames per period. Positions may then be interpolated between frames. */
 export function isSmooth(scene: Scene): boolean {
   const last = scene.times.length - 1;
   return last > 0 && (scene.times[last] - scene.times[0]) / last <= 1 / 8 + 1e-9;
 }
 
-/** Writes the unwrapped x, y, z of all beads to `positions`. */
+/** Writes the unwrapped coordinates x, y, z of all beads at a frame position to `positions`. */
 export function positionsAt(scene: Scene, framePosition: number, positions: Float32Array): void {
   const frame = frameBefore(scene, framePosition);
   const now = scene.frames[frame], next = scene.frames[Math.min(frame + 1, scene.frames.length - 1)];
@@ -77,7 +77,7 @@ function unit(p: Point): Point {
   return [p[0] / size, p[1] / size, p[2] / size];
 }
 
-/** Returns the angle between two directions [degrees]. The formula is accurate also for small angles. */
+/** Returns the angle between two directions [degrees] by a formula that is accurate also for small angles. */
 function angle(p: Point, q: Point): number {
   const across = minus(unit(p), unit(q));
   const along = [p, q].map(unit).reduce((a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]] as Point);
@@ -90,12 +90,12 @@ export function axisAngle(scene: Scene, swimmer: number, frame: number): number 
   return angle(minus(last, first), [1, 0, 0]);
 }
 
-/** Motion of one swimmer: one value per frame in each array. */
+/** Motion of one swimmer; each array has one value per frame. */
 export interface Series {
-  along: number[]; // displacement of the beads' mean position along the axis at the start [length]
-  across: number[]; // displacement perpendicular to this axis [length]
+  along: number[]; // displacement of the mean bead position along the axis of the first frame [length]
+  across: number[]; // displacement of the mean bead position perpendicular to that axis [length]
   arms: [number[], number[]]; // arm lengths [length]
-  turning: number[]; // angle between the axis and the axis at the start [degrees]
+  turning: number[]; // angle between the axis and the axis of the first frame [degrees]
   bend: number[]; // angle between the two arms [degrees]
 }
 
@@ -118,7 +118,7 @@ export function makeSeries(scene: Scene, swimmer: number): Series {
   return series;
 }
 
-/** Returns the index of the base cycle that contains a time [periods], or the last completed cycle; null if no cycle was completed. */
+/** Returns the index of the base cycle that contains a time [periods]; after the last complete cycle, its index; null without any. */
 export function cycleAt(scene: Scene, time: number): number | null {
   if (scene.cycleTimes.length === 0) return null;
   const ended = scene.cycleTimes.findIndex((end) => time <= end + 1e-9);

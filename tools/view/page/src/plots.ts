@@ -1,4 +1,4 @@
-// The plots of the swarm, or of the picked swimmer.
+// Contents of the plots: quantities of the selected swimmer, or, if none is selected, of the swarm.
 
 import { categories, toCss } from "./colours";
 import type { Plot } from "./charts";

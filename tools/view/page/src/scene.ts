@@ -1,9 +1,9 @@
-// Reads the data that beadswim-view wrote into the page. tools/view/page_data.hpp describes the format.
+// Reads the data of the run that beadswim-view has written into the page. tools/view/page_data.hpp describes the format.
 
-/** Error whose message tells the user why the page cannot show the run. */
+/** Error with a message for the user: why the page cannot show the run, and what to do. */
 export class PageFault extends Error {}
 
-/** One value per cycle and swimmer; NaN if the swimmer has not completed a cycle yet. */
+/** Table with one value per cycle and swimmer; NaN if the swimmer has not completed a cycle yet. */
 export interface CycleTable {
   value(cycle: number, swimmer: number): number;
 }
@@ -22,9 +22,9 @@ export interface Scene {
   cycleTimes: number[]; // end of each cycle [periods]
   radius: Float32Array; // radius of each bead [length]; three beads per swimmer
   start: Float32Array; // x, y, z of each bead in the first frame, unwrapped [length]
-  step: Float32Array; // quantisation step of each swimmer [length]: unit of `frames`
+  step: Float32Array; // quantisation step of each swimmer: unit of `frames` [length]
   frames: Int16Array[]; // x, y, z of each bead minus `start`, in steps of its swimmer
-  velocity: CycleTable; // along the axis of the swimmer, relative to the mean flow
+  velocity: CycleTable; // velocity along the axis of the swimmer, minus the mean flow
   arms: [CycleTable, CycleTable]; // arm amplitudes d_i [length]
   phases: [CycleTable, CycleTable]; // arm phases δ_i [rad]
 }
@@ -35,7 +35,7 @@ function takeText(page: Document, id: string): string {
   const element = page.getElementById(id);
   if (!element) throw new PageFault(`This page lacks its data "${id}": it is not whole. Write it again by beadswim-view.`);
   const text = element.textContent ?? "";
-  element.remove(); // saves memory: only the decoded arrays are kept
+  element.remove(); // saves memory: the page keeps only the decoded arrays
   return text;
 }
 
@@ -73,7 +73,7 @@ function cycleTable(page: Document, name: string, cycles: number, swimmers: numb
   };
 }
 
-/** Reads the data and removes their elements from the page. Throws PageFault. */
+/** Reads the data of the run and removes the HTML elements that contained them. Throws PageFault if data are missing or invalid. */
 export function readScene(page: Document): Scene {
   let header;
   try {

@@ -1,6 +1,6 @@
-// Shaders that draw each sphere and each spring as two triangles. The fragment shader evaluates the curved surface per pixel,
-// so that it is exact at any zoom and tens of thousands of swimmers can be drawn. There is one instance per swimmer.
-// Coordinates are relative to the camera, which looks along -z from the origin.
+// Shaders that draw each sphere and each spring as a square of two triangles. The fragment shader evaluates the curved surface
+// for each pixel. The surface is therefore exact at any zoom, and tens of thousands of swimmers can be drawn. Each square is drawn
+// once per swimmer (instance). Coordinates are relative to the camera, which is at the origin and looks along -z.
 
 const light = `
 vec3 lit(vec3 colour, vec3 normal) {
@@ -12,8 +12,8 @@ float depth(vec3 place, mat4 projection) {
   return 0.5 * clip.z / clip.w + 0.5;
 }`;
 
-// The square is perpendicular to the line of sight to the centre, at distance d, and contains the outline of the sphere of
-// radius r. The outline has the radius r d / sqrt(d^2 - r^2).
+// Square that contains the outline of a sphere of radius r at distance d from the camera. The square is perpendicular to the line
+// from the camera to the centre of the sphere. The outline has the radius r d / sqrt(d^2 - r^2) in the plane of the square.
 export const beadVertex = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;
@@ -38,8 +38,8 @@ void main() {
   gl_Position = projectionMatrix * vec4(seen, 1.0);
 }`;
 
-// The ray from the camera passes the centre at the distance m = |miss|. It hits the sphere sqrt(r^2 - m^2) before its point
-// nearest to the centre.
+// Intersection of the camera's ray with a sphere of radius r. The ray's point nearest to the centre has the distance m = |miss|
+// from the centre. The ray hits the sphere at the distance sqrt(r^2 - m^2) before this point.
 export const beadFragment = `
 precision highp float;
 uniform mat4 projectionMatrix;
@@ -60,7 +60,7 @@ void main() {
   gl_FragDepth = depth(hit, projectionMatrix);
 }`;
 
-// A spring is a strip from one bead to the next that faces the camera and is shaded as a cylinder.
+// A spring is drawn as a flat strip from one bead to the next. The strip faces the camera and is shaded as a cylinder.
 export const springVertex = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;

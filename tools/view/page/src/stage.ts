@@ -1,4 +1,4 @@
-// Draws the swarm in three dimensions, with z upwards, as in the figures. It draws only after a change.
+// Draws the swarm in three dimensions, with z upwards, as in the figures of beadswim-plot. Draws only after a change.
 
 import * as three from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
@@ -29,7 +29,7 @@ function square(): three.InstancedBufferGeometry {
 }
 
 export class Stage {
-  /** x, y, z of each bead [length]. Call updatePositions() after changing them. */
+  /** Coordinates x, y, z of each bead [length]. After changing them, call updatePositions(). */
   readonly positions: Float32Array;
   onPick: (swimmer: number | null) => void = () => {};
 
@@ -64,7 +64,7 @@ export class Stage {
     this.setView("all");
   }
 
-  /** Draws the beads at the changed `positions`. */
+  /** Draws all beads again, after `positions` has been changed. */
   updatePositions(): void {
     this.positionBuffer.needsUpdate = true;
     this.draw();
@@ -77,7 +77,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Marks a swimmer and draws its path. */
+  /** Marks the selected swimmer and draws its path; `swimmer`: index, or null to mark none. */
   mark(swimmer: number | null, path: Point[]): void {
     this.picked.value = swimmer ?? -1;
     this.path.geometry.dispose();
@@ -85,7 +85,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Shifts the path, by multiples of the box lengths, to the image of the swimmer that is shown. */
+  /** Shifts the path of the selected swimmer, by multiples of the box lengths, to the periodic image of the swimmer in the view. */
   shiftPath(shift: Point): void {
     this.path.position.set(...shift);
   }
@@ -102,7 +102,7 @@ export class Stage {
   setView(view: View): void {
     const boundary = this.boundary(), middle = boundary.getCenter(new three.Vector3());
     const direction = new three.Vector3(...directions[view]).normalize();
-    // A view exactly along z would leave the upward direction of the picture undefined.
+    // For a view exactly along z, the upward direction of the picture would be undefined.
     if (view === "z") direction.add(new three.Vector3(0, -1e-4, 0));
     this.controls.target.copy(middle);
     this.camera.position.copy(middle).addScaledVector(direction, 1);
@@ -131,7 +131,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Draws at the browser's next animation frame, once for any number of calls. */
+  /** Requests a drawing at the browser's next animation frame. Several calls before this frame result in one drawing. */
   draw(): void {
     if (this.drawRequested) return;
     this.drawRequested = true;
@@ -181,7 +181,7 @@ export class Stage {
     return boundary.expandByScalar(2 * this.scene.radius.reduce((a, b) => Math.max(a, b), 0));
   }
 
-  /** Returns the distance from the centre at which the camera, in its present orientation, sees all corners of the boundary. */
+  /** Returns the distance from the centre at which the camera, with its present direction, sees all corners of `boundary`. */
   private cameraDistance(boundary: three.Box3): number {
     this.fitToCanvas();
     const middle = boundary.getCenter(new three.Vector3());
@@ -224,7 +224,7 @@ export class Stage {
     new ResizeObserver(() => this.draw()).observe(this.canvas);
   }
 
-  /** Returns the nearest swimmer with a bead at a position of the window, or within four pixels of it; null if there is none. */
+  /** Returns the swimmer nearest to the camera with a bead within four pixels of a position in the window; null if there is none. */
   private swimmerAt(x: number, y: number): number | null {
     const frame = this.canvas.getBoundingClientRect();
     const ray = new three.Raycaster();

@@ -9,7 +9,8 @@
 #include "beadswim/compare/swimming.hpp"
 #include "beadswim/core/fields.hpp"
 
-// Comparison of runs with references, and the verdict.
+// Comparison of runs with references (predictions or other runs), and the verdict: whether a run agrees with
+// the reference within the tolerance.
 
 namespace beadswim {
 
@@ -38,7 +39,7 @@ struct Criterion {
 /// Comparison of one number of a run with the corresponding number of a reference.
 struct ComparisonRow {
   ComparedQuantity quantity{};
-  std::optional<int> arm;  ///< 1 or 2 for arm amplitudes
+  std::optional<int> arm;  ///< number of the arm, 1 or 2, for arm amplitudes; otherwise empty
   std::string run_source;
   int swimmer = 0;
   std::string reference_source, method;
@@ -80,8 +81,8 @@ std::optional<std::size_t> best_reference(std::span<const Reference> references,
                                           std::span<const ComparedQuantity> quantities);
 
 /// Returns one row per number that both the run and a reference contain, ordered by quantity, arm and
-/// reference. The verdict depends on the rows of the reference Criterion::deciding, if this reference is
-/// usable.
+/// reference. The verdict depends on the rows with decides == true: the rows of the reference with the index
+/// Criterion::deciding, if this reference is usable.
 std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<const Reference> references,
                                            const Criterion& criterion);
 

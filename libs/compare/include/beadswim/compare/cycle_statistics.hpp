@@ -26,14 +26,14 @@ struct SwimmerSample {
 
 /// Mean quantities and stroke of one period, in the units of the samples and in the frame of the box.
 struct CycleStatistics {
-  int index = 0;  ///< 1 for the first cycle
+  int index = 0;  ///< number of the cycle, 1 for the first
   Vec3 velocity =
       Vec3::Zero();           ///< displacement of the mean bead position, divided by the period [length/time]
   Vec3 axis = Vec3::UnitX();  ///< unit vector of the time average of the direction from bead 1 to bead 3
-  double speed_along_axis = 0;             ///< velocity . axis [length/time]
-  Vec3 mean_flow = Vec3::Zero();           ///< time average over the period [length/time]
-  std::array<double, 2> arm_amplitudes{};  ///< d1, d2 of (4.1) [length]
-  std::array<double, 2> arm_phases{};      ///< delta1, delta2 of (4.1), in (-pi, pi] [rad]
+  double speed_along_axis = 0;             ///< component of `velocity` along `axis` [length/time]
+  Vec3 mean_flow = Vec3::Zero();           ///< mean flow, averaged over the period [length/time]
+  std::array<double, 2> arm_amplitudes{};  ///< d1, d2 of equation (4.1) of the paper [length]
+  std::array<double, 2> arm_phases{};      ///< delta1, delta2 of equation (4.1), in (-pi, pi] [rad]
   std::array<double, 2> arm_means{};       ///< mean arm lengths [length]
 
   static void visit_fields(auto&& visit, auto& cycle) {

@@ -7,7 +7,8 @@
 
 #include "beadswim/compare/swimming.hpp"
 
-// Errors and costs of runs, grouped by setting and sorted by resolution.
+// Errors and costs of runs. Runs that differ only in resolution have the same setting. The runs are grouped
+// by setting and sorted by resolution.
 
 namespace beadswim {
 
@@ -16,11 +17,11 @@ struct CostedRun {
   std::string source;     ///< file of the run
   std::string setting;    ///< describes all settings of the run except the resolution
   double resolution = 0;  ///< cells per bead radius; 0 for models without a lattice
-  double cost = 0;        ///< [s]
+  double cost = 0;        ///< for example core-seconds per period [s]
   std::vector<ComparedValues> swimmers;
 };
 
-/// Errors of all runs that share a setting and a resolution.
+/// Errors of all runs with the same setting and the same resolution.
 struct ErrorsAtResolution {
   double resolution = 0;  ///< cells per bead radius
   std::string source;     ///< file of the first run
@@ -29,14 +30,15 @@ struct ErrorsAtResolution {
       errors;  ///< root mean square of the relative errors of all runs and swimmers
 };
 
-/// Errors of all runs that share a setting.
+/// Errors of all runs with the same setting (all settings except the resolution are equal).
 struct ErrorsOfSetting {
   std::string setting;
   std::vector<ErrorsAtResolution> resolutions;  ///< in order of increasing resolution
 };
 
-/// Returns the errors of the quantities that the reference contains. Settings are in the order of their first
-/// run. `reference` has either one entry, which is used for all swimmers, or one entry per swimmer.
+/// Returns the relative errors of the runs for each quantity that `reference` contains. `reference` contains
+/// the correct values, either in one entry for all swimmers or in one entry per swimmer. The result is in the
+/// order in which settings first occur in `runs`.
 std::vector<ErrorsOfSetting> errors_by_setting(std::span<const CostedRun> runs,
                                                std::span<const ComparedValues> reference);
 

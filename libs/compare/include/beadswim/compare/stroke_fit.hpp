@@ -9,9 +9,9 @@ namespace beadswim {
 
 /// Arm length L(t) = mean + amplitude cos(w t + phase), where w is the angular frequency.
 struct StrokeFit {
-  double mean = 0;       ///< [length]
-  double amplitude = 0;  ///< d >= 0 [length]
-  double phase = 0;      ///< delta in (-pi, pi] [rad]; 0 if the amplitude is zero
+  double mean = 0;       ///< mean arm length [length]
+  double amplitude = 0;  ///< not negative [length]
+  double phase = 0;      ///< in (-pi, pi] [rad]; 0 if the amplitude is zero
 };
 
 /// Fits L(t) to equally weighted samples lengths[i] [length] at times[i] [time]. `angular_frequency` is w

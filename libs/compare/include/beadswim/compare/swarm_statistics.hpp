@@ -44,7 +44,7 @@ struct SwarmSwimming {
   Vec3 velocity_deviation = Vec3::Zero();  ///< standard deviation of each velocity component [length/time]
   Spread speed_along_axis;                 ///< velocity of each swimmer along its own axis [length/time]
   Vec3 mean_flow = Vec3::Zero();           ///< mean of CycleStatistics::mean_flow over swimmers [length/time]
-  std::array<Spread, 2> arm_amplitudes{};  ///< d1, d2 of (4.1) of the paper [length]
+  std::array<Spread, 2> arm_amplitudes{};  ///< d1, d2 of equation (4.1) of the paper [length]
   std::array<Spread, 2> arm_means{};       ///< mean arm lengths [length]
   std::array<double, 2> arm_phase_order{};  ///< Kuramoto |<exp(i delta)>| of delta1, delta2; 1: equal phases
 
@@ -65,12 +65,12 @@ struct SwarmStatistics {
   int index = 0;                          ///< number of the base cycle, 1 for the first
   int swimmers = 0;                       ///< number of all swimmers
   std::optional<SwarmSwimming> swimming;  ///< empty until a swimmer has completed a cycle
-  Vec3 mean_axis = Vec3::Zero();          ///< <axis>, the direction of polar order
-  double polar_order = 0;                 ///< |<axis>|; 1: all axes are equal
+  Vec3 mean_axis = Vec3::Zero();          ///< <axis>, mean of the axes of all swimmers
+  double polar_order = 0;                 ///< length of mean_axis; 1: all axes are equal
   double nematic_order = 0;               ///< S, largest eigenvalue of <(3 axis axis - 1)/2>; 1: all parallel
   Vec3 director = Vec3::Zero();           ///< unit eigenvector to S, with its largest component > 0
   Spread rotation;                        ///< angle between axis and initial axis, in [0, pi] [rad]
-  std::optional<Spread> nearest_neighbour;  ///< distance [length]; empty if no swimmer has a neighbour
+  std::optional<Spread> nearest_neighbour;  ///< distance to nearest swimmer [length]; empty if there is none
   double kinetic_energy = 0;                ///< kinetic energy of all beads [energy]
 
   static void visit_fields(auto&& visit, auto& swarm) {

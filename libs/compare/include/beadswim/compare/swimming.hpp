@@ -32,7 +32,7 @@ using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
 /// reference.
 double velocity_relative_to_fluid(const CycleStatistics& cycle, const std::optional<Box>& box);
 
-/// Returns the compared quantities of one cycle, all of which are present.
+/// Returns all compared quantities, evaluated from one cycle.
 ComparedValues evaluate_compared_values(const CycleStatistics& cycle, const std::optional<Box>& box);
 
 /// Returns the arithmetic mean of each quantity over at least one cycle. All cycles contain the same

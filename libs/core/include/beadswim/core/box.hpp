@@ -10,10 +10,6 @@
 
 // The box that contains fluid and swimmers, and the periodic and mirror images of points in it. All lengths
 // have the same unit, which is not prescribed.
-//
-//   L_a  length of the box along axis a
-//   x_a  coordinate of a position
-//   n_a  number of the periodic copy of the box that contains the position: floor(x_a / L_a); 0 in the box
 
 namespace beadswim {
 
@@ -30,7 +26,7 @@ inline constexpr auto name_table<Boundary> = std::to_array<NamedValue<Boundary>>
 
 /// A rectangular box from the origin to `lengths`.
 struct Box {
-  Vec3 lengths = Vec3::Zero();         ///< along x, y, z [length]
+  Vec3 lengths = Vec3::Zero();         ///< edge lengths along x, y, z [length]
   std::array<Boundary, 3> boundary{};  ///< boundary condition of each axis
 
   bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
@@ -44,7 +40,8 @@ struct Box {
   }
 };
 
-/// Returns n_a for each periodic axis and 0 for each other axis.
+/// Returns, for each periodic axis, the number of the periodic copy of the box that contains the position:
+/// the coordinate divided by the box length, rounded down. Returns 0 for each other axis.
 inline Vec3 image_number(const Vec3& position, const Box& box) {
   Vec3 image = Vec3::Zero();
   for (int a = 0; a < 3; ++a)
@@ -52,13 +49,15 @@ inline Vec3 image_number(const Vec3& position, const Box& box) {
   return image;
 }
 
-/// Wraps the periodic coordinates of a position into the box: x_a - L_a n_a. Coordinates along other axes are
-/// unchanged. In open space (no box), all coordinates are unchanged.
+/// Returns the position with its periodic coordinates wrapped into the box: multiples of the box lengths are
+/// subtracted. Coordinates along other axes are unchanged. In open space (no box), all coordinates are
+/// unchanged.
 inline Vec3 wrapped(const Vec3& position, const std::optional<Box>& box) {
   return box ? Vec3(position - box->lengths.cwiseProduct(image_number(position, *box))) : position;
 }
 
-/// Returns the separation from `from` to the nearest periodic image of `to`.
+/// Returns the vector from `from` to the nearest periodic image of `to`; in open space, to `to` itself
+/// [length].
 inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::optional<Box>& box) {
   Vec3 separation = to - from;
   for (int a = 0; a < 3 && box; ++a) {
@@ -69,16 +68,18 @@ inline Vec3 nearest_separation(const Vec3& from, const Vec3& to, const std::opti
   return separation;
 }
 
-/// Returns the edges of the larger box that the box and its mirror images form together [length]: 2 L_a along
-/// axes with free-slip walls and L_a along other axes. In open space all edges are 0.
+/// Returns the edges of the larger box that the box and its mirror images form together [length]: twice the
+/// box length along axes with free-slip walls, and the box length along other axes. In open space all edges
+/// are 0.
 inline Vec3 mirrored_lengths(const std::optional<Box>& box) {
   Vec3 lengths = Vec3::Zero();
   for (int a = 0; a < 3 && box; ++a) lengths[a] = box->lengths[a] * (box->has_mirrors(a) ? 2 : 1);
   return lengths;
 }
 
-/// Appends the mirror images of positions or of other vectors. Each free-slip axis doubles the number of
-/// vectors: the component along that axis changes sign in the image.
+/// Appends to `vectors` (positions or other vectors) their mirror images at the free-slip walls through the
+/// origin. Each axis with free-slip walls doubles the number of vectors: the component along this axis
+/// changes sign in the image.
 inline void add_mirror_images(const std::optional<Box>& box, std::vector<Vec3>& vectors) {
   for (int a = 0; a < 3 && box; ++a) {
     if (!box->has_mirrors(a)) continue;

@@ -26,9 +26,10 @@ class CellList {
   /// Returns the indices of all points, sorted by cell.
   const std::vector<int>& order() const { return order_; }
 
-  /// Calls visit(begin, end) for index ranges [begin, end) of order(). Together the ranges contain each index
-  /// t > s for which the points order()[s] and order()[t] may be within the cutoff, once each. Calls for all
-  /// s therefore visit each pair of points once.
+  /// Finds the points that may be within the cutoff of the point order()[s] and that come after it in
+  /// order(). Calls visit(begin, end) for ranges of their indices t in order(), with begin <= t < end. Each
+  /// of these indices is in exactly one range, so that calls of this function for all s visit each pair of
+  /// close points once.
   template <class Visitor>
   void for_each_range_after(int s, const Visitor& visit) const {
     const int own = cell_[s];
@@ -55,8 +56,8 @@ class CellList {
   struct Range {
     int first, last;
   };
-  /// Returns the cells along `axis` that may contain neighbours of a point in the cell with index `at`.
-  /// Contains each cell once.
+  /// Returns the cells along `axis` that may contain points within the cutoff of a point in the cell with
+  /// index `at`. The range contains each cell once.
   Range neighbour_cells(int at, int axis) const {
     const int count = counts_[axis];
     if (is_periodic()) return count >= 5 ? Range{at - 2, at + 2} : Range{0, count - 1};
@@ -64,7 +65,8 @@ class CellList {
   }
 
   /// Calls visit(first, last) for ranges of consecutive cells, both included. Together the ranges contain
-  /// `cell` and all cells that may contain neighbours of its points, once each.
+  /// `cell` and all other cells that may contain points within the cutoff of the points in `cell`. Each cell
+  /// is in one range.
   template <class Visitor>
   void for_each_row_around(int cell, const Visitor& visit) const {
     const Range x = neighbour_cells(cell / (counts_[1] * counts_[2]), 0);
@@ -85,10 +87,10 @@ class CellList {
   Vec3 lengths_;
   Vec3 low_ = Vec3::Zero();  ///< corner of the cells with the smallest coordinates
   std::array<double, 3> inverse_edge_{};
-  std::array<int, 3> counts_{};  ///< cells along each axis
-  std::vector<int> start_;       ///< index in order_ of the first point of each cell; last: number of points
+  std::array<int, 3> counts_{};  ///< number of cells along each axis
+  std::vector<int> start_;       ///< first index of each cell in order_; last element: number of points
   std::vector<int> order_;
-  std::vector<int> cell_;  ///< cell of each point, in the order of order_
+  std::vector<int> cell_;  ///< cell index of each point, in the order of order_
 };
 
 }  // namespace beadswim

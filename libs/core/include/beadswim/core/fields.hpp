@@ -18,11 +18,13 @@
 //     }
 //   };
 //
-// The visitor `visit` is called once per field, with the name of the field, a reference to the field, and
-// optional marks. The marks are empty structs, which are defined below; a visitor may ignore them. In JSON
-// the names are the keys, in the order of the list. The list is also used for messages between ranks, hashes
-// and checkpoints (core/message.hpp) and for columns in HDF5 files (io/columns.hpp). The conversion to JSON
-// is in io/fields_json.hpp.
+// The function visit_fields calls visit(name, field, marks...) once per field, in the order of the list: with
+// the name of the field, a reference to the field, and optional marks. A mark is an empty struct, defined
+// below, that changes how some visitors treat the field; other visitors ignore it.
+//
+// This one list of fields determines the keys of JSON objects (io/fields_json.hpp), the contents of
+// checkpoints and of messages between ranks (core/message.hpp), and the columns in HDF5 files
+// (io/columns.hpp).
 
 namespace beadswim {
 
@@ -30,31 +32,32 @@ struct IgnoreField {
   void operator()(const char*, auto&, auto...) const {}
 };
 
-/// Is satisfied by a struct that lists its fields in visit_fields. T may be const.
+/// Is satisfied by a struct whose static member function visit_fields lists its fields. T may be const.
 template <class T>
 concept HasFields = requires(T& record) {
   std::remove_const_t<T>::visit_fields(IgnoreField{}, record);
 };
 
+/// Calls visit(name, field, marks...) for each field of the record, in the order of its list of fields.
 template <HasFields Record>
 void visit_fields(auto&& visit, Record& record) {
   std::remove_const_t<Record>::visit_fields(visit, record);
 }
 
-/// Mark of a field that JSON omits if it is an optional without value, an empty list or an empty text.
-/// Without this mark, an optional without value is written as null.
+/// Mark of a field in visit_fields: JSON output omits the field if it is an optional without value, an empty
+/// list or an empty text. Without this mark, an optional without value is written as null.
 struct OmittedIfNone {};
 inline constexpr OmittedIfNone omitted_if_none;
 
-/// Mark of a number that JSON omits if it is 0.
+/// Mark of a number in visit_fields: JSON output omits the number if it is 0.
 struct OmittedIfZero {};
 inline constexpr OmittedIfZero omitted_if_zero;
 
-/// Mark of a number that is written as null in JSON if it is infinite.
+/// Mark of a number in visit_fields: JSON output contains null if the number is infinite.
 struct NullIfInfinite {};
 inline constexpr NullIfInfinite null_if_infinite;
 
-/// Mark of a field that is not written as a column in HDF5.
+/// Mark of a field in visit_fields: HDF5 files do not contain the field as a column.
 struct NotAColumn {};
 inline constexpr NotAColumn not_a_column;
 
@@ -71,7 +74,8 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 
-/// True if the number of bytes of a value in a message depends on the value.
+/// True for types such as std::optional and std::vector: the number of bytes that a value occupies in a
+/// message depends on the value.
 template <class T>
 inline constexpr bool varies_in_size = is_optional<T>;
 template <class T>

@@ -8,9 +8,10 @@
 
 namespace beadswim {
 
-/// Random number generator whose sequence depends only on a seed and two keys. The numbers of one swimmer
-/// therefore do not depend on other swimmers. The numbers are equal on all machines, which the distributions
-/// of the C++ standard library do not guarantee. Generator: SplitMix64 (Steele, Lea and Flood 2014).
+/// Random number generator whose sequence depends only on a seed and two keys (`key` and `purpose` below). If
+/// `key` is the id of a swimmer, the random numbers of this swimmer do not depend on other swimmers. The
+/// numbers are equal on all machines, which the distributions of the C++ standard library do not guarantee.
+/// Generator: SplitMix64 (Steele, Lea and Flood 2014).
 class KeyedRandom {
  public:
   /// `key` identifies the object, for example a swimmer. `purpose` distinguishes several sequences of the

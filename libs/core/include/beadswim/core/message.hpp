@@ -10,19 +10,23 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Messages are sequences of bytes that contain plain values and records (core/fields.hpp). They are exchanged
-// between ranks or stored in files. The bytes are copied from memory, so they are valid only on machines with
-// the same representation of numbers. OutgoingMessage and IncomingMessage have the same call operator,
-// message(value, ...), so that one function template can write and read the same list of values.
+// A message is a sequence of bytes that contains values: numbers, vectors, lists, and records (structs that
+// list their fields in visit_fields, core/fields.hpp). Messages are sent between ranks or stored in files.
+// The bytes are copied from memory, so they can be read only on machines with the same representation of
+// numbers.
+//
+// OutgoingMessage writes values with the call message(value, ...), and IncomingMessage reads them with the
+// same call. One function template can therefore both write and read a list of values.
 
 namespace beadswim {
 
-/// Calls transfer(field) for each field of a record, in the order of the fields in messages and checkpoints:
-///   1. plain values
-///   2. nested records
-///   3. arrays of records: element 0 of all arrays, then element 1, ...
-///   4. fields that vary in size
-/// Within each group the order is that of the record's list of fields.
+/// Calls transfer(field) once for each field of a record, in the order in which messages and checkpoints
+/// contain the fields:
+///   1. numbers and other fields that belong to none of the groups 2 to 4
+///   2. fields that are records themselves
+///   3. fields that are arrays of records: element 0 of each array, then element 1 of each array, ...
+///   4. fields whose number of bytes varies: optionals and vectors
+/// Fields of the same group keep the order in which the record's visit_fields lists them.
 template <HasFields Record>
 void for_each_message_field(Record& record, auto&& transfer) {
   std::size_t longest = 0;
@@ -56,12 +60,12 @@ void for_each_message_field(Record& record, auto&& transfer) {
       record);
 }
 
-/// A type whose values are copied byte by byte.
+/// A type whose values a message copies byte by byte, for example numbers.
 template <class T>
 concept PlainValue =
     std::is_trivially_copyable_v<T> && !HasFields<T> && !is_record_array<T> && !varies_in_size<T>;
 
-/// Collects values in a sequence of bytes.
+/// Message that is written: message(value, ...) appends the bytes of the values.
 class OutgoingMessage {
  public:
   template <class... T>
@@ -107,7 +111,8 @@ class OutgoingMessage {
   std::vector<char> bytes_;
 };
 
-/// Reads values from a sequence of bytes. Throws SolverError if the bytes are too few or damaged.
+/// Message that is read: message(value, ...) assigns the next values. They must have the types and the order
+/// in which an OutgoingMessage wrote them. Throws SolverError if the bytes are too few or damaged.
 class IncomingMessage {
  public:
   explicit IncomingMessage(std::vector<char> bytes) : bytes_(std::move(bytes)) {}
@@ -123,7 +128,10 @@ class IncomingMessage {
  private:
   template <PlainValue T>
   void get(T& value) {
-    if (bytes_left() < sizeof(T)) throw SolverError("a message ends too early");
+    if (bytes_left() < sizeof(T))
+      throw SolverError(
+          "data from another rank or from a checkpoint end too early; after a restart, take the other "
+          "checkpoint");
     std::memcpy(&value, bytes_.data() + read_, sizeof(T));
     read_ += sizeof(T);
   }
@@ -142,15 +150,21 @@ class IncomingMessage {
   void get(std::vector<T>& list) {
     std::size_t size = 0;
     get(size);
-    if (size > bytes_left()) throw SolverError("a message ends too early");
+    if (size > bytes_left())
+      throw SolverError(
+          "data from another rank or from a checkpoint end too early; after a restart, take the other "
+          "checkpoint");
     list.resize(size);
     for (T& value : list) get(value);
   }
   template <class T>
   void get(std::optional<T>& value) {
-    std::uint8_t has_value = 0;  // not bool: a damaged file may contain any byte
+    std::uint8_t has_value = 0;  // not bool, because a damaged file may contain any byte
     get(has_value);
-    if (has_value > 1) throw SolverError("a message is damaged");
+    if (has_value > 1)
+      throw SolverError(
+          "data from another rank or from a checkpoint are damaged; after a restart, take the other "
+          "checkpoint");
     if (has_value == 1) get(value.emplace());
   }
 

@@ -57,14 +57,15 @@ std::string to_text(Enum value) {
   return std::string(row->name);
 }
 
-/// Returns the value with this name, or nullopt if there is none.
+/// Returns the enumeration value with the name `name`, or nullopt if no value has this name.
 template <NamedEnum Enum>
 std::optional<Enum> value_named(std::string_view name) {
   const auto row = std::ranges::find(name_table<Enum>, name, &NamedValue<Enum>::name);
   return row == name_table<Enum>.end() ? std::nullopt : std::optional(row->value);
 }
 
-/// Returns the value with this name. Throws InputError with a list of all names if there is none.
+/// Returns the enumeration value with the name `name`. If no value has this name, throws InputError with a
+/// list of all names.
 template <NamedEnum Enum>
 Enum from_text(const std::string& name) {
   if (const auto value = value_named<Enum>(name)) return *value;

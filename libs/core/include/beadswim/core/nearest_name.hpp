@@ -15,7 +15,8 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
 /// nearest_name() finds no candidate.
 std::string format_suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
-/// Returns the message "unknown \"NAME\"", followed by the suggestion, if any, and by all `allowed` names.
+/// Returns the message "unknown value \"NAME\"", followed by the nearest allowed name, if there is one, and
+/// by all `allowed` names.
 std::string format_unknown_name(const std::string& name, const std::vector<std::string>& allowed);
 
 }  // namespace beadswim

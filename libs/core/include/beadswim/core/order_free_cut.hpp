@@ -2,7 +2,8 @@
 
 #include "beadswim/core/kernel.hpp"
 
-// Splits terms of an OrderFreeSum into a coarse and a fine part, in double precision, for vectorised loops.
+// Splits the terms of an OrderFreeSum (a sum whose bits do not depend on the order of its terms) into a
+// coarse and a fine part, in double precision, for vectorised loops.
 //
 // Adding and then subtracting 1.5 * 2^22 rounds a number x with |x| < 2^21 to a multiple of 2^-30, ties to
 // even, as OrderFreeSum does. This multiple is the coarse part. The fine part is the remainder, rounded in
@@ -14,7 +15,7 @@ namespace beadswim::order_free {
 constexpr double largest_term = 0x1p10;  ///< exclusive upper bound of |term|
 constexpr int max_terms = 4096;          ///< maximum number of terms whose parts have exact sums in doubles
 
-// `Value` is double or a vector of doubles.
+// In the following functions, `Value` is double or a vector of doubles.
 
 template <class Value>
 BEADSWIM_KERNEL Value coarse_part(Value x) {

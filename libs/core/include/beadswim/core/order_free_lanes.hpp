@@ -16,7 +16,7 @@ struct OrderFreeLanes {
   static constexpr int lanes = 8;
 
   double coarse[N][lanes] = {}, fine[N][lanes] = {};
-  int terms = 0;  ///< number of terms in each lane, at most order_free::max_terms
+  int terms = 0;  ///< terms added to each lane since it was last emptied, at most order_free::max_terms
   std::array<OrderFreeSum, N> sums;
 
   /// Prepares each lane for `more` additional terms. If a lane would then contain more than

@@ -43,8 +43,8 @@ class OrderFreeSum {
     return static_cast<double>(coarse) / coarse_per_unit + static_cast<double>(fine) / fine_per_unit;
   }
 
-  // These members are public so that messages and MPI reductions can access them. MPI_SUM over both numbers,
-  // as MPI_INT64_T, adds sums exactly.
+  // These members are public so that messages and MPI reductions can access them. A reduction of both
+  // integers with MPI_SUM and MPI_INT64_T adds OrderFreeSums exactly.
   std::int64_t coarse = 0;
   std::int64_t fine = 0;
 

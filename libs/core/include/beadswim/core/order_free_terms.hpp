@@ -2,8 +2,8 @@
 
 #include "beadswim/core/order_free_lanes.hpp"
 
-// Functions for kernels. Kernels are compiled once per instruction set, so all functions here are always
-// inlined (kernel.hpp).
+// Addition of terms to order-free sums inside kernels. Kernels are compiled once per instruction set, so all
+// functions in this file are always inlined (kernel.hpp).
 
 namespace beadswim::order_free {
 
@@ -16,7 +16,7 @@ using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
 template <int N, int capacity>
 BEADSWIM_KERNEL bool add_terms(const double (&terms)[N][capacity], int places, OrderFreeLanes<N>& sums) {
   Lanes coarse[N], fine[N];
-  auto are_valid = Lanes{} == Lanes{};  // all true
+  auto are_valid = Lanes{} == Lanes{};  // starts with true in all lanes
   __builtin_memcpy(coarse, sums.coarse, sizeof coarse);
   __builtin_memcpy(fine, sums.fine, sizeof fine);
 #pragma GCC unroll 12

@@ -6,15 +6,17 @@
 
 namespace beadswim {
 
-/// Reports the exception in flight and ends the program on all ranks; call it inside a catch block. If all
-/// ranks call it within a few seconds, rank 0 reports, and every rank returns an exit status with which main
-/// can finish. Otherwise this rank reports and calls MPI_Abort, after which Open MPI prints a message of its
-/// own. `failures`: a communicator that nothing else uses.
+/// Prints the message of the current exception and ends the program on all ranks. Must be called inside a
+/// catch block. If all ranks call this function within a few seconds, only rank 0 prints its message, and the
+/// function returns, on each rank, the exit status that main should return. Otherwise this rank prints its
+/// message and calls MPI_Abort, so that Open MPI also prints a message. `failures` is a communicator that is
+/// used for nothing else.
 int end_after_failure(const std::string& program, const Communicator& failures);
 
-/// Reports the exception in flight and ends the processes of all ranks without MPI_Finalize: for failures
-/// while files are open, which all ranks would have to close together. If rank 0 fails within a few seconds,
-/// it alone reports. With several ranks, Open MPI prints a message of its own.
+/// Prints the message of the current exception and ends the processes of all ranks without MPI_Finalize. Use
+/// this function for a failure while files are open that only all ranks together can close. Each rank except
+/// rank 0 first waits a few seconds; if rank 0 fails in this time, only rank 0 prints its message. If there
+/// are several ranks, Open MPI also prints a message.
 [[noreturn]] void abort_after_failure(const std::string& program, const Communicator& failures);
 
 }  // namespace beadswim

@@ -6,7 +6,8 @@
 
 #include "beadswim/core/names.hpp"
 
-// Settings that callers of the libraries choose. Messages name them in words or by the flags of a program.
+// Settings (parameters that the user of a program or the caller of a library chooses) and their names in
+// messages. A name is a flag of the program, or the words in the table below.
 
 namespace beadswim {
 
@@ -72,12 +73,12 @@ inline constexpr auto name_table<Setting> =
                                         {Setting::unbounded, "unbounded fluid"},
                                         {Setting::viscosity, "the viscosity"}});
 
-/// Returns the name of a setting in messages: the name from set_setting_names() if a program has called it,
-/// otherwise words.
+/// Returns the name of a setting in messages: the result of the function given to set_setting_names(), or the
+/// words in the table above if a program has not called set_setting_names().
 std::string name_of(Setting setting);
 
-/// Makes all later messages name settings by `name`. A program calls this function once, before it uses a
-/// library.
+/// Sets the function `name`, which returns the name of a setting in all later messages, for example the flag
+/// of the program. A program calls set_setting_names() once, before it uses a library.
 void set_setting_names(std::string (*name)(Setting));
 
 }  // namespace beadswim

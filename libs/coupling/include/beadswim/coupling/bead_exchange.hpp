@@ -15,27 +15,23 @@
 
 namespace beadswim {
 
-/// Smallest permitted gap between a bead and a wall [cell]. With a smaller gap a bead can cover the cells
-/// next to the wall.
+/// Smallest permitted gap between the surface of a bead and a wall [cell]. With a smaller gap, the bead can
+/// cover the cells next to the wall.
 constexpr double min_wall_gap = 0.5;
 
-/// Largest permitted length of an arm [rest length]. A longer arm counts as torn.
+/// Largest permitted length of an arm, divided by its rest length. A run with a longer arm ends with the
+/// fault torn_arm.
 constexpr double max_stretch = 2;
 
-/// Exchanges messages between the rank that owns a swimmer and the ranks whose cells its beads touch.
-///
-/// The rank whose block contains bead 2 owns the swimmer. In each step, messages go in both directions:
-/// - publish(): the owner sends the beads to the ranks near them.
-/// - collect(): these ranks return the impulses that their cells have transferred to the beads.
-///
-/// A rank exchanges messages only with a fixed set of ranks, its peers: the ranks whose blocks the beads of
-/// its swimmers can touch. There is no global communication.
+/// Exchanges messages about beads between the MPI rank that owns a swimmer and the ranks whose lattice cells
+/// its beads touch.
 class BeadExchange {
  public:
   BeadExchange(const Communicator& communicator, const Decomposition& decomposition,
                const CoupledScene& scene);
 
-  /// Returns the rank whose block contains `position` (unwrapped coordinates [cell]).
+  /// Returns the rank that owns a swimmer whose bead 2 is at `position` (unwrapped coordinates [cell]): the
+  /// rank whose block contains this point.
   int owner_of(const Vec3& position) const;
 
   /// Returns a fault if the beads of a swimmer must not be published at their present positions. Fault::step
@@ -47,7 +43,7 @@ class BeadExchange {
 
   /// Sends the beads of the swimmers in `owned` to the ranks near the beads. Moves each swimmer whose bead 2
   /// has left the block to the list `owned` of its new owner. Returns the beads of all swimmers that are near
-  /// this block, sorted by name.
+  /// this block, sorted by swimmer and bead.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
   /// Returns the messages that have been sent so far.
@@ -56,8 +52,8 @@ class BeadExchange {
   /// Returns the ranks that this rank communicates with, including itself.
   const std::vector<int>& peers() const { return peers_; }
 
-  /// Sends the impulses of `beads` to the owners of the beads. Returns the total impulses on the beads of
-  /// owned swimmers.
+  /// Sends the impulses that the cells of this rank have transferred to `beads` to the owners of the beads.
+  /// Returns, for each bead of the swimmers that this rank owns, the sum of the impulses from all ranks.
   std::map<BeadName, Impulse> collect(std::span<const BeadOnLattice> beads);
 
  private:
@@ -73,7 +69,8 @@ class BeadExchange {
   std::vector<int> peers_;
   Traffic traffic_;
   const std::vector<SwimmerType>& types_;
-  /// CoupledScene::radius_on_lattice() of the three beads of each type [cell]
+  /// Radii with which the three beads of each type act on the fluid [cell]
+  /// (CoupledScene::radius_on_lattice()).
   std::vector<std::array<double, 3>> radii_;
 };
 

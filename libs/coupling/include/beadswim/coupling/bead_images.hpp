@@ -12,8 +12,8 @@
 
 namespace beadswim {
 
-/// One periodic image of a bead. It may cover the box of cells [low, high), in local coordinates of the
-/// block. The box is limited to the block and `margin` layers of cells around it. The cell with local
+/// One periodic image of a bead. The image may cover cells in the box [low, high), in local coordinates of
+/// the block. The box is limited to the block and `margin` layers of cells around it. The cell with local
 /// coordinates p has the coordinates p + shift in the unwrapped coordinates of the bead.
 struct BeadImage {
   Index3 low, high;
@@ -26,7 +26,7 @@ inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
   return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
 }
 
-/// A block, and the size and boundaries of the lattice that contains it.
+/// A block, and the size [cell] and boundaries of the lattice that contains it.
 struct BlockInLattice {
   Block block;
   Index3 cells;
@@ -40,7 +40,8 @@ BlockInLattice block_in_lattice(const Decomposition& decomposition, int rank,
 
 namespace detail {
 
-/// Cells [low, high) along one axis in local coordinates. cell + shift is the unwrapped coordinate.
+/// Cells [low, high) along one axis, in local coordinates of the block. A cell with local coordinate x has
+/// the unwrapped coordinate x + shift.
 struct Interval {
   int low, high, shift;
 };

@@ -11,17 +11,18 @@
 
 namespace beadswim {
 
-/// A link: the line between the centres of a covered cell and an adjacent fluid cell, which the surface of a
-/// bead cuts. Both cells lie in the block or its halo, and at least one of them belongs to the block. A fluid
-/// cell x + c is *behind* the fluid cell x if c points from the covered cell to x; the second cell behind is
-/// x + 2 c.
+/// A link: the line between the centres of a covered cell (its centre lies in a bead) and an adjacent fluid
+/// cell. The surface of the bead cuts this line. Both cells lie in the block or its halo, and at least one of
+/// them belongs to the block. Let c be the direction from the covered cell to the fluid cell x. The fluid
+/// cell x + c is called the cell *behind* x; the second cell behind is x + 2 c.
 struct BeadLink {
-  std::array<std::int16_t, 3> from_low;  ///< covered cell, relative to the low corner of the box of the image
+  std::array<std::int16_t, 3> from_low;  ///< local coordinates of the covered cell minus BeadImage::low
   std::uint8_t out : 5;                  ///< direction from the covered cell to the fluid cell
-  /// Number of consecutive fluid cells behind, counted up to the number that the scheme reads.
+  /// Number of consecutive cells behind the fluid cell that are fluid, at most cells_behind(scheme).
   std::uint8_t fluid_behind : 2;
-  bool fluid_is_own : 1;  ///< true if the fluid cell belongs to the block; otherwise another rank reflects
-  double outgoing = 0;    ///< population that left the fluid cell towards the bead in the last step
+  /// True if the fluid cell belongs to the block. Otherwise another rank applies the boundary condition.
+  bool fluid_is_own : 1;
+  double outgoing = 0;  ///< population that left the fluid cell towards the bead in the last step
 };
 
 /// Consecutive links [first, end) of one image of a bead. The step processes them together.
@@ -30,7 +31,7 @@ struct LinkSegment {
   int image;       ///< index into CoveredImages::images
 };
 
-/// Returns the populations that a scheme reads in the halo.
+/// Returns the kind of halo content that the links of a scheme read.
 constexpr HaloContent halo_content(BeadScheme scheme) {
   return cells_behind(scheme) > 1 ? HaloContent::behind : HaloContent::entering;
 }
@@ -50,11 +51,11 @@ class BeadLinks {
 
   BeadScheme scheme() const { return scheme_; }
 
-  /// Finds the links after an update of the coverage. Keeps the links next to rows in which an image covers
-  /// the same cells as before.
+  /// Finds the links after an update of the coverage. Does not search again for links next to rows in which
+  /// an image covers the same cells as before.
   void find(const Coverage& coverage);
 
-  /// Returns all segments in the order of the step.
+  /// Returns all segments in the order in which the step processes them.
   std::span<const LinkSegment> segments() const { return by_row_; }
 
   /// Return the range of segments that the step processes before it sweeps row (y, z) of the block.
@@ -100,7 +101,8 @@ class BeadLinks {
     std::vector<CoveredRun> runs;  ///< covered cells of each row, from which the links were found
     /// Index of the first link of each segment. The last entry is the number of links.
     std::vector<int> first_of_segment;
-    std::vector<int> place_of_segment;  ///< place_of_row() of the row before which each segment is processed
+    /// Position in the sweep order, place_of_row(), of the row before which each segment is processed.
+    std::vector<int> place_of_segment;
     std::vector<BeadLink> links;
 
     int rows_y() const { return box.high[1] - box.low[1] + 2; }

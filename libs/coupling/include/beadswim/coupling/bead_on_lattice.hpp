@@ -10,22 +10,25 @@ namespace beadswim {
 
 /// Identifies a bead in the scene.
 struct BeadName {
-  int swimmer = 0;  ///< id
-  int bead = 0;     ///< 0, 1, 2
+  int swimmer = 0;  ///< id of the swimmer
+  int bead = 0;     ///< index of the bead in its swimmer: 0, 1 or 2
 
   auto operator<=>(const BeadName&) const = default;
 };
 
-/// Impulses that the fluid and close beads transfer to a bead. All are sums whose bits do not depend on the
-/// order of the terms.
+/// Impulses that the fluid and close beads transfer to a bead in one step, in lattice units. Each member is a
+/// sum whose bits do not depend on the order of its terms.
 struct Impulse {
   /// From the fluid: momentum, and angular momentum about the centre of the bead.
   std::array<OrderFreeSum, 3> linear, angular;
   OrderFreeSum mass;         ///< fluid mass that the bead takes up, beyond density 1
-  OrderFreeSum link_weight;  ///< sum of w_i over the links of the bead
-  std::array<OrderFreeSum, 3> inner_linear, inner_angular;  ///< momenta of the fluid within the bead (psm)
-  std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< from close beads
-  OrderFreeSum removed_fraction;  ///< sum of PairImpulse::removed_fraction over the close pairs
+  OrderFreeSum link_weight;  ///< sum of the weights w_i of the links of the bead
+  /// Momentum and angular momentum of the fluid within the bead, for the scheme psm.
+  std::array<OrderFreeSum, 3> inner_linear, inner_angular;
+  std::array<OrderFreeSum, 3> close_linear, close_angular;  ///< momentum, angular momentum from close beads
+  /// Part of the relative normal velocity that lubrication film and contact spring of a close pair remove in
+  /// one step, summed over the close pairs of the bead.
+  OrderFreeSum removed_fraction;
 
   static void visit_fields(auto&& visit, auto&... impulses) {
     visit("linear", impulses.linear...);
@@ -82,10 +85,10 @@ struct BeadOnLattice {
   BeadMotion motion;
   Bead body{};                  ///< radius and density for the interaction with other beads
   BeadVelocity predicted{};     ///< velocities at the end of the next step if no other bead were close
-  double removed_fraction = 0;  ///< sum over the close pairs of the bead in the last step
+  double removed_fraction = 0;  ///< Impulse::removed_fraction of the last step
   /// Returned mass: fluid mass that each link returns in this step, divided by the weight of the link.
   double mass_source = 0;
-  Impulse impulse;  ///< from the cells of this rank; not yet sent to the owner
+  Impulse impulse;  ///< impulse from the cells of this rank that has not been sent to the owner yet
 
   /// Visits the fields that the owner sends to other ranks: all fields except the impulse.
   static void visit_fields(auto&& visit, auto& bead) {
@@ -99,7 +102,7 @@ struct BeadOnLattice {
     visit("motion", bead.motion);
   }
 
-  /// Returns the velocity of the rigid bead at a point relative to its centre.
+  /// Returns the velocity of the rigid bead at the point `from_centre` relative to its centre [cell/step].
   Vec3 velocity_at(const Vec3& from_centre) const {
     return motion.velocity + motion.angular_velocity.cross(from_centre);
   }

@@ -11,40 +11,42 @@
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
 
-// Loop over pairs of close beads, including periodic images, on the block of one rank. The law of one pair is
-// in swimmers/near_contact.hpp.
+// Loop over pairs of close beads, including periodic images, on the block of one rank. The equations for one
+// pair are in swimmers/near_contact.hpp.
 
 namespace beadswim {
 
-/// Returns the range of gaps in which the resistance of the film between two beads must be added [cell]. At
-/// gaps below the cutoffs the lattice does not resolve the film: its resistance no longer depends on the gap.
-/// The cutoff is the gap at which this constant resistance equals the exact resistance
+/// Returns the range of gaps [cell] in which the resistance of the lubrication film between two beads must be
+/// added. The lattice resolves the film only at gaps above a cutoff. At smaller gaps, the resistance on the
+/// lattice stays constant, and the cutoff is the gap at which this constant equals the exact resistance
 /// (docs/verification.md). The lower end of the range models the roughness of the surfaces. It is a
-/// thousandth of `smallest_radius`, the radius of the smallest bead.
+/// thousandth of `smallest_radius`, the radius of the smallest bead [cell].
 LubricationRange lubrication_range(BeadScheme scheme, double smallest_radius);
 
 /// Returns the near-contact law of the scene, in lattice units.
 NearContactLaw near_contact_law(const CoupledScene& scene);
 
-/// Largest permitted overlap of two beads [radius of the smaller bead].
+/// Largest permitted overlap of two beads, divided by the radius of the smaller bead.
 constexpr double max_overlap = 0.2;
 
-/// Returns a fault if the overlap of two beads exceeds max_overlap. gap: distance of the surfaces, negative
-/// if the beads overlap [cell]. Fault::step is not set.
+/// Returns a fault if the overlap of two beads exceeds max_overlap times `smaller_radius`. position: centre
+/// of `bead`. gap: distance of the two surfaces, negative if the beads overlap [cell]. smaller_radius: radius
+/// of the smaller of the two beads [cell]. Fault::step is not set.
 std::optional<Fault> overlap_of(const BeadName& bead, const BeadName& other, const Vec3& position, double gap,
                                 double smaller_radius);
 
 /// Result of add_contact_impulses().
 struct CloseBeads {
-  /// Smallest gap of the pairs within the cutoff [cell]. Infinite if there is no such pair.
+  /// Smallest gap of all pairs whose gap is below NearContactLaw::cutoff() [cell]. Infinite if there is no
+  /// such pair.
   double smallest_gap = std::numeric_limits<double>::infinity();
   std::optional<Fault> overlap;  ///< the first overlap that exceeds max_overlap
 };
 
-/// Adds to the beads the impulses that close pairs exchange in the next step. Skips a pair of beads of the
-/// same swimmer, because the owner of the swimmer evaluates it (add_swimmer_contact_impulses()). A pair of a
-/// bead and a periodic image of a bead of the same swimmer is not skipped. Each pair is evaluated on the rank
-/// whose block contains the middle of the gap.
+/// Adds to BeadOnLattice::impulse the impulses that close pairs of beads exchange in the next step. Skips a
+/// pair of beads of the same swimmer, because the owner of the swimmer evaluates it
+/// (add_swimmer_contact_impulses()). A pair of a bead and a periodic image of a bead of the same swimmer is
+/// not skipped. Each pair is evaluated on the rank whose block contains the middle of the gap.
 CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& coverage,
                                 std::span<BeadOnLattice> beads);
 

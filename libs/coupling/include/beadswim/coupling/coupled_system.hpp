@@ -49,9 +49,9 @@ class CoupledSystem {
   CoupledSystem& operator=(const CoupledSystem&) = delete;
 
   /// Advances fluid and swimmers by one step (coupled_step.cpp). A fault (an unphysical state, fault.hpp)
-  /// does not interrupt the step, because other ranks would wait for messages. A swimmer with a fault keeps
-  /// its position. A rank whose state has become non-finite stops updating its beads. fault() reports the
-  /// fault. Collective.
+  /// does not interrupt the step, because other ranks would wait for messages without end. Instead, a swimmer
+  /// with a fault keeps its position, and a rank whose state has become non-finite stops updating its beads.
+  /// Call fault() after the step to learn of faults. Collective.
   void step();
 
   long steps_done() const { return steps_done_; }
@@ -64,8 +64,9 @@ class CoupledSystem {
   /// its index in this list.
   const std::vector<BeadOnLattice>& beads_here() const { return beads_; }
 
-  /// Returns the first fault on any rank, if there is one. For example, a bead has a fault if its surface
-  /// moves by more than 1/2 cell per step (the stop rule of Pickl et al. 2017). Collective.
+  /// Returns the first fault on any rank, or nothing if no rank has found a fault. For example, a bead has a
+  /// fault if its surface moves by more than 1/2 cell per step (the stop rule of Pickl et al. 2017).
+  /// Collective.
   std::optional<Fault> fault() const { return first_fault(fault_, communicator_); }
 
   /// Returns the largest speed of any bead at the end of any step [cell/step]. Collective.
@@ -78,9 +79,10 @@ class CoupledSystem {
   /// Returns all swimmers in order of their id on rank 0, and an empty list on other ranks. Collective.
   std::vector<SwimmerState> gather_swimmers() const;
 
-  /// Returns all swimmers in order of their id on rank 0, and an empty list on other ranks. Includes their
-  /// pending impulses: impulses that the beads have received in the last step but that are not yet applied.
-  /// These snapshots, the outgoing populations and progress() determine all later steps. Collective.
+  /// Returns the complete states of all swimmers in order of their id on rank 0, and an empty list on other
+  /// ranks. The states include pending impulses: impulses that the beads have received in the last step but
+  /// that are not yet applied. These snapshots, the outgoing populations and progress() determine all later
+  /// steps. Collective.
   std::vector<SwimmerSnapshot> gather_snapshots();
 
   /// Returns the messages that this rank has sent since the construction of the system.
@@ -124,8 +126,9 @@ class CoupledSystem {
   /// Returns the fault of a swimmer, if it has one. Also updates the largest speed and the smallest gap.
   std::optional<Fault> fault_of(const SwimmerState& swimmer);
   void record_fault(Fault fault);
-  /// Calls a function that may throw on this rank only. Records an exception as a fault; the state then
-  /// counts as non-finite.
+  /// Calls `function`, which may throw on this rank while it succeeds on other ranks. Records an exception as
+  /// a fault of this rank instead of passing it on, because the other ranks continue the step. The state of
+  /// this rank then counts as non-finite.
   template <class Function>
   void record_faults(Function&& function) {
     try {
@@ -138,13 +141,14 @@ class CoupledSystem {
       state_is_finite_ = false;
     }
   }
-  /// Calls record_faults(function) unless the state of this rank is non-finite.
+  /// Calls record_faults(function), but does nothing if the state of this rank is non-finite.
   template <class Function>
   void if_state_is_finite(Function&& function) {
     if (state_is_finite_) record_faults(function);
   }
-  /// Sets two totals to the contribution of this rank. `everything`: fluid, beads and pending impulses.
-  /// `all_cells`: all cells of the lattice, where cells within a bead count with the velocity of the bead.
+  /// Sets two totals of mass and momentum to the contribution of this rank. `everything`: fluid, beads and
+  /// impulses that are not yet applied to beads. `all_cells`: all cells of the block, where the volume within
+  /// a bead counts with density 1 and the velocity of the bead.
   void add_totals(FluidTotals& everything, FluidTotals& all_cells) const;
   /// Subtracts the covered cells, which contain no fluid, from the totals of the fluid. Returns the momentum
   /// of the covered cells at density 1 and the velocity of their beads.
@@ -172,7 +176,7 @@ class CoupledSystem {
   /// Impulses on owned swimmers that a restored state contained and that are not yet applied.
   std::map<BeadName, Impulse> pending_impulses_;
   std::optional<Fault> fault_;     ///< the first fault on this rank
-  bool state_is_finite_ = true;    ///< false after a non-finite number on this rank
+  bool state_is_finite_ = true;    ///< false after a number on this rank became non-finite
   double largest_bead_speed_ = 0;  ///< largest speed so far of beads of owned swimmers [cell/step]
   double smallest_gap_;            ///< smallest gap so far of close beads in this block [cell]
   long steps_done_ = 0;

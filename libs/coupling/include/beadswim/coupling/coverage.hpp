@@ -19,8 +19,8 @@ struct CoveredRun {
   bool operator==(const CoveredRun&) const = default;
 };
 
-/// One periodic image of a bead. Its runs of covered cells are stored in CoveredImages::runs, one run per row
-/// of its box.
+/// One periodic image of a bead and the cells that it covers. Its runs of covered cells are stored in
+/// CoveredImages::runs, one run per row of its box.
 struct CoveredImage {
   BeadImage image;
   int index;      ///< index of this image in CoveredImages::images
@@ -42,14 +42,14 @@ struct ImagePair {
   int first, second;
 };
 
-/// All images of all beads. They are ordered by bead, then by shift.
+/// All images of all beads in the block and in the layers of cells around it, ordered by bead, then by shift.
 struct CoveredImages {
   std::vector<CoveredImage> images;
   std::vector<CoveredRun> runs;
-  std::vector<ImagePair> close_pairs;  ///< pairs of images with are_close(..., close)
+  std::vector<ImagePair> close_pairs;  ///< pairs whose boxes are at most `close` apart
 
-  /// Distance up to which the boxes of two images count as close [cell]. It covers the cells that links read,
-  /// up to two cells beyond their fluid cell, and the gaps in which lubrication acts.
+  /// Distance up to which the boxes of two images count as close [cell]. It includes all cells that a link
+  /// reads, which are up to two cells from its fluid cell, and all gaps in which lubrication acts.
   static constexpr int close = 3;
 
   /// Returns the runs of an image, row by row.
@@ -87,7 +87,7 @@ struct CoveredImages {
   }
 };
 
-/// A cell of the block that the last update has covered or uncovered.
+/// A cell of the block that the last Coverage::update() has newly covered or uncovered.
 struct ChangedCell {
   Index3 local;
   std::ptrdiff_t cell;
@@ -116,12 +116,12 @@ class Coverage {
   /// counts as fluid if its mirror image is not covered.
   bool is_fluid(const Index3& cell) const;
 
-  /// Returns true if cells within `distance` cells of the image may lie behind a wall.
+  /// Returns true if a cell at most `distance` cells from the box of the image may lie behind a wall.
   bool is_near_wall(const BeadImage& image, int distance) const;
 
   const CoveredImages& images() const { return now_; }
 
-  /// Return the cells of the block that the last update changed.
+  /// Return the cells of the block that the last update() has newly covered, or uncovered.
   std::span<const ChangedCell> newly_covered() const { return newly_covered_; }
   std::span<const ChangedCell> uncovered() const { return uncovered_; }
 
@@ -148,9 +148,10 @@ class Coverage {
   std::ptrdiff_t cell(int x, int y, int z) const { return origin_ + x + pitch_y_ * y + pitch_z_ * z; }
   const Index3& block_size() const { return block_in_lattice_.block.size; }
 
-  /// Returns `cell`, an index of a cell whose local coordinate is x. Exception: if the row is periodic within
-  /// the block (RowEnds::wrapped) and x lies beyond its ends, returns the cell of the row whose periodic
-  /// image is `cell`.
+  /// Returns the index of the cell from which populations of `cell`, with the local coordinate x, must be
+  /// read. If x is periodic and not divided among ranks (RowEnds::wrapped) and `cell` lies beyond an end of
+  /// its row, this is the cell of the row whose periodic image is `cell`, because not all populations of the
+  /// halo are filled there. Otherwise it is `cell` itself.
   std::ptrdiff_t wrapped_along_x(std::ptrdiff_t cell, int x) const {
     const int cells = block_in_lattice_.block.size[0];
     if (!block_in_lattice_.is_periodic(0) || cells != block_in_lattice_.cells[0] || (x >= 0 && x < cells))
@@ -159,7 +160,8 @@ class Coverage {
   }
 
  private:
-  /// just_left: covered before the update that is in progress, and not yet found covered in this update.
+  /// State of a cell during update(). just_left: the cell was covered before this update, and no bead has
+  /// been found yet that covers it now.
   enum class State : std::uint8_t { fluid, covered, just_left };
 
   std::size_t place_of_state(int x, int y, int z) const {

@@ -8,16 +8,18 @@
 
 namespace beadswim {
 
-/// Kind of a fault. The brackets give the unit of Fault::value. If several faults occur in one step, the kind
-/// that comes first in this list is reported.
+/// Kind of a fault, an unphysical state that ends a run. Square brackets give the unit of Fault::value. If
+/// several faults occur in one step, the kind that comes first in this list is reported.
 enum class FaultKind {
-  not_finite,  ///< a number is non-finite or far too large
+  not_finite,  ///< a number of the state is non-finite or far too large
   speed,       ///< the surface of a bead moves faster than speed_limit [cell/step]
   torn_arm,    ///< an arm is longer than max_stretch [rest length]
   wall,        ///< the gap between a bead and a wall is smaller than min_wall_gap [cell]
-  overlap,     ///< two beads overlap by more than max_overlap [smaller radius]
-  mass,        ///< the mass of fluid and beads has changed [mass of the fluid]
-  momentum,    ///< the momentum in a periodic box has changed [momentum of the beads at their largest speed]
+  overlap,     ///< two beads overlap by more than max_overlap [radius of the smaller bead]
+  mass,        ///< the total mass of fluid and beads has changed [total mass of the fluid]
+  /// The total momentum of fluid and beads in a periodic box has changed [total momentum of the beads if all
+  /// of them move at the largest speed so far].
+  momentum,
 };
 
 /// An unphysical state that ends a run, in lattice units.
@@ -27,7 +29,7 @@ struct Fault {
   BeadName bead{.swimmer = -1, .bead = 0};  ///< swimmer < 0: no bead is known
   BeadName other{.swimmer = -1, .bead = 0};
   Vec3 position = Vec3::Zero();  ///< centre of the bead
-  double value = 0;              ///< quantity and unit as listed at FaultKind
+  double value = 0;              ///< quantity that violates its limit; unit: see FaultKind
 
   static void visit_fields(auto&& visit, auto& fault) {
     visit("kind", fault.kind);
@@ -41,8 +43,9 @@ struct Fault {
   bool names_bead() const { return bead.swimmer >= 0; }
 };
 
-/// Returns true if `a` is reported in preference to `b`. Compares step, kind, bead, other bead and value, in
-/// this order. The smaller entry comes first; for values, the larger value comes first.
+/// Returns true if fault `a` is reported in preference to fault `b`. Compares step, kind, bead, other bead
+/// and value, in this order. The fault with the smaller entry comes first; for values, the fault with the
+/// larger value.
 bool comes_before(const Fault& a, const Fault& b);
 
 /// Returns the first fault of all ranks, the same on all ranks. The result does not depend on the number of
@@ -50,7 +53,7 @@ bool comes_before(const Fault& a, const Fault& b);
 /// number of ranks, and so can the faults that it causes in the same step. Collective.
 std::optional<Fault> first_fault(const std::optional<Fault>& own, const Communicator& communicator);
 
-/// Thrown on the rank that finds a non-finite number of a bead.
+/// Exception that a rank throws when it finds a non-finite number of a bead.
 class FaultError : public SolverError {
  public:
   explicit FaultError(const Fault& fault) : SolverError("a fault of the run"), fault(fault) {}

@@ -20,9 +20,10 @@ constexpr double force_delay(double relaxation_time) {
   return 1.5 * (relaxation_time - 0.5) + 1;
 }
 
-/// Returns a bead (lattice units) whose density is increased by 9 nu t_d/(2 R^2) [density of the fluid],
-/// where nu is the kinematic viscosity. This compensates the delay of the force. The moment of inertia
-/// increases in proportion, which compensates about a third of the delay of the torque.
+/// Returns a copy of a bead (lattice units) whose density is increased by 9 nu t_d/(2 R^2) [density of the
+/// fluid]. nu is the kinematic viscosity, R the radius of the bead and t_d = force_delay() the delay of the
+/// force. The increase compensates this delay. The moment of inertia increases in proportion, which
+/// compensates about a third of the delay of the torque.
 Bead with_delay_correction(Bead bead, double relaxation_time);
 
 }  // namespace beadswim

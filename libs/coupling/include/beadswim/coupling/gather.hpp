@@ -18,9 +18,9 @@ std::vector<double> gather_plane(const CoupledSystem& system, const Communicator
                                  int components,
                                  const std::function<double(int component, std::ptrdiff_t cell)>& value);
 
-/// Returns the SHA-256 hash of the populations in global order and of the states of all beads in the order of
-/// the ids of their swimmers. The hash does not depend on the number of ranks. Returns an empty string on
-/// ranks other than 0. Collective.
+/// Returns the SHA-256 hash of the populations, in the order of gather_plane() for all planes z, and of the
+/// states of all beads, in the order of the ids of their swimmers. The hash does not depend on the number of
+/// ranks. Returns an empty string on ranks other than 0. Collective.
 std::string state_sha256(const CoupledSystem& system, const Communicator& communicator);
 
 }  // namespace beadswim

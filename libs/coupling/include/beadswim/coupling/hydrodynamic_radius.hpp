@@ -9,11 +9,12 @@
 
 namespace beadswim {
 
-/// Returns the hydrodynamic radius of a bead minus its radius `radius` [cell]. The result is interpolated
-/// linearly between the calibrated radii. Outside their range it is constant.
+/// Returns the hydrodynamic radius of a bead minus its radius `radius` on the lattice [cell]. The result is
+/// interpolated linearly between the radii at which it was measured. Outside the range of these radii it is
+/// constant.
 double excess_radius(BeadScheme scheme, double radius);
 
-/// Returns the radius for which the hydrodynamic radius of a bead is `radius` [cell].
+/// Returns the radius on the lattice for which the hydrodynamic radius of a bead equals `radius` [cell].
 double corrected_radius(BeadScheme scheme, double radius);
 
 }  // namespace beadswim

@@ -22,9 +22,9 @@
 
 namespace beadswim {
 
-/// Returns q for a sphere of radius R about the origin: the smaller root of (r - c + q c)^2 = R^2. c points
-/// from the fluid cell into the sphere; r is the centre of the covered cell at the end of the link. The
-/// result is limited to [0, 1].
+/// Returns q, the fraction of the link between the fluid cell and the surface of a sphere of radius R about
+/// the origin: the smaller root of (r - c + q c)^2 = R^2. c points from the fluid cell into the sphere; r is
+/// the centre of the covered cell at the end of the link. The result is limited to [0, 1].
 BEADSWIM_KERNEL double wall_distance(const double (&c)[3], const double (&r)[3], double radius_squared) {
   const double cc = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
   const double rc = r[0] * c[0] + r[1] * c[1] + r[2] * c[2];
@@ -35,13 +35,14 @@ BEADSWIM_KERNEL double wall_distance(const double (&c)[3], const double (&r)[3],
   return q > 0 ? (q < 1 ? q : 1) : 0;
 }
 
-/// Returns k = (1 - 2 q)/(1 + 2 q).
+/// Returns the interpolation weight k = (1 - 2 q)/(1 + 2 q) of a link. q: fraction of the link between the
+/// fluid cell and the surface of the bead.
 BEADSWIM_KERNEL double interpolation_weight(double q) {
   return (1 - 2 * q) / (1 + 2 * q);
 }
 
-/// Returns f_ibar(x, t+1) for outgoing = f_i*(x) along a direction of this weight; behind = f_i*(x - c_i),
-/// arrived = f_ibar*(x), approach_speed = c_i.u_w.
+/// Returns the reflected population f_ibar(x, t+1) of the equation above. weight: w_i; outgoing: f_i*(x);
+/// behind: f_i*(x - c_i); arrived: f_ibar*(x); approach_speed: c_i.u_w, the velocity of the bead along c_i.
 BEADSWIM_KERNEL double bounced_interpolated(double weight, double k, double outgoing, double behind,
                                             double arrived, double approach_speed) {
   // clang-format off

@@ -37,7 +37,7 @@ struct LatticeChoice {
 /// - relaxation time: tau, adapted to the rounded step
 LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period);
 
-/// Returns a type in lattice units.
+/// Converts a swimmer type from the units of the layout to lattice units.
 SwimmerType in_lattice_units(const SwimmerType& type, const LatticeScales& scales);
 
 }  // namespace beadswim

@@ -8,7 +8,7 @@ namespace beadswim {
 /// components), fluid mass (1) and weight of the link (1).
 constexpr int link_terms = 8;
 
-/// Sums over the links of one bead in one step.
+/// Sums over the links of one bead in one step: impulse, angular impulse, fluid mass and weight.
 using LinkSums = OrderFreeLanes<link_terms>;
 
 }  // namespace beadswim

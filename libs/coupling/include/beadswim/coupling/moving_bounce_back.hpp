@@ -19,7 +19,8 @@
 
 namespace beadswim {
 
-/// Returns c.(v + omega x r).
+/// Returns c.(v + omega x r), the velocity along direction c of a bead with velocity v and angular velocity
+/// omega, at the point r relative to its centre.
 BEADSWIM_KERNEL double speed_along(const double (&c)[3], const double (&v)[3], const double (&omega)[3],
                                    const double (&r)[3]) {
   return c[0] * (v[0] + (omega[1] * r[2] - omega[2] * r[1])) +
@@ -27,14 +28,16 @@ BEADSWIM_KERNEL double speed_along(const double (&c)[3], const double (&v)[3], c
          c[2] * (v[2] + (omega[0] * r[1] - omega[1] * r[0]));
 }
 
-/// Returns f_ibar(x, t+1) for outgoing = f_i*(x, t) along a direction of this weight; approach_speed =
-/// c_i.u_w.
+/// Returns the reflected population f_ibar(x, t+1) of the equation above. weight: w_i; outgoing: f_i*(x, t);
+/// approach_speed: c_i.u_w, the velocity of the bead along c_i.
 BEADSWIM_KERNEL double bounced(double weight, double outgoing, double approach_speed) {
   return outgoing - 6 * weight * approach_speed;
 }
 
-/// Returns w_i r = f_i* - 3 w_i c_i.u_w, where r is the density deviation of the fluid next to a covered cell
-/// as estimated from one link. The estimate is of first order in the velocity.
+/// Returns w_i r = f_i* - 3 w_i c_i.u_w, an estimate of the density deviation r of the fluid next to a
+/// covered cell, multiplied by the weight w_i of the link. outgoing: population f_i* that leaves along the
+/// link; approach_speed: c_i.u_w, the velocity of the bead along c_i. The estimate is of first order in the
+/// velocity.
 BEADSWIM_KERNEL double weighted_density_deviation(double weight, double outgoing, double approach_speed) {
   return outgoing - 3 * weight * approach_speed;
 }

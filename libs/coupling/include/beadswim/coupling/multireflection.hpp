@@ -31,7 +31,8 @@
 
 namespace beadswim {
 
-/// Values that a multireflection link reads. i, x and q are defined above.
+/// Values that a multireflection link reads. x: fluid cell; i: direction from x into the bead; ibar: opposite
+/// direction; f*: populations after the collision; u: momentum.
 struct MultireflectionLink {
   double outgoing;        ///< f_i*(x)
   double arrived;         ///< f_ibar*(x)
@@ -41,13 +42,16 @@ struct MultireflectionLink {
   double speed;           ///< c_i.u(x)
 };
 
-/// Returns L/(1 - t), the factor of m_i - 3 w_i c_i.u in L g_i. It is undefined at t = 1.
+/// Returns L/(1 - t), the factor of m_i - 3 w_i c_i.u in the slip correction L g_i (see above). t is the
+/// antisymmetric relaxation time, L = t - 1/2. The factor is undefined at t = 1.
 constexpr double multireflection_slip(const RelaxationRates& rates) {
   const double t = 1 / rates.antisymmetric;
   return (t - 0.5) / (1 - t);
 }
 
-/// Returns f_ibar(x, n+1) for a direction of this weight; slip = L/(1 - t), approach_speed = c_i.u_w.
+/// Returns the reflected population f_ibar(x, n+1) of the equation above. weight: w_i; q: fraction of the
+/// link between fluid cell and surface; slip: L/(1 - t); approach_speed: c_i.u_w, the velocity of the bead
+/// along c_i.
 BEADSWIM_KERNEL double bounced_multireflection(double weight, double q, double slip,
                                                const MultireflectionLink& f, double approach_speed) {
   // clang-format off

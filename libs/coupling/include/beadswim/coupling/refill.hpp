@@ -24,13 +24,15 @@
 
 namespace beadswim {
 
-/// Populations that have streamed into an uncovered cell.
+/// Populations that have streamed into an uncovered cell from the surrounding fluid. Only some directions are
+/// known.
 struct Arrivals {
   std::array<double, d3q19::directions> population;
   std::array<bool, d3q19::directions> is_known{};
 };
 
-/// Returns the tensor Q.
+/// Returns the tensor Q of the equation above, the second moment of f_i - e_i. The arguments are the known
+/// populations f_i, the density deviation r and the velocity u.
 inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviation, const Vec3& velocity) {
   Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
   for (int i = 1; i < d3q19::directions; i += 2) {
@@ -49,7 +51,8 @@ inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviat
   return stress;
 }
 
-/// Returns the population f_i* of the refilled cell; decay = 1 - w+.
+/// Returns the population f_i* of the refilled cell by the equation above. stress: Q; decay: 1 - w+, where w+
+/// is the symmetric relaxation rate.
 inline double refilled(int i, double density_deviation, const Vec3& velocity, const Eigen::Matrix3d& stress,
                        double decay) {
   const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);

@@ -10,8 +10,8 @@
 
 namespace beadswim {
 
-/// Loop over the saturated cells of the block of one rank in one step of the fluid. A cell is saturated if a
-/// bead covers it partly or completely. The law of one cell is in saturated_cell.hpp.
+/// Loop over the saturated cells of the block of one rank, for one time step of the fluid. A cell is
+/// saturated if a bead covers it partly or completely. The equations for one cell are in saturated_cell.hpp.
 struct SaturatedBoundary {
   const SaturatedCells& cells;
   std::span<const BeadOnLattice> beads;
@@ -20,12 +20,13 @@ struct SaturatedBoundary {
 
   /// Applies the forces of beads on the fluid in the cells of row (y, z) of the block, by changing the
   /// incoming populations of these cells. Adds to `sums` the impulses on the beads, and the momentum of the
-  /// fluid within the beads after the change. step_fluid() must call it before each row. It uses incoming
-  /// populations of this row only.
+  /// fluid within the beads after the change. step_fluid() must call this function before each row. The
+  /// function uses incoming populations of this row only.
   void apply_forces_before_row(Populations& populations, int y, int z);
 };
 
-/// Adds the sums over one step to the impulses of the beads and resets the sums.
+/// Adds the impulse and angular impulse on each bead in one step, and the momentum and angular momentum of
+/// the fluid within it (`sums`, one entry per bead), to BeadOnLattice::impulse. Resets `sums` to zero.
 void transfer_impulses(std::span<SaturatedSums> sums, std::span<BeadOnLattice> beads);
 
 }  // namespace beadswim

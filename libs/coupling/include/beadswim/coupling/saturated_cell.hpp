@@ -30,20 +30,21 @@ namespace beadswim {
 
 // The type Value is double, or a vector of doubles with one lane per cell.
 
-/// Returns k(eps).
+/// Returns the resistance k(eps) of a cell, where eps is the fraction of the cell that a bead fills.
 template <class Value>
 BEADSWIM_KERNEL Value resistance(Value solid_fraction) {
   constexpr double strength = 11.0 / 2, sharpness = 11.0 / 10;
   return strength * solid_fraction / (sharpness - solid_fraction);
 }
 
-/// Returns s = sigma/(1 + sigma/2).
+/// Returns the coupling rate s = sigma/(1 + sigma/2), for which the force on the fluid is F = s (u_b - u).
 template <class Value>
 BEADSWIM_KERNEL Value forcing_rate(Value sigma) {
   return sigma / (1 + sigma / 2);
 }
 
-/// Returns e_i(u_new) - e_i(u_old) of direction i; squares = u_new^2 - u_old^2.
+/// Returns e_i(u_new) - e_i(u_old), the change of the equilibrium population of direction i if the momentum
+/// changes from u_old to u_new. squares: u_new^2 - u_old^2.
 template <class Value>
 BEADSWIM_KERNEL Value equilibrium_change(int i, const Value (&u_old)[3], const Value (&u_new)[3],
                                          Value squares) {

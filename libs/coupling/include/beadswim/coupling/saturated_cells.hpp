@@ -18,7 +18,7 @@ struct SaturatedRun {
   int first_fraction;  ///< index of the fraction of cell `low` in the list of all fractions
   int shift;           ///< local coordinate x is x + shift in the unwrapped coordinates of the bead
   double centre;       ///< x of the centre of the bead, unwrapped [cell]
-  double y, z;         ///< centres of the cells relative to the centre of the bead [cell]
+  double y, z;         ///< y, z of the cell centres relative to the centre of the bead [cell]
 
   bool contains(int x) const { return x >= low && x < high; }
 
@@ -50,8 +50,9 @@ class SaturatedCells {
   /// Volumes that the planes between cells cut off from one image of a bead (sphere_overlap.hpp).
   struct Cuts {
     std::array<std::vector<double>, 3> planes;      ///< positions relative to the centre, along each axis
-    std::array<std::vector<double>, 3> beyond_one;  ///< q(a) of each plane
-    /// [axis]: q(a, b) of each pair of planes across the other two axes; the later axis varies slowest.
+    std::array<std::vector<double>, 3> beyond_one;  ///< volume q(a) beyond each plane
+    /// Volume q(a, b) beyond two planes, for each pair of planes perpendicular to the two axes other than
+    /// [axis]. The later axis varies slowest.
     std::array<std::vector<double>, 3> beyond_two;
   };
 

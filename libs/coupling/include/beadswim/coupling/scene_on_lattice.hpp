@@ -13,8 +13,8 @@ namespace beadswim {
 /// [density of the fluid].
 constexpr double min_stable_density = 0.65;
 
-/// Smallest relaxation time [step] at which links are stable. At smaller values, viscosity hardly damps flow
-/// on the scale of a cell.
+/// Smallest relaxation time tau [step] at which the schemes with links (all except psm) are stable. At
+/// smaller values, viscosity hardly damps flow on the scale of a cell.
 constexpr double min_stable_relaxation_time = 0.52;
 
 /// Mach number above which compressibility of the fluid affects the results.
@@ -26,7 +26,7 @@ struct SceneOnLattice {
   LatticeChoice lattice;
   Resolution resolution;    ///< as requested; `lattice` has the relaxation time adapted to the period
   double period = 0;        ///< base period: of all swimmers, otherwise of the first swimmer's type [time]
-  double smallest_gap = 0;  ///< smallest gap at the start, between beads, images and walls [cell]
+  double smallest_gap = 0;  ///< smallest gap at the start: bead to bead, image or wall [cell]
   bool corrects_delay = false;
   /// True if springs vibrate too fast for the time step and got additional damping
   /// (with_resolved_vibrations).
@@ -49,9 +49,10 @@ struct SceneOnLattice {
 /// Converts a layout to a scene on the lattice. Throws InputError, with `source` as the name of the layout,
 /// in these cases:
 /// - The layout has no box, or an edge of the box is not an integer number of cells.
-/// - A bead is smaller than a cell or too near to a wall.
-/// - The time step is too long for the shortest period.
-/// - The relaxation time is unsuitable for the links.
+/// - The radius of a bead is smaller than a cell, or a bead is too near to a wall.
+/// - The time step is too long for the shortest driving period.
+/// - The scheme has links and the relaxation time is below min_stable_relaxation_time.
+/// - The scheme is mr and the relaxation time is near the value at which this scheme is undefined.
 SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& settings,
                               const std::string& source);
 

@@ -27,13 +27,14 @@
 
 namespace beadswim {
 
-/// Returns q(a) for a >= 0.
+/// Returns q(a), the volume of the part of an octant of the sphere beyond the plane x = a. Requires a >= 0.
 inline double octant_beyond(double a, double radius) {
   if (a >= radius) return 0;
   return std::numbers::pi / 12 * (radius - a) * (radius - a) * (2 * radius + a);
 }
 
-/// Returns q(a, b) for a, b >= 0.
+/// Returns q(a, b), the volume of the part of an octant of the sphere beyond both planes x = a and y = b.
+/// Requires a, b >= 0.
 inline double octant_beyond(double a, double b, double radius) {
   const double rr = radius * radius, s_squared = rr - a * a - b * b;
   if (s_squared <= 0) return 0;
@@ -48,13 +49,15 @@ inline double octant_beyond(double a, double b, double radius) {
   // clang-format on
 }
 
-/// Volumes beyond the planes through a corner, at the absolute values of its coordinates.
+/// Sums of the volumes of an octant of the sphere beyond the planes through the corner (a, b, c) of a box,
+/// with a, b, c >= 0.
 struct CornerCuts {
   double beyond_one;  ///< q(a) + q(b) + q(c)
   double beyond_two;  ///< q(a, b) + q(b, c) + q(c, a)
 };
 
-/// Returns C(a, b, c).
+/// Returns C(a, b, c): the signed volume of the part of the sphere in the box from its centre to the corner
+/// with coordinates a, b, c. cuts: volumes for the corner |a|, |b|, |c|.
 inline double corner_volume(double a, double b, double c, double radius, const CornerCuts& cuts) {
   if (a * a + b * b + c * c <= radius * radius) return a * b * c;
   const double octant = std::numbers::pi / 6 * radius * radius * radius;

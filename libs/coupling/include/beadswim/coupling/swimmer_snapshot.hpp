@@ -19,8 +19,8 @@ struct SwimmerSnapshot {
   }
 };
 
-/// Returns the snapshots as bytes, snapshot_size() bytes per swimmer. Only machines with the same
-/// representation of numbers can read them.
+/// Returns the snapshots as bytes, snapshot_size() bytes per swimmer. Only machines with the same byte order
+/// and sizes of numbers can read these bytes.
 std::vector<char> bytes_of(const std::vector<SwimmerSnapshot>& snapshots);
 
 /// Inverse of bytes_of(). Throws SolverError if the bytes are not valid.

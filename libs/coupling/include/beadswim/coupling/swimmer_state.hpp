@@ -13,11 +13,12 @@ struct SwimmerState {
   SwimmerMotion motion;
   /// Excess mass (density - 1) of fluid that each bead has covered and not yet returned through its links.
   std::array<double, 3> held_mass{};
-  std::array<double, 3> mass_source{};  ///< returned mass of the next step, see BeadOnLattice
-  SwimmerLoads last_impulse;            ///< impulses of the fluid on the beads in the previous step
-  SwimmerLoads inner_momentum;          ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
+  /// Fluid mass that each link of a bead returns in the next step, divided by the weight of the link.
+  std::array<double, 3> mass_source{};
+  SwimmerLoads last_impulse;    ///< impulses of the fluid on the beads in the previous step
+  SwimmerLoads inner_momentum;  ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
   std::array<BeadVelocity, 3> predicted{};   ///< velocities at the end of the next step without close beads
-  std::array<double, 3> removed_fraction{};  ///< from close pairs, see BeadOnLattice
+  std::array<double, 3> removed_fraction{};  ///< Impulse::removed_fraction of the beads in the last step
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);

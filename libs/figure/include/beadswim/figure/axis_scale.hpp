@@ -11,9 +11,9 @@ enum class ScaleKind { linear, logarithmic };
 
 /// Number format of the tick labels of an axis.
 enum class TickLabels {
-  decimals,  ///< 0.2, 0.4
-  digits,    ///< 1, 2, 5, 10
-  powers,    ///< 10⁻⁵, 10⁻⁴
+  decimals,  ///< for example 0.2, 0.4
+  digits,    ///< for example 1, 2, 5, 10
+  powers,    ///< for example 10⁻⁵, 10⁻⁴
 };
 
 /// Range and ticks of an axis. Tick labels may omit a power of ten, which the axis label then contains.

@@ -7,7 +7,8 @@
 #include "beadswim/core/names.hpp"
 #include "beadswim/figure/figure.hpp"
 
-// Makes the series of a panel from numbers: measured points, predicted curves and constant levels.
+// Makes the series (points or lines with one style) of a panel of a figure from numbers: measured points,
+// predicted curves and constant levels.
 
 namespace beadswim {
 
@@ -34,13 +35,14 @@ struct Level {
   double y = 0;
 };
 
-/// Appends groups as filled markers, then curves as lines. A curve with few points also has open markers.
-/// Parts of curves that are not usable are faint. All series have the colour `colour`. Without `colour`, each
-/// series has its own colour.
+/// Appends to the panel each group as filled markers, then each curve as a line. A curve with few points also
+/// has open markers. Parts of curves that are not usable (CurvePoint::usable) are faint. All series have the
+/// colour `colour`, an index in the palette. Without `colour`, each series has its own colour.
 void append_points_and_curves(const std::vector<PointGroup>& groups, const std::vector<Curve>& curves,
                               std::optional<int> colour, Panel& panel);
 
-/// Appends horizontal lines between x = `from` and x = `to`, each with its own dash pattern.
+/// Appends to the panel one horizontal line per level, from x = `from` to x = `to`, each with its own dash
+/// pattern.
 void append_levels(const std::vector<Level>& levels, double from, double to, int colour, Panel& panel);
 
 /// Sets the line styles of bead curves, which are sorted by swimmer and then by bead. The colour identifies
@@ -62,8 +64,9 @@ inline constexpr auto name_table<Axes> = std::to_array<NamedValue<Axes>>({{Axes:
                                                                           {Axes::log_y, "log-y"},
                                                                           {Axes::log_log, "log-log"}});
 
-/// Sets the scales of a panel whose series are complete. For Axes::automatic, `logarithmic_axes` is the kind
-/// of axes that is used if the y values span more than two decades.
+/// Sets the scales (linear or logarithmic) of the axes of a panel whose series are complete. For
+/// Axes::automatic, the kind of axes is `logarithmic_axes` if the y values span more than two decades,
+/// otherwise Axes::linear.
 void set_axes(Axes axes, Axes logarithmic_axes, Panel& panel);
 
 /// Returns true if the y axis is logarithmic and some y values are not positive. These values are not drawn.

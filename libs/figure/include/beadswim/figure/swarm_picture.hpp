@@ -58,8 +58,9 @@ std::string swarm_picture_to_svg(const SwarmPicture& picture);
 /// box.
 void wrap_swimmers(std::vector<PicturedSwimmer>& swimmers, const Box& box);
 
-/// Moves all swimmers by one displacement, such that a box around them starts at the origin. Returns the
-/// lengths of this box [length]. Use this function for swimmers in open space.
+/// Displaces all swimmers by the same vector, so that a box around them starts at the origin. Between the
+/// beads and the faces of this box there is a margin of one bead radius. Returns the edges of the box
+/// [length]. Use this function for swimmers in open space, which have no box.
 Vec3 enclose_swimmers(std::vector<PicturedSwimmer>& swimmers);
 
 /// Returns the distances of figure 4 of the paper (Pickl et al. 2017). Each distance is drawn at the outline

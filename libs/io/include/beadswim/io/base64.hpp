@@ -12,8 +12,9 @@ std::span<const char> bytes_of(std::span<const T> values) {
   return {reinterpret_cast<const char*>(values.data()), values.size_bytes()};
 }
 
-/// Encodes bytes in Base64 (RFC 4648), without line breaks. The codes of consecutive pieces of a stream can
-/// be concatenated if the size of each piece except the last is a multiple of 3 bytes.
+/// Encodes bytes in Base64 (RFC 4648), without line breaks. If a stream is encoded in several pieces, the
+/// size of each piece except the last must be a multiple of 3 bytes. The concatenated texts are then the
+/// Base64 text of the stream.
 std::string base64(std::span<const char> bytes);
 
 /// Encodes the bytes of numbers in memory in Base64.

@@ -12,21 +12,23 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/hdf5.hpp"
 
-// Checkpoint files in HDF5 (docs/formats/checkpoint.md). A checkpoint contains named sections of bytes, and
-// numbers on a lattice if the model has one. Rank 0 provides the sections. Each rank provides the numbers of
-// one box of lattice cells. A hash of the contents detects damaged files. The hash does not depend on the
-// number of ranks. All functions are collective unless stated otherwise.
+// Checkpoint files in HDF5, from which a run can be continued (docs/formats/checkpoint.md). A checkpoint
+// contains named sections of bytes. If the model has a lattice, it also contains numbers for each lattice
+// cell. Rank 0 provides the sections. Each rank provides the numbers of one box of lattice cells. A hash of
+// the contents detects damaged files. The hash does not depend on the number of ranks. All functions are
+// collective unless stated otherwise.
 
 namespace beadswim {
 
-/// Box of cells [offset, offset + size) of a lattice. `cells` is the number of cells of the complete lattice
-/// along each axis.
+/// Part of a lattice: the box of cells with indices from `offset` to `offset + size` (exclusive) along each
+/// axis. `cells` is the number of cells of the complete lattice along each axis.
 struct LatticePart {
   Index3 cells, offset, size;
 };
 
-/// Hash of numbers on a lattice. The hash of a lattice is the sum of the hashes of its parts, in any order.
-/// It detects damage but is not cryptographic.
+/// Hash of the numbers on a lattice. If parts of a lattice are hashed separately, for example by several
+/// ranks, the sum of their hashes is the hash of the lattice. The hash detects damage but is not
+/// cryptographic.
 class LatticeHash {
  public:
   /// Adds one number to the hash: its index `place` in the lattice and its bits.
@@ -48,8 +50,9 @@ class CheckpointWriter {
   void add(const std::string& section, std::span<const char> bytes);
   /// Adds a section with the contents of a file that rank 0 reads.
   void add_file(const std::string& section, const std::string& path);
-  /// Adds numbers on the lattice, `components` per cell, of the type Real (float or double). fill(c, numbers)
-  /// must store component c of all cells of this rank's part in `numbers`, with x as the fastest index.
+  /// Adds `components` numbers per lattice cell, of the type Real (float or double). `part` contains the
+  /// cells of this rank. fill(c, numbers) must store component c of all these cells in `numbers`, with x as
+  /// the fastest index.
   template <class Real>
   void add_lattice(const LatticePart& part, int components,
                    const std::function<void(int, std::span<Real>)>& fill);
@@ -64,7 +67,7 @@ class CheckpointWriter {
   std::string path_;
   const Communicator& communicator_;
   H5Handle file_;
-  Sha256 hash_;  ///< on rank 0
+  Sha256 hash_;  ///< hash of all sections added so far, on rank 0
   LatticeHash lattice_hash_;
   std::string sections_;
   bool is_finished_ = false;
@@ -91,8 +94,9 @@ class CheckpointReader {
   /// Replaces the contents of a file by a section, on rank 0. `descriptor` is the file descriptor of the open
   /// file on rank 0. Other ranks do nothing.
   void copy_to(const std::string& section, int descriptor) const;
-  /// Reads the lattice. Calls take(c, numbers) with component c of the cells of this rank's part, with x as
-  /// the fastest index. Throws SolverError if the lattice in the file has another size.
+  /// Reads the numbers of the lattice cells in `part`, which may differ between ranks. Calls take(c, numbers)
+  /// for each component c; `numbers` has x as the fastest index. Throws SolverError if the lattice in the
+  /// file has another size.
   template <class Real>
   void read_lattice(const LatticePart& part, int components,
                     const std::function<void(int, std::span<const Real>)>& take) const;

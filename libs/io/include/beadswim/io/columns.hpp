@@ -12,8 +12,9 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// Conversion between records (core/fields.hpp) and columns of numbers. A field that becomes a column is a
-// double, a Vec3 or an array of doubles. Other fields must have the mark not_a_column.
+// Conversion between records (structs that list their fields in visit_fields, core/fields.hpp) and columns of
+// numbers. A field that becomes a column is a double, a Vec3 or an array of doubles. Other fields must have
+// the mark not_a_column.
 
 namespace beadswim {
 
@@ -36,7 +37,8 @@ inline std::span<double> numbers_of(Vec3& vector) {
   return {vector.data(), 3};
 }
 
-/// Calls handle(name, numbers) for each column of the record.
+/// Calls handle(name, numbers) for each field of the record that becomes a column. `numbers` refers to the
+/// values of the field in this record.
 template <HasFields Record>
 void visit_columns(auto&& handle, Record& record) {
   visit_fields(

@@ -8,8 +8,9 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/json.hpp"
 
-// Conversion between records (core/fields.hpp) and JSON. To write a record, assign it to a Json. To read it,
-// call json.get<Record>(). The JSON must have been validated against its schema before it is read.
+// Conversion between JSON and records (structs that list their fields in visit_fields, core/fields.hpp). To
+// write a record, assign it to a Json. To read it, call json.get<Record>(). The JSON must have been validated
+// against its schema before it is read.
 
 namespace beadswim {
 
@@ -47,8 +48,8 @@ void to_json(Json& json, const Record& record) {
   add_fields(json, record);
 }
 
-/// Reads a record. Keys may be missing if their field is optional or has the mark omitted_if_none or
-/// omitted_if_zero. The field then keeps its previous value.
+/// Reads a record from a JSON object. A key may be missing if its field is a std::optional or has the mark
+/// omitted_if_none or omitted_if_zero. The field then keeps its previous value.
 template <HasFields Record>
 void from_json(const Json& json, Record& record) {
   visit_fields(

@@ -9,8 +9,8 @@
 
 namespace beadswim {
 
-/// JSON value whose objects keep their keys in the order of insertion. A document therefore has its keys in
-/// the order of its specification.
+/// JSON value whose objects keep their keys in the order in which they were added. Documents are written in
+/// this order.
 using Json = nlohmann::ordered_json;
 
 /// Convert between JSON and an enumeration with a table of names (core/names.hpp). JSON contains the name.
@@ -36,8 +36,8 @@ Json parse_json(const std::string& text, const std::string& source);
 /// nlohmann-json would write null instead.
 std::string dump_json(const Json& document);
 
-/// Returns the text of a document on one line, for streams with one document per line. Throws as dump_json
-/// does.
+/// Returns the text of a document on one line, for streams with one document per line. Throws SolverError if
+/// a number is non-finite.
 std::string dump_json_line(const Json& document);
 
 /// Writes a text file completely or not at all: writes a temporary file in the same folder, flushes it to the

@@ -34,7 +34,8 @@ struct PvdEntry {
   std::string file;
 };
 
-/// Writes the index of a time series. Throws as write_text does.
+/// Writes a .pvd file, the index of a time series of .vti files. Throws InputError if the file cannot be
+/// created, and SolverError if it cannot be written.
 void write_pvd(const std::string& path, const std::vector<PvdEntry>& entries);
 
 }  // namespace beadswim

@@ -12,9 +12,10 @@ namespace beadswim {
 /// cannot do this.
 std::string xdmf_name(const std::string& trajectory);
 
-/// Writes the index of a finished trajectory to the same folder, completely or not at all. The index
-/// contains, for each frame, the time, the beads as points, and the radius, species, swimmer, velocity and
-/// image of each bead. Must be called on one rank only. Throws as TrajectoryReader and write_text do.
+/// Writes the index of a finished trajectory to the folder of the trajectory, completely or not at all. The
+/// index contains, for each frame, the time, the beads as points, and the radius, species, swimmer, velocity
+/// and image of each bead. Must be called on one rank only. Throws InputError if the trajectory is invalid or
+/// the index cannot be created, and SolverError if the index cannot be written.
 void write_xdmf(const std::string& trajectory);
 
 }  // namespace beadswim

@@ -5,11 +5,12 @@
 
 #include "beadswim/core/vec3.hpp"
 
-// Decomposition of the lattice into blocks of cells, one block per rank.
+// Decomposition of the lattice into blocks of cells, one block per MPI rank.
 
 namespace beadswim {
 
-/// The box of cells [offset, offset + size) of the complete lattice [cell].
+/// Block of cells that one MPI rank owns: the cells of the lattice with offset <= index < offset + size along
+/// each axis [cell].
 struct Block {
   Index3 offset = Index3::Zero();
   Index3 size = Index3::Zero();
@@ -21,9 +22,10 @@ struct Block {
 /// of a cell without communication.
 class Decomposition {
  public:
-  /// Divides a lattice of `cells` cells into `ranks` blocks of nearly equal size. Chooses the grid with the
-  /// cheapest halo exchange: cuts across y and z cost less than cuts across x. Throws InputError if no grid
-  /// gives every rank at least one cell.
+  /// Divides a lattice of `cells` cells into `ranks` blocks of nearly equal size. Chooses the numbers of
+  /// blocks along x, y and z for which the exchange of halo cells is cheapest. Cuts perpendicular to y or z
+  /// cost less than cuts perpendicular to x. Throws InputError if no grid of blocks gives every rank at least
+  /// one cell.
   Decomposition(const Index3& cells, int ranks);
 
   const Index3& cells() const { return cells_; }

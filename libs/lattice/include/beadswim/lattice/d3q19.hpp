@@ -55,7 +55,8 @@ constexpr bool near(double a, double b) {
   return a - b < 1e-15 && b - a < 1e-15;
 }
 
-/// Returns the lattice moment sum_i w_i c_ia^p c_ib^q.
+/// Returns the lattice moment sum_i w_i c_ia^p c_ib^q, where w_i is the weight of direction i and c_ia the
+/// component a of its velocity.
 constexpr double moment(int a, int p, int b, int q) {
   double sum = 0;
   for (int i = 0; i < directions; ++i) {

@@ -7,10 +7,11 @@
 
 namespace beadswim {
 
-/// Returns the coordinate z of the plane that a step sweeps as number n = 0, 1, ... The order of z is 2, 3,
-/// ..., planes - 1, 0, 1. The two outermost planes on each side thus come last. Only the rows of these
-/// planes, and bead links next to these rows, read the halo across z. Messages that fill this halo may be in
-/// transit while the other planes are swept.
+/// Returns the coordinate z of the plane that a time step sweeps as number n = 0, 1, ... `planes` is the
+/// number of planes of constant z in the block. The order of z is 2, 3, ..., planes - 1, 0, 1, so that the
+/// two outermost planes on each side come last. Only the rows of these four planes, and bead links next to
+/// these rows, read the halo beyond the faces perpendicular to z. The messages that fill this halo may
+/// therefore be in transit while the other planes are swept.
 constexpr int plane_in_order(int n, int planes) {
   return (n + 2) % planes;
 }
@@ -18,15 +19,17 @@ constexpr int plane_in_order(int n, int planes) {
 constexpr int order_of_plane(int z, int planes) {
   return (z + 2 * planes - 2) % planes;
 }
-/// Returns the number n of the first plane that needs the complete halo.
+/// Returns the number n, in the order of plane_in_order(), of the first plane whose sweep needs the complete
+/// halo. All planes before it can be swept while messages along z are in transit.
 constexpr int first_outer_plane(int planes) {
   return planes > 4 ? planes - 4 : 0;
 }
 
-/// Advances the fluid of a block by one time step. Calls before_row(y, z) before it sweeps the row (y, z).
-/// When before_row is called, the halo cells that the row reads are filled. before_row must apply the
-/// boundary condition on all links of this row that have not been processed yet: links within the row, and
-/// links between the row and rows that have not been swept.
+/// Advances the fluid of a block by one time step: fills the halo, then streams and collides the populations
+/// row by row. Calls before_row(y, z) before it sweeps the row (y, z). At this call, the halo cells that the
+/// row reads are filled. before_row must apply the boundary condition on the links of this row (links end at
+/// a bead) that have not been processed yet: links within the row, and links between the row and rows that
+/// have not been swept.
 template <class BeforeRow>
 void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, BeforeRow&& before_row) {
   halo.start(populations);

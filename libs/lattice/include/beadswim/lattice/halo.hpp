@@ -13,20 +13,20 @@
 
 namespace beadswim {
 
-/// Fills the halo of a block before each step. The populations come from neighbouring ranks, from the block
-/// itself (a periodic axis that is not divided among ranks) or from the wall condition. A free-slip wall
-/// mirrors populations. A no-slip wall bounces them back, so that the velocity vanishes half a cell outside
-/// the last cell.
+/// Fills the halo of a block, its layer of ghost cells, before each time step. The populations come from
+/// neighbouring ranks, from the block itself (along a periodic axis that is not divided among ranks) or from
+/// the condition at a wall. A free-slip wall mirrors populations. A no-slip wall bounces them back, so that
+/// the velocity vanishes half a cell outside the last cell.
 ///
-/// The halo is filled axis by axis, in the order x, y, z. The halo plane across one axis includes the halo
-/// cells of the preceding axes, so that edges and corners need no separate treatment. The bounce-back at
+/// The halo is filled axis by axis, in the order x, y, z. A halo plane perpendicular to one axis includes the
+/// halo cells of the preceding axes, so that edges and corners need no separate treatment. The bounce-back at
 /// no-slip walls needs only populations of the cell itself and comes last. HaloContent lists the populations
 /// that are filled in a halo cell. All other populations of the halo, and all populations behind a no-slip
 /// wall, are unspecified.
 ///
 /// Messages between neighbours along z may be in transit while the inner planes of constant z are swept
-/// (fluid_step.hpp), because only the outer planes read the halo across z. With HaloContent::behind, start()
-/// waits for all messages.
+/// (fluid_step.hpp), because only the outer planes read the halo beyond the faces perpendicular to z. With
+/// HaloContent::behind, start() waits for all messages.
 class Halo {
  public:
   /// Throws InputError if `content` is `behind` and a block is only one cell thick. Populations that this
@@ -48,8 +48,8 @@ class Halo {
 
   /// Receives the messages from the neighbours along z and fills the remaining halo cells. Between start()
   /// and finish(), the caller may sweep all rows except the rows of the outermost planes along z. It may
-  /// process all links except links that use a population which enters a cell through a face across z or at a
-  /// wall.
+  /// apply the boundary condition on a bead link if the link uses no population that enters a cell at a wall
+  /// or through a face perpendicular to z.
   void finish(Populations& populations);
 
   /// Fills the complete halo.
@@ -64,14 +64,14 @@ class Halo {
   /// Returns the other ranks that exchange halo cells with this rank.
   std::set<int> neighbours() const;
 
-  /// Returns how a sweep can fill the halo cells at the row ends for the next step. If the last sweep has
-  /// done so, start() does not fill the halo cells across x again.
+  /// Returns how a sweep can fill the two halo cells at the ends of each row (along x) for the next step. If
+  /// the last sweep has filled these halo cells, start() does not fill them again.
   RowEnds row_ends() const;
 
  private:
   struct Face {
-    Boundary closed_by = Boundary::periodic;  ///< periodic: the face is open to a neighbour
-    int neighbour = MPI_PROC_NULL;  ///< rank across an open face; this rank if it is its own neighbour
+    Boundary closed_by = Boundary::periodic;  ///< periodic: open to a neighbouring block
+    int neighbour = MPI_PROC_NULL;            ///< rank of the block beyond the face; may be this rank
     std::vector<std::byte> send, receive;
 
     bool is_open() const { return closed_by == Boundary::periodic; }
@@ -79,7 +79,7 @@ class Halo {
 
   bool at_wall(int axis, int side, Boundary wall) const { return faces_[axis][side].closed_by == wall; }
 
-  /// Returns true if the neighbour across a face of this axis is another rank.
+  /// Returns true if the neighbour beyond one of the two faces perpendicular to `axis` is another rank.
   bool is_cut(int axis) const {
     return faces_[axis][0].neighbour != rank_ && (faces_[axis][0].is_open() || faces_[axis][1].is_open());
   }
@@ -100,7 +100,7 @@ class Halo {
   HaloContent content_;
   std::array<std::array<Face, 2>, 3> faces_;  ///< [axis][0: low side, 1: high side]
   std::array<MPI_Request, 4> messages_;       ///< send and receive requests of one axis
-  bool has_pending_messages_ = false;         ///< messages across z are pending
+  bool has_pending_messages_ = false;         ///< messages along z are in transit
   Traffic traffic_;
 };
 

@@ -11,7 +11,8 @@
 
 namespace beadswim {
 
-/// Evaluates r and u. Value: double, or a vector of doubles with one lane per cell.
+/// Evaluates r (density minus 1) and u (momentum) of one cell from its populations f. Value: double, or a
+/// vector of doubles with one lane per cell.
 template <class Value>
 BEADSWIM_KERNEL void moments_of(const Value (&f)[d3q19::directions], Value& r, Value (&u)[3]) {
   r = f[0];

@@ -12,15 +12,17 @@
 namespace beadswim {
 
 /// Treatment of the two halo cells at the ends of each row: the cell before its first cell and the cell after
-/// its last cell along x. The sweep can fill them itself while the row is in the cache.
+/// its last cell along x. The sweep (streaming and collision) can fill them itself while the row is in the
+/// cache.
 enum class RowEnds {
-  left_to_halo,  ///< the sweep does not fill them; Halo does
+  left_to_halo,  ///< the class Halo fills them, not the sweep
   wrapped,       ///< periodic images: x is periodic and not divided among ranks
   mirrored,      ///< mirror images: x ends in free-slip walls on both sides
 };
 
 /// Populations that are filled in a halo cell h, for each of the five directions i that point from h into the
-/// block. ibar is the direction opposite to i.
+/// block. ibar is the direction opposite to i. An outgoing population leaves its cell in the next streaming;
+/// an incoming population enters its cell.
 enum class HaloContent {
   entering,  ///< outgoing population i of h
   /// Outgoing populations i and ibar and incoming population i of h. The incoming population i of h is the
@@ -106,8 +108,9 @@ class Populations {
     return numbers<Real>() + place_[1 - parity_][i] + first;
   }
 
-  /// Changes the parity after all cells have been swept. The values at next_outgoing_row() become the
-  /// outgoing populations.
+  /// Changes the parity, the rule for the addresses of populations, after all cells have been swept. The
+  /// values at next_outgoing_row() become the outgoing populations. `row_ends`: treatment of the row ends by
+  /// this sweep.
   void advance(RowEnds row_ends) {
     parity_ = 1 - parity_;
     row_ends_filled_ = row_ends;
@@ -146,7 +149,7 @@ class Populations {
   Index3 size_;
   std::ptrdiff_t first_, pitch_y_, pitch_z_;
   std::array<std::ptrdiff_t, d3q19::directions> shift_;
-  /// [parity][i]: place of outgoing population i of the cell with index 0
+  /// Position in `data_` of outgoing population i of the cell with index 0, as [parity][i].
   std::array<std::array<std::ptrdiff_t, d3q19::directions>, 2> place_;
   int parity_ = 1;  ///< 0: local, 1: streamed
   RowEnds row_ends_filled_ = RowEnds::left_to_halo;
@@ -154,14 +157,14 @@ class Populations {
   std::unique_ptr<void, Free> data_;
 };
 
-/// Density minus 1 and momentum of one cell. A collision does not change them.
+/// Density minus 1 and momentum of the fluid in one cell, in lattice units. A collision does not change them.
 struct CellMoments {
   double density_deviation = 0;
   Vec3 momentum = Vec3::Zero();
 };
 CellMoments cell_moments(const Populations& populations, std::ptrdiff_t cell);
 
-/// Sets a cell to equilibrium at density 1 + r and velocity u.
+/// Sets the populations of a cell to the equilibrium at density 1 + r and velocity u (lattice units).
 void set_equilibrium(Populations& populations, std::ptrdiff_t cell, double r, const Vec3& u);
 
 /// Calls visit(local coordinates, cell index) for every cell of the block except the halo, x fastest.

@@ -10,9 +10,9 @@ namespace beadswim {
 
 /// Advances the fluid of a block by one step, row by row. The rows may be swept in any order. Each cell of
 /// the block reads its 19 incoming populations, collides them and writes its 19 outgoing populations. The
-/// loop has no branches. Before a row is swept, all incoming populations of its cells must be set. Boundary
-/// conditions set those on links to walls and beads; the halo contains those from outside the block.
-/// `row_ends` selects how the sweep fills the halo cells at the ends of the row for the next step
+/// loop has no branches. Before a row is swept, all incoming populations of its cells must be set: by
+/// boundary conditions where they come from walls and beads, and by the halo where they come from outside the
+/// block. `row_ends` selects how the sweep fills the halo cells at the ends of the row for the next step
 /// (Halo::row_ends()).
 ///
 /// The results have the same bits for every instruction set and every shape of block.
@@ -24,7 +24,8 @@ class BlockSweep {
   /// Sweeps the row (y, z).
   void row(int y, int z);
 
-  /// Changes the parity of the populations. Call it after all rows have been swept.
+  /// Completes the step: changes the parity of the populations (Populations::advance()). Call it after all
+  /// rows have been swept.
   void finish();
 
  private:

@@ -11,7 +11,7 @@ namespace beadswim {
 /// Total mass and momentum of a set of cells. The bits do not depend on the decomposition of the lattice.
 struct FluidTotals {
   OrderFreeSum density_deviation;        ///< sum of (density - 1) over the cells
-  std::array<OrderFreeSum, 3> momentum;  ///< sum of c_i f_i over directions and cells
+  std::array<OrderFreeSum, 3> momentum;  ///< sum of velocity c_i times population f_i over i and cells
 
   /// Adds the moments of one cell. Throws SolverError if a moment is non-finite or too large for
   /// OrderFreeSum.

@@ -7,8 +7,8 @@
 
 // clang-format off
 // Hasimoto's splitting of the Oseen and Rotne-Prager tensors into a near part and a far part. The near part
-// is negligible at distances beyond about 4/xi. The far part is smooth. Ewald sums in a periodic box and the
-// mesh method in open space use this splitting.
+// decays with the distance r as exp(-xi^2 r^2), so it is negligible for r > 4/xi. The far part is smooth.
+// Ewald sums in a periodic box and the mesh method in open space use this splitting.
 //
 //   far    (I - kk/k^2)/(eta k^2) s(k) (1 - A k^2/6),   s(k) = (1 + k^2/(4 xi^2)) exp(-k^2/(4 xi^2)),   A = a_i^2 + a_j^2
 //   near   full tensor minus the far part
@@ -20,8 +20,8 @@
 //
 //   (I laplacian - grad grad) chi / (8 pi eta) = [ (chi'' + chi'/r) I + (chi'/r - chi'') rr/r^2 ] / (8 pi eta)
 //
-// The formula gives the laplacian of the tensor if chi is replaced by laplacian chi. For the near part
-// chi' = erfc(xi r). With the functions s, g and c of r below, where s is not s(k):
+// With laplacian chi in place of chi, the same formula gives the Laplacian of the tensor. For the near part,
+// chi' = erfc(xi r). With the functions s, g and c of r, where s = s(r) is not the s(k) above:
 //
 //   8 pi eta oseen     = (s - g) I + (s + g) rr/r^2
 //   8 pi eta laplacian = [ c + g xi^2 (8 - 4 xi^2 r^2) ] I - [ 3 c + g xi^2 (4 - 4 xi^2 r^2) ] rr/r^2
@@ -35,13 +35,14 @@
 
 namespace beadswim {
 
-/// Pair tensor in two terms. The tensor of two spheres of radii a_i and a_j is oseen + (a_i^2 + a_j^2)/6
-/// laplacian.
+/// Mobility tensor of two spheres in two terms: oseen + (a_i^2 + a_j^2)/6 laplacian for the radii a_i and
+/// a_j. `oseen` is the tensor of two point forces [time/mass], `laplacian` its Laplacian
+/// [time/(mass length^2)].
 struct SplitTensor {
   PairTensor oseen, laplacian;
 
-  /// Returns the tensor of two spheres with a_i^2 + a_j^2 = squared_radii [length^2], or of two point forces
-  /// if squared_radii = 0.
+  /// Returns the mobility tensor of two spheres whose radii a_i and a_j have a_i^2 + a_j^2 = squared_radii
+  /// [length^2]. For squared_radii = 0 this is the tensor of two point forces.
   PairTensor sphere_tensor(double squared_radii) const {
     const double size = squared_radii / 6;
     return {.isotropic = oseen.isotropic + size * laplacian.isotropic,
@@ -50,7 +51,8 @@ struct SplitTensor {
 };
 
 // clang-format off
-/// Evaluates the near part at the distance r > 0.
+/// Evaluates the near part of the mobility tensor of two spheres at the distance r > 0 of the centres
+/// [length]. xi: splitting parameter [1/length], eta: dynamic viscosity [mass/(length time)].
 inline SplitTensor near_tensor(double xi, double r, double eta) {
   const double unit = 1 / (8 * std::numbers::pi * eta);
   const double x2 = xi * xi, r2 = r * r;
@@ -64,29 +66,32 @@ inline SplitTensor near_tensor(double xi, double r, double eta) {
 }
 // clang-format on
 
-/// Returns the part of the self-mobility of a sphere that the far part contains [time/mass]. If the far part
-/// is summed over all pairs of spheres including i = j, this value must be subtracted for each sphere.
+/// Returns the velocity that the far part of an Ewald sum gives to a sphere per force on the same sphere
+/// [time/mass]. If the far part is summed over all pairs of spheres including i = j, this value must be
+/// subtracted for each sphere. `squared_radius`: square of the radius [length^2], 0 for a point force.
 inline double far_self_mobility(double xi, double squared_radius, double viscosity) {
   const double root = std::sqrt(std::numbers::pi);
   return (4 * xi / root - 40.0 / 9 * squared_radius * xi * xi * xi / root) /
          (8 * std::numbers::pi * viscosity);
 }
 
-/// Evaluates (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2) for k2 = k^2 > 0. `exponent` is the part of
-/// k^2/(4 xi^2) that the windows of the mesh do not apply (particle_mesh.hpp).
+/// Evaluates (1 + k^2/(4 xi^2)) exp(-exponent)/(eta k^2), the scalar factor of the far part in Fourier space,
+/// for the squared wavenumber k2 = k^2 > 0 [1/length^2]. The complete far part has exponent = k^2/(4 xi^2).
+/// The Gaussian windows of the mesh apply a share of this exponent, and the argument `exponent` is the
+/// remaining share (particle_mesh.hpp).
 inline double far_spectrum(double xi, double k2, double exponent, double viscosity) {
   return (1 + k2 / (4 * xi * xi)) * std::exp(-exponent) / (viscosity * k2);
 }
 
 // clang-format off
-/// Evaluates the far part in open space for a mesh. Its Gaussian is exp(-k^2/(4 xi^2)). The windows of the
-/// mesh apply the factor exp(-share k^2/(4 xi^2)) (particle_mesh.hpp), so the Fourier transform of the result
-/// is
+/// Evaluates the kernel of the mesh in open space at the distance r of two beads: the far part of the
+/// mobility tensor without the factor exp(-share k^2/(4 xi^2)), which the Gaussian windows of the mesh apply
+/// (particle_mesh.hpp). The Fourier transform of the kernel for point forces is
 ///
 ///   (I - kk/k^2)/(eta k^2) (1 + k^2/(4 xi^2)) exp(-(1 - share) k^2/(4 xi^2))
 ///
-/// The scalars chi and chi_lap = laplacian chi give the tensor and its laplacian. With E = erf(X r),
-/// G = exp(-X^2 r^2) and X^2 = xi^2/(1 - share):
+/// The tensor is (I laplacian - grad grad) chi/(8 pi eta). With chi_lap = laplacian chi in place of chi, the
+/// same expression is its Laplacian. With E = erf(X r), G = exp(-X^2 r^2) and X^2 = xi^2/(1 - share):
 ///
 ///   chi     = r E + G/(sqrt(pi) X) - w E/r,     w = share/(2 xi^2)
 ///   chi_lap = 2 E/r + p G,                      p = 2 X^3/(sqrt(pi) xi^2)

@@ -8,14 +8,14 @@ namespace beadswim {
 enum class MobilityModel {
   oseen,     ///< Oseen tensor of point forces
   rpy,       ///< Rotne-Prager-Yamakawa tensor of spheres
-  rpy_near,  ///< rpy with the correction of near_field.hpp; spheres 3k to 3k + 2 are one swimmer
+  rpy_near,  ///< rpy, corrected for close spheres (near_field.hpp); spheres 3k to 3k + 2: one swimmer
 };
 
 template <>
 inline constexpr auto name_table<MobilityModel> = std::to_array<NamedValue<MobilityModel>>(
     {{MobilityModel::rpy, "rpy"}, {MobilityModel::rpy_near, "rpy+near"}, {MobilityModel::oseen, "oseen"}});
 
-/// Returns true if the interaction of two spheres depends on their radii.
+/// Returns true if the mobility of two spheres by this model depends on their radii.
 inline bool has_finite_radii(MobilityModel model) {
   return model != MobilityModel::oseen;
 }

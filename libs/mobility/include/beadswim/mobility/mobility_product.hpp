@@ -22,8 +22,8 @@
 //   rpy       Rotne-Prager-Yamakawa tensor of spheres; mu is positive definite even if spheres overlap
 //   rpy+near  S^T mu S instead of mu, with mu of rpy and a map S of the forces (near_field.hpp)
 //
-// S makes the mobility of close spheres exact along the lines between them. S^T mu S is positive definite.
-// The additional cost is small.
+// The map S makes the mobility of close spheres exact along the lines between their centres. S^T mu S is
+// positive definite. The additional cost of the map is small.
 //
 // The spheres are in open space or in a box. Each axis of the box is periodic or has free-slip walls, which
 // act as mirrors. In a box the sum over j includes all periodic and mirror images of the spheres. The Fourier
@@ -40,33 +40,33 @@ namespace beadswim {
 
 struct MobilityScene {
   MobilityModel model = MobilityModel::rpy;
-  double viscosity = 0;       ///< dynamic, eta [mass/(length time)]
-  std::optional<Box> box;     ///< none: open space
-  std::vector<double> radii;  ///< one per sphere [length]
-  double tolerance = 1e-4;    ///< error of the velocities, divided by their root mean square
+  double viscosity = 0;       ///< dynamic viscosity eta of the fluid [mass/(length time)]
+  std::optional<Box> box;     ///< nullopt: open space
+  std::vector<double> radii;  ///< radius of each sphere [length]
+  double tolerance = 1e-4;    ///< accepted error of the velocities, divided by their root mean square
 };
 
 class MobilityProduct {
  public:
-  /// `positions` [length] are approximate positions of the spheres. They determine only how the work is
-  /// divided between pairs and mesh. If they differ from the positions in apply(), results change within the
-  /// tolerance. Throws InputError in these cases:
+  /// Prepares the product. All ranks must call the constructor (collective). `positions` [length] are
+  /// approximate positions of the spheres, which determine only how the work is divided between pairs and
+  /// mesh. If they differ from the positions in apply(), results change within the tolerance. Throws
+  /// InputError in these cases:
   ///   - There is no sphere.
   ///   - A radius, the viscosity, a length of the box or the tolerance is invalid.
   ///   - The model is rpy_near and the number of spheres is not a multiple of three.
-  /// Collective.
   MobilityProduct(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
   ~MobilityProduct();
   MobilityProduct(const MobilityProduct&) = delete;
   MobilityProduct& operator=(const MobilityProduct&) = delete;
 
-  /// Sets velocities[i] [length/time] to v_i for each sphere i. `positions` are in [length], `forces` in
-  /// [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal number of
-  /// ranks, equal arguments give the same bits. On different numbers of ranks, results agree to roundoff.
-  /// Collective.
+  /// Sets velocities[i] to the velocity v_i of each sphere i [length/time]. `positions` are in [length],
+  /// `forces` in [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal
+  /// number of ranks, equal arguments give the same bits. On different numbers of ranks, results agree to
+  /// roundoff. All ranks must call the function (collective).
   void apply(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities) const;
 
-  /// Returns the parameters of the Ewald sum. Empty if all pairs are summed directly.
+  /// Returns the parameters of the Ewald sum; nullopt if all pairs are summed directly, without an Ewald sum.
   const std::optional<EwaldPlan>& plan() const;
 
  private:

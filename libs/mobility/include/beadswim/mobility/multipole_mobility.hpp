@@ -23,16 +23,17 @@ namespace beadswim {
 struct MultipoleMobility {
   Eigen::MatrixXd value;               ///< mu, N x N [time/mass], symmetric and positive definite
   std::vector<Eigen::MatrixXd> slope;  ///< d mu / d x_k, k = 1 to N [time/(mass length)]; sum over k is 0
-  int order;                           ///< largest multipole order of any sphere
+  int order;                           ///< highest order in the multipole series of any sphere
 };
 
-/// Upper bound of the multipole order. It limits how small the gaps may be. At a tolerance of 1e-12, two
-/// equal spheres require a gap of more than 0.008 radii. A large sphere beside a small one requires a larger
-/// gap, because the order is about 20/xi, where xi is the smaller of their bispherical coordinates.
+/// Upper bound of the highest order in the multipole series of a sphere. The bound limits how small the gaps
+/// may be. At a tolerance of 1e-12, two equal spheres require a gap of more than 0.008 radii. A large sphere
+/// beside a small one requires a larger gap, because the highest order needed is about 20/xi, where xi is the
+/// smaller of the bispherical coordinates of the two spheres.
 constexpr int max_multipole_order = 300;
 
-/// Evaluates the mobility and its derivatives. Radii and positions along the line are in [length]; positions
-/// must increase. `viscosity` is dynamic [mass/(length time)].
+/// Evaluates the mobility of N spheres on a line and its derivatives by the positions. Radii and positions
+/// along the line are in [length]; positions must increase. `viscosity` is dynamic [mass/(length time)].
 ///
 /// `tolerance` bounds the truncation error of mu_ij relative to sqrt(mu_ii mu_jj), and the truncation error
 /// of the slopes relative to the largest slope. Roundoff adds a relative error of about 1e-15/g to mu and of
@@ -41,7 +42,7 @@ constexpr int max_multipole_order = 300;
 /// Throws InputError in these cases:
 ///   - Spheres touch or overlap.
 ///   - A radius, the viscosity or the tolerance is not positive.
-///   - The tolerance requires an order above max_multipole_order.
+///   - The tolerance requires a multipole order above max_multipole_order.
 /// Throws NotFiniteError if the result is non-finite.
 MultipoleMobility multipole_mobility(std::span<const double> radii, std::span<const double> positions,
                                      double viscosity, double tolerance = 1e-12);

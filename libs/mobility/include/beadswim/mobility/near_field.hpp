@@ -15,11 +15,11 @@
 //
 //   - The three beads of a swimmer are corrected along the line from bead 1 to bead 3. The correction is
 //     evaluated for a straight swimmer with the same arm lengths.
-//   - Any other pair of close beads is corrected along its line of centres. One of the two may be a periodic
-//     copy of a bead, or its mirror image behind a free-slip wall.
+//   - Any other pair of close beads is corrected along its line of centres. One bead of the pair may be a
+//     periodic copy of a bead, or the mirror image of a bead behind a free-slip wall.
 //
-// The correction of a pair has full weight up to a distance of 4 mean radii between the centres. The weight
-// decreases to 0 at 6 mean radii. At this distance the full correction would change the relative velocity of
+// The correction of a pair has full weight up to a distance of 4 mean radii of the pair between the centres.
+// The weight decreases to 0 at 6 mean radii. There, the full correction would change the relative velocity of
 // two equal beads under opposite forces by 0.4 %. At 8 mean radii it would change this velocity by 0.1 %.
 // Both changes are as small as the effect of a third bead, which is neglected.
 //
@@ -27,29 +27,31 @@
 
 namespace beadswim {
 
-/// Distances between the centres of a pair at which its weight starts to decrease and becomes 0 [mean radius
-/// of the pair].
+/// Distances between the centres of two beads at which the weight of their near-field correction starts to
+/// decrease from 1, and at which it becomes 0 [mean radius of the two beads].
 constexpr double full_weight_distance = 4, pair_cutoff = 6;
 
-/// Returns the weight of a pair whose centres are `distance` [mean radius of the pair] apart: 1 up to
-/// full_weight_distance, 0 from pair_cutoff. It is twice continuously differentiable.
+/// Returns the weight of the near-field correction of two beads whose centres are `distance` apart [mean
+/// radius of the two beads]: 1 up to full_weight_distance, 0 from pair_cutoff. The weight is twice
+/// continuously differentiable.
 double pair_weight(double distance);
 
 class NearField {
  public:
-  /// The radii of swimmer k are radii[3k], radii[3k + 1] and radii[3k + 2] [length]. Throws InputError if the
-  /// number of radii is not a multiple of three.
+  /// Sets up the correction for swimmers of three beads. The radii of swimmer k are radii[3k], radii[3k + 1]
+  /// and radii[3k + 2] [length]. Throws InputError if the number of radii is not a multiple of three.
   NearField(std::vector<double> radii, std::optional<Box> box);
 
-  /// Returns the map S for spheres at these positions [length]. Throws NotFiniteError if multipole_mobility()
-  /// throws it. Computes nodes of tables when they are first needed, so concurrent calls are not allowed.
+  /// Returns the map S of the forces on all beads (near_map.hpp) for beads at `positions` [length]. Throws
+  /// NotFiniteError if multipole_mobility() throws it. Computes nodes of tables when they are first needed,
+  /// so concurrent calls are not allowed.
   NearMap at(std::span<const Vec3> positions) const;
 
  private:
   /// Positions of the beads and of their mirror images behind walls.
   struct Images {
     std::vector<Vec3> places;
-    std::vector<Vec3> mirrors;  ///< per set of images: -1 in each mirrored component, else 1
+    std::vector<Vec3> mirrors;  ///< per set of images: sign of each vector component, -1 if it is mirrored
   };
   Images mirror_images(std::span<const Vec3> positions) const;
   SwimmerLink swimmer_link(std::size_t swimmer, std::span<const Vec3> positions) const;

@@ -20,7 +20,8 @@
 
 namespace beadswim {
 
-/// Evaluates the mobility. The radii are ignored.
+/// Evaluates the Oseen mobility of two spheres along their common line, and its slope. `distance`: of the
+/// centres [length], `viscosity`: dynamic [mass/(length time)]. The radii are ignored.
 inline PairMobility oseen(double /*radius_i*/, double /*radius_j*/, double distance, double viscosity) {
   const double value = 1 / (4 * std::numbers::pi * viscosity * distance);
   return {.value = value, .slope = -value / distance};

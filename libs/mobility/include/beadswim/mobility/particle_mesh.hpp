@@ -9,10 +9,10 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 
-// Far part of the Ewald sum on a mesh ("spectral Ewald"). Each bead acts on the mesh points near it, weighted
-// by a Gaussian W around its centre (its window). The forces are spread to the mesh with these weights,
-// Fourier transformed, multiplied by the kernel K and transformed back. The velocities of the beads are
-// interpolated with the same weights.
+// Far part of an Ewald sum for the velocities of beads, evaluated on a mesh ("spectral Ewald"). Each bead
+// acts on the mesh points near it, weighted by a Gaussian W around its centre (its window). The forces are
+// spread to the mesh with these weights, Fourier transformed, multiplied by the kernel K and transformed
+// back. The velocities of the beads are interpolated with the same weights.
 //
 //   u_i = h^3 sum_g W(x_i - g) u(g),   u = K * sum_j W(g - x_j) f_j,   K = far part / W^2
 //   W(x) = prod over axes of sqrt(2 xi^2/(pi share)) exp(-2 xi^2 x^2/share)
@@ -22,6 +22,7 @@
 //   g, h      mesh point, mesh spacing [length];  *  convolution
 //   K         kernel; the quotient (far part)/W^2 is taken between Fourier transforms
 //   xi        splitting parameter (ewald_split.hpp) [1/length]
+//   share     part of the exponent of the far part's Gaussian that the windows apply, 0 to 1
 //
 // The far part contains the Gaussian exp(-k^2/(4 xi^2)). Spreading and interpolation apply W once each,
 // together the factor exp(-share k^2/(4 xi^2)). K contains the remaining factor. `share` is chosen such that
@@ -36,23 +37,25 @@ namespace beadswim {
 
 class ParticleMesh {
  public:
-  /// Sizes of the beads, and the fluid.
+  /// Radii of the beads and viscosity of the fluid.
   struct Beads {
     std::vector<double> squared_radii;  ///< a_i^2 of each bead [length^2]; empty: point forces (Oseen)
     double viscosity = 0;               ///< dynamic [mass/(length time)]
   };
 
-  /// `lengths` are the edges of the periodic box [length]. They are 0 in open space, where each call fits the
-  /// mesh to the beads. Collective.
+  /// Sets up the mesh for the parameters `plan`. `lengths` are the edges of the periodic box [length]. They
+  /// are 0 in open space, where each call of add_velocities() fits the mesh to the positions of the beads.
+  /// All ranks must call the constructor (collective).
   ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads beads, const Communicator& communicator);
   ~ParticleMesh();
   ParticleMesh(const ParticleMesh&) = delete;
   ParticleMesh& operator=(const ParticleMesh&) = delete;
 
-  /// Adds the contribution of this rank to the far part of the velocities. The sum of these contributions
-  /// over all ranks is the far part, including the self-interaction of each bead. `positions` and `forces`
-  /// contain all beads and are equal on all ranks. `velocities` contains only the beads whose velocities are
-  /// required, which must be the first beads. Collective.
+  /// Adds to `velocities` [length/time] the contribution of this rank to the far part. The sum of the
+  /// contributions of all ranks is the far part, including the self-interaction of each bead. `positions`
+  /// [length] and `forces` [mass length/time^2] contain all beads and are equal on all ranks. `velocities`
+  /// may be shorter than these arrays: it contains only the first beads, whose velocities are required. All
+  /// ranks must call the function (collective).
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities);
 

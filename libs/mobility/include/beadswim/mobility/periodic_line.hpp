@@ -6,50 +6,60 @@
 
 #include "beadswim/core/box.hpp"
 
-// Lattice of the images of a force on a line along x, and the wavevectors of this lattice. Walls act as
-// mirrors. An axis with walls has twice the period of the box. Walls in y and z add mirror copies of the
-// line. LineFlow treats walls in x.
+// Periodic lattice of the images of a force along x on a line parallel to x in a box, and the wavevectors of
+// this lattice. Ewald sums of the flow on the line use both (periodic_stokes.hpp).
+//
+// Free-slip walls act as mirrors. The period of an axis with walls is twice the edge of the box. If y or z
+// has walls, the lattice contains mirror copies of the line with equal forces. Mirror images behind walls in
+// x are not part of the lattice; line_flow.hpp adds their flow.
 
 namespace beadswim {
 
-/// A periodic lattice and a line in it.
+/// Line along x in a periodic lattice, with mirror copies of the line behind walls in y and z.
 struct PeriodicLine {
-  /// A transverse axis with the positions of the copies of the line.
+  /// Axis y or z of the lattice, with the position of the mirror copy of the line along this axis.
   struct Axis {
     double period = 0;  ///< [length]
-    double mirror = 0;  ///< distance to the copy behind the wall at 0 [length]; 0 if the axis has no walls
+    double mirror = 0;  ///< distance from line to mirror copy behind the wall at 0 [length]; 0: no walls
   };
-  /// A transverse wavevector (k_y, k_z).
+  /// Wavevectors (k_y, k_z) perpendicular to the line. One object represents both signs of k_y and of k_z.
   struct Wave {
     double square = 0;  ///< k_y^2 + k_z^2 [1/length^2]
-    /// Sum of cos(k.d) over both signs of k_y and k_z and over all copies of the line. d: from line to copy.
+    /// Sum of cos(k.d) over both signs of k_y and k_z, and over the line and its mirror copies. d is the
+    /// vector from the line to the copy, and 0 for the line itself.
     double weight = 0;
   };
 
   double period = 0;  ///< along x [length]
   Axis y, z;
-  /// xi of the Ewald sums [1/length], which include wavenumbers below 12.6 xi and images within 6.3/xi.
+  /// Splitting parameter xi of the Ewald sums [1/length]. The sums include wavenumbers below 12.6 xi and
+  /// images within the distance 6.3/xi.
   double splitting = 0;
 
   double copies() const { return (y.mirror > 0 ? 2 : 1) * (z.mirror > 0 ? 2 : 1); }
   double volume() const { return period * y.period * z.period; }
 };
 
-/// Returns the lattice for the line at (y, z) [length] of a box. Its splitting balances the cost of images
-/// and waves. Throws InputError if a length is not finite and positive, or if the line is not between the
-/// walls.
+/// Returns the lattice of the images of a force on the line along x through (y, z) in the box [length]. Its
+/// splitting parameter balances the costs of the sums over images and over wavevectors. Throws InputError if
+/// an edge of the box is not finite and positive, or if the line is not between the walls.
 PeriodicLine periodic_line(const Box& box, double y, double z);
 
-/// Returns the transverse wavevectors shorter than `longest` [1/length], with k_y >= 0 and k_z >= 0.
+/// Returns the wavevectors (k_y, k_z) perpendicular to the line that are shorter than `longest` [1/length].
+/// Only those with k_y >= 0 and k_z >= 0 are listed; their weights include the other signs.
 std::vector<PeriodicLine::Wave> transverse_waves(const PeriodicLine& line, double longest);
 
-/// Returns the squared distances [length^2] from the line to its images that are nearer than `cutoff`
-/// [length]. The line itself is included, with distance 0.
+/// Returns the squared distances [length^2] from the line to its periodic and mirror images that are nearer
+/// than `cutoff` [length]. The line itself is included, with distance 0.
 std::vector<double> image_lines(const PeriodicLine& line, double cutoff);
 
-/// Calls visit(x, rho^2) for each image of the source that is nearer than `cutoff` to the receiver. (x, rho)
-/// is the vector from the image to the receiver, along and across the line. `displacement` is the vector from
-/// the source to the receiver along the line. An image at the position of the receiver is left out.
+/// Calls visit(x, rho^2) for each image of a source on the line that is nearer than `cutoff` to a receiver on
+/// the line. (x, rho) is the vector from the image to the receiver, along and across the line. An image at
+/// the position of the receiver is left out. Arguments:
+///
+///   period        period of the lattice along the line [length]
+///   image_lines   squared distances from the line to its images [length^2]
+///   displacement  displacement along the line from the source to the receiver [length]
 template <class Visitor>
 void for_each_image(double period, const std::vector<double>& image_lines, double cutoff, double displacement,
                     const Visitor& visit) {

@@ -18,17 +18,18 @@
 //   images: (1/(4 pi eta)) sum [ B_0 - rho^2 B_1/2 ]
 //           B_0 = erfc(xi r)/r,  B_n = [ (2n - 1) B_{n-1} + (2 xi^2)^n/(xi sqrt(pi)) exp(-xi^2 r^2) ]/r^2
 //
-// V is the volume of the lattice cell, d the vector from the force to the receiver. (x, rho) is the vector
-// from an image to the receiver, along and across the line, and r its length. The sum over k_y and k_z does
-// not depend on the positions on the line, so it is computed once.
+// xi is the splitting parameter [1/length], V the volume of the lattice cell, and d the vector from the force
+// to the receiver. (x, rho) is the vector from an image to the receiver, along and across the line, and r its
+// length. For each k_x, the sum over k_y and k_z does not depend on the positions on the line, so it is
+// computed once.
 //
 // References: Hasimoto, J. Fluid Mech. 5, 317 (1959); Beenakker, J. Chem. Phys. 85, 1581 (1986) for the
 // Rotne-Prager tensor. Page: docs/method/boxes.md.
 
 namespace beadswim {
 
-/// G_xx [time/mass] and (1/6) laplacian of G_xx [time/(mass length^2)], as functions of the displacement
-/// along the line.
+/// Values of G_xx [time/mass] and of (1/6) laplacian G_xx [time/(mass length^2)] as functions of the
+/// displacement along the line. G_xx is the steady velocity along x per force along x.
 struct SteadyLine {
   LineValue<double> oseen, laplacian;
 };
@@ -37,11 +38,12 @@ class PeriodicStokes {
  public:
   PeriodicStokes(double viscosity, const PeriodicLine& line);
 
-  /// Evaluates the flow at a displacement [length] that is not a multiple of the period.
+  /// Evaluates the steady velocity per force on the line of the forces. `displacement` [length] is measured
+  /// along the line from a force, and must not be a multiple of the period.
   SteadyLine at(double displacement) const;
 
-  /// Evaluates the flow at the source that all images of the source cause. The singular flow of the source
-  /// itself is left out.
+  /// Evaluates the steady velocity that all images of a force cause at the position of the force, per force.
+  /// The singular flow of the force itself is left out.
   SteadyLine images() const;
 
   const PeriodicLine& line() const { return line_; }
@@ -57,7 +59,7 @@ class PeriodicStokes {
 
   double viscosity_;
   PeriodicLine line_;
-  std::vector<WaveSum> wave_sums_;   ///< per wavenumber n 2 pi/period along x
+  std::vector<WaveSum> wave_sums_;   ///< sums over k_y and k_z for each k_x = 2 pi n/period, n = 0, 1, ...
   std::vector<double> image_lines_;  ///< squared distances of the image lines [length^2]
 };
 

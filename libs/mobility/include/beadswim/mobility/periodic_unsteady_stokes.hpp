@@ -40,15 +40,16 @@ namespace beadswim {
 
 class PeriodicUnsteadyStokes {
  public:
-  /// Requires alpha [1/length] != 0 and |arg alpha| <= pi/4. Stores a reference to `steady`, the steady flow
-  /// of the same lattice.
+  /// Sets up the flow of oscillating forces. `steady` is the steady flow of the same lattice; a reference to
+  /// it is stored. Requires alpha [1/length] != 0 and |arg alpha| <= pi/4.
   PeriodicUnsteadyStokes(const PeriodicStokes& steady, std::complex<double> alpha);
 
-  /// Evaluates the flow at a displacement [length] that is not a multiple of the period.
+  /// Evaluates the unsteady velocity per force on the line of the forces. `displacement` [length] is measured
+  /// along the line from a force, and must not be a multiple of the period.
   UnsteadyLine at(double displacement) const;
 
-  /// Evaluates the flow at the source that all images of the source cause. The singular flow of the source
-  /// itself is left out.
+  /// Evaluates the unsteady velocity that all images of a force cause at the position of the force, per
+  /// force. The singular flow of the force itself is left out.
   UnsteadyLine images() const;
 
  private:
@@ -70,7 +71,7 @@ class PeriodicUnsteadyStokes {
 
   const PeriodicStokes& steady_;
   std::complex<double> alpha_;
-  std::vector<WaveSum> wave_sums_;   ///< per wavenumber n 2 pi/period along x
+  std::vector<WaveSum> wave_sums_;   ///< sums over k_y and k_z for each k_x = 2 pi n/period, n = 0, 1, ...
   std::vector<double> image_lines_;  ///< squared distances of the image lines within cutoff_ [length^2]
   double cutoff_ = 0;                ///< distance up to which images are summed [length]
 };

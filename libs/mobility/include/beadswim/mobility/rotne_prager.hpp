@@ -38,7 +38,9 @@
 namespace beadswim {
 
 // clang-format off
-/// Evaluates the mobility of spheres that do not overlap.
+/// Evaluates the Rotne-Prager mobility along the line of centres, and its slope, for spheres that do not
+/// overlap: r >= a_i + a_j. Radii a_i, a_j and distance r of the centres in [length], dynamic viscosity eta
+/// in [mass/(length time)].
 inline PairMobility rotne_prager_apart(double a_i, double a_j, double r, double eta) {
   const double oseen = 1 / (4 * std::numbers::pi * eta * r);
   const double size  = (a_i * a_i + a_j * a_j) / (r * r);  // A/r^2
@@ -46,7 +48,8 @@ inline PairMobility rotne_prager_apart(double a_i, double a_j, double r, double 
           .slope = -oseen / r * (1 - size)};
 }
 
-/// Evaluates the mobility of spheres whose surfaces intersect.
+/// Evaluates the Rotne-Prager mobility along the line of centres, and its slope, for spheres whose surfaces
+/// intersect: |a_i - a_j| < r < a_i + a_j, where r is the distance of the centres.
 inline PairMobility rotne_prager_overlapping(double a_i, double a_j, double r, double eta) {
   const double unit = 1 / (6 * std::numbers::pi * eta * a_i * a_j);
   const double D_r  = (a_i - a_j) / r;  // D/r
@@ -55,7 +58,8 @@ inline PairMobility rotne_prager_overlapping(double a_i, double a_j, double r, d
           .slope = -unit * 3 * (1 - d2) * (1 - d2) / 16};
 }
 
-/// Evaluates the mobility at any distance.
+/// Evaluates the Rotne-Prager mobility along the line of centres, and its slope, at any distance r of the
+/// centres [length], for radii a_i, a_j [length] and dynamic viscosity eta [mass/(length time)].
 inline PairMobility rotne_prager(double a_i, double a_j, double r, double eta) {
   if (r >= a_i + a_j)          return rotne_prager_apart(a_i, a_j, r, eta);
   if (r > std::abs(a_i - a_j)) return rotne_prager_overlapping(a_i, a_j, r, eta);

@@ -30,7 +30,8 @@
 
 namespace beadswim {
 
-/// Tensor isotropic I + axial n n^T, where n is the unit vector along the line of centres [time/mass].
+/// Mobility tensor of two spheres, isotropic I + axial n n^T [time/mass], where I is the unit tensor and n
+/// the unit vector along the line of centres.
 struct PairTensor {
   double isotropic = 0, axial = 0;
 
@@ -46,14 +47,15 @@ struct PairTensor {
 };
 
 // clang-format off
-/// Evaluates the tensor of two point forces, (I + rr/r^2) / (8 pi eta r).
+/// Evaluates the Oseen tensor (I + rr/r^2)/(8 pi eta r), the mobility tensor of two point forces at the
+/// distance r [length].
 inline PairTensor oseen_tensor(double r, double eta) {
   const double oseen = 1 / (8 * std::numbers::pi * eta * r);
   return {.isotropic = oseen, .axial = oseen};
 }
 
-/// Evaluates the formula for spheres that do not overlap. Distances below a_i + a_j are allowed.
-/// `squared_radii` is A = a_i^2 + a_j^2.
+/// Evaluates the Rotne-Prager formula for spheres that do not overlap. Distances r < a_i + a_j, for which it
+/// is not the mobility, are allowed. `squared_radii` is a_i^2 + a_j^2 for the radii a_i and a_j [length^2].
 inline PairTensor rotne_prager_tensor_apart(double squared_radii, double r, double eta) {
   const double oseen = 1 / (8 * std::numbers::pi * eta * r);
   const double size  = squared_radii / (r * r);  // A/r^2
@@ -61,7 +63,8 @@ inline PairTensor rotne_prager_tensor_apart(double squared_radii, double r, doub
           .axial     = oseen * (1 - size)};
 }
 
-/// Evaluates the tensor at any distance.
+/// Evaluates the Rotne-Prager mobility tensor of two spheres of radii a_i and a_j at any distance r of their
+/// centres [length]. The spheres may overlap.
 inline PairTensor rotne_prager_tensor(double a_i, double a_j, double r, double eta) {
   if (r >= a_i + a_j)           return rotne_prager_tensor_apart(a_i * a_i + a_j * a_j, r, eta);
   if (r <= std::abs(a_i - a_j)) return {.isotropic = self_mobility(std::max(a_i, a_j), eta), .axial = 0};

@@ -43,8 +43,8 @@
 
 namespace beadswim {
 
-/// Factor by which the sizes of spheres multiply the helmholtz part of a flow, minus 1. The factor of the
-/// harmonic part is 1.
+/// Factor by which the radii of spheres multiply the helmholtz part of a flow (unsteady_stokes.hpp), minus 1.
+/// The factor of the harmonic part is always 1.
 struct SizeFactor {
   std::complex<double> excess{};
 };
@@ -53,7 +53,8 @@ inline SizeFactor operator*(const SizeFactor& a, const SizeFactor& b) {
   return {a.excess + b.excess + a.excess * b.excess};
 }
 
-/// Returns D for kappa = alpha a. A lone sphere of velocity U induces the force 6 pi eta a D U.
+/// Returns D = 1 + kappa + kappa^2/3 for a sphere of radius a, with kappa = alpha a and
+/// alpha = sqrt(i omega rho/eta). A lone sphere of velocity U induces the force 6 pi eta a D U in the fluid.
 inline std::complex<double> induced_force_factor(std::complex<double> kappa) {
   return 1.0 + kappa + kappa * kappa / 3.0;
 }
@@ -66,20 +67,23 @@ inline std::complex<double> exponential_remainder(std::complex<double> kappa) {
   return sum;
 }
 
-/// Returns e^kappa/D as a factor of the helmholtz part. It applies to the flow that the sphere causes per
-/// unit induced force, and to the average Ubar of the flow of other spheres.
+/// Returns e^kappa/D, D = 1 + kappa + kappa^2/3, as a factor of the helmholtz part. The factor applies to the
+/// flow that a sphere causes per unit induced force, and to the average of the flow of other spheres over the
+/// sphere.
 inline SizeFactor sphere_factor(std::complex<double> kappa) {
   return {(exponential_remainder(kappa) + kappa * kappa / 6.0) / induced_force_factor(kappa)};
 }
 
-/// Returns sinh(kappa)/kappa as a factor of the helmholtz part of another sphere's flow. It is the ratio of
-/// the average over the surface to the value at the centre.
+/// Returns sinh(kappa)/kappa with kappa = alpha a, as a factor of the helmholtz part of the flow of another
+/// sphere. It is the ratio of the average of this part over the surface of a sphere of radius a to its value
+/// at the centre.
 inline SizeFactor surface_mean_factor(std::complex<double> kappa) {
   if (kappa == 0.0) return {};
   return {(exponential_remainder(kappa) - exponential_remainder(-kappa)) / (2.0 * kappa)};
 }
 
-/// Returns (1 + factor.excess) helmholtz + harmonic, without loss of significance as alpha -> 0.
+/// Returns the flow between spheres, (1 + factor.excess) helmholtz + harmonic, without loss of significance
+/// as alpha -> 0.
 inline LineKernel<std::complex<double>> total_flow(const UnsteadyFlow& flow, const SizeFactor& factor) {
   const auto& [helmholtz, harmonic, total] = flow;
   return {.value = total.value + factor.excess * helmholtz.value,

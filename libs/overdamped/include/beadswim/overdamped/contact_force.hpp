@@ -10,8 +10,8 @@
 //   strength  largest driving force in the scene [force]; F equals it at gap = cutoff/2
 //
 // For gap < cutoff/20, F continues linearly with the gap, so that overlapping beads separate again. F is a
-// numerical model without physical parameters. If contacts determine the result, use a resolved run. Page:
-// docs/method/contact-repulsion.md.
+// numerical model without physical parameters. If contacts determine the result, use a resolved run (on
+// the lattice) instead. Page: docs/method/contact-repulsion.md.
 
 namespace beadswim {
 
@@ -20,7 +20,8 @@ struct ContactForce {
   double stiffness = 0;  ///< -dF/dgap [force/length]
 };
 
-/// Evaluates F and -dF/dgap.
+/// Evaluates the repulsion F [force] and its stiffness -dF/dgap [force/length] for a gap and a cutoff
+/// [length]. strength: F at gap = cutoff/2 [force].
 inline ContactForce contact_force(double gap, double cutoff, double strength) {
   if (gap >= cutoff) return {};
   const double above = gap > cutoff / 20 ? gap : cutoff / 20;

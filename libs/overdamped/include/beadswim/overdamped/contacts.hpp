@@ -12,26 +12,27 @@ namespace beadswim {
 /// Two beads that repel each other, or a bead and its own mirror image.
 struct Contact {
   int first = 0, second = 0;   ///< indices of the beads; equal for a bead and its own mirror image
-  bool is_image = false;       ///< the second bead acts by a periodic or mirror image
+  bool is_image = false;       ///< true if not the second bead itself but an image of it is in contact
   Vec3 normal = Vec3::Zero();  ///< unit vector from the second bead to the first
   double gap = 0;              ///< distance between the surfaces of the beads, or of bead and image [length]
   double cutoff = 0;           ///< gap below which the beads repel each other [length]
   ContactForce law;            ///< force and stiffness at this gap
 };
 
-/// Range and strength of the repulsion in a scene.
+/// Range and strength of the repulsion between close beads in a scene.
 struct ContactScale {
   double cutoff_per_radius = 0.2;  ///< cutoff of the gap, divided by the mean radius of the two beads
-  /// Largest driving force [force]. Without driving, it is the force that stretches the stiffest spring by
-  /// the largest radius.
+  /// Strength of the repulsion: the largest driving force [force]. Without driving, it is the force that
+  /// stretches the stiffest spring by the radius of the largest bead.
   double strength = 0;
-  double largest_radius;  ///< [length]
+  double largest_radius;  ///< radius of the largest bead [length]
 
   explicit ContactScale(const OverdampedScene& scene);
 };
 
-/// Finds all contacts at the given positions. Each pair of beads is listed once, with its nearest periodic
-/// image. A bead and its own mirror image behind a wall are a contact too.
+/// Finds all contacts of beads with the given radii and positions [length]. Each pair of beads is listed
+/// once, with its nearest periodic image. A bead and its own mirror image behind a wall are a contact too.
+/// Without `box`, space is unbounded.
 std::vector<Contact> find_contacts(const ContactScale& scale, const std::optional<Box>& box,
                                    std::span<const double> radii, std::span<const Vec3> positions);
 

@@ -12,13 +12,15 @@ namespace beadswim {
 /// One vector per bead, three beads per swimmer, in order of the swimmers.
 using Beads = std::vector<Vec3>;
 
-/// A swarm without inertia, its fluid and its time step. Any coherent unit system.
+/// A swarm without inertia, its fluid and its time step, in any coherent unit system.
 struct OverdampedScene : Swarm {
   MobilityModel model = MobilityModel::rpy;
-  double viscosity = 0;     ///< dynamic, eta [mass/(length time)]
-  std::optional<Box> box;   ///< none: open space
-  double step = 0;          ///< time step [time]
-  double tolerance = 1e-4;  ///< relative, of the mobility product; the linear solver uses 0.3 of it
+  double viscosity = 0;    ///< dynamic viscosity eta of the fluid [mass/(length time)]
+  std::optional<Box> box;  ///< box of the fluid; no value means unbounded fluid
+  double step = 0;         ///< time step [time]
+  /// Largest relative error of the velocities that the mobility product returns. The linear solver of a time
+  /// step stops at a relative error of 0.3 times this value.
+  double tolerance = 1e-4;
 };
 
 }  // namespace beadswim

@@ -9,7 +9,8 @@ namespace beadswim {
 
 /// Accuracy of a run with a mobility model.
 struct MobilitySettings {
-  /// Error of the velocities that the mobility product gives, divided by their root mean square.
+  /// Largest error of the bead velocities that the product of mobility and forces returns, divided by the
+  /// root mean square of these velocities.
   double tolerance = 1e-4;
   int steps_per_cycle = 100;  ///< time steps per shortest driving period of all swimmers
 };
@@ -17,12 +18,13 @@ struct MobilitySettings {
 /// Scene made from a layout for a mobility model, and its division into time steps.
 struct OverdampedSetup {
   OverdampedScene scene;
-  double base_period = 0;    ///< [time]
+  double base_period = 0;    ///< period that all swimmers share, or that of the first one [time]
   long steps_per_cycle = 0;  ///< time steps per base period
 };
 
-/// Converts a layout. `source` is the name of the layout in messages. Throws InputError if the layout has
-/// no-slip walls, or if an edge of its box is less than 4.4 times the largest radius.
+/// Converts a layout to a scene for a mobility model. `source` is the name of the layout in messages. Throws
+/// InputError if the layout has no-slip walls, or if an edge of its box is less than 4.4 times the radius of
+/// the largest bead.
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
                                  const std::string& source);
 

@@ -32,10 +32,10 @@
 //   C       damping of the dashpots
 //   h       time step
 //
-// The stiff forces of all swimmers are solved for together. The time step may therefore exceed the relaxation
-// times of the springs, even if swimmers are close. One product mu F per step suffices if the flow changes
-// smoothly. Otherwise a step evaluates a few more products (implicit_step.hpp). Each of the first two steps
-// is extrapolated to third order from implicit Euler steps.
+// The forces at the end of the step are solved for all swimmers together. The time step may therefore exceed
+// the relaxation times of the springs, even if swimmers are close. One product mu F per step suffices if the
+// flow changes smoothly. Otherwise a step evaluates a few more products (implicit_step.hpp). Each of the
+// first two steps is extrapolated to third order from implicit Euler steps.
 //
 // References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
 // Page: docs/method/mobility-swarms.md.
@@ -47,32 +47,32 @@ enum class OverdampedFaultKind {
   speed,          ///< a bead moved by more than its radius in a step; value: displacement [radius]
   torn_arm,       ///< an arm exceeds twice its rest length; value: length [rest length]
   wall,           ///< the centre of a bead is beyond a wall; value: distance beyond it [length]
-  not_converged,  ///< the solver did not converge; swimmer and bead are 0
+  not_converged,  ///< the linear solver of a step did not converge; swimmer and bead are 0
 };
 
 struct OverdampedFault {
   OverdampedFaultKind kind = OverdampedFaultKind::not_finite;
   long step = 0;                 ///< number of the step with the fault, from 1
-  int swimmer = 0;               ///< id
+  int swimmer = 0;               ///< id of the swimmer
   int bead = 0;                  ///< number of the bead, 1 to 3, or of the arm, 1 or 2
   Vec3 position = Vec3::Zero();  ///< position of the bead before the step [length]
-  double value = 0;              ///< quantity and unit as listed in OverdampedFaultKind
+  double value = 0;              ///< quantity and unit: see OverdampedFaultKind
 };
 
 /// State from which a run continues, and statistics of all steps so far.
 struct OverdampedState {
   long steps_done = 0;
-  long products = 0;         ///< mobility products evaluated
+  long products = 0;         ///< number of mobility products so far
   double largest_speed = 0;  ///< largest speed of any bead in any step [length/time]
   /// Smallest gap of any contact in any step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
-  std::array<Beads, 3> positions;   ///< now, one step ago and two steps ago [length]
-  std::array<Beads, 2> velocities;  ///< now and one step ago [length/time]
-  /// Velocities of the beads in the flow caused by all other swimmers; now, one and two steps ago
-  /// [length/time].
+  std::array<Beads, 3> positions;   ///< positions now, one step ago and two steps ago [length]
+  std::array<Beads, 2> velocities;  ///< velocities now and one step ago [length/time]
+  /// Part of the velocities of the beads that is due to the flow of all other swimmers: now, one step and two
+  /// steps ago [length/time].
   std::array<Beads, 3> distant;
 
-  /// Visits the statistics.
+  /// Visits the statistics: number of products, largest speed and smallest gap.
   static void visit_fields(auto&& visit, auto& state) {
     visit("products", state.products);
     visit("largest_speed", state.largest_speed);
@@ -92,12 +92,12 @@ struct StepRule;
 
 class OverdampedSystem {
  public:
-  /// Places the beads at their rest positions at time 0. Throws InputError if the constructor of
-  /// MobilityProduct throws it. Collective.
+  /// Places the beads at their rest positions at time 0. Throws InputError if the scene is invalid for the
+  /// mobility product, for example if a radius is. Collective.
   OverdampedSystem(OverdampedScene scene, const Communicator& communicator);
   ~OverdampedSystem();
 
-  /// Advances by one time step. After a fault, only steps_done() changes. Collective.
+  /// Advances the swimmers by one time step. After a fault, only steps_done() increases. Collective.
   void step();
 
   long steps_done() const { return state_.steps_done; }
@@ -106,7 +106,8 @@ class OverdampedSystem {
   const OverdampedState& state() const { return state_; }
   const MobilityProduct& mobility() const { return mobility_; }
 
-  /// One vector per bead, three beads per swimmer, in order of the swimmers.
+  /// Return positions [length] and velocities [length/time]: one vector per bead, three beads per swimmer, in
+  /// order of the swimmers.
   std::span<const Vec3> positions() const { return state_.positions[0]; }
   std::span<const Vec3> velocities() const { return state_.velocities[0]; }
 
@@ -115,7 +116,8 @@ class OverdampedSystem {
 
   const std::optional<OverdampedFault>& fault() const { return fault_; }
 
-  /// Continues from a state of the same scene. Throws SolverError if the number of beads is different.
+  /// Replaces the state by a state of the same scene, for example from a checkpoint. Throws SolverError if
+  /// the number of beads is different.
   void restore(OverdampedState state);
 
  private:
@@ -134,11 +136,11 @@ class OverdampedSystem {
 
   OverdampedScene scene_;
   const Communicator& communicator_;
-  std::vector<double> radii_;  ///< one per bead [length]
+  std::vector<double> radii_;  ///< radius of each bead [length]
   MobilityProduct mobility_;
   std::unique_ptr<ImplicitStep> implicit_step_;
   OverdampedState state_;
-  bool is_converged_ = true;  ///< all steps so far converged
+  bool is_converged_ = true;  ///< true if all steps so far converged
   std::optional<OverdampedFault> fault_;
 };
 

@@ -11,8 +11,9 @@
 // Errors that finite time steps cause in a lattice-Boltzmann run, even on arbitrarily fine cells. Viscous
 // stress and the forces of the fluid on beads are delayed, and pressure propagates with the speed of sound.
 // The errors are evaluated to first order in the time step. The theory of motion with inertia
-// (inertial_motion.hpp) is used with three changes: of the dynamic viscosity eta, of the induced mobility M,
-// and of the equation of motion of a bead.
+// (inertial_motion.hpp) is used with three changes: of the dynamic viscosity eta of the fluid, of the induced
+// mobility M (velocities of the beads per force that the beads exert on the fluid), and of the equation of
+// motion of a bead.
 //
 //   eta -> eta (1 - i omega t_s)            stress lags strain by t_s = nu/c^2 = (tau - 1/2) steps
 //   M -> M + sound_flow                     with the changed eta in M; sound_flow: sound_flow.hpp
@@ -35,13 +36,15 @@ namespace beadswim {
 struct LatticeTiming {
   double step = 0;             ///< time step [time]
   double sound_speed = 0;      ///< cell/(sqrt(3) step) [length/time]
-  bool corrects_delay = true;  ///< true: the delay correction adds the mass zeta t_d to beads
+  bool corrects_delay = true;  ///< true: beads have added mass, which compensates the delay of forces
 };
 
-/// Relative errors of arm amplitudes and velocity, caused by finite time steps.
+/// Relative errors of arm amplitudes and velocity, caused by finite time steps. The velocity of a swimmer has
+/// two parts, which have separate errors: the velocity that the mean Reynolds stress of the fluid causes, and
+/// the drift by the displacements of the beads.
 struct LagErrors {
   std::array<double, 2> arm_amplitudes{};  ///< positive if the amplitude of the run is too large
-  double velocity = 0;                     ///< sum of the absolute errors by drift and by Reynolds stress
+  double velocity = 0;                     ///< sum of the magnitudes of the errors of both parts
 };
 
 /// Evaluates the errors of one swimmer for any time step. The constructor computes all quantities that do not
@@ -55,12 +58,13 @@ class LatticeLag {
   LagErrors errors(const LatticeTiming& timing) const;
 
  private:
-  /// Matrix that depends on omega rho/eta and is proportional to 1/eta, at the driving frequency and at a
-  /// slightly lower and a slightly higher frequency.
+  /// Values of a matrix at the driving frequency omega, and at a slightly lower and a slightly higher
+  /// frequency. The matrix is a function of omega rho/eta, divided by eta, where rho is the density and eta
+  /// the dynamic viscosity of the fluid. Its change with eta therefore follows from its change with omega.
   struct FrequencySamples {
     Eigen::Matrix3cd at, below, above;
 
-    /// Returns the matrix with eta replaced by eta (1 - eps), to first order in eps.
+    /// Returns the matrix for the viscosity eta (1 - eps) in place of eta, to first order in eps.
     Eigen::Matrix3cd with_delayed_stress(std::complex<double> eps) const;
   };
   struct Motion {

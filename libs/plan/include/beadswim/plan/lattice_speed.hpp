@@ -11,7 +11,7 @@ namespace beadswim {
 struct PrecisionCost {
   std::vector<double> cells;             ///< numbers of cells per rank, ascending
   std::vector<double> seconds_per_cell;  ///< core-seconds per cell and step for each entry of `cells` [s]
-  std::vector<double> seconds_per_area;  ///< core-seconds per step and cell^2 of bead surface, per scheme [s]
+  std::vector<double> seconds_per_area;  ///< core-seconds per step and bead area, per BeadScheme [s/cell^2]
 
   static void visit_fields(auto&& visit, auto& cost) {
     visit("cells", cost.cells);
@@ -23,16 +23,16 @@ struct PrecisionCost {
 /// Cost of a lattice step on this machine with a number of ranks.
 class LatticeSpeed {
  public:
-  /// `precisions`: one element for each value of Precision, in the order of this enumeration. Throws
-  /// InputError if the lists have other lengths than those of measured(), or if a cost is negative or above
-  /// one second.
+  /// Constructs the cost from stored values. `precisions` contains one element for each value of Precision,
+  /// in the order of this enumeration. Throws InputError if its lists do not have the lengths of the lists
+  /// that measured() makes, or if a cost is negative or above one second.
   LatticeSpeed(int ranks, std::vector<PrecisionCost> precisions);
 
   /// Measures the cost of lattice steps. This takes some seconds. Collective.
   static LatticeSpeed measured(const Communicator& communicator);
 
-  /// Returns the core-seconds of one step: the cost of all cells, which depends on the number of cells per
-  /// rank, plus the cost of the surfaces of all beads.
+  /// Returns the core-seconds of one step of the scene. They are the sum of the cost of all cells, which
+  /// depends on the number of cells per rank, and the cost of the surfaces of all beads.
   double step(const CoupledScene& scene) const;
 
   int ranks() const { return ranks_; }

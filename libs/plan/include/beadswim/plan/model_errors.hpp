@@ -24,7 +24,7 @@ struct ErrorEstimate {
   double largest() const;  ///< maximum of all errors
 
   static void visit_fields(auto&& visit, auto& error) {
-    visit("velocity", error.velocity, omitted_if_zero);  // zero if nothing swims
+    visit("velocity", error.velocity, omitted_if_zero);  // zero if no swimmer swims
     visit("arm_amplitudes", error.arm_amplitudes);
   }
 };
@@ -35,21 +35,21 @@ struct BestPrediction {
   double velocity = 0;                     ///< [length/time]
   std::array<double, 2> arm_amplitudes{};  ///< [length]
   ErrorEstimate uncertainty;
-  /// Factor by which errors of the lattice grow because contributions to the velocity cancel: the velocity of
-  /// the same stroke in open space without inertia, divided by the velocity, times (1 + uncertainty of the
-  /// velocity). At least 1.
+  /// Factor by which errors of lattice runs increase because contributions to the velocity cancel. It is the
+  /// velocity of the same stroke in open space without inertia, divided by `velocity`, times (1 + uncertainty
+  /// of `velocity`), but at least 1.
   double cancellation = 1;
-  bool is_swimming = true;  ///< false: the velocity is zero by symmetry, so a relative error is undefined
+  bool is_swimming = true;         ///< false: the velocity is zero or only roundoff, without a relative error
   double smallest_stroke_gap = 0;  ///< smallest gap of neighbouring beads in the stroke [length]
 };
 
-/// Returns the prediction of the method inertia-corrected. Throws InputError if the method cannot treat the
-/// question, for example because beads touch or overlap.
+/// Returns the prediction of the method inertia-corrected, which includes the inertia of fluid and beads.
+/// Throws InputError if the method cannot treat the question, for example because beads touch or overlap.
 BestPrediction best_prediction(const Question& question);
 
-/// Returns the expected error of a run with a mobility model. It is the sum of the difference from `best`,
-/// the uncertainty of `best`, and the error of the time steps. Throws InputError if beads touch, so that the
-/// model has no periodic motion.
+/// Returns the expected relative error of a run with a mobility model. It is the sum of the relative
+/// difference between the model and `best`, the uncertainty of `best`, and the error of time steps of finite
+/// length. Throws InputError if beads touch, so that the model has no periodic motion.
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              int steps_per_cycle);
 
@@ -63,9 +63,9 @@ struct ResolvedRun {
   LatticeTiming timing;
 };
 
-/// Returns the expected error of a resolved run. Theory determines the error of the time steps, measurements
-/// determine the error of the cells. If `best` is nullopt, the estimate assumes that beads touch during the
-/// stroke.
+/// Returns the expected relative error of a run with the model lbm. The error of time steps of finite length
+/// follows from theory (`lag`), and the error of cells of finite size from measurements. If `best` is
+/// nullopt, the estimate assumes that beads touch during the stroke.
 ErrorEstimate lattice_error(const LatticeLag& lag, const std::optional<BestPrediction>& best,
                             const ResolvedRun& run);
 

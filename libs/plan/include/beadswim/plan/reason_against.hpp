@@ -6,7 +6,8 @@
 
 namespace beadswim {
 
-/// Calls `action`. Returns the message of the InputError or SolverError that it throws, or an empty string.
+/// Calls `action`. Returns the message of the InputError or SolverError that `action` throws, or an empty
+/// string if it throws none.
 template <class Action>
 std::string reason_against(const Action& action) {
   try {

@@ -19,10 +19,10 @@ struct Representative {
 };
 
 /// Returns one representative for each type and each driving of this type. Drivings that differ only in phase
-/// offset count as one. For a type with more than eight drivings, it returns up to five swimmers: the first
-/// one, those with the largest and the smallest force, and those with the longest and the shortest period.
-/// `cell`: smallest cell whose repetition gives the scene (scene/reduce.hpp). Throws InputError for swimmers
-/// without springs.
+/// offset count as one. For a type with more than eight drivings, the result contains at most five swimmers
+/// of this type: the first swimmer, the swimmers with the largest and the smallest force, and the swimmers
+/// with the longest and the shortest period. `cell`: smallest cell whose repetition gives the scene
+/// (scene/reduce.hpp). Throws InputError for swimmers without springs.
 std::vector<Representative> representatives(const Layout& cell);
 
 }  // namespace beadswim

@@ -19,18 +19,18 @@ namespace beadswim {
 
 /// Restrictions on the candidates of a plan.
 struct PlanRequest {
-  /// Settings that all candidates share. The plan replaces the model and the tolerance of the mobility. It
-  /// varies cells per radius and relaxation time of the lattice if they are not set.
+  /// Settings that all candidates (possible runs) share, with exceptions: the plan chooses the model and the
+  /// tolerance of mobility models. It also varies cells per radius and relaxation time if they are not set.
   RunSettings settings;
   std::optional<RunModel> model;       ///< nullopt: all models
   std::optional<Precision> precision;  ///< nullopt: both precisions
-  std::optional<double> tolerance;     ///< for velocity and arm amplitudes; nullopt: 0.03
-  bool has_advice = false;             ///< true: RunPlan::hard and proposals are filled
+  std::optional<double> tolerance;     ///< largest accepted relative error; nullopt: 0.03
+  bool has_advice = false;             ///< true: RunPlan::hard and RunPlan::proposals are filled
 
   /// Throws InputError if the user has set an option that has no effect in a run with these settings.
   std::function<void(const RunSettings&)> require_choices_apply;
-  /// Returns the cost of lattice steps. It is called once, for the first lattice that can run, or never.
-  /// Collective.
+  /// Returns the cost of lattice steps on this machine. The plan calls this function at most once, for the
+  /// first candidate with a lattice that can run. Collective.
   std::function<LatticeSpeed()> lattice_speed;
 };
 
@@ -39,31 +39,33 @@ struct PlannedRun {
   RunSettings settings;
   std::string refused;  ///< reason why the run is impossible or its result wrong; empty if none
   ErrorEstimate error;
-  double core_seconds = 0;  ///< cost with the number of ranks of this program
+  double core_seconds = 0;  ///< expected cost with the present number of ranks [core-seconds]
   double memory_bytes = 0;
   double output_bytes = 0;  ///< disk space of trajectory, flow fields and checkpoints
 };
 
-/// A smaller scene with the same result within the tolerance. It is either the swimmer in a smaller periodic
-/// box, or the smallest cell whose repetition gives the scene.
+/// Proposal to run a smaller scene, whose velocity and arm amplitudes differ from those of the layout by less
+/// than the tolerance of the plan. The smaller scene is either a single swimmer in a smaller periodic box, or
+/// the smallest cell whose periodic repetition gives the layout.
 struct Proposal {
   std::string what;
-  std::optional<Vec3> box = std::nullopt;  ///< edges of the box [length]; nullopt: the repeated cell
+  std::optional<Vec3> box = std::nullopt;  ///< edges of the smaller box [length]; nullopt: repeated cell
 };
 
-/// All candidates, the chosen one, and advice.
+/// Result of plan_run(): all candidates (possible runs), the chosen candidate, and advice.
 struct RunPlan {
   double tolerance = 0;  ///< largest accepted relative error of velocity and arm amplitudes
   std::vector<PlannedRun> runs;
-  std::optional<std::size_t> choice;  ///< cheapest run within the tolerance; nullopt if there is none
-  std::optional<std::size_t> best;    ///< run with the smallest error; nullopt if all are refused
-  std::vector<std::string> hard;      ///< difficulties of the scene, one line each; filled if has_advice
-  std::vector<Proposal> proposals;    ///< filled if has_advice
+  std::optional<std::size_t> choice;  ///< index of the cheapest run within the tolerance; nullopt if none
+  std::optional<std::size_t> best;    ///< index of the run with smallest error; nullopt if all are refused
+  std::vector<std::string> hard;      ///< difficulties of the scene, one line each; empty without advice
+  std::vector<Proposal> proposals;    ///< smaller scenes; empty without advice
 };
 
-/// Plans a run of the layout: evaluates all models and resolutions that the request leaves open. `source`:
-/// name of the layout in messages. Throws InputError if the layout is invalid for all models, for example if
-/// a swimmer has no springs. Collective; returns the same plan on all ranks.
+/// Plans a run of the layout: estimates error and cost of all models and resolutions that the request
+/// permits, and chooses one. `source`: name of the layout in messages. Throws InputError if the layout is
+/// invalid for all models, for example if a swimmer has no springs. Collective; returns the same plan on all
+/// ranks.
 RunPlan plan_run(const Layout& layout, const PlanRequest& request, const std::string& source,
                  const Communicator& communicator);
 

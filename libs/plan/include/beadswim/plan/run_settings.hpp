@@ -24,7 +24,8 @@ inline constexpr auto name_table<RunModel> =
                                          {RunModel::oseen, "oseen"},
                                          {RunModel::automatic, "auto"}});
 
-// Convert between RunModel and MobilityModel, in which a mobility model has the same name.
+// Convert between RunModel and MobilityModel. A mobility model has the same name in both enumerations. The
+// function mobility_model() returns nullopt for other models.
 inline RunModel run_model(MobilityModel model) {
   return from_text<RunModel>(to_text(model));
 }
@@ -35,12 +36,12 @@ inline std::optional<MobilityModel> mobility_model(RunModel model) {
 /// Settings that determine the results, the cost and the files of a run of a layout.
 struct RunSettings {
   RunModel model = RunModel::lbm;
-  LatticeSettings lattice;                 ///< used by lbm
-  MobilitySettings mobility;               ///< used by the other models
+  LatticeSettings lattice;                 ///< used by the model lbm
+  MobilitySettings mobility;               ///< used by mobility models
   double cycles = 6;                       ///< length of the run [base period]
   int frames_per_cycle = 40;               ///< frames of the trajectory per base cycle
-  std::optional<double> checkpoint_every;  ///< interval [base period]; nullopt: only at an early stop
-  std::optional<double> flow_every;        ///< interval [base period]; nullopt: no flow fields
+  std::optional<double> checkpoint_every;  ///< checkpoint interval [base period]; nullopt: only at early stop
+  std::optional<double> flow_every;        ///< interval of flow fields [base period]; nullopt: no flow fields
 };
 
 }  // namespace beadswim

@@ -20,16 +20,17 @@
 
 namespace beadswim {
 
-/// Flow by sound per force, and its derivative with respect to the position of the receiving bead.
+/// Velocities of the flow by sound at the beads, per force on the beads, and their derivatives.
 struct SoundFlow {
-  Eigen::Matrix3cd value;        ///< (j, i): velocity of bead j per force on bead i [time/mass]
-  Eigen::Matrix3cd by_receiver;  ///< derivative with respect to x_j [time/(mass length)]
+  Eigen::Matrix3cd value;        ///< element (j, i): velocity of bead j per force on bead i [time/mass]
+  Eigen::Matrix3cd by_receiver;  ///< derivative of value(j, i) by position x_j of bead j [time/(mass length)]
 };
 
-/// Returns the flow in the box `place`, or in open space if `place` is nullopt. In open space the
-/// off-diagonal elements are zero, because sound from other beads is neglected. In a box the sum contains the
-/// waves with k up to 6/(smallest radius), but at most the 2 10^5 longest waves. The omitted waves are added
-/// to the diagonal elements by an integral.
+/// Returns the flow by sound in the box `place`, or in open space if `place` is nullopt. In open space the
+/// off-diagonal elements are zero, because sound from other beads is neglected. In a box the flow is a sum
+/// over the wavevectors k with |k| up to 6/(smallest radius), but at most over the 2 x 10^5 wavevectors with
+/// the smallest |k|. The waves with larger |k| are added to the diagonal elements as an integral.
+/// sound_speed: [length/time].
 SoundFlow sound_flow(const InertialScene& scene, const std::optional<BoxPlace>& place, double sound_speed);
 
 }  // namespace beadswim

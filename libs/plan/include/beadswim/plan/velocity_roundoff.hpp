@@ -5,10 +5,11 @@
 namespace beadswim {
 
 /// Returns the estimated relative error of the velocity of swimmers by roundoff, in a run of `steps` time
-/// steps. It is the largest error of all types. The velocity is evaluated to second order in the driving.
+/// steps: the largest error of all types. The velocity is evaluated to second order in the driving.
 ///
 /// Single precision: the estimate is a measured error relative to the speed of the fastest bead
-/// (docs/method/single-precision.md). It is infinite for a type that is driven but does not swim.
+/// (docs/method/single-precision.md). The estimate is infinite for a type that is driven but does not swim.
+///
 /// Double precision: the estimate is the roundoff of the displacement in one period. Types that do not swim
 /// are ignored.
 double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long steps);

@@ -14,10 +14,10 @@ namespace beadswim {
 
 /// One bead of a scene at rest.
 struct PlacedBead {
-  Vec3 centre;              ///< unwrapped [length]
+  Vec3 centre;              ///< centre of the bead; may lie outside the box [length]
   double radius = 0;        ///< [length]
   std::size_t swimmer = 0;  ///< index in Layout::swimmers
-  int bead = 0;             ///< 0, 1 or 2
+  int bead = 0;             ///< number of the bead in the swimmer: 0, 1 or 2
 };
 
 /// Returns the beads of all swimmers, three per swimmer, in order of the swimmers. The type of every swimmer

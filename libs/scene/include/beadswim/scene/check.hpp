@@ -14,12 +14,13 @@ struct LayoutFault {
 };
 
 /// Returns the errors of a layout that a JSON schema cannot detect. The list is empty for a valid layout.
+/// There are four groups of errors:
 ///   1. Units whose SI factor contradicts their name, and arms whose beads overlap at rest length.
 ///   2. Unknown types, repeated ids, axes that are not unit vectors, and swimmers outside the box.
 ///   3. Beads that touch or cut a wall.
 ///   4. Beads that touch or overlap, periodic images included.
-/// Errors 3 are detected only if there are no errors 1 and 2. Errors 4 are detected only if there are no
-/// others. For errors 3 and 4, only the first error of each swimmer is returned.
+/// Group 3 is checked only if groups 1 and 2 contain no error, and group 4 only if groups 1 to 3 contain
+/// none. From groups 3 and 4, only the first error of each swimmer is returned.
 std::vector<LayoutFault> check_layout(const Layout& layout);
 
 /// Normalises the axes whose length differs from 1 by at most 1e-6. Leaves all other axes unchanged.

@@ -8,7 +8,7 @@
 
 namespace beadswim {
 
-/// Indices of a layer along x, y and z, from 0.
+/// Numbers of the layers along x, y and z in which a swimmer lies, starting at 0.
 using Layer = std::array<int, 3>;
 
 /// Returns the layer of each swimmer's middle bead, in the order of the layout. Along each axis, the

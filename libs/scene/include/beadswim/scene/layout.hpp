@@ -34,7 +34,7 @@ struct Fluid {
   double density = 1;              ///< rho [mass/length^3]
   double kinematic_viscosity = 0;  ///< nu [length^2/time]
 
-  double dynamic_viscosity() const { return density * kinematic_viscosity; }  ///< eta
+  double dynamic_viscosity() const { return density * kinematic_viscosity; }  ///< eta [mass/(length time)]
 
   static void visit_fields(auto&& visit, auto& fluid) {
     visit("density", fluid.density);
@@ -53,7 +53,7 @@ struct Swimmer {
 
 /// Proposed discretisation of a resolved run. Programs may choose another one.
 struct Resolution {
-  double cells_per_radius = 0;  ///< smallest bead radius, divided by the cell
+  double cells_per_radius = 0;  ///< smallest bead radius, divided by the edge of a cell
   double relaxation_time = 0;   ///< tau [step]
 
   static void visit_fields(auto&& visit, auto& resolution) {

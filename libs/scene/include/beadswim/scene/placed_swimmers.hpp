@@ -7,7 +7,8 @@
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
-// Swimmers in the form that all models use. Quantities are in any coherent unit system.
+// Swimmers with their types, in the form that all models of motion use. Quantities are in any coherent unit
+// system.
 
 namespace beadswim {
 
@@ -31,7 +32,7 @@ struct Swarm {
 /// result.
 Swarm placed_swimmers(const Layout& layout);
 
-/// Returns the centres of all beads at rest, three per swimmer, in order of the swimmers.
+/// Returns the centres of all beads at rest [length], three per swimmer, in order of the swimmers.
 std::vector<Vec3> rest_positions(const Swarm& swarm);
 
 /// Returns the radii of all beads [length], in the order of rest_positions.

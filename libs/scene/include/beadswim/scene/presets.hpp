@@ -18,12 +18,13 @@ Layout paper_single();
 /// beads stay apart. With k = 0.0347, the stiffness of the single swimmer, the beads collide.
 Layout paper_swarm();
 
-/// Returns blocks of 1 x 3 x 3 swimmers in which all distances C and D (SwarmPlan) are 32. A block then
-/// measures 96 x 96 x 96.
+/// Returns blocks of 1 x 3 x 3 swimmers. All distances between bead centres of neighbouring swimmers are 32
+/// (in lattice units), in the same block (C) and in different blocks (D). A block then measures 96 x 96 x 96.
 SwarmPlan paper_uniform_plan();
 
-/// Returns blocks of 1 x 3 x 3 swimmers with C = 37, D_x = 56, D_y = D_z = 46, as in simulations (c) to (g)
-/// of the paper. A block then measures 120 x 120 x 120.
+/// Returns blocks of 1 x 3 x 3 swimmers as in simulations (c) to (g) of the paper. The distance between bead
+/// centres of neighbouring swimmers is C = 37 in the same block, and D_x = 56, D_y = D_z = 46 in different
+/// blocks (in lattice units). A block then measures 120 x 120 x 120.
 SwarmPlan paper_defect_plan();
 
 /// Returns the angular stiffness that keeps a swimmer nearly straight: K_A = 10 k l^2, where k is the mean
@@ -33,7 +34,7 @@ double straightening_stiffness(const SwimmerType& type);
 
 /// Returns the resolution at which the cell and the time step are the units of length and time, as in the
 /// paper. The number of cells per radius is then the smallest bead radius. The relaxation time tau follows
-/// from nu = (tau - 1/2)/3.
+/// from the kinematic viscosity nu = (tau - 1/2)/3.
 Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid);
 
 /// Returns the position of bead 2 [length] for a swimmer in the middle of the box. The middle of the swimmer

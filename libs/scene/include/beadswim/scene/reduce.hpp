@@ -14,10 +14,11 @@ struct ReducedCell {
 };
 
 /// Finds the smallest box, with edges parallel to the scene's box, that gives the scene when it is repeated
-/// along the periodic axes. Two swimmers are equivalent if they have the same type and driving, the same axis
-/// to 1e-9, and positions that agree within `tolerance` [length]. During a run such a scene keeps this
-/// periodicity, so that a simulation of one cell suffices. Axes with walls are not divided. Throws InputError
-/// if the fluid is unbounded or if the tolerance is so large that different swimmers are taken as equivalent.
+/// along the periodic axes. Axes with walls are not divided. Each swimmer of this cell stands for a group of
+/// equivalent swimmers. Equivalent swimmers have the same type, the same driving, axes that agree to 1e-9,
+/// and positions that agree within `tolerance` [length] after a displacement by whole cells. During a run
+/// such a scene keeps this periodicity, so that a simulation of one cell suffices. Throws InputError if the
+/// fluid is unbounded or if the tolerance is so large that different swimmers are taken as equivalent.
 ReducedCell reduce(const Layout& layout, double tolerance);
 
 }  // namespace beadswim

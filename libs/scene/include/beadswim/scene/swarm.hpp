@@ -24,9 +24,10 @@ Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type);
 /// Returns the periodic box that contains all blocks.
 Box swarm_box(const SwarmPlan& plan, const SwimmerType& type);
 
-/// Returns the swimmers of all blocks. Across the faces of the periodic box, neighbours have the distance D.
-/// Ids increase from block to block with x fastest, and in the same order within each block. The number of a
-/// block is id / (swimmers per block), rounded down.
+/// Returns the swimmers of all blocks. Neighbours on both sides of a periodic face have the distance D
+/// (SwarmPlan). Ids start at 0. They count the swimmers of the first block, then of the next block, and so
+/// on. x varies fastest, then y, then z, both within a block and from block to block. The number of a block
+/// is therefore id / (swimmers per block), rounded down.
 std::vector<Swimmer> swarm_swimmers(const SwarmPlan& plan, const SwimmerType& type,
                                     const std::string& type_name);
 

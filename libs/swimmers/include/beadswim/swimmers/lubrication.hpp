@@ -34,33 +34,34 @@
 
 namespace beadswim {
 
-/// Range of gaps in which the resistance of the film is added [length]. Below `smallest` the resistance keeps
-/// its value at `smallest`, because real surfaces are rough.
+/// Range of gaps between two spheres in which the resistance of the film is added [length]. At gaps below
+/// `smallest` the resistance keeps its value at `smallest`, because real surfaces are rough.
 struct LubricationRange {
-  double normal = 0;      ///< cutoff h_c of squeezing; 0: nothing is added
-  double tangential = 0;  ///< cutoff h_c of sliding; 0: nothing is added
-  double smallest = 0;    ///< must be positive if a cutoff is positive
+  double normal = 0;      ///< largest gap at which resistance to squeezing is added; 0: none is added
+  double tangential = 0;  ///< largest gap at which resistance to sliding is added; 0: none is added
+  double smallest = 0;    ///< largest gap with constant resistance; must be > 0 if a cutoff is > 0
 };
 
-/// Returns R = a b/(a + b).
+/// Returns the reduced radius R = a b/(a + b) of two spheres with the radii a and b [length].
 inline double reduced_radius(double a, double b) {
   return a * b / (a + b);
 }
 
-/// Correction of the squeezing resistance at the gap h.
-///   resistance  resistance at h minus resistance at the cutoff [force time/length]
+/// Resistance to squeezing that a lattice lacks at the gap h between two spheres.
+///   resistance  resistance at h minus resistance at the cutoff, LubricationRange::normal [force time/length]
 ///   momentum    integral of `resistance` over the gap, from the cutoff to h [force time]
 /// The momentum is negative. Its absolute value is the momentum that the film removes from two spheres while
-/// their gap decreases from the cutoff to h. Below the smallest gap (LubricationRange), it is linear in h.
+/// their gap decreases from the cutoff to h. At gaps below LubricationRange::smallest, where the resistance
+/// is constant, the momentum is linear in h.
 struct Squeezing {
   double resistance = 0, momentum = 0;
 };
-/// Returns the correction for spheres of radii a and b. It is zero for gaps h above the cutoff.
+/// Returns the correction for spheres of radii a and b at the gap h. It is zero if h exceeds the cutoff.
 /// viscosity: dynamic viscosity [mass/(length time)].
 inline Squeezing squeezing(double a, double b, double viscosity, const LubricationRange& range, double h) {
   if (range.normal == 0 || h >= range.normal) return {};
   // clang-format off
-  // slope is the resistance S (1/h - 1/h_c) + L ln(h_c/h), and integral is its integral over the gap.
+  // slope is the resistance S (1/h - 1/h_c) + L ln(h_c/h), and integral is its integral from h_c to h.
   const double R = reduced_radius(a, b), h_c = range.normal;
   const double S = 6 * std::numbers::pi * viscosity * R * R;
   const double L = 6 * std::numbers::pi * viscosity * R * (a * a + 7 * a * b + b * b) / (5 * (a + b) * (a + b));
@@ -71,12 +72,14 @@ inline Squeezing squeezing(double a, double b, double viscosity, const Lubricati
   return {.resistance = slope, .momentum = integral + slope * (h - above)};
 }
 
-/// Corrections of the sliding resistance: c_aa, c_ab and c_bb at the gap h, minus their values at the cutoff
-/// [force length time].
+/// Resistance to sliding that a lattice lacks at the gap h between spheres a and b. `aa`, `ab` and `bb` are
+/// the coefficients in the torques T_a = -(aa w_a + ab w_b) and T_b = -(ab w_a + bb w_b) at h, minus their
+/// values at the cutoff, LubricationRange::tangential [force length time]. w_a and w_b are the angular
+/// velocities of the spheres relative to their line of centres [1/time].
 struct Sliding {
   double aa = 0, ab = 0, bb = 0;
 };
-/// Returns the correction for spheres of radii a and b. It is zero for gaps h above the cutoff.
+/// Returns the correction for spheres of radii a and b at the gap h. It is zero if h exceeds the cutoff.
 /// viscosity: dynamic viscosity [mass/(length time)].
 inline Sliding sliding(double a, double b, double viscosity, const LubricationRange& range, double h) {
   if (range.tangential == 0 || h >= range.tangential) return {};

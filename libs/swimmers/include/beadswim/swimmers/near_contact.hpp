@@ -26,8 +26,8 @@ struct NearContactLaw {
   double cutoff() const { return std::max({range.normal, range.tangential, contact_cutoff}); }
 };
 
-/// A bead at the start of the step. The velocities are those that the bead would have at the end of the step
-/// without the other bead. inertia: moment of inertia.
+/// One bead of a close pair at the start of the time step. The velocities are those that the bead would have
+/// at the end of the step if the other bead did not act on it. inertia: moment of inertia.
 struct CloseBead {
   double radius = 0, mass = 0, inertia = 0;
   Vec3 velocity = Vec3::Zero(), angular_velocity = Vec3::Zero();
@@ -38,9 +38,10 @@ struct CloseBead {
   double pairs = 1;
 };
 
-/// Impulse `linear` on the second bead and -linear on the first bead. Angular impulses on the first and
-/// second bead, each about the bead's centre. The impulses satisfy first_angular + second_angular +
-/// separation x linear = 0.
+/// Impulses on the two beads of a close pair: `linear` on the second bead and -linear on the first bead, and
+/// an angular impulse on each bead about its centre. The impulses conserve angular momentum: first_angular +
+/// second_angular + separation x linear = 0, where separation is the vector from the first to the second
+/// centre.
 struct PairImpulse {
   Vec3 linear = Vec3::Zero(), first_angular = Vec3::Zero(), second_angular = Vec3::Zero();
   double removed_fraction = 0;  ///< part of the relative normal velocity that film and spring remove per step
@@ -56,19 +57,22 @@ struct PairImpulse {
 ///   m (dh/dt - dh/dt*) = Phi(h) - Phi(h + step dh/dt) + step max(0, k overlap - c dh/dt)
 ///   (1 + M C) w = w*,   then  |friction| <= mu |contact|
 ///
-/// h: gap at the start of the step; m: reduced mass; k, c: stiffness and damping of the contact; mu: friction
-/// coefficient; Phi = squeezing().momentum; C = step sliding(); M: change of w per angular impulse. With Phi,
+/// h: gap at the start of the step; w: angular velocities of the beads relative to their line of centres; m:
+/// reduced mass; k, c: stiffness and damping of the contact; mu: friction coefficient; friction, contact:
+/// impulses; Phi = squeezing().momentum; C = step sliding(); M: change of w per angular impulse. With Phi,
 /// the film removes the correct momentum between the gaps at the start and at the end of the step, for a step
-/// of any length. If a bead has n > 1 pairs (CloseBead::pairs), the resistance of the film is limited to
-/// m/((n - 1) step). Reason: the impulses of the other pairs are known only from the previous step. A larger
-/// resistance would keep the gap at a wrong value against the force of the contact spring.
+/// of any length.
+///
+/// If a bead has n > 1 close pairs (CloseBead::pairs), the resistance of the film is limited to m/((n - 1)
+/// step), because the impulses of the other pairs are known only from the previous step. A larger resistance
+/// would keep the gap at a wrong value against the force of the contact spring.
 PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& first, const CloseBead& second,
                                  const Vec3& separation, double step);
 
 /// Impulses among the three beads of one swimmer.
 struct ChainContact {
   std::array<Vec3, 3> linear, angular;       ///< impulse and angular impulse on each bead
-  std::array<double, 3> removed_fraction{};  ///< sum over the pairs of each bead
+  std::array<double, 3> removed_fraction{};  ///< PairImpulse::removed_fraction, summed over each bead's pairs
 };
 
 /// Returns the impulses among the three beads of a swimmer at `positions`. A Gauss-Seidel iteration makes the

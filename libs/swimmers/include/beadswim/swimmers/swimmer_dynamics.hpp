@@ -23,7 +23,7 @@ struct BeadMotion {
   }
 };
 
-/// Force, and torque about the centre of the bead.
+/// Force on a bead [mass length/time^2], and torque about its centre [mass length^2/time^2].
 struct Load {
   Vec3 force = Vec3::Zero();
   Vec3 torque = Vec3::Zero();
@@ -37,18 +37,18 @@ struct Load {
 using SwimmerMotion = std::array<BeadMotion, 3>;
 using SwimmerLoads = std::array<Load, 3>;
 
-double mass(const Bead& bead);               ///< returns 4/3 pi R^3 rho [mass]
-double moment_of_inertia(const Bead& bead);  ///< returns 2/5 m R^2 [mass length^2]
+double mass(const Bead& bead);               ///< returns 4/3 pi R^3 rho, R: radius, rho: density [mass]
+double moment_of_inertia(const Bead& bead);  ///< returns 2/5 m R^2, m: mass, R: radius [mass length^2]
 
-/// Returns the number of substeps of `step` that resolve the fastest vibration of the swimmer by springs,
-/// dashpots and angular spring, with arms at rest length. Criterion: |eigenvalue| times substep is at most
-/// 1/4, a tenth of the stability limit of the integrator. The eigenvalue [1/time] is that of the equations of
-/// motion. Throws InputError if more than 10000 substeps are needed.
+/// Returns the number of substeps of `step` that resolve the fastest vibration of the swimmer with arms at
+/// rest length. The substep is so short that the largest |eigenvalue| of the equations of motion [1/time],
+/// with springs, dashpots and angular spring, times the substep is at most 1/4. This is about a tenth of the
+/// stability limit of the integrator. Throws InputError if more than 10000 substeps are needed.
 int substeps_for(const SwimmerType& type, double step);
 
-/// Returns a copy of the type in which unresolved vibrations are damped or slowed down. The loads are
-/// constant during a step and respond to a vibration one step late. They would therefore amplify a vibration
-/// that the step does not resolve.
+/// Returns a copy of the type in which vibrations that the time step does not resolve are damped or slowed
+/// down. Reason: the loads (forces of the fluid) are constant during a step and respond to a vibration one
+/// step late. They would amplify an unresolved vibration.
 /// - A spring with omega step > 1/2 gets a dashpot of at least k step/2, but at most half of the critical
 ///   damping. Here omega^2 = 3/2 k (1/m + 1/m'), k is the stiffness, and m and m' are the masses of the two
 ///   beads. The factor 3/2 accounts for the vibration of both arms together. In a slower motion at angular
@@ -61,8 +61,8 @@ int substeps_for(const SwimmerType& type, double step);
 SwimmerType with_resolved_vibrations(SwimmerType type, double step);
 
 /// Advances the beads from `time` to `time + step` under internal forces, driving forces and `loads`. The
-/// loads are constant during the step. Uses the classical Runge-Kutta method with `substeps` substeps. Its
-/// error is O(substep^4).
+/// loads are constant during the step. initial_axis: unit vector from bead 1 to bead 3 at the start of the
+/// run. Uses the classical Runge-Kutta method with `substeps` substeps. The error is O(substep^4).
 void advance_swimmer(SwimmerMotion& motion, const SwimmerType& type, const Vec3& initial_axis,
                      const SwimmerLoads& loads, double time, double step, int substeps);
 

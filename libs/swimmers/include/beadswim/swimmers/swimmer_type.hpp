@@ -43,11 +43,12 @@ struct Spring {
   }
 };
 
-/// Driving forces (2.1) on beads 1, 2, 3:
+/// Driving forces on beads 1, 2, 3, equation (2.1) of the paper:
 ///   F1 = A sin(w t + phi)
 ///   F2 = -(F1 + F3)
 ///   F3 = B sin(w t + alpha + phi)
-/// phi is 0 in the paper. In a swarm it can differ between swimmers.
+/// t is the time and w the angular frequency. phi is 0 in the paper. In a swarm, phi can differ between
+/// swimmers.
 struct Driving {
   std::array<double, 2> amplitude{};  ///< A on bead 1, B on bead 3 [mass length/time^2]
   double phase = 0;                   ///< alpha [radian]

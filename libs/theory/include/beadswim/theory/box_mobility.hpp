@@ -30,8 +30,8 @@ namespace beadswim {
 CollinearMobility rotne_prager_mobility(const LineFlow& flow, const CollinearSwimmer& swimmer,
                                         const LinePositions& positions);
 
-/// Returns the flow of point forces on the swimmer's axis in its box. `viscosity`: dynamic viscosity
-/// [mass/(length time)].
+/// Returns the flow of point forces on the axis of a swimmer in a box. `place`: box and position of the
+/// swimmer, `viscosity`: dynamic viscosity [mass/(length time)].
 LineFlow box_line_flow(const BoxPlace& place, double viscosity);
 
 /// Returns the bead positions at rest, measured along the swimmer's axis from the corner of the box [length].

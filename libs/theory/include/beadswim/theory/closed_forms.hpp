@@ -5,12 +5,12 @@
 
 // clang-format off
 // Closed expressions for a swimmer of equal radii, equal arms and equal stiffnesses without dashpots, to second order in
-// amplitude. Velocities are positive from bead 1 towards bead 3. Numbers such as (2.1) are equations of the
-// paper, which is cited below.
+// amplitude. Velocities are positive from bead 1 towards bead 3. Numbers such as (4.2) are equations of the paper,
+// which is cited below.
 //
 //   lambda, l       bead radius, rest length of the arms [length]
 //   k               stiffness of the springs [mass/time^2]
-//   A, B, alpha     driving amplitudes [mass length/time^2] and driving phase [rad] in (2.1)
+//   A, B, alpha     driving amplitudes [mass length/time^2] and driving phase [rad] in equation (2.1)
 //   omega           angular frequency of the driving [rad/time]
 //   d1, d2          arm amplitudes [length];  delta1, delta2  arm phases [rad]
 //   S               = omega d1 d2 sin(delta1 - delta2) [length^2/time]
@@ -32,7 +32,7 @@
 //   d2^2 (k^2 + 4 W^2) (k^2 + 36 W^2)  =  B^2 k^2 + 4 W^2 (  A^2 + 4 B^2 + 4 AB cos alpha) + 4 AB W k sin alpha         (4.5)
 //   sin(delta1 - delta2) = N/D for the driven swimmer                                                          (4.6) to (4.8)
 //
-// For the stroke of (4.4) to (4.8), v_S and v_F are identical.
+// For the stroke of equations (4.4) to (4.8), v_S and v_F are identical.
 //
 // Next order in lambda/l (Rotne-Prager):
 //
@@ -52,7 +52,7 @@
 //
 //   printed   7 (4l - 3 lambda) (4l - 7 lambda)   / { 4l (28l - 45 lambda) }                                            (4.9)
 //   repaired  7 (4l - 7 lambda)^2 (4l - 3 lambda) / { 8l (56 l^2 - 198 l lambda + 189 lambda^2) },
-//             which is v_S of (4.2), divided by the velocity of the same stroke with Oseen mobilities,
+//             which is v_S of equation (4.2), divided by the velocity of the same stroke with Oseen mobilities,
 //             without truncation in lambda/l.
 //
 // Unweighted mean of the three bead velocities with Rotne-Prager mobilities, without truncation in lambda/l.
@@ -70,36 +70,47 @@
 
 namespace beadswim {
 
-/// Returns v_S of (4.2) [length/time]. Requires equal radii and equal arms.
+/// Returns the velocity of a given stroke to lowest order in radius/arm length by equation (4.2) of Pickl et
+/// al. 2017 [length/time]. Requires equal radii and equal arms.
 double oseen_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
-/// Returns v_F of (4.3) [length/time].
+/// Returns the velocity under the driving forces to lowest order in radius/arm length, by equation (4.3) of
+/// Pickl et al. 2017 [length/time]. Requires equal radii, arms and stiffnesses, and no dashpots.
 double oseen_force_velocity(const CollinearSwimmer& swimmer);
 
-/// Returns v_F of (4.23) as printed [length/time]. The printed formula depends on neither B nor alpha.
+/// Returns the velocity under the driving forces by equation (4.23) of Pickl et al. 2017 as printed
+/// [length/time]. The printed formula depends on neither the driving amplitude B nor the driving phase alpha.
+/// Requires equal radii, arms and stiffnesses, and no dashpots.
 double rpy_force_velocity_printed(const CollinearSwimmer& swimmer);
 
-/// Returns v_F of (4.23) with the printing errors corrected, for any A, B and alpha [length/time].
+/// Returns the velocity under the driving forces by equation (4.23) of Pickl et al. 2017 with the printing
+/// errors corrected, for any driving amplitudes and phase [length/time]. Requires equal radii, arms and
+/// stiffnesses, and no dashpots.
 double rpy_force_velocity_repaired(const CollinearSwimmer& swimmer);
 
-/// Returns v_S of (4.24) [length/time]. Requires equal radii and equal arms.
+/// Returns the velocity of a given stroke by equation (4.24) of Pickl et al. 2017 [length/time]. Requires
+/// equal radii and equal arms.
 double rpy_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
-/// Returns the ratio v_S / v_F of (4.9) as printed.
+/// Returns the ratio v_S/v_F of the velocities from the stroke and from the driving forces, by equation (4.9)
+/// of Pickl et al. 2017 as printed. Requires equal radii and equal arms.
 double oseen_ratio_printed(const CollinearSwimmer& swimmer);
 
-/// Returns the corrected ratio (4.9): the velocity to lowest order in lambda/l, divided by the velocity of
-/// the same stroke to all orders in lambda/l.
+/// Returns the corrected ratio of equation (4.9) of Pickl et al. 2017: the velocity of a stroke with Oseen
+/// mobilities to lowest order in radius/arm length, divided by the velocity of the same stroke to all orders.
+/// Requires equal radii and equal arms.
 double oseen_ratio_repaired(const CollinearSwimmer& swimmer);
 
-/// Returns the unweighted mean of the bead velocities with Rotne-Prager mobilities (last formula above)
-/// [length/time]. Requires equal radii and equal arms.
+/// Returns the unweighted mean of the three bead velocities of a given stroke with Rotne-Prager mobilities
+/// (last formula above) [length/time]. Requires equal radii and equal arms.
 double equal_weight_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
-/// Returns the arm amplitudes d1, d2 of (4.4) and (4.5) [length].
+/// Returns the arm amplitudes d1, d2 under the driving forces by equations (4.4) and (4.5) of Pickl et al.
+/// 2017 [length].
 std::array<double, 2> oseen_arm_amplitudes(const CollinearSwimmer& swimmer);
 
-/// Returns sin(delta1 - delta2) of (4.6) to (4.8); 0 if an arm is at rest.
+/// Returns sin(delta1 - delta2) of the arm phases under the driving forces, by equations (4.6) to (4.8) of
+/// Pickl et al. 2017. Returns 0 if an arm is at rest.
 double oseen_sin_phase_shift(const CollinearSwimmer& swimmer);
 
 }  // namespace beadswim

@@ -10,18 +10,19 @@
 namespace beadswim {
 
 /// A swimmer whose beads stay on a line, with all parameters that theory needs, in any coherent units.
-/// Coordinates, forces and velocities are positive from bead 1 towards bead 3. Numbers such as (2.1) are
-/// equations of the paper (closed_forms.hpp).
+/// Coordinates, forces and velocities are positive from bead 1 towards bead 3. By equation (2.1) of Pickl et
+/// al. 2017, the driving forces are A sin(omega t) on bead 1, B sin(omega t + alpha) on bead 3 and minus
+/// their sum on bead 2.
 struct CollinearSwimmer {
   std::array<double, 3> radius{};     ///< lambda_i of beads 1, 2, 3 [length]
   std::array<double, 3> density{};    ///< bead density [mass/length^3]; used only with inertia
   std::array<double, 2> arm{};        ///< rest lengths l_i [length]
-  std::array<double, 2> stiffness{};  ///< k_i [mass/time^2]
+  std::array<double, 2> stiffness{};  ///< k_i of the springs [mass/time^2]
   std::array<double, 2> damping{};    ///< c_i of the dashpots [mass/time]
-  std::array<double, 2> amplitude{};  ///< A, B of (2.1): components along the axis [mass length/time^2]
-  double phase = 0;                   ///< driving phase alpha of (2.1) [radian]
-  double phase_offset = 0;            ///< phi, which shifts the phases of both arms [radian]
-  double period = 0;                  ///< T [time]
+  std::array<double, 2> amplitude{};  ///< driving amplitudes A, B along the axis [mass length/time^2]
+  double phase = 0;                   ///< driving phase alpha: bead 3 ahead of bead 1 [radian]
+  double phase_offset = 0;            ///< phi, which is added to the phases of both arms [radian]
+  double period = 0;                  ///< period T of the driving [time]
   double viscosity = 0;               ///< eta, dynamic [mass/(length time)]
 
   double angular_frequency() const;  ///< omega = 2 pi / T [radian/time]
@@ -38,8 +39,9 @@ struct CollinearSwimmer {
 /// the line. Throws InputError if a spring has no stiffness: the mean arm length would be undetermined.
 CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, double viscosity);
 
-/// Returns alpha = sqrt(i omega rho / eta) with Re alpha > 0 [1/length], where rho is `fluid_density`. This
-/// alpha is not the driving phase. Vorticity decays as exp(-alpha x) with the distance x.
+/// Returns alpha = sqrt(i omega rho/eta) with Re alpha > 0 [1/length], where rho is `fluid_density`, and
+/// omega and eta are the angular frequency and the dynamic viscosity of `swimmer`. Vorticity decays as
+/// exp(-alpha x) with the distance x. This alpha is not the driving phase.
 std::complex<double> inverse_penetration_depth(const CollinearSwimmer& swimmer, double fluid_density);
 
 /// Returns the bead positions at rest, with bead 2 at the origin [length].
@@ -48,11 +50,13 @@ LinePositions rest_positions(const CollinearSwimmer& swimmer);
 /// Returns the gaps of beads 1, 2 and of beads 2, 3 at rest [length]. A negative gap is an overlap.
 std::array<double, 2> gaps_at_rest(const CollinearSwimmer& swimmer);
 
-/// Returns the smaller of the two ratios 2 l_i/(lambda_i + lambda_{i+1}). The ratio is l/lambda for equal
-/// beads and equal arms, and 2 for beads that touch.
+/// Returns the smaller of the two ratios 2 l_i/(lambda_i + lambda_{i+1}), where l_i is the rest length of arm
+/// i and lambda_i the radius of bead i. The ratio is l/lambda for equal beads and equal arms, and 2 for beads
+/// that touch.
 double separation_ratio(const CollinearSwimmer& swimmer);
 
-/// Returns the mobility of the beads at rest in open space, with the pair mobility `law` [time/mass].
+/// Returns the mobility matrix of the three beads at their positions at rest in open space, with the pair
+/// mobility `law`, and its derivatives by the positions [time/mass, time/(mass length)].
 CollinearMobility rest_mobility(const CollinearSwimmer& swimmer, PairLaw law);
 
 }  // namespace beadswim

@@ -19,23 +19,26 @@
 //   K, g         stiffness of the arms, tensions of the arms by the driving (linear_response.hpp)
 //   D            matrix that maps bead velocities to rates of the arm lengths (linear_response.hpp)
 //
-// Velocity to second order in amplitude. V_drift and V_R are the sum and the last term of V in
-// inertial_motion.hpp, evaluated for this stroke:
+// Velocity to second order in amplitude. In the formula for V of inertial_motion.hpp, V_drift is the sum over
+// i and j and V_R the last term. For the stroke x they give
 //
 //   V = (C_exact / C_RP) (V_drift(x) + V_R(x)),
 //
-// where C is the geometry factor (perturbation.hpp). Without inertia
+// where C_exact and C_RP are the geometry factors (perturbation.hpp) of exact flow and of Rotne-Prager
+// mobility. Without inertia
 //   V_drift + V_R = C_RP omega d_1 d_2 sin(delta_1 - delta_2),   d, delta: arm amplitudes and phases.
 //
-// Finite amplitude: two motions in exact Stokes flow are compared, the periodic motion at finite amplitude
-// and the motion to second order. The difference of their velocities, scaled with |x_1 x_2|, is added to V.
-// The ratio of their complex arm amplitudes multiplies x.
+// Finite amplitude: two quasi-static motions in exact Stokes flow are compared, the periodic motion at finite
+// amplitude (velocity V_f) and the motion to second order (velocity V_2, arm amplitudes d_1 and d_2). The
+// term (V_f - V_2) |x_1 x_2|/(d_1 d_2) is added to V. The ratio of the complex arm amplitudes of the two
+// motions multiplies x.
 //
 // Page: docs/method/inertia.md.
 
 namespace beadswim {
 
-/// Contributions to the velocity, which sum() adds, and the uncertainty of the sum [length/time].
+/// Contributions to the velocity by the method inertia-corrected, which sum() adds, and the uncertainty of
+/// the sum [length/time].
 struct InertialVelocity {
   double quasi_static = 0;        ///< exact Stokes flow in open space, to second order
   double by_stroke = 0;           ///< change because inertia changes the stroke
@@ -59,8 +62,8 @@ struct InertiaCorrected {
   double sin_uncertainty = 0;                     ///< absolute uncertainty of sin(delta_1 - delta_2)
 };
 
-/// Evaluates the method. Requires `question.exact`. Throws InputError if no periodic motion without contact
-/// is found.
+/// Returns velocity and stroke by the method inertia-corrected. Requires `question.exact`, the exact Stokes
+/// flow (with_exact_reference()). Throws InputError if no periodic motion without contact is found.
 InertiaCorrected inertia_corrected(const Question& question);
 
 }  // namespace beadswim

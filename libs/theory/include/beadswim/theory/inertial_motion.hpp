@@ -39,7 +39,7 @@
 
 namespace beadswim {
 
-/// A swimmer and its surroundings, for the theory with inertia.
+/// A swimmer in its fluid, which fills a box or open space, for the theory with inertia.
 struct InertialScene {
   CollinearSwimmer swimmer;
   double fluid_density = 0;   ///< rho [mass/length^3]
@@ -47,39 +47,45 @@ struct InertialScene {
   LinePositions positions{};  ///< bead positions at rest on the line of `flow` [length]
 };
 
-/// Returns the scene in the question's box, or in open space if the question has no box.
+/// Returns the swimmer in the question's box, or in open space if the question has no box.
 InertialScene inertial_scene(const Question& question);
 
-/// Returns the scene in open space, whether or not the question has a box.
+/// Returns the swimmer in open space, whether or not the question has a box.
 InertialScene unbounded_scene(const Question& question);
 
-/// Returns M of U = M f at the driving frequency [time/mass].
+/// Returns the matrix M of U = M f at the driving frequency: bead velocities U per induced force f of the
+/// beads on the fluid [time/mass].
 Eigen::Matrix3cd induced_mobility(const InertialScene& scene);
 
-/// Returns the mobility (1 + i omega M (m - m_f))^-1 M, which relates bead velocities to the forces F on the
-/// beads at the driving frequency [time/mass].
+/// Returns the mobility (1 + i omega M (m - m_f))^-1 M at the driving frequency, which relates bead
+/// velocities to the forces F of driving, springs and dashpots [time/mass]. M: induced_mobility(); m, m_f:
+/// masses of a bead and of the fluid that it displaces.
 Eigen::Matrix3cd unsteady_mobility(const InertialScene& scene);
 
-/// Returns the induced forces f of beads that move as in `response` [mass length/time^2].
+/// Returns the induced forces f, which the beads exert on the fluid if they move as in `response`
+/// [mass length/time^2].
 Eigen::Vector3cd induced_forces(const InertialScene& scene, const LinearResponse& response);
 
-/// Coefficients of the sum over i and j in V.
+/// Coefficients of the Lagrangian drift, the sum over i and j in the velocity V. R_ji and S_ji are the
+/// unsteady and the steady flow at bead j per force of bead i.
 struct DriftForm {
-  Eigen::Vector3d towing;        ///< w, sum 1
+  Eigen::Vector3d towing;        ///< w_j, share of bead j in the force that tows the rigid swimmer, sum 1
   Eigen::Matrix3cd by_receiver;  ///< dR_ji/dx_j in element (j, i) [time/(mass length)]
   Eigen::Matrix3cd by_source;    ///< dS_ji/dx_i in element (j, i) [time/(mass length)]
 };
 
-/// Evaluates the coefficients at the driving frequency.
+/// Returns the coefficients of the Lagrangian drift at the driving frequency.
 DriftForm drift_form(const InertialScene& scene);
 
-/// Returns the sum over i and j in V: the drift because beads and induced forces are displaced [length/time].
-/// `force`: the induced forces f.
+/// Returns the Lagrangian drift, the part of the velocity due to the displacement of beads and induced forces
+/// (sum over i and j in V) [length/time]. `displacement`: complex amplitudes of the bead displacements
+/// [length], `force`: induced forces f [mass length/time^2].
 double lagrangian_drift(const DriftForm& form, const Eigen::Vector3cd& displacement,
                         const Eigen::Vector3cd& force);
 double lagrangian_drift(const InertialScene& scene, const LinearResponse& response);
 
-/// Returns Q, the coefficients of V_R (reynolds_stress.hpp), for the swimmer in open space.
+/// Returns Q, the coefficients of the velocity V_R by the Reynolds stress (reynolds_stress.hpp), for the
+/// swimmer in open space.
 ReynoldsForm reynolds_form(const InertialScene& scene);
 
 }  // namespace beadswim

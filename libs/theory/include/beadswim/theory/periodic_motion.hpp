@@ -39,10 +39,10 @@ using MobilityFunction = std::function<CollinearMobility(const LinePositions&)>;
 /// Velocity and stroke of the periodic motion.
 struct PeriodicMotion {
   double velocity = 0;                ///< V, positive towards bead 3 [length/time]
-  std::array<double, 2> arm_means{};  ///< <L_i> [length]
+  std::array<double, 2> arm_means{};  ///< mean arm lengths over a period [length]
   Stroke stroke;                      ///< first harmonic of the arm lengths, as in stroke.hpp
   double smallest_gap = 0;            ///< minimum over the cycle of the gaps of neighbouring beads [length]
-  int nodes = 0;                      ///< M, number of nodes per period
+  int nodes = 0;                      ///< number of nodes (equidistant times) per period
 };
 
 /// Returns the periodic motion about the bead positions `rest`, at which the springs are relaxed. The gaps of

@@ -29,23 +29,26 @@ namespace beadswim {
 /// Velocity, mean arms and stroke of the periodic motion at small amplitude.
 struct SecondOrderMotion {
   double velocity = 0;                  ///< V, positive towards bead 3 [length/time]
-  std::array<double, 2> arm_changes{};  ///< m_i = <L_i> - l_i [length]
-  Stroke stroke;                        ///< stroke to first order
+  std::array<double, 2> arm_changes{};  ///< m_i: mean length of arm i minus rest length [length]
+  Stroke stroke;                        ///< stroke to first order in the driving amplitude
 };
 
 /// Returns w: the forces on the beads of a rigid swimmer that is towed along its axis, divided by their sum.
+/// `mobility`: of the three beads [time/mass].
 Eigen::Vector3d rigid_force_distribution(const Eigen::Matrix3d& mobility);
 
-/// Returns the periodic motion to second order in A and B. `mobility`: mobility at rest and its derivatives.
+/// Returns the periodic motion to second order in the driving amplitudes A and B. `mobility`: of the beads at
+/// rest, with its derivatives.
 SecondOrderMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility);
 
-/// Returns the second-order velocity for arms that change by Re(x_i exp(i omega t)), x = `arm` [length/time].
-/// It does not depend on the forces that cause this stroke.
+/// Returns the velocity to second order in amplitude if the arm lengths change by Re(x_i exp(i omega t))
+/// [length/time]. x = `arm` [length], omega = `angular_frequency`; `mobility`: of the beads at rest. The
+/// velocity does not depend on the forces that cause this stroke.
 double velocity_of_stroke(const Eigen::Vector2cd& arm, const CollinearMobility& mobility,
                           double angular_frequency);
 
-/// Returns the geometry factor C of V = C omega d_1 d_2 sin(delta_1 - delta_2) [1/length], d and delta: arm
-/// amplitudes and phases. The law is valid in open space for any driving.
+/// Returns the geometry factor C of the velocity V = C omega d_1 d_2 sin(delta_1 - delta_2) to second order
+/// in the arm amplitudes d [1/length], delta: arm phases. This law is valid in open space for any driving.
 double geometry_factor(const CollinearMobility& mobility);
 
 }  // namespace beadswim

@@ -13,8 +13,8 @@ namespace beadswim {
 
 /// Estimated errors of a predicted stroke.
 struct StrokeUncertainty {
-  std::array<double, 2> arm_amplitudes{};  ///< relative errors of d_1 and d_2
-  double sin_phase_shift = 0;              ///< absolute error
+  std::array<double, 2> arm_amplitudes{};  ///< relative errors of the arm amplitudes
+  double sin_phase_shift = 0;              ///< absolute error of sin(delta_1 - delta_2)
 
   static void visit_fields(auto&& visit, auto& uncertainty) {
     visit("arm_amplitudes", uncertainty.arm_amplitudes);
@@ -37,7 +37,7 @@ struct Prediction {
   std::optional<std::array<double, 2>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
-  std::vector<Setting> settings;  ///< assumptions of the method and contributions to the velocity
+  std::vector<Setting> settings;  ///< names and values: assumptions, contributions to the velocity
 
   static void visit_fields(auto&& visit, auto& prediction) {
     visit("method", prediction.method);

@@ -18,14 +18,16 @@ struct BoxPlace {
   std::array<double, 3> middle_bead{};  ///< position of bead 2 at rest, from the corner of the box [length]
 };
 
-/// Exact Stokes flow of the three spheres in open space: the reference for the errors of all methods.
+/// Motion of the swimmer in exact Stokes flow of its three beads in open space: the reference for the errors
+/// of all methods.
 struct ExactStokes {
-  CollinearMobility mobility;   ///< mobility at rest
-  SecondOrderMotion motion;     ///< motion to second order in amplitude
+  CollinearMobility mobility;   ///< mobility of the beads at rest
+  SecondOrderMotion motion;     ///< motion to second order in the driving amplitude
   double amplitude_change = 0;  ///< estimated relative change of the velocity at finite amplitude
 };
 
-/// Input of all methods: a swimmer, its surroundings (box or open space), and its stroke if it was measured.
+/// Input of all methods of prediction: a swimmer, its fluid, its box (or open space), and its stroke if it
+/// was measured.
 struct Question {
   CollinearSwimmer swimmer;
   double fluid_density = 0;     ///< rho [mass/length^3]
@@ -35,13 +37,13 @@ struct Question {
   std::optional<ExactStokes> exact;  ///< set by with_exact_reference(); nullopt if not available
 };
 
-/// Returns the mobility of the beads at `positions` in exact Stokes flow in open space. `tolerance`: relative
-/// error at which the multipole series is truncated.
+/// Returns the mobility of the beads at `positions` [length] in exact Stokes flow in open space [time/mass].
+/// `tolerance`: relative error of the mobility at which the multipole series is truncated.
 CollinearMobility exact_mobility(const CollinearSwimmer& swimmer, const LinePositions& positions,
                                  double tolerance = 1e-12);
 
-/// Returns the question with `exact` set. `exact` stays nullopt if beads touch or nearly touch, because the
-/// multipole series would then need too many terms.
+/// Returns the question with `exact` set to the motion in exact Stokes flow. `exact` stays nullopt if beads
+/// touch or nearly touch, because the multipole series would then need too many terms.
 Question with_exact_reference(Question question);
 
 /// Returns warnings that concern all methods. They report beads that touch during the stroke, and driving so

@@ -16,25 +16,28 @@
 // The law follows from the Navier-Stokes equations to second order in amplitude by the reciprocal theorem.
 //
 // The integral extends over all space. Inside a sphere, the sphere's own flow is uniform, and the flows of
-// the other spheres are evaluated by their formulas outside. At this level of approximation, this choice
-// makes V independent of a common oscillation of beads and fluid.
+// the other spheres are evaluated by their formulas outside. With this choice, and at this level of
+// approximation, the velocity of the swimmer does not depend on a common oscillation of beads and fluid.
 //
 // Page: docs/method/inertia.md.
 
 namespace beadswim {
 
-/// Q, a Hermitian matrix, and its contribution from the beads [time^3/(mass^2 length)].
+/// Matrix Q of the velocity V_R = 1/2 Re sum_ij f_i f_j* Q_ij by the Reynolds stress of the induced forces f,
+/// and the contribution of the volume of the beads to Q [time^3/(mass^2 length)]. Q is Hermitian.
 struct ReynoldsForm {
-  Eigen::Matrix3cd total;   ///< integral over all space
+  Eigen::Matrix3cd total;   ///< Q, the integral over all space
   Eigen::Matrix3cd inside;  ///< contribution of the volume of the beads, a measure of the error
 };
 
-/// Returns Q in open space. `towing`: the forces w of u^. The error is below 1e-5 of the largest element, for
+/// Returns the matrix Q of the velocity by the Reynolds stress in open space. `towing`: the forces w on the
+/// three beads that tow the swimmer, sum 1. The error of an element is below 1e-5 of the largest element, for
 /// penetration depths from 0.1 bead radii to 1000 arm lengths.
 ReynoldsForm reynolds_stress_form(const CollinearSwimmer& swimmer, double fluid_density,
                                   const Eigen::Vector3d& towing);
 
-/// Returns V_R [length/time] for the complex amplitudes of the induced forces [mass length/time^2].
+/// Returns the velocity V_R by the Reynolds stress [length/time] for the matrix Q = `form` and the complex
+/// amplitudes of the induced forces of the three beads [mass length/time^2].
 double reynolds_stress_velocity(const Eigen::Matrix3cd& form, const Eigen::Vector3cd& induced_force);
 
 }  // namespace beadswim

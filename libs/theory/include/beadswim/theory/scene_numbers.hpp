@@ -20,7 +20,7 @@ struct TypeNumbers {
   std::array<double, 2> arm_over_radius{};   ///< l_i / lambda with the mean radius lambda of the arm's beads
   std::array<double, 2> drag_over_spring{};  ///< gamma omega / k_i with gamma = 6 pi eta lambda
   std::array<double, 2> arm_amplitude{};     ///< d_i to first order with Rotne-Prager mobility [length]
-  std::array<double, 2> arm_gap{};           ///< gap of the arm's beads at rest [length]
+  std::array<double, 2> arm_gap{};           ///< distance of the surfaces of the arm's beads at rest [length]
   std::optional<std::array<double, 3>> box_over_length;  ///< box edges / swimmer length
 
   static void visit_fields(auto&& visit, auto& numbers) {
@@ -35,7 +35,8 @@ struct TypeNumbers {
   }
 };
 
-/// Numbers of a resolved run with the resolution that the layout suggests.
+/// Numbers of a resolved run (lattice simulation) with the cells per radius and the relaxation time that the
+/// layout suggests.
 struct ResolutionNumbers {
   double cell = 0;                                 ///< edge of a cell [length]
   double time_step = 0;                            ///< (tau - 1/2)/3 cell^2/nu [time]
@@ -65,8 +66,8 @@ struct SceneNumbers {
   }
 };
 
-/// Returns the velocity amplitudes of the three beads to first order, v = mu F with the Rotne-Prager mobility
-/// [length/time].
+/// Returns the velocity amplitudes of the three beads to first order in the driving amplitude, with the
+/// Rotne-Prager mobility [length/time].
 std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer);
 
 /// Returns the numbers of a layout. Requires a layout in which check_layout() finds no fault.

@@ -5,26 +5,26 @@
 #include "beadswim/core/names.hpp"
 #include "beadswim/tools/program.hpp"
 
-// Flags whose values are words. The word is checked first and then converted to an enumerator. Transformers
-// of CLI11 are not used, because they would replace the word by a number in the provenance.
+// Flags whose values are words. A word is checked first and then converted to an enumerator. The transformers
+// of CLI11 are not used, because they would replace the word by a number in the recorded command line.
 
 namespace beadswim {
 
-/// Adds a flag whose value is one of `words`. Parsing calls take(word). The help shows `initial` as the
-/// default, unless `initial` is empty.
+/// Adds a flag whose value is one of `words`. Parsing the flag calls take(word). The help shows `initial` as
+/// the default, unless `initial` is empty.
 CLI::Option* add_word(CLI::App& command, const std::string& flag, const std::vector<std::string>& words,
                       const std::string& initial, const std::string& help,
                       const std::function<void(const std::string&)>& take);
 
-/// Adds a flag whose value is the name of an enumerator. Parsing stores the enumerator in `value`. The
-/// initial contents of `value` are the default.
+/// Adds a flag whose value is the name of an enumerator. Parsing the flag stores the enumerator in `value`,
+/// whose initial contents are the default.
 template <NamedEnum Enum>
 CLI::Option* add_choice(CLI::App& command, const std::string& flag, Enum& value, const std::string& help) {
   return add_word(command, flag, all_names<Enum>(), to_text(value), help,
                   [&value](const std::string& word) { value = from_text<Enum>(word); });
 }
 
-/// Adds a flag whose value is the name of an enumerator, without a default.
+/// Adds a flag whose value is the name of an enumerator. The flag has no default.
 template <NamedEnum Enum>
 CLI::Option* add_choice(CLI::App& command, const std::string& flag, std::optional<Enum>& value,
                         const std::string& help) {
@@ -32,8 +32,8 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, std::optiona
                   [&value](const std::string& word) { value = from_text<Enum>(word); });
 }
 
-/// Adds a flag whose value consists of names of enumerators, joined by commas. Parsing stores the enumerators
-/// in `values`. The initial contents of `values` are the default.
+/// Adds a flag whose value is a list of names of enumerators, joined by commas. Parsing the flag stores the
+/// enumerators in `values`, whose initial contents are the default.
 template <NamedEnum Enum>
 CLI::Option* add_choices(CLI::App& command, const std::string& flag, std::vector<Enum>& values,
                          const std::string& help) {
@@ -51,8 +51,9 @@ CLI::Option* add_choices(CLI::App& command, const std::string& flag, std::vector
       ->type_name("NAME,...");
 }
 
-/// Adds a flag that does not exist but that users may look for. The help does not list it. Parsing a command
-/// line with this flag throws InputError with the explanation. `names`: names of the flag, joined by commas.
+/// Adds a flag that does not exist, but that users may look for. The help does not list this flag. If the
+/// command line contains the flag, the parser throws InputError with the explanation. `names`: names of the
+/// flag, joined by commas.
 void add_absent_flag(CLI::App& command, const std::string& names, const std::string& explanation);
 
 /// Adds a flag whose value is on or off. The initial value of `is_on` is the default.

@@ -7,16 +7,15 @@
 
 namespace beadswim {
 
-/// A layout and its provenance: one entry for each program that made or changed it.
+/// A layout and its provenance, which has one entry for each program that made or changed the layout.
 struct LayoutDocument {
   Layout layout;
   Json provenance = Json::array();
 };
 
-/// Converts a JSON document to a layout. It validates the document against the schema. It also checks
-/// relations between fields: unknown types, duplicate ids, overlaps, beads outside the box, and arms shorter
-/// than the beads they join. `source`: name of the document in messages. Throws InputError that lists all
-/// faults.
+/// Converts a JSON document to a layout after validation against the schema. Also checks relations between
+/// fields: unknown types, duplicate ids, overlaps, beads outside the box, and arms shorter than the beads
+/// that they join. `source`: name of the document in messages. Throws InputError with a list of all faults.
 LayoutDocument layout_from_json(const Json& document, const std::string& source);
 
 /// Reads a layout from a file, or from stdin for "-". Throws InputError.

@@ -9,7 +9,7 @@
 
 namespace beadswim {
 
-/// A method that cannot treat the swimmer, with the reason.
+/// A theory method that cannot treat the swimmer, and the reason.
 struct LeftOutMethod {
   std::string method;
   std::string reason;
@@ -22,7 +22,7 @@ struct LeftOutMethod {
 
 /// Predictions for one swimmer of a layout (schemas/prediction.schema.json).
 struct PredictionDocument {
-  Units units;      ///< units of the layout and of all quantities here
+  Units units;      ///< units of the layout, used for all quantities of this document
   int swimmer = 0;  ///< id of the swimmer in the layout
   std::vector<Prediction> predictions;
   std::vector<LeftOutMethod> left_out;
@@ -33,11 +33,11 @@ struct PredictionDocument {
 /// Returns the document as JSON.
 Json predictions_to_json(const PredictionDocument& document);
 
-/// Converts JSON after validation against the schema. `source`: name of the document in messages. Throws
-/// InputError.
+/// Converts a JSON document to predictions after validation against the schema. `source`: name of the
+/// document in messages. Throws InputError if the document is invalid.
 PredictionDocument predictions_from_json(const Json& document, const std::string& source);
 
-/// Reads predictions from a file, or from stdin for "-". Throws InputError.
+/// Reads predictions from a file, or from standard input for "-". Throws InputError if the file is invalid.
 PredictionDocument read_predictions(const std::string& path);
 
 }  // namespace beadswim

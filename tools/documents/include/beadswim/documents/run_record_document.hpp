@@ -16,7 +16,7 @@
 
 namespace beadswim {
 
-/// How a run ended.
+/// State in which a run ended.
 enum class RunStatus { finished, stopped_speed, stopped_time, stopped_signal, failed };
 
 template <>
@@ -27,11 +27,11 @@ inline constexpr auto name_table<RunStatus> =
                                           {RunStatus::stopped_signal, "stopped-signal"},
                                           {RunStatus::failed, "failed"}});
 
-/// Statistics of one swimmer.
+/// Cycle statistics of one swimmer.
 struct SwimmerRecord {
   int id = 0;
   std::vector<CycleStatistics> cycles;  ///< complete cycles, in order
-  std::optional<double> period;         ///< period of its driving [time]; nullopt: the base period
+  std::optional<double> period;         ///< driving period [time]; nullopt: the base period
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);
@@ -40,8 +40,8 @@ struct SwimmerRecord {
   }
 };
 
-/// Largest number of swimmers whose statistics a record lists one by one. A record of a larger swarm contains
-/// statistics of the swarm only. The trajectory contains all swimmers.
+/// Largest number of swimmers for which a run record contains statistics of each swimmer. The record of a
+/// larger swarm contains only averages over the swarm; the trajectory file always contains all swimmers.
 constexpr std::size_t max_swimmers_listed = 64;
 
 /// Statistics of the swarm, and momentum of fluid and beads [mass length/time], at the end of a base cycle.

@@ -17,11 +17,12 @@ namespace beadswim {
 /// A run record or a prediction document.
 using SwimmingDocument = std::variant<RunRecord, PredictionDocument>;
 
-/// Returns the name of the file in messages: `path`, or "standard input" if `path` is "-".
+/// Returns the name of a file for messages: `path`, or "standard input" if `path` is "-".
 std::string source_name(const std::string& path);
 
 /// Reads a run record that contains statistics of single swimmers. Throws the errors of read_run_record().
-/// Throws InputError with a remedy if the file is a trajectory (.h5md) or if the record lists no swimmers.
+/// Also throws InputError, with a remedy in the message, if the file is a trajectory (.h5md) or if the record
+/// lists no swimmers.
 RunRecord read_run(const std::string& path);
 
 /// A JSON document and its name in messages: "FILE", or "FILE line N" if the file contains several documents.
@@ -30,35 +31,35 @@ struct SourceJson {
   Json json;
 };
 
-/// Returns the schema of a document, such as "beadswim/run/1"; empty if the document does not state it.
+/// Returns the schema name that a document states, such as "beadswim/run/1"; empty if it states none.
 std::string schema_of(const Json& document);
 
-/// Reads the documents of a file, or of stdin for "-". The file contains one document, or one document per
-/// line (JSON lines). Throws InputError if there is no document or if a document is invalid. `wanted`: text
-/// for the message that names the expected documents.
+/// Reads the JSON documents of a file, or of standard input for "-". The file contains one document, or one
+/// document per line (JSON lines). Throws InputError if the file contains no document or an invalid one.
+/// `wanted`: name of the expected documents for the error message.
 std::vector<SourceJson> read_json_documents(const std::string& path, const std::string& wanted);
 
-/// Converts a run record or a prediction document. The schema that the document states determines its type.
-/// Throws InputError for other schemas.
+/// Converts a JSON document to a run record or a prediction document, as the schema name in the document
+/// states. Throws InputError for other schemas.
 SwimmingDocument swimming_from_json(const Json& document, const std::string& source);
 
 /// Reads a run record or a prediction document from a file, or from stdin for "-". Throws InputError.
 SwimmingDocument read_swimming(const std::string& path);
 
-/// Returns velocity and stroke of a swimmer, averaged over the chosen cycles. Throws InputError if a chosen
-/// cycle is missing.
+/// Returns velocity and stroke of a swimmer of a run, averaged over the chosen cycles. Throws InputError if
+/// the run lacks a chosen cycle.
 ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                            const std::string& source);
 
-/// Returns velocity and stroke of a prediction.
+/// Returns the predicted velocity and stroke.
 ComparedValues swimming_of(const Prediction& prediction);
 
-/// Returns the swimmer with that id. Throws InputError if there is none; the message lists the ids of the
-/// run.
+/// Returns the record of the swimmer with this id. Throws InputError if the run has no such swimmer; the
+/// message lists the ids of the run.
 const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source);
 
-/// Returns the period of the driving from the settings of the predictions [time]; nullopt if no setting
-/// states it.
+/// Returns the driving period that the settings of the predictions state [time]; nullopt if no setting states
+/// the period.
 std::optional<double> driving_period(const PredictionDocument& document);
 
 }  // namespace beadswim

@@ -19,12 +19,12 @@ struct TrajectoryFile {
   std::vector<int> swimmers() const;  ///< ids, in the order of the file
 };
 
-/// Opens a trajectory and reads its layout. Throws InputError if the file is invalid; the message contains
-/// the file and the place in the file.
+/// Opens a trajectory file and reads the layout that it contains. Throws InputError if the file is invalid;
+/// the message contains the path of the file and the place within it.
 TrajectoryFile open_trajectory(const std::string& path);
 
-/// Throws InputError with a message such as "FLAG: no swimmer 12 in run.h5md; the nearest is 8, ids are 0 to
-/// 8".
+/// Throws InputError for an id that no swimmer has, with a message such as "FLAG: no swimmer 12 in run.h5md;
+/// the nearest is 8, ids are 0 to 8".
 [[noreturn]] void throw_unknown_swimmer(const std::string& flag, int id, const std::vector<int>& ids,
                                         const std::string& source);
 

@@ -10,7 +10,7 @@
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/fields_json.hpp"
 
-// Result of a comparison (schemas/verdict.schema.json).
+// Result of a comparison of runs with references (schemas/verdict.schema.json).
 
 namespace beadswim {
 
@@ -34,14 +34,15 @@ struct VerdictDocument {
   std::optional<VerdictCost> cost;
 };
 
-/// Returns the sum of the costs of all runs; nullopt if a record contains no cost.
+/// Returns the sum of the costs of all runs; nullopt if the cost of a run is not known.
 std::optional<VerdictCost> total_cost(std::span<const std::optional<RunCost>> runs);
 
-/// Converts JSON after validation against the schema. Throws InputError; the message contains `source` and
-/// the place in the document.
+/// Converts a JSON document to a verdict after validation against the schema. Throws InputError if the
+/// document is invalid; the message contains `source` and the place in the document.
 VerdictDocument verdict_from_json(const Json& json, const std::string& source);
 
-/// Returns the document as JSON. "pass" is the verdict of the rows; an infinite relative error becomes null.
+/// Returns the verdict document as JSON. "pass" is the verdict over all rows; an infinite relative error
+/// becomes null.
 Json verdict_to_json(const VerdictDocument& document);
 
 }  // namespace beadswim
