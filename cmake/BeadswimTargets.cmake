@@ -26,9 +26,9 @@ endfunction()
 # false (GCC bug 105651).
 set(BEADSWIM_FALSE_WARNINGS_OFF -Wno-stringop-overflow -Wno-array-bounds)
 
-# Templates and virtual classes of these headers compile in a third less time at -O1 than at -O3. The speed of this code does
+# Templates and virtual classes of these headers compile in a third less time at -O1 than at -O2. The speed of this code does
 # not matter.
-set(BEADSWIM_COLD_CODE $<$<CONFIG:Release>:-O1>)
+set(BEADSWIM_COLD_CODE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 
 # beadswim_share_headers(TARGET numerics|tests|together): lets a target use the precompiled header of a family. `together`
 # compiles the files of the target together instead; `tests` does both.
