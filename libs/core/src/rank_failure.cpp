@@ -24,7 +24,11 @@ bool all_ranks_fail_together(const Communicator& communicator) {
   return false;
 }
 
+/// Ends all ranks of the program. The mpirun of Open MPI (which sets OMPI_COMMAND) ends the other ranks as
+/// soon as one process exits. MPI_Abort would print a banner after the message of the failed rank. Other
+/// launchers need MPI_Abort.
 [[noreturn]] void abort_ranks(const Communicator& communicator, int status) {
+  if (std::getenv("OMPI_COMMAND")) std::_Exit(status);
   MPI_Abort(communicator.get(), status);
   std::abort();
 }
