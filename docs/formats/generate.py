@@ -15,7 +15,7 @@ schemas = here.parent.parent / "schemas"
 pages = {"run": "run-record"}  # other pages have the names of their schemas
 first_schemas = ["layout", "run"]  # their pages hold the tables that other pages link to
 begin = "<!-- Below: from {}, by docs/formats/generate.py -->"
-end = "<!-- Above: from {}, by docs/formats/generate.py -->"
+end = "<!-- end of {} -->"
 
 words = {"string": "text"}
 bounds = {"minimum": "≥", "exclusiveMinimum": ">", "maximum": "≤", "exclusiveMaximum": "<"}

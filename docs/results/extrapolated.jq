@@ -1,6 +1,6 @@
-# A prediction from runs of two bead boundaries, each at two resolutions: jq -s -L docs/results -f extrapolated.jq RUNS
-# Errors fall with the square of the cells a radius; what the two boundaries then differ by, and what the finest run is
-# off, bounds how uncertain the mean of both is.
+# Extrapolates runs of two bead boundaries, each at two resolutions, to zero cell size, and prints a prediction: jq -s -L docs/results -f extrapolated.jq RUNS
+# Errors are assumed proportional to the square of the cell size. The prediction is the mean of both extrapolations. Its
+# uncertainty is the largest difference of an extrapolation or a finest run from this mean.
 include "percentages";
 def numbers: seen as {$v, $sine} | .swimmers[0].cycles[-1]
   | [$v] + .arm_amplitudes + .arm_phases + .arm_means + [$sine];

@@ -1,12 +1,13 @@
-# The tables of docs/figure-3.md, from lines of figure-3-tables.sh.
+# Prints the tables of docs/figure-3.md from lines of figure-3-tables.sh.
 def rounded($places): . * pow(10; $places) | round / pow(10; $places) + 0;
 def signed($places): rounded($places) | if . > 0 then "+\(.)" elif . == 0 then "0" else tostring end;
 def percent: if . == null then "" else . * 100 | signed(1) end;
 def digits($n): if . == 0 then "0" else (fabs | log10 | floor) as $e | ($n - 1 - $e) as $places
   | rounded($places) | tostring end;
-def small: . * 1e5 | rounded(3) | tostring;   # a velocity, in 1e-5
+def small: . * 1e5 | rounded(3) | tostring;   # prints a velocity in units of 1e-5
 
-# Numbers of a run: means over its last cycles, velocity relative to the mean flow. Numbers of a prediction.
+# Velocity, arm amplitudes and sine of the phase shift: of a run (seen: mean over the last cycles, velocity relative to the mean
+# flow) and of a prediction (foreseen).
 def mean(f): map(f) | add / length;
 def seen($cycles): .swimmers[0].cycles[-$cycles:] | {
   v: mean(.speed_along_axis - (.mean_flow[0] * .axis[0] + .mean_flow[1] * .axis[1] + .mean_flow[2] * .axis[2])),
@@ -17,7 +18,7 @@ def off($run; $theory; $what): ($run[$what] / $theory[$what]) - 1;
 def box: .run.domain.lengths | map(tostring) | join(" x ");
 def seconds: .run | .cost.core_seconds / .swimmers[0].cycles[-1].index;  # per cycle
 def setting: {fine: "`mr`, 4 cells", staircase: "`staircase`, 4 cells", three: "`mr`, 3 cells, single", coarse: "`mr`, 2 cells, single"}[.];
-def deviations: map("with " + setting) | .[0] |= "error of d1, d2, v [%] " + .;
+def deviations: map("errors with " + setting) | .[0] |= "errors of d1, d2, v relative to `inertia-corrected` [%]" + ltrimstr("errors");
 def row: "| " + join(" | ") + " |";
 def rule: map("---") | "|" + join("|") + "|";
 def table($head): ($head | row, rule), .[];
@@ -38,7 +39,7 @@ def pi: 3.141592653589793;
  | map((.[] | select(.name == "fine")) as $fine | ($fine.run | seen) as $r
      | [($fine.run.driving.period | tostring), "\($r.d1 | digits(4)), \($r.d2 | digits(4)), \($r.sine | rounded(3)), \($r.v | small)"]
        + columns($settings) + [$fine | uncertainty] | row)
- | table(["period T", "d1, d2, sin β, v [1e-5] with `mr`, 4 cells"] + ($settings | deviations) + ["uncertainty of predicted v [%]"])),
+ | table(["period T [step]", "arm amplitudes d1, d2 [cell], sin β, velocity v [1e-5 cell/step] with `mr`, 4 cells"] + ($settings | deviations) + ["uncertainty of predicted v [%]"])),
 "\nCost at T = 4800, in core-seconds per cycle: " + ($settings | map(. as $name
    | $all | map(select(.name == "cost-" + $name)) | .[0] // empty | "\(seconds | digits(2)) (\($name | setting))") | join(", ")) + ".",
 
@@ -48,13 +49,13 @@ def pi: 3.141592653589793;
    (sweep("by-phase") | group_by(.run.driving.phase)[]
     | {at: (.[0].run.driving.phase / pi | rounded(2)), runs: .} | select(.at == 0.25) | .at |= "α = \(.) π")]
  | map([.at] + (.runs | columns($sweeps) + [.[0] | uncertainty]) | row)
- | table(["driving"] + ($sweeps | deviations) + ["uncertainty of predicted v [%]"])),
+ | table(["driving amplitudes A/B or phase α"] + ($sweeps | deviations) + ["uncertainty of predicted v [%]"])),
 
 "\n### Almost no inertia\n",
 ($all | map(select(.name == "slow") | (.run | seen(1)) as $r | (.theory["inertia-corrected"] | foreseen) as $t
    | (.theory["multipole-ode"].velocity * .theory["rpy-box-ode"].velocity / .theory["rpy-ode"].velocity) as $exact
    | ["\(.run.resolution.cells_per_radius)", ($r.v / $exact - 1 | percent), (off($r; $t; "v") | percent)] | row)
- | table(["cells per radius", "error of v relative to exact quasi-static theory [%]", "error of v relative to `inertia-corrected` [%]"])),
+ | table(["cells per radius", "error of velocity v relative to exact quasi-static theory [%]", "error of v relative to `inertia-corrected` [%]"])),
 
 "\n### Boxes\n",
 ($all | map(select(.name == "walls" and (.run.domain | .lengths[0] == 60 or .lengths[0] == 600 or (.lengths[0] == 120 and .boundary[0] == "periodic")))
@@ -62,10 +63,10 @@ def pi: 3.141592653589793;
    | ($i.velocity - $i.settings.velocity_by_box) as $open
    | [box, .run.domain.boundary[0], ($r.v / $i.velocity - 1 | percent), ($i.velocity / $open - 1 | percent),
       ($t["rpy-box-ode"].velocity / $t["rpy-ode"].velocity - 1 | percent)] | row)
- | table(["box", "boundary", "error of v relative to `inertia-corrected` [%]", "change of v by the box, `inertia-corrected` [%]", "change of v by the box, theory without inertia [%]"])),
+ | table(["box (bead radius 4)", "boundary", "error of velocity v relative to `inertia-corrected` [%]", "change of v by the box, `inertia-corrected` [%]", "change of v by the box, theory without inertia [%]"])),
 
 "\n### Staircase runs and equal weights\n",
-"Columns 2 and 3: v of the `staircase` run without the effect of the box, relative to equation (4.3) of the paper and to Rotne-Prager theory with equal bead weights. Other columns: changes of v that lead from this theory to the `staircase` run.\n",
+"Columns 2 and 3 exclude the effect of the box. \"Equal weights\" is Rotne-Prager theory with equal bead weights. The other columns contain the changes of v that lead from this theory to the `staircase` run.\n",
 (sweep("by-period") | map(select(.name == "fine" and .run.driving.period > 4000) | .run.driving.period as $T | .theory as $t
    | ($t["inertia-corrected"] | .settings) as $s | (.run | seen.v) as $mr
    | (sweep("by-period")[] | select(.name == "staircase" and .run.driving.period == $T) | .run | seen.v) as $stairs
@@ -75,4 +76,4 @@ def pi: 3.141592653589793;
    | [$start, $s.velocity_quasi_static, $inert, $inert + $s.velocity_by_amplitude, $t["inertia-corrected"].velocity, $mr, $stairs] as $steps
    | ["\($T)"] + [$t["oseen-force-closed"].velocity, $start | $stairs / $box / . - 1 | percent]
      + [range(1; 7) as $n | $steps[$n] / $steps[$n - 1] - 1 | percent] | row)
- | table(["period T", "run relative to equation (4.3) [%]", "run relative to equal weights [%]", "change of v [%]: exact flow", "inertia", "finite amplitude", "box", "lattice with `mr`", "`staircase` instead of `mr`"]))
+ | table(["period T [step]", "v of `staircase` run relative to equation (4.3) [%]", "relative to equal weights [%]", "change of v [%] by exact flow", "by inertia", "by finite amplitude", "by the box", "by the lattice (`mr`)", "by `staircase` instead of `mr`"]))

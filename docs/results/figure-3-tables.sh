@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tables of docs/figure-3.md, from the run records of figure-3.sh and theory of today.
+# Prints the tables of docs/figure-3.md from the records of figure-3.sh and predictions by the present programs.
 #   docs/results/figure-3-tables.sh FOLDER     (a minute; the programs on PATH)
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
@@ -8,7 +8,7 @@ command -v beadswim-theory >/dev/null || PATH=$(realpath "$here/../..")/build/re
 
 methods=oseen-force-closed,rpy-equal-weight,multipole-ode,rpy-ode,rpy-box-ode,inertia-corrected
 
-# Each record of a file with its predictions: {name, run, theory: {METHOD: prediction}}, one a line.
+# Prints each record of a file with its predictions, one per line: {name, run, theory: {METHOD: prediction}}.
 with_theory() { # NAME FILE LAYOUT-FLAGS...
   local name=$1 file=$2
   shift 2

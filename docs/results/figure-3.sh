@@ -1,9 +1,8 @@
 #!/bin/bash
-# The run records behind docs/figure-3.md, beside those of examples/figure-3-runs.sh, which it calls.
-#   docs/results/figure-3.sh FOLDER [GROUP...]     (an hour and a half on 2 idle cores, three quarters of an hour of it the closed box)
-# Groups: fine, staircase (the paper's), three, coarse: figure 3 at several settings; slow: hardly any inertia; walls:
-# free-slip boxes of growing size; closed: the paper's own box;
-# cost: core seconds. Files that are there are kept.
+# Makes the records of docs/figure-3.md, in part by examples/figure-3-runs.sh.
+#   docs/results/figure-3.sh FOLDER [GROUP...]     (90 minutes on 2 idle cores, including 45 minutes for group closed)
+# Groups: fine, staircase (bead boundary of the paper), three, coarse: figure 3 at several settings; slow: almost no inertia;
+# walls: free-slip and periodic boxes of several sizes; closed: the paper's box; cost: core-seconds. Existing files are kept.
 set -euo pipefail
 folder=${1:?name a folder for the records}
 shift
@@ -20,11 +19,11 @@ staircase() {
 three() { "$examples/figure-3-runs.sh" three --cells-per-radius 3 --precision single; }
 coarse() { "$examples/figure-3-runs.sh" coarse --cells-per-radius 2 --precision single; }
 
-simulate() { # FLAGS...   the layout on standard input; a record, as one line
+simulate() { # FLAGS...   standard input: layout; prints a record as one line
   mpirun -n 2 beadswim-run - -o run.h5md --progress none "$@" | jq -c . && rm run.h5md{,.xdmf2}
 }
 
-# Springs of a tenth and a tenth of the frequency: γω/k and strokes as at T = 4800, inertia a tenth.
+# Stiffness and frequency are divided by ten: γω/k and strokes are the same as at T = 4800, inertia is a tenth.
 slow() {
   local cells
   for cells in 2 3 4; do
@@ -50,7 +49,7 @@ closed() { # 96 million cells, 12 GB
   mv closed.part closed.jsonl
 }
 
-# One cycle at each setting, on a machine that does nothing else: "SETTING RECORD" a line.
+# Runs one cycle at each setting on an idle machine and prints lines "SETTING RECORD".
 cost() {
   cycle() { # SETTING FLAGS...
     local setting=$1 record
@@ -71,7 +70,7 @@ cost() {
 for group; do
   [ -e "$group.jsonl" ] || [ -e "$group.txt" ] || "$group"
 done
-# What is kept: two cycles of each run, without the way that it was made.
+# The records keep the last two cycles of each run, without provenance.
 shopt -s nullglob
 for file in *.jsonl */*.jsonl; do
   jq -c 'del(.provenance) | .swimmers[].cycles |= .[-2:]' "$file" >kept.part

@@ -1,14 +1,15 @@
 #!/bin/bash
-# Hard cases of beadswim-run: what comes of each, as JSON lines. docs/hard-cases.md has the table (hard-cases.jq).
+# Runs scenes that are difficult to simulate and prints their outcomes as JSON lines, of which hard-cases.jq makes the table of
+# docs/hard-cases.md.
 #   docs/results/hard-cases.sh [GROUP...] > hard-cases.jsonl     (half an hour on one core; the programs on PATH)
-# A line: group, case, flags, exit status, status and reason of the run, its last cycle, and the same of a reference:
-# the scene at other settings, or theory.
+# A line contains group, case, flags, exit status, status, reason and last cycle of the run, and the reference: a run of the scene
+# at other settings, or a prediction.
 set -euo pipefail
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# The paper's swimmer in a small box, T = 2000, A = 0.2, or what FLAGS say.
+# Writes the layout of the paper's swimmer in a small box with T = 2000, A = 0.2, unless FLAGS state other values.
 swimmer() { # FLAGS...
   local usual=()
   [[ " $* " == *" --box "* ]] || usual+=(--box 60,40,40)
@@ -17,7 +18,7 @@ swimmer() { # FLAGS...
   beadswim-layout swimmer --preset paper-single --boundary periodic "${usual[@]}" "$@" >"$work/layout.json"
 }
 
-# The scene of the last `swimmer`, two cycles of it; one JSON object.
+# Runs two cycles of the layout that `swimmer` wrote last, and prints the outcome as a JSON object.
 simulate() { # FLAGS...
   local status=0 cycles=(--cycles 2)
   [[ " $* " == *" --cycles "* ]] && cycles=()
@@ -34,7 +35,7 @@ simulate() { # FLAGS...
       state: $run[0].state_sha256, seconds: $run[0].cost.core_seconds}'
 }
 
-# What a plan says of the run that `simulate` makes: refused and why, or the errors to expect.
+# Prints what --plan states about the run of `simulate`: the reason for a rejection, or the expected errors.
 planned() { # FLAGS...
   local time=(--relaxation-time 1.5) flags=()
   [[ " $* " == *" --relaxation-time "* ]] && time=()
@@ -43,7 +44,7 @@ planned() { # FLAGS...
     jq -c '.runs[0] | {refused, error}'
 }
 
-# A line of results. $work/reference: a run or a prediction to compare with, or null.
+# Prints a line of results. $work/reference contains the run or prediction for comparison, or null.
 row() { # GROUP CASE FLAGS...
   local group=$1 name=$2
   shift 2
@@ -55,7 +56,7 @@ no_reference() { echo null >"$work/reference"; }
 reference_run() { # FLAGS...
   simulate "$@" >"$work/reference"
 }
-reference_theory() { # arms and velocity that inertia-corrected predicts
+reference_theory() { # arm amplitudes and velocity by the method inertia-corrected
   beadswim-theory "$work/layout.json" --method inertia-corrected |
     jq '.predictions[0] | {cycle: {arm_amplitudes, speed_along_axis: .velocity}}' >"$work/reference"
 }
@@ -188,7 +189,7 @@ rest() {
   done
 }
 
-turning_over() { # pressed together along its line for half a period, it turns over
+turning_over() { # forces compress the swimmer for half a period, so it turns over
   no_reference
   for cells in 2 3; do
     swimmer --box 64,64,40 --amplitude 0.6 --stiffness 0.2 --phase 3.14159265358979 --period 40000 \

@@ -1,28 +1,26 @@
 #!/bin/bash
-# What `beadswim-run --plan` expects, beside what comes of it: scenes that differ in everything a plan goes by.
+# Compares errors and costs that `beadswim-run --plan` expects with measured errors and costs, in different scenes.
 #   docs/results/plan-check.sh [SCENE...] > plan-check.jsonl     (half an hour on one core; the programs on PATH)
-# A line a scene: its dimensionless numbers, the plan's runs that were made, each with expected and measured error and
-# cost, and what the plan chose for 10, 3 and 1 %. Measured errors are relative to the best run that
-# takes under 50 core-seconds, by the plan itself: of velocity and arms' amplitudes, the largest of them,
-# of several swimmers the root mean square.
+# Prints one line per scene: its dimensionless numbers, the runs that were made with expected and measured error and cost, and
+# the plan's choices for tolerances of 10, 3 and 1 %. Measured errors of velocity and arm amplitudes are relative to the run with
+# the smallest expected error below 50 core-seconds; with several swimmers they are root mean squares.
 set -euo pipefail
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 wanted=("$@")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-simulate() { # FLAGS...   the record, or nothing if it stops
+simulate() { # FLAGS...   prints the record, or nothing if the run stops
   beadswim-run "$work/layout.json" -o "$work/run.h5md" --cycles "$cycles" --progress none "$@" </dev/null 2>/dev/null || true
 }
 
-# Of the last cycle: velocity in the fluid's frame and arms' amplitudes of each swimmer.
-# Between walls the mean flow is the swimmer's own.
+# Velocity and arm amplitudes of each swimmer in the last cycle. In periodic boxes the velocity is relative to the mean flow.
 numbers='def numbers: [.swimmers[] | .cycles[-1] as $c
     | [$c.speed_along_axis - (if $periodic then ($c.mean_flow // [0])[0] else 0 end)] + $c.arm_amplitudes];
   def rms: (map(. * .) | add / length | sqrt);
   def errors($r): [numbers, $r] | transpose | map([transpose[] | .[0] / .[1] - 1]) | transpose | map(rms);'
 
-scene() { # NAME CYCLES   layout from standard input
+scene() { # NAME CYCLES   standard input: layout
   [[ ${#wanted[@]} == 0 || " ${wanted[*]} " == *" $1 "* ]] || { cat >"$work/unused"; return; }
   local periodic
   cycles=$2

@@ -1,7 +1,7 @@
 #!/bin/bash
-# The run records behind docs/resolution.md: one swimmer at several resolutions, with every bead boundary.
+# Makes the records of docs/resolution.md: runs of one swimmer at several resolutions, with every bead boundary.
 #   docs/results/resolution.sh FOLDER     (half an hour on 2 cores; the programs on PATH)
-# Writes FOLDER/resolution.jsonl (one record a line, its fourth cycle alone), resolution-reference.json and the page's
+# Writes FOLDER/resolution.jsonl (one record per line, with the fourth cycle only), resolution-reference.json and the page's
 # table, resolution.txt.
 set -euo pipefail
 folder=${1:?name a folder for the records}
@@ -10,14 +10,14 @@ results=$(realpath "$(dirname "$0")")
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-# The paper's swimmer, T = 2000, A = 0.2, its centre at the N-th place of a sequence that fills a cell evenly.
+# The paper's swimmer, T = 2000, A = 0.2, with its centre at the N-th position of a sequence that fills a lattice cell evenly.
 layout() { # CELLS-PER-RADIUS N
   beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --period 2000 --amplitude 0.2 \
     --position "$(jq -nr --argjson cell "$((12000 / $1))e-3" --argjson n "$2" \
       '[[30, 0.8191725], [20, 0.6710436], [20, 0.5497005]] | map(.[0] + $cell * (.[1] * $n | . - floor)) | join(",")')"
 }
 
-measure() { # SCHEME CELLS-PER-RADIUS PLACES [FLAGS...]   one line a place
+measure() { # SCHEME CELLS-PER-RADIUS POSITIONS [FLAGS...]   prints one record per position
   local scheme=$1 cells=$2 places=$3 work
   shift 3
   work=$(mktemp -d)

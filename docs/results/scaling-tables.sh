@@ -1,6 +1,6 @@
 #!/bin/bash
-# The tables of docs/scaling.md from its records:  docs/results/scaling-tables.sh docs/results/scaling.jsonl
-# Times are medians of the runs of one kind.
+# Prints the tables of docs/scaling.md from its records:  docs/results/scaling-tables.sh docs/results/scaling.jsonl
+# Times are medians over runs of the same group and number of ranks.
 set -euo pipefail
 records=${1:?name the records}
 
@@ -12,15 +12,15 @@ jq -rs '
   | (["weak", "strong"][] as $group
      | ($all | map(select(.group == $group))) as $rows
      | "### \(if $group == "weak" then "Weak: nine swimmers and 48³ cells per rank" else "Strong: 72 swimmers and 96³ cells" end)\n\n"
-       + "| ranks | time per step [ms] | speedup | neighbouring ranks | messages, kB per rank and step |\n|---|---|---|---|---|\n"
+       + "| ranks | time per step [ms] | cells per second relative to 1 rank | neighbouring ranks | sent per rank and step: messages, kB |\n|---|---|---|---|---|\n"
        + ($rows | map("| \(.ranks) | \(.time * 1e3 | short) | \((.cells / .time) / ($rows[0].cells / $rows[0].time) | short) | \(.neighbours) | \(.messages_per_step | round), \(.bytes_per_step / 1e3 | round) |") | join("\n")) + "\n")' "$records"
 
 jq -rs '
   map(select(.group != "weak" and .group != "strong"))
-  | "### Largest, on two ranks in single precision\n\n| scene | swimmers | cells | memory [GiB] | bytes per cell | time per step [s] |\n|---|---|---|---|---|---|\n"
-    + (map("| \(.group) | \(.swimmers) | \(.cells) | \(.memory / 1073741824 * 10 | round / 10) | \(.memory / .cells * 10 | round / 10) | \(.seconds / .steps * 100 | round / 100) |") | join("\n"))' "$records"
+  | "### Largest, on two ranks in single precision\n\n| scene | number of swimmers | number of cells | memory [GiB] | bytes per cell | time per step [s] |\n|---|---|---|---|---|---|\n"
+    + (map("| \(if .group == "largest" then "largest scene, 6" else .group + ", 3" end) cells per radius | \(.swimmers) | \(.cells) | \(.memory / 1073741824 * 10 | round / 10) | \(.memory / .cells * 10 | round / 10) | \(.seconds / .steps * 100 | round / 100) |") | join("\n"))' "$records"
 
-# Time of a step with the paper's block of nine swimmers in 96^3 cells on each rank, as the page says.
+# Time of a step by the model of the page, with nine swimmers in 96^3 cells on each rank.
 jq -rs '
   def median: sort | .[(length - 1) / 2 | floor];
   (map(select(.group == "weak" and .ranks == 2)) | map(.cells / (.seconds / .steps) / 2) | median) as $speed

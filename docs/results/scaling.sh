@@ -1,9 +1,9 @@
 #!/bin/bash
-# The records behind docs/scaling.md, one line a run on standard output.
+# Prints the records of docs/scaling.md, one line per run.
 #   docs/results/scaling.sh [weak|strong|largest]... >docs/results/scaling.jsonl     (weak and strong a minute on 2 cores; 20 GiB for
 #   the largest; the programs on PATH)
-# Weak scaling: the paper's block of nine swimmers a rank; strong: eight blocks. Each three times, sizes in turns. More ranks
-# than cores show counts, not speed.
+# Weak scaling: the paper's block of nine swimmers per rank; strong scaling: eight blocks in total. Each run is made three times,
+# in turn with the other sizes. Runs with more ranks than cores show numbers of messages, not speed.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 command -v beadswim-run >/dev/null || PATH=$(realpath "$here/../..")/build/release/bin:$PATH

@@ -1,9 +1,9 @@
 #!/bin/bash
-# The run records behind docs/speed-against-error.md: the paper's swimmer and its uniform swarm's cell through models,
-# resolutions, bead boundaries, precisions and relaxation times, one run at a time on one rank.
+# Makes the records of docs/speed-against-error.md: runs of the paper's swimmer and of the unit cell of its uniform swarm with
+# different models, resolutions, bead boundaries, precisions and relaxation times, one run at a time on one rank.
 #   docs/results/speed-against-error.sh FOLDER     (half an hour; the programs on PATH)
-# Writes FOLDER/swarm.jsonl and swimmer.jsonl, one record a line, its last cycle alone, and the references, swarm- and
-# swimmer-reference.json. More runs of the swimmer, with relaxation times of 0.8 to 1.5, are those of resolution.sh.
+# Writes FOLDER/swarm.jsonl and swimmer.jsonl, one record per line with the last cycle only, and the references, swarm- and
+# swimmer-reference.json. resolution.sh makes more runs of the swimmer, with relaxation times of 0.8 to 1.5.
 set -euo pipefail
 folder=${1:?name a folder for the records}
 results=$(realpath "$(dirname "$0")")
@@ -11,7 +11,7 @@ mkdir -p "$folder"
 cd "$folder"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
-# Moves a layout's swimmer to the N-th place of a sequence that fills a cell evenly.
+# Displaces the swimmer of a layout to the N-th position of a sequence that fills a lattice cell evenly.
 placed() { # CELL N
   jq --argjson cell "$1" --argjson n "$2" '.swimmers[0].position |= (. as $p | [0.8191725, 0.6710436, 0.5497005]
     | to_entries | map($p[.key] + $cell * (.value * $n | . - floor)))'
@@ -25,7 +25,7 @@ swarm() { # CELLS-PER-RADIUS N
   beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce 2>/dev/null | placed "$(jq -n "6 / $1")" "$2"
 }
 
-measure() { # SCENE CYCLES CELLS-PER-RADIUS PLACES [FLAGS...]   one line a place
+measure() { # SCENE CYCLES CELLS-PER-RADIUS POSITIONS [FLAGS...]   prints one record per position
   local scene=$1 cycles=$2 cells=$3 places=$4 work
   shift 4
   work=$(mktemp -d)
@@ -36,7 +36,7 @@ measure() { # SCENE CYCLES CELLS-PER-RADIUS PLACES [FLAGS...]   one line a place
   done
   rm -r "$work"
 }
-on_lattice() { # SCENE CYCLES CELLS-PER-RADIUS PLACES [FLAGS...]
+on_lattice() { # SCENE CYCLES CELLS-PER-RADIUS POSITIONS [FLAGS...]
   measure "$@" --cells-per-radius "$3"
 }
 
@@ -44,7 +44,7 @@ models() { # SCENE CYCLES
   for model in oseen rpy rpy+near; do measure "$1" "$2" 1 1 --model $model; done
 }
 
-times() { # SCENE CYCLES COARSE FINE   relaxation times from small steps to large ones
+times() { # SCENE CYCLES COARSE FINE   runs two resolutions at all relaxation times
   for time in 0.6 0.8 1 2 3; do
     on_lattice "$1" "$2" "$3" 4 --relaxation-time $time
     on_lattice "$1" "$2" "$4" 2 --relaxation-time $time

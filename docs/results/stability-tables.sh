@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tables of docs/swarm-stability.md, from the records of stability.sh.
+# Prints the tables of docs/swarm-stability.md from the records of stability.sh.
 #   docs/results/stability-tables.sh FOLDER
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")

@@ -1,7 +1,7 @@
-# What docs/swarm-stability.md needs of a swarm's run record.
+# Extracts the data for docs/swarm-stability.md from the run record of a swarm.
 #   jq -c --arg name NAME --argjson exit STATUS --slurpfile layouts LAYOUT.json --slurpfile lattices LATTICE.json -f stability.jq RUN.json
-# Lengths in the layout's units. A departure is a swimmer's place less its place in the lattice, less the mean of that over swimmers;
-# "off" holds its root mean square over swimmers, along x and across it, and that of the axes' departures from their mean.
+# Lengths are in units of the layout. A departure is the displacement of a swimmer from its regular site, minus the mean
+# displacement. "off" contains root mean squares over swimmers: departures along x and across x, and tilts of axes from the mean.
 def significant: if . == 0 then 0 else pow(10; 3 - (fabs | log10 | floor)) as $p | . * $p | round / $p end;
 def rms: map(. * .) | add / length | sqrt;
 def less_mean: (add / length) as $mean | map(. - $mean);
@@ -35,8 +35,8 @@ $layouts[0] as $layout | ($lattices[0].swimmers | map({key: (.id | tostring), va
          across: [$kept[] as $k | $departures[$k][1:] | map(rms) | (.[0] * .[0] + .[1] * .[1]) | sqrt | significant],
          tilt: [$kept[] as $k | if $k == 0 then 0 else
            [$all[].cycles[$k - 1].axis[1:]] | transpose | map(less_mean | rms) | (.[0] * .[0] + .[1] * .[1]) | sqrt | significant end]}}
-# The modes of a lattice two swimmers wide at most, of signs + and - along x, y, z; of 000 the mean itself, which a fluid without
-# cells would leave alone.
+# Modes of a swarm of at most two swimmers along each axis, by signs + and - along x, y, z. Mode 000 is the mean displacement,
+# which would stay constant in a fluid without cells.
 + if ($name | test("^(8 swimmers|2 abreast|1 swimmer|4 abreast)")) then
   ($ids | map($lattice[.]) | transpose | map(min as $least | map(if . > $least + 1 then -1 else 1 end))) as $signs
   | {modes_kept: [range(0; $n + 1; 5)],
@@ -46,14 +46,14 @@ $layouts[0] as $layout | ($lattices[0].swimmers | map({key: (.id | tostring), va
           amplitudes: [range(0; $n + 1; 5) as $k | $places[$k] | transpose | map([., $sign] | transpose | map(.[0] * .[1]) | add / length | significant)]}
        | select($m == 0 or ([$sign[] | . < 0] | any)) | select($signs as $s | $wave | [., ($s | map(min < 0))] | transpose | map(.[0] == 0 or .[1]) | all)]}
   else {} end else {} end
-# Phases of both arms ahead of the swimmer's own driving, after 5 cycles and the last.
+# Phases of both arms relative to the driving of the swimmer, after 5 cycles and after the last cycle.
 + if ($name | test("phase|frequenc|step|alone")) then
   {offsets: ($offsets | map(significant)), periods: ($periods | map(. / $T | . * 1e5 | round / 1e5)),
    phases: [([5, $n] | min | ., $n) as $k | {cycle: $k,
      arms: [0, 1 | . as $arm | [$all, $offsets] | transpose
        | map(.[0].cycles[$k - 1].arm_phases[$arm] - .[1] | wrapped | . * 1e5 | round / 1e5)],
      amplitudes: [0, 1 | . as $arm | $all | map(.cycles[$k - 1].arm_amplitudes[$arm] | significant)]}],
-   # Order on the common clock when the first swimmer ends cycles 0, 5, ... n: of the drivings alone, and of both arms.
+   # Phase order of the drivings and of both arms, at the ends of cycles 5, 10, ... n of the first swimmer.
    orders: [([range(5; $n + 1; 5)] + [$n] | unique[]) as $k | ($k * $periods[0]) as $t
      | ([$offsets, $periods] | transpose | map(.[0] + 6.283185307179586 * $t / .[1])) as $driven
      | {cycle: $k, driving: ($driven | order | significant),

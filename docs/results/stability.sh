@@ -1,9 +1,9 @@
 #!/bin/bash
-# The records behind docs/swarm-stability.md.
+# Makes the records of docs/swarm-stability.md.
 #   docs/results/stability.sh FOLDER [GROUP...]     (an hour on one core; the programs on PATH)
-# Groups: order: the uniform swarm, each swimmer moved by 1e-3, and left to itself; larger: three swimmers and four wide; rows, along,
-# along_fine: two swimmers abreast, on finer lattices too; phases: drivings out of step; map: blocks of 1 x 3 x 3 with other gaps.
-# Layouts and runs stay in FOLDER/runs, and what is there is kept.
+# Groups: order: the uniform swarm, with each swimmer displaced by 1e-3, and undisturbed; larger: cells of 27 and of 16 swimmers;
+# rows, along, along_fine: two swimmers side by side, also on finer lattices; phases: swimmers with different driving phases or
+# periods; map: blocks of 1 x 3 x 3 with other gaps. Layouts and runs stay in FOLDER/runs; runs that exist there are not repeated.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 folder=${1:?name a folder for the records}
@@ -12,8 +12,8 @@ mkdir -p "$folder/runs"
 cd "$folder"
 command -v beadswim-run >/dev/null || PATH=$(realpath "$here/../..")/build/release/bin:$PATH
 
-# A run that stops early, or fails with what it has, is a result.
-simulate() { # NAME LATTICE FLAGS...   the layout on standard input; LATTICE: the layout's places, but in perfect order
+# Runs a layout and prints a record. A run that stops or fails with a record (exit status 3 or 4) is a result too.
+simulate() { # NAME LATTICE FLAGS...   standard input: layout; LATTICE: layout file with the regular sites of the swimmers
   local name=$1 lattice=$2 status=0 run
   shift 2
   run=runs/$group/$(tr -sc "a-zA-Z0-9.\n" - <<<"$name $*")
@@ -35,7 +35,7 @@ swarm() { # BLOCKS FLAGS...
 moved() { # SEED [SIGMA]
   beadswim-layout defect jitter --sigma "${2:-1e-3}" --seed "$1"
 }
-# By half a cell of 3 a radius.
+# Displaces all swimmers by 1 along each axis: half a cell at 3 cells per radius.
 shifted() { jq '.swimmers[].position |= map(. + 1)'; }
 
 order() {
@@ -79,7 +79,7 @@ rows() {
   pair '2 abreast, k = 0.0347' 1e-3 --cycles 60 --cells-per-radius 3
   pair '2 abreast, k = 0.0347' 1e-3 --cycles 30 --cells-per-radius 4.5
 }
-# Of two abreast, one 1e-3 ahead of its row: across x beads stay on faces of cells.
+# Displaces the second of two swimmers side by side by 1e-3 along x. Across x, beads stay on cell faces.
 ahead() { jq '.swimmers[1].position[0] += 1e-3'; }
 along() {
   local k
@@ -115,7 +115,7 @@ phases() {
   beadswim-layout defect phase --sigma 0.3 <runs/lattice.json |
     simulate "phases by 0.3, k = 0.2" runs/lattice.json "${flags[@]}" 20
 }
-arrangement() { # K C DX DY   rows of 3 x 3; the lattice has equal gaps in the same box
+arrangement() { # K C DX DY   runs rows of 3 x 3; the regular sites have equal gaps in the same box
   local even
   even=$(jq -n "(2 * $2 + $4) / 3")
   beadswim-layout swarm --preset paper-uniform --stiffness "$1" --core-gap "$even" --block-gap "$3,$even,$even" >runs/lattice.json

@@ -4,18 +4,18 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-# Of the program's rows: every second tolerance of CVODE with difference quotients, and 50, 100 and 200 own steps.
-# Of its columns: the method, products and errors.
+# Selects rows (every second tolerance of CVODE with difference quotients; 100 and 200 steps of libs/overdamped) and columns
+# (method, products and errors) of the program's tables.
 typical() {
   awk -F' *[|] *' '
     /^## turned/  { print "## turned: three such swimmers with different axes, which bend"; next }
     /^## cell/    { print "## cell: one swimmer in the unit cell of the paper\047s uniform swarm"; next }
     /^## dense/   { sub(/, 16 apart, disturbed/, " at a distance of 16, slightly displaced and tilted") }
     /^From rest/  { sub(/From rest over 1 cycle: beads displaced by/, "In one cycle from rest, beads move by"); sub(/the swarm by/, "the swarm moves by") }
-    /^[|] by /    { print "| method | products per cycle | error of positions | error of swimming |"; next }
+    /^[|] by /    { print "| method | mobility products per cycle | relative error of bead positions | relative error of swarm displacement |"; next }
     /^[|]---/     { print "|---|---|---|---|"; next }
     /^[|] CVODE/  { if ($2 !~ /differences, 1e-0[357]$/) next }
-    /^[|] own/    { if ($2 !~ /, (50|100|200)$/) next }
+    /^[|] own/    { if ($2 !~ /, (100|200)$/) next }
     /^[|]/        { sub(/differences, /, "tolerance "); if (sub(/own steps/, "`libs/overdamped`")) sub(/, [0-9]+/, "& steps") }
     /^[|]/        { printf "| %s | %s | %s | %s |\n", $2, $4, $5, $6; next }
     { print }'
@@ -29,8 +29,7 @@ A mobility product evaluates the velocities of all beads from the forces on them
 
 The tables contain errors of time integration alone, relative to CVODE at tolerance 1e-10.
 
-- "Error of positions": root mean square error of the bead positions, divided by the root mean square displacement of the beads.
-- "Error of swimming": relative error of the mean displacement of the swarm.
+- "Relative error of bead positions": root mean square error of the bead positions, divided by the root mean square displacement of the beads.
 - "CVODE, tolerance": backward differences of orders 1 to 5; the tolerance limits the local error, in units of the arm rest length. The Jacobian is evaluated by difference quotients, the linear solver is GMRES with one preconditioner block per swimmer.
 - Products are evaluated to a tolerance of 1e-4; the number includes the products of the first step.
 

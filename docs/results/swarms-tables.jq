@@ -1,19 +1,20 @@
-# The tables of docs/swarm-figures.md, from all records of swarms.sh, slurped.
+# Prints the tables of docs/swarm-figures.md from all records of swarms.sh (jq -s).
 def rounded(digits): pow(10; digits) as $p | . * $p | round / $p | if . == 0 then 0 else . end;
 def row: "| " + (map(tostring) | join(" | ")) + " |";
 def table($head): [($head | row), ($head | map("---") | row)] + map(row) | .[];
 def bound: if . == 0 then "0" elif . < 1e-6 then "< 1e-6" else rounded(4) end;
 def setting: "\(.cells_per_radius), \(.precision)";
-def run: if .status == "finished" then .name else "\(.name), \(.status)" end;
+def words: sub("^one cell"; "one swimmer in its unit cell") | sub("^nine, each moved by"; "nine swimmers, each displaced by") | sub("^reference"; "k = 0.2") | sub("k = "; "stiffness ");
+def run: if .status == "finished" then .name | words else "\(.name), \(.status)" end;
 def end_of(f): f | .[-1];
-# Angle in degrees from its sine.
+# Converts the sine of a small angle to the angle in degrees.
 def degrees: . * 57.29578;
 def largest_tilt: map(fabs) | max | degrees | rounded(2);
-# Number of changes of sign; values up to a twentieth of the largest do not count.
+# Counts changes of sign; values up to a twentieth of the largest do not count.
 def turns: (map(fabs) | max / 20) as $least | [.[] | select(fabs > $least) | . > 0] | [.[:-1], .[1:]] | transpose
   | map(select(.[0] != .[1])) | length;
 
-def shown: IN("reference", "k = 0.0347", "k = 0.1", "staircase beads");  # runs in the table
+def shown: IN("reference", "k = 0.0347", "staircase beads");  # selects the runs of the table
 
 (map(select((.swimmers == 1 or (.name | startswith("nine, "))) and .cells_per_radius >= 3))) as $uniform
 | (map(select(.swimmers == 9 and (.name | startswith("nine") | not)))) as $defect
@@ -23,8 +24,8 @@ def shown: IN("reference", "k = 0.0347", "k = 0.1", "staircase beads");  # runs 
 ($uniform | map([run, setting,
    (.paths["0"].velocity_x | [.mean, .least, .most] | map(. * 1e5 | rounded(2) | tostring) | join(", ")),
    (.largest | ([.y, .z] | map(bound | tostring) | join(", ")), (.tilt | degrees | bound)),
-   (.off_the_lattice | if . then .at_end | map(tostring) | join(", ") else "" end)])
- | table(["run", "cells per radius", "v_x [1e-5]: mean, min, max", "max displacement: \\|y\\|, \\|z\\|", "max tilt [°]", "distance from regular sites at the end: x, y, z"])),
+   (.off_the_lattice | if . then .at_end | map(tostring) | join(", ") else "- (one swimmer)" end)])
+ | table(["run", "cells per radius, precision", "velocity of swimmer 0 along x [1e-5 cell/step]: mean, min, max over cycles", "max displacement of a swimmer: \\|y\\|, \\|z\\|", "max tilt [°]", "rms distance from regular sites at the end: x, y, z"])),
 "",
 "### Defect swarm",
 "",
@@ -34,12 +35,12 @@ def shown: IN("reference", "k = 0.0347", "k = 0.1", "staircase beads");  # runs 
       ([end_of(.paths["0"].z), end_of(.paths["3"].y)] | map(rounded(2) | tostring) | join(", ")),
       (.paths["0"].tilt_z | "\(largest_tilt), \(turns)"),
       (.paths["3"].tilt_y | "\(largest_tilt), \(turns)")])
- | table(["run", "cells per radius", "v_x [1e-5]: A, B, block centre", "x of A minus x of B", "z of A, y of B",
-          "tilt of A in x-z: max [°], changes of sign", "tilt of B in x-y: max [°], changes of sign"])),
+ | table(["run", "cells per radius", "mean velocity along x [1e-5 cell/step] of A, B, swimmer at block centre", "displacement along x, A minus B", "displacement of A along z, of B along y",
+          "tilt of A in x-z: max [°], number of sign changes", "tilt of B in x-y: max [°], number of sign changes"])),
 "",
 "### Symmetry",
 "",
 ($defect | map(select(.cells_per_radius >= 3 and [.name, .cells_per_radius] != ["reference", 3]) | [run, .cells_per_radius,
    ([.paths["0"].y, .paths["0"].z] | transpose | map(.[0] - .[1] | fabs) | max | bound),
    (.paths["3"].z | map(fabs) | max | bound)])
- | table(["run", "cells per radius", "A: max \\|y - z\\|", "B: max \\|z\\|"]))
+ | table(["run", "cells per radius", "displacement of A: max \\|y - z\\|", "displacement of B: max \\|z\\|"]))

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The tables of docs/swarm-figures.md, from the records of swarms.sh.
+# Prints the tables of docs/swarm-figures.md from the records of swarms.sh.
 #   docs/results/swarms-tables.sh FOLDER
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")

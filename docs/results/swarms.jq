@@ -1,10 +1,10 @@
-# What docs/swarm-figures.md needs of a swarm's run record, a twentieth of its size.
+# Extracts the data for docs/swarm-figures.md from the run record of a swarm.
 #   jq -c --arg name NAME --argjson layout LAYOUT -f swarms.jq RUN.json
-# Lengths in the layout's units, displacements of the mean of a swimmer's beads since the start; tilt: the axis'
-# components along y and z, means over a cycle, the sines of the angles in the x-y and x-z planes.
+# Lengths are in units of the layout. Displacements are displacements of the mean bead position since the start. Tilts are the
+# components of the axis along y and z, averaged over a cycle: the sines of the angles in the planes x-y and x-z.
 def rounded(digits): pow(10; digits) as $p | . * $p | round / $p;
 def rms_about_mean: (add / length) as $mean | map(. - $mean | . * .) | add / length | sqrt | rounded(3);
-# How far nine swimmers of the uniform swarm are off the lattice that they share, along x, y and z [length].
+# Returns the rms distances of nine swimmers of the uniform swarm from their regular sites, along x, y and z [length].
 def off_the_lattice($displacements): [.swimmers | sort_by(.id) | map([.id, .position]) | [., $displacements] | transpose[]
     | .[1] as $moved | .[0] as [$id, $at]
     | [$at[0], $at[1] - 32 * ($id % 3), $at[2] - 32 * ($id / 3 | floor)] | [., $moved] | transpose | map(add)]

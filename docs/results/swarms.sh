@@ -1,8 +1,8 @@
 #!/bin/bash
-# The records behind docs/swarm-figures.md.
+# Makes the records of docs/swarm-figures.md.
 #   docs/results/swarms.sh FOLDER [GROUP...]     (two hours on one core; the programs on PATH)
 # Groups: uniform, defect: figures 5 and 6 at several resolutions; sensitivity: the defect swarm with other springs, dampers,
-# beads and starts; fine: the defect swarm at the paper's resolution. Files that are there are kept.
+# beads and initial positions; fine: the defect swarm at the paper's resolution. Existing files are kept.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 folder=${1:?name a folder for the records}
@@ -11,7 +11,7 @@ mkdir -p "$folder"
 cd "$folder"
 command -v beadswim-run >/dev/null || PATH=$(realpath "$here/../..")/build/release/bin:$PATH
 
-# What is kept of a run, as one line. A run that stops early, or fails with what it has, is a result.
+# Runs a layout and prints a record as one line. A run that stops or fails with a record (exit status 3 or 4) is a result too.
 simulate() { # NAME FLAGS...   the layout on standard input
   local name=$1 status=0
   shift
@@ -42,7 +42,7 @@ uniform() {
 }
 defect() {
   defect_swarm | simulate reference --cycles 124 --cells-per-radius 2 --precision single
-  # As examples/figure-6.sh.
+  # The flags of examples/figure-6.sh.
   local fine=(--cycles 124 --cells-per-radius 3 --precision single --frames-per-cycle 12)
   defect_swarm | simulate reference "${fine[@]}"
   defect_swarm --stiffness 0.0347 | simulate 'k = 0.0347' "${fine[@]}"

@@ -1,5 +1,5 @@
 #!/bin/bash
-# The run records of this folder: the paper's swimmer in a periodic box of 120 x 80 x 80 cells.
+# Makes the run records swimmer-*.json of this folder: the paper's swimmer in a periodic box of 120 x 80 x 80 cells.
 #   docs/results/swimmer.sh FOLDER        (some 15 minutes on 2 idle cores; the programs on PATH)
 set -euo pipefail
 folder=${1:?name a folder for the records}
@@ -15,6 +15,6 @@ for period in 2000 4800; do
         >"$folder/$name.json" </dev/null
     }
     measure mr
-    measure staircase --radius-correction off --delay-correction off  # the paper's
+    measure staircase --radius-correction off --delay-correction off  # bead boundary of the paper
   done
 done

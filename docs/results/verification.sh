@@ -1,7 +1,7 @@
 #!/bin/bash
-# The records behind docs/verification.md, and the page.
+# Makes the records of docs/verification.md, and the page.
 #   docs/results/verification.sh [SCHEME,...]      (an hour and a half on 2 idle cores; beadswim-verification on PATH)
-# Two processes, each with its share of the cases. Schemes left out keep the records that they have.
+# Two processes measure different cases. Records of schemes that are not named stay unchanged.
 set -euo pipefail
 cd "$(dirname "$0")"
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
