@@ -47,7 +47,7 @@ out_has 'open'
 
 refuses '--tolerance: the flag has no effect without --beads' beadswim-bench --tolerance 1e-3
 refuses 'edge: the flag applies to the lattice only, but --beads measures mobility products; leave out the flag or --beads' beadswim-bench --beads 90 --edge 64
-refuses '--edge: "16": must be a whole number from 32 to 4096' beadswim-bench --edge 16
+refuses '--edge: "16": the value must be a whole number from 32 to 4096' beadswim-bench --edge 16
 refuses '--bead-boundary: unknown value "sphere". Valid values: staircase, cli, mr, psm' beadswim-bench --bead-boundary sphere
 refuses '--precision: unknown value "half". Valid values: double, single' beadswim-bench --precision half
 refuses 'did you mean --edge' beadswim-bench --egde 64

@@ -91,11 +91,11 @@ echo '{ "schema": "beadswim/layout/1" }' >layout.json
 refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json prediction.json
 refuses 'layout.json: the document has the schema "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json
 echo '[]' >list.json
-refuses 'list.json: the document does not name its schema' beadswim-compare run.json list.json
+refuses 'list.json: the document has no key "schema"' beadswim-compare run.json list.json
 refuses 'driving period 2000, but the run run.json has the driving period 4800' beadswim-compare run.json prediction_shorter_period.json
 edited run.json '.units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >si.json
 judged 0 beadswim-compare si.json si.json
-refuses 'run.json: the reference has other units than si.json' beadswim-compare si.json run.json
+refuses 'run.json: the reference has other units of length, time or mass than si.json' beadswim-compare si.json run.json
 edited run.json '.status = "failed"' >failed.json
 refuses 'failed.json: the file is the record of a failed run' beadswim-compare failed.json prediction.json
 edited run.json '.status = "stopped-time"' >stopped.json

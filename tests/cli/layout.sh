@@ -30,7 +30,7 @@ refuses '--beads: no such flag: a swimmer has three beads and two arms; --radius
   beadswim-layout swimmer --preset paper-single --beads 4
 refuses '--beads: no such flag: a swimmer has three beads' beadswim-layout swarm --preset paper-uniform --num-beads=4
 refuses '--bead: unknown flag; did you mean --bead-density' beadswim-layout swimmer --preset paper-single --bead 4
-refuses '--tolerance: "5%": must be a number from 0 to 0.5; write 5 % as 0.05' \
+refuses '--tolerance: "5%": the value must be a number from 0 to 0.5; write 5 % as 0.05' \
   beadswim-layout reduce layout.json --tolerance 5%
 refuses '--amplitude: "5 %": the value must be a finite number, 0 or greater; write 5 % as 0.05' \
   beadswim-layout swimmer --preset paper-single --amplitude '5 %'
@@ -38,7 +38,7 @@ refuses '--radius: "4,5" has 2 values, but 1 or 3' beadswim-layout swimmer --pre
 refuses '--radius: the flag is given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
 refuses '--axis: the flag is required but not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
 refuses '--axis: unknown value "w"\. Valid values: x, y, z' beadswim-layout defect spacing layout.json --axis w
-refuses '--fraction: "2": must be a number from 0 to 1' beadswim-layout defect vacancy layout.json --fraction 2
+refuses '--fraction: "2": the value must be a number from 0 to 1' beadswim-layout defect vacancy layout.json --fraction 2
 refuses '--radius: the flag needs a value' beadswim-layout swimmer --preset paper-single --radius
 refuses '--period: "": the value must be' beadswim-layout swimmer --preset paper-single --period ""
 for word in nan inf -inf 1e999 4x ""; do

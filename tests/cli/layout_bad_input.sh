@@ -38,7 +38,7 @@ bad 'overlapping beads' "s/$swimmer/{ \"id\": 7, \"type\": \"a\", \"position\": 
 bad 'overlap through the seam' 's/\[72.0/[47.0/' '/swimmers/0/position: bead 3 .* overlaps bead 1 .* through the periodic boundary'
 bad 'arm shorter than its beads' 's/"rest_length": 20.0/"rest_length": 7/' '/types/a/springs/0/rest_length: with the rest length 7, beads 1 and 2 overlap'
 bad 'spring to a bead that is not there' "s/$spring/$spring, $spring/" \
-  '/types/a/springs: the array has 3 elements, but exactly 2 are needed .*no other bead to join'
+  '/types/a/springs: the array has 3 elements, but exactly 2 are needed .*the second joins beads 2 and 3'
 bad 'spring with one bead less' "s/$first_bead,[[:space:]]*//" '/types/a/beads: the array has 2 elements, but exactly 3'
 bad 'wrong unit' 's/"lattice"/{ "length": "um", "time": "nss", "mass": "pg" }/' '/units/time: "nss": the value must be one of .*did you mean "ns"'
 bad 'unit of another quantity' 's/"lattice"/{ "length": "s", "time": "s", "mass": "pg" }/' '/units/length: "s": the value must be one of \["m"'
@@ -62,7 +62,7 @@ bad 'axis not of unit length' 's/"axis": \[1.0/"axis": [2.0/' '/swimmers/0/axis:
 bad 'duplicate key' 's/"id": 0/"id": 0, "id": 0/' '/swimmers/0/id: this key is given twice'
 bad 'newer version' 's#layout/1#layout/2#; s/"fluid"/"medium"/' '/schema: the schema "beadswim/layout/2" is newer than this program'
 bad 'another document' 's#layout/1#run/1#' '/schema: the schema "beadswim/run/1" belongs to another kind of document'
-bad 'no schema' 's/"schema": [^\n]*//' ' lacks the key "schema"'
+bad 'no schema' 's/"schema": [^\n]*//' ' the document lacks the key "schema"'
 bad 'comment' 's/"units"/\/\/ comment\n  "units"/' ' line 3, column '
 bad 'text after the document' 's/$/x/' ' line '
 bad 'two documents' 's/$/{}/' ' line [0-9]+, column 1: a second JSON document begins here, but only one document is read; select one document, for example with head or jq'

@@ -187,7 +187,7 @@ for x in -3.14 0 1.57; do swept phase $x '.sin_phase_shift = 0.3 * $x'; done >by
 accepts beadswim-plot stroke --against phase by_phase.jsonl
 out_has '>phase of the driving, α \(rad\)<'
 check 'the sine is not proportional to the phase' straight < <(series '#009E73')
-refuses 'run.json: the run record lacks the phase of the driving, α; leave the run out' \
+refuses 'run.json: the run record lacks the phase of the driving, α, .*leave the run out' \
   beadswim-plot stroke --against phase by_phase.jsonl run.json
 refuses 'line 1: the prediction by multipole-ode lacks the setting "amplitude_ratio".*left out where B = 0' \
   beadswim-plot stroke --against amplitude-ratio by_phase.jsonl
@@ -236,7 +236,7 @@ check 'the front is not 2 cells, single, and 4 cells, double' \
   cmp -s <(series '#000000') <(series '#D55E00' && series '#0072B2' | tail -1)
 check "a run has no uncertainty" bash -c '! grep -q uncertainty out'
 refuses '--reference: no reference is given' beadswim-plot speed-against-error several.jsonl
-refuses 'several.jsonl: the file contains several references' \
+refuses 'several.jsonl: the file contains several runs or predictions' \
   beadswim-plot speed-against-error several.jsonl --reference several.jsonl
 refuses 'this figure draws only run records; name run records as files, and a prediction with --reference' \
   beadswim-plot speed-against-error run.json prediction.json --reference prediction.json
@@ -245,7 +245,7 @@ notes_have 'relative to the reference \(rpy-perturbation\)'
 jq '.predictions |= map(select(.method == "rpy-perturbation") | .uncertainty = 0.1)' prediction.json >uncertain.json
 accepts beadswim-plot speed-against-error several.jsonl --reference uncertain.json
 out_has '>uncertainty of the reference<'
-refuses 'prediction.json: the file contains several references' \
+refuses 'prediction.json: the file contains several runs or predictions' \
   beadswim-plot speed-against-error run.json --reference prediction.json --method all
 refuses 'prediction_shorter_period.json: the prediction is for a period of 2000, but the run run.json has the period 4800' \
   beadswim-plot speed-against-error run.json --reference prediction_shorter_period.json
@@ -258,7 +258,7 @@ refuses 'corrections.jsonl line 5: this run differs from .* line 1 only in --rad
   beadswim-plot speed-against-error corrections.jsonl --reference run.json
 jq 'del(.cost)' run.json >free.json
 refuses 'free.json: the run record does not contain the cost' beadswim-plot speed-against-error free.json --reference run.json
-refuses 'si.json: the units differ from those of run.json' beadswim-plot speed-against-error run.json --reference si.json
+refuses 'si.json: the units of the reference differ from the units of run.json' beadswim-plot speed-against-error run.json --reference si.json
 refuses '--reference: the command "stroke" does not have this flag; only these commands have the flag: speed-against-error; remove the flag' beadswim-plot stroke run.json --reference run.json
 
 # --- verdicts: a point each, its error as the verdict has it, of arms the root mean square
@@ -290,7 +290,7 @@ verdict_of 1 "$(jq -n '(9 + 16) / 2 | sqrt / 10')" "$(jq -n '(9 + 16) / 2 | sqrt
 verdict_of 0.1 0.03 0.04 1000 >dear_other.verdict.json
 same_bytes 'positions cheap.verdict.json dear.verdict.json --method oseen-force-closed' \
   'positions other.verdict.json dear_other.verdict.json'
-refuses '--method: cheap.verdict.json has no method "oseen-force"; did you mean "oseen-force-closed"' \
+refuses '--method: the verdict cheap.verdict.json has no method "oseen-force"; did you mean "oseen-force-closed"' \
   beadswim-plot speed-against-error cheap.verdict.json --method oseen-force
 refuses '--method: 2 methods are given; name the one' beadswim-plot speed-against-error cheap.verdict.json --method a,b
 refuses '--cycle: each verdict already states which cycle was compared' beadswim-plot speed-against-error cheap.verdict.json --cycle 2
@@ -379,12 +379,12 @@ refuses '--method: the flag is in the wrong place; write the flag after "beadswi
 refuses '--metod: unknown flag; did you mean --method' beadswim-plot stroke run.json --metod all
 refuses 'no file is given' beadswim-plot stroke
 refuses 'no run with a complete cycle' beadswim-plot stroke prediction.json
-refuses 'the units differ from those of ' beadswim-plot stroke si.json run.json
+refuses 'the units of this file differ from the units of ' beadswim-plot stroke si.json run.json
 refuses '--method: no prediction has the method "multipol"; did you mean "multipole-ode"' \
   beadswim-plot stroke run.json prediction.json --method multipol
 refuses '--method: no prediction has the method "foo"\. The predictions have the methods rpy-force-printed, oseen' \
   beadswim-plot stroke run.json prediction.json --method foo
-refuses '--method: the method "foo" selects from prediction files, but no prediction file is given' beadswim-plot stroke run.json --method foo
+refuses '--method: the method "foo" names the predictions to draw, but no file of predictions is given' beadswim-plot stroke run.json --method foo
 refuses '--relative-to: no prediction has the method "multipol"; did you mean "multipole-ode"' \
   beadswim-plot velocity-against-period prediction.json --relative-to multipol
 refuses '--relative-to: the command "stroke" does not have this flag; only these commands have the flag: velocity-against-period, separation; remove the flag' \

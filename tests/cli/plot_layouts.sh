@@ -49,7 +49,7 @@ refuses '--distances: distances between neighbours along an axis need .*; give -
   beadswim-plot swarm defect.json --distances --block-swimmers 9
 refuses '--mark: there is no swimmer with the id 12 in defect.json; the nearest id is 8, and the ids range from 0 to 8' beadswim-plot swarm defect.json --mark A=12
 for mark in A A= =3 A=x A=-1; do
-  refuses "--mark: \"$mark\": must be a label and a swimmer's id, such as A=3" beadswim-plot swarm defect.json "--mark=$mark"
+  refuses "--mark: \"$mark\": the value must be a label and a swimmer's id, such as A=3" beadswim-plot swarm defect.json "--mark=$mark"
 done
 refuses '--frame: defect.json is a layout, and layouts have no frames; leave the flag out' beadswim-plot swarm defect.json --frame 3
 refuses '--mark: the command "swimmer" does not have this flag' beadswim-plot swimmer defect.json --mark A=3

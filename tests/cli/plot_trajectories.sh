@@ -106,7 +106,7 @@ out_has '>seven<'
 cp eight.h5md eight.any
 same_bytes 'beadswim-plot swarm eight.h5md' 'beadswim-plot swarm eight.any'
 refuses '--mark: there is no swimmer with the id 8 in eight.h5md; the nearest id is 7, and the ids range from 0 to 7' beadswim-plot swarm eight.h5md --mark A=8
-refuses '--distances: eight.h5md is a trajectory, in which the swimmers have moved; give the layout' \
+refuses '--distances: .*but eight.h5md is a trajectory, in which the swimmers have moved; give the layout' \
   beadswim-plot swarm eight.h5md --distances
 
 # A swarm of the paper's size is a file that opens.
@@ -136,13 +136,13 @@ refuses 'FILES: 2 files are given; a swarm is drawn from one layout or one traje
 refuses '^beadswim-plot: no.h5md: the file cannot be read: No such file or directory; give a trajectory' beadswim-plot swarm no.h5md
 h5copy -i cell.h5md -o foreign.h5md -s /parameters -d /parameters
 refuses 'foreign.h5md: the file is an HDF5 file but not a trajectory of Beadswim: the group /h5md is missing; give a trajectory' beadswim-plot trajectories foreign.h5md
-refuses 'cell.record: the file is not an HDF5 file, or is damaged; give a trajectory' beadswim-plot trajectories cell.record
+refuses 'cell.record: the file is not an HDF5 file; the file is damaged, or beadswim-run did not write it; give a trajectory' beadswim-plot trajectories cell.record
 refuses 'a trajectory cannot be read from standard input; name the file' beadswim-plot trajectories -
 head -c 3000 cell.h5md >cut.h5md
 refuses 'cut.h5md: ' beadswim-plot swarm cut.h5md
 refuses '--swimmers: there is no swimmer with the id 9 in eight.h5md; the nearest id is 7, and the ids range from 0 to 7' \
   beadswim-plot trajectories eight.h5md --swimmers 0,9
-refuses '--swimmers: "-1": must be a whole number' beadswim-plot trajectories eight.h5md --swimmers=-1
+refuses '--swimmers: "-1": the value must be a whole number' beadswim-plot trajectories eight.h5md --swimmers=-1
 refuses '--swimmers: the figure would have 24 curves, but at most 12 can be distinguished' beadswim-plot trajectories eight.h5md --beads 1,2,3
 refuses '--beads: unknown value "4"\. Valid values: 1, 2, 3' beadswim-plot trajectories cell.h5md --beads 4
 refuses '--along: unknown value "w"\. Valid values: x, y, z' beadswim-plot trajectories cell.h5md --along w
@@ -150,7 +150,7 @@ refuses '--frame: there is no frame 41 in cell.h5md; give a frame from 0 to 40' 
 refuses '--frame: "lst": the frame must be "last" or a whole number' beadswim-plot swarm cell.h5md --frame lst
 refuses '--colours: unknown value "block"; did you mean "blocks"' beadswim-plot swarm cell.h5md --colours block
 refuses '--repeat: "2,2" has 2 values, but 3 are needed' beadswim-plot swarm cell.h5md --repeat 2,2
-refuses '--repeat: "0": must be a whole number from 1' beadswim-plot swarm cell.h5md --repeat 0,1,1
+refuses '--repeat: "0": the value must be a whole number from 1' beadswim-plot swarm cell.h5md --repeat 0,1,1
 refuses '--repeat: the copies have 1e\+06 swimmers, but at most 200000' beadswim-plot swarm cell.h5md --repeat 100,100,100
 refuses '--block-swimmers: "1,3" has 2 values, but 1 or 3' beadswim-plot swarm cell.h5md --block-swimmers 1,3
 refuses '--repeat: the command "trajectories" does not have this flag' beadswim-plot trajectories cell.h5md --repeat 2,2,2

@@ -192,7 +192,7 @@ AGAIN
   status=$(<full.status)
   cp full.err err
   has_status 3
-  err_has 'cannot be written: No space left'
+  err_has 'cannot be copied to a file: No space left'
 done
 
 # --- refusals

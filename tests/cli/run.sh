@@ -95,7 +95,7 @@ check "3 ranks end in another state" test "$(jq .state_sha256 out)" = "$(jq .sta
 small --period 200 --amplitude 1e-4 >slow.json
 run beadswim-run slow.json -o slow.h5md --cycles 0.1 --precision single --progress none
 has_status 0
-err_has 'warning: in single precision the relative error of the velocity may be .*: .* --precision double'
+err_has 'warning: in single precision the relative error of a swimmer.s velocity may be .*: .* --precision double'
 small --period 200 --amplitude 0.2 --phase 0 >scallop.json
 run beadswim-run scallop.json -o scallop.h5md --cycles 0.1 --precision single --progress none
 err_has 'more than 1, because the velocity is zero to second order'
@@ -127,7 +127,7 @@ check "1 and 3 ranks end in different states" \
   test "$(jq .state_sha256 mr1.json)" = "$(jq .state_sha256 mr3.json)"
 check "multireflection gives another stroke, and near" stroke_over cli2.json mr1.json '- 1 | fabs | . > 1e-5 and . < 0.05'
 small --period 150 >even.json
-refuses 'relaxation-time: 0.875 makes the correction of multireflection .* undefined' beadswim-run even.json -o x.h5md --bead-boundary mr \
+refuses 'relaxation-time: .*0.875 makes the correction of multireflection .* undefined' beadswim-run even.json -o x.h5md --bead-boundary mr \
   --relaxation-time 0.875
 run beadswim-run strong.json -o psm.h5md --cycles 2 --bead-boundary psm --progress none
 has_status 0
@@ -205,7 +205,7 @@ small --period 4000 --amplitude 1,0 --phase 0 --stiffness 1e-3 >torn.json
 for ranks in 1 3; do
   run timeout 60 mpirun -n $ranks beadswim-run torn.json -o torn$ranks.h5md --progress none --no-provenance
   has_status 3
-  err_has 'step [0-9]+ \(cycle [0-9.]+, Mach [0-9.]+\): the arm from bead [12] of swimmer 0 at \(.*\) to bead [23] is torn: its length is .* the rest length, above .* stiffer springs'
+  err_has 'step [0-9]+ \(cycle [0-9.]+, largest Mach number of a bead [0-9.e-]+\): the arm from bead [12] of swimmer 0 at \(.*\) to bead [23] is torn: its length is .* the rest length, above .* stiffer springs'
   cp out torn$ranks.json
 done
 check "1 and 3 ranks fail alike" cmp -s torn1.json torn3.json
@@ -238,13 +238,13 @@ refuses '--lubrication: unknown value "maybe"' beadswim-run layout.json -o x.h5m
 refuses 'friction: "-1": the value must be' beadswim-run layout.json -o x.h5md --friction=-1
 
 # --- refusals leave nothing behind
-refuses 'relaxation-time: 0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
+refuses 'relaxation-time: .*0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
 refuses 'cannot be created' beadswim-run layout.json -o no/such/folder/x.h5md
 refuses 'cannot be read' beadswim-run missing.json -o x.h5md
 refuses '--model: unknown value "lbn"; did you mean "lbm"\? Valid values: lbm, rpy, rpy\+near, oseen, auto' \
   beadswim-run layout.json -o x.h5md --model lbn
 refuses '--progress: unknown value "quiet"\. Valid values:' beadswim-run layout.json -o x.h5md --progress quiet
-refuses '--frames-per-cycle: "3": must be a whole number from 4 to 1000000' \
+refuses '--frames-per-cycle: "3": the value must be a whole number from 4 to 1000000' \
   beadswim-run layout.json -o x.h5md --frames-per-cycle 3
 refuses 'did you mean --cycles' beadswim-run layout.json -o x.h5md --cycels 3
 refuses 'output' beadswim-run layout.json

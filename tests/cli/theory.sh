@@ -70,7 +70,7 @@ paper --amplitude 0,0.2 >one_force.json
 run beadswim-theory one_force.json
 has_status 0
 out_is_valid
-err_has 'methods left out: rpy-force-printed; reason: \(4.23\) of the paper requires A = B' 
+err_has 'methods left out: rpy-force-printed; reason: equation \(4.23\) of Pickl et al. 2017 requires equal driving amplitudes A = B' 
 
 # --- orientation: the lab field drives a swimmer along -x backwards, and none across it
 accepts beadswim-theory --method rpy-perturbation paper.json

@@ -88,7 +88,7 @@ TEST(Schema, CountsElementsAndSaysWhatTheyAre) {
   EXPECT_THAT(
       refusal("/types/a/springs", {spring, spring, spring}),
       AllOf(StartsWith("in.json:/types/a/springs: the array has 3 elements, but exactly 2 are needed"),
-            HasSubstr("the second beads 2 and 3; there is no other bead to join")));
+            HasSubstr("the second joins beads 2 and 3")));
 }
 
 TEST(Schema, FollowsTheBranchThatTheValueTakes) {

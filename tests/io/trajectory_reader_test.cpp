@@ -235,8 +235,9 @@ TEST(TrajectoryReader, NamesThePlaceOfWhatIsBroken) {
   };
   for (const char* name : {"particles/beads/position/value", "particles/beads/image/value",
                            "observables/momentum/value", "particles/beads/radius", "parameters"}) {
-    EXPECT_THAT(without(name), HasSubstr(std::string("run.h5md:/") + name +
-                                         ": this part of the HDF5 file is missing or damaged; give"));
+    EXPECT_THAT(without(name),
+                HasSubstr(std::string("run.h5md:/") + name +
+                          ": this part of the HDF5 file is missing or cannot be read; the file is damaged"));
   }
   EXPECT_THAT(fault_after([](hid_t file) { H5Adelete_by_name(file, "particles/beads/box", "boundary", 0); }),
               HasSubstr("/particles/beads/box: this HDF5 object has no attribute \"boundary\""));

@@ -215,7 +215,8 @@ TEST(PrintedFormulas, AreUsableNearExactFlowOnly) {
   for (const char* name : {"rpy-force-printed", "rpy-force-repaired", "rpy-stroke-printed"}) {
     const Prediction near = small_prediction(name, 5);
     EXPECT_FALSE(near.usable) << name;
-    EXPECT_THAT(near.validity, testing::HasSubstr("not usable: this formula is not known to be within 25 %"))
+    EXPECT_THAT(near.validity,
+                testing::HasSubstr("not usable: the velocity by this formula is not known to be within 25 %"))
         << name;
   }
   for (const char* name : {"rpy-force-repaired", "rpy-stroke-printed"}) {

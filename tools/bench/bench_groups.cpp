@@ -24,7 +24,7 @@ struct Group {
   std::vector<Precision> precisions;
 };
 
-/// Returns the memory of this node that programs can still allocate [byte].
+/// Returns the memory of this machine that programs can still allocate [byte].
 double available_bytes() {
   std::ifstream info("/proc/meminfo");
   std::string name, unit;
@@ -35,8 +35,9 @@ double available_bytes() {
   return static_cast<double>(sysconf(_SC_AVPHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-/// Returns the memory that each rank may allocate [byte]: 85 % of the free memory of its node, divided by the
-/// number of ranks on this node. All ranks get the smallest of these values over all nodes. Collective.
+/// Returns the memory that each rank may allocate [byte]: 85 % of the free memory of its machine, divided by
+/// the number of ranks on this machine. All ranks get the smallest of these values over all machines.
+/// Collective.
 double bytes_per_rank(const Communicator& world) {
   constexpr double share = 0.85;
   double bytes = share * available_bytes() / count_ranks_on_node(world);

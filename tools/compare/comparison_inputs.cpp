@@ -98,10 +98,9 @@ void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
   const Scene scene = scene_of(reference.document);
   const RunRecord& record = run.record;
   if (!same_units(record.units, scene.units)) {
-    throw InputError(
-        reference.source,
-        fmt::format("the reference has other units than {}; compare files made from the same layout",
-                    run.source));
+    throw InputError(reference.source, fmt::format("the reference has other units of length, time or mass "
+                                                   "than {}; compare files made from the same layout",
+                                                   run.source));
   }
   const auto* prediction = std::get_if<PredictionDocument>(&reference.document);
   const double own = prediction != nullptr ? period_of(record, prediction->swimmer) : record.driving.period;

@@ -30,12 +30,9 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
       ->allow_extra_args(false)
       ->default_str("none");
   program
-      .add_option("--method", flags.method,
-                  "Method whose prediction determines the verdict (run: the reference is a run record); the "
-                  "table shows all methods")
+      .add_option("--method", flags.method, "Theory method that determines the verdict, or run for a record")
       ->type_name("NAME")
-      ->default_str(
-          "the first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others");
+      ->default_str("first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others");
   request.quantities.assign(all_values<ComparedQuantity>.begin(), all_values<ComparedQuantity>.end());
   add_choices(program, "--quantity", request.quantities,
               "Quantities to compare; velocity is the velocity along the swimmer's axis, minus the mean flow "

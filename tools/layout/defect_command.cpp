@@ -41,7 +41,7 @@ void require_same_units(const Layout& layout, const Layout& other, const std::st
 /// that was set for these swimmers individually. Removes types that no swimmer uses any more. Throws
 /// InputError if the two layouts have different units.
 void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, const std::string& path) {
-  if (path == "-") throw InputError("--with", "standard input is already used for the layout; name a file");
+  if (path == "-") throw InputError("--with", "the layout to mix in cannot be read from standard input; name a file");
   const Layout other = read_layout(path).layout;
   require_same_units(layout, other, path);
   const std::string name = free_type_name(layout);
@@ -58,11 +58,9 @@ void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, con
 }  // namespace
 
 DefectCommand::DefectCommand(CLI::App& program)
-    : command_(program.add_subcommand(
-          "defect",
-          "Applies random changes (defects) to a layout from a file or standard input, and writes the "
-          "changed layout to standard output. Equal seeds give equal defects; if several defects are joined "
-          "by pipes, give each its own seed.")) {
+    : command_(program.add_subcommand("defect",
+                                      "Applies random changes (defects) to a layout. Equal seeds give equal "
+                                      "defects; give each defect of a pipe its own seed.")) {
   command_->require_subcommand(1);
   add_numbers();
   add_places();

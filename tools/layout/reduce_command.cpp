@@ -32,12 +32,12 @@ void ReduceCommand::run(const CLI::App& program) const {
   ReducedCell reduced = reduce(document.layout, tolerance_ * smallest_radius(document.layout));
   const std::size_t before = document.layout.swimmers.size(), after = reduced.layout.swimmers.size();
   const Vec3& box = reduced.layout.domain->lengths;
-  print_to_stderr(
-      fmt::format("beadswim-layout: the scene consists of {} x {} x {} copies of one cell; the new layout is "
-                  "this cell, with {} swimmers reduced to {}, in a box of {:g} x {:g} x {:g}; largest "
-                  "displacement of a swimmer: {:.2g}\n",
-                  reduced.cells[0], reduced.cells[1], reduced.cells[2], before, after, box[0], box[1], box[2],
-                  reduced.largest_shift));
+  print_to_stderr(fmt::format(
+      "beadswim-layout: the scene consists of {} x {} x {} copies of one cell; the new layout is "
+      "this cell, with {} swimmers reduced to {}, in a box of {:g} x {:g} x {:g}; the copies differ "
+      "in positions along one axis by at most {:.2g} (unit of length of the layout)\n",
+      reduced.cells[0], reduced.cells[1], reduced.cells[2], before, after, box[0], box[1], box[2],
+      reduced.largest_shift));
   document.layout = std::move(reduced.layout);
   document.provenance.push_back(provenance_record(program));
   write_text("-", dump_json(layout_to_json(document)));

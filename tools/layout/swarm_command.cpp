@@ -24,9 +24,8 @@ SwarmCommand::SwarmCommand(CLI::App& program)
                                       "Writes a layout of many swimmers with axes along x, in equal blocks "
                                       "that fill a periodic box, as in figure 4 of Pickl et al. 2017.")),
       flags_(*command_, {{"paper-uniform", paper_swarm}, {"paper-defect", paper_swarm}},
-             "Swarm of Pickl et al. 2017 whose values are used for flags that are not given: paper-uniform "
-             "(all gaps 32) or paper-defect (core gap 37, block gaps 56,46,46). Without a preset, all flags "
-             "without a default are required") {
+             "Swarm of Pickl et al. 2017 that replaces missing flags: paper-uniform (all gaps 32) or "
+             "paper-defect (core gap 37, block gaps 56,46,46)") {
   begin_group(*command_, "Blocks");
   command_->add_option("--block-swimmers", block_swimmers_, "Number of swimmers in one block along x, y, z")
       ->type_name("NX,NY,NZ")

@@ -13,9 +13,8 @@ SwimmerCommand::SwimmerCommand(CLI::App& program)
                                       "Writes a layout of one swimmer: a preset, changed by flags, or a "
                                       "scene that flags describe completely.")),
       flags_(*command_, {{"paper-single", paper_single}},
-             "Scene whose values are used for flags that are not given: paper-single, the single swimmer of "
-             "Pickl et al. 2017 in a box of 1200,800,800. Without a preset, all flags without a default are "
-             "required"),
+             "Scene that replaces missing flags: paper-single (single swimmer of Pickl et al. 2017). Without "
+             "it, flags without a default are required"),
       place_(*command_) {
   begin_group(*command_, "Output");
   command_->add_flag("--jsonl", json_lines_, "Write the layout on one line, for beadswim-theory --jsonl.");

@@ -43,11 +43,11 @@ void SwimmerFlags::add_swimmer(CLI::App& command) {
       ->default_str("the preset's, else 0");
   command
       .add_option("--angular-stiffness", angular_stiffness_,
-                  "Stiffness K_A of the angular spring that keeps the two arms in line: energy K_A "
-                  "theta^2/2, theta: angle between the arms [mass length^2/time^2]")
+                  "Stiffness K_A of the angular spring with energy K_A theta^2/2; theta: angle between the "
+                  "arms [mass length^2/time^2]")
       ->type_name("KA")
       ->check(finite_non_negative())
-      ->default_str("10 k l^2, with mean k and rest length l");
+      ->default_str("10 k l^2");
   begin_group(command, "Beads");
   command.add_option("--bead-density", bead_density_, "Mass density of the beads [mass/length^3]")
       ->type_name("RHO")
@@ -89,8 +89,8 @@ void SwimmerFlags::add_fluid(CLI::App& command) {
       ->default_str("1");
   command
       .add_option("--units", units_,
-                  "Units of all numbers in the layout: lattice units, or units of length (m, cm, mm, um, "
-                  "nm), time (s, ms, us, ns) and mass (kg, g, mg, ug, ng, pg, fg), for example um,s,pg")
+                  "Units of the layout: lattice, or units of length (m to nm), time (s to ns) and mass (kg "
+                  "to fg), for example um,s,pg")
       ->type_name("lattice|LENGTH,TIME,MASS")
       ->default_str("lattice");
 }

@@ -104,11 +104,9 @@ Units SwimmerFlags::units() const {
   if (units_.empty() || units_ == "lattice") return {};
   const std::vector<std::string> names = split_at_commas(units_);
   if (names.size() != 3) {
-    throw InputError(
-        "--units",
-        fmt::format(
-            "\"{}\": must be lattice, or the names of the units of length, time and mass, such as um,s,pg",
-            units_));
+    throw InputError("--units", fmt::format("\"{}\": the value must be \"lattice\", or the names of the "
+                                            "units of length, time and mass, such as um,s,pg",
+                                            units_));
   }
   return {.lattice = false,
           .length = unit_named(Quantity::length, names[0]),

@@ -23,7 +23,8 @@ SwimmerMark parse_mark(const std::string& text) {
   const std::size_t sign = text.rfind('=');
   const std::string id = sign == std::string::npos ? "" : text.substr(sign + 1);
   if (sign == 0 || !id_or_frame_number()(id).empty())
-    throw InputError("--mark", fmt::format("\"{}\": must be a label and a swimmer's id, such as A=3", text));
+    throw InputError("--mark",
+                     fmt::format("\"{}\": the value must be a label and a swimmer's id, such as A=3", text));
   return {text.substr(0, sign), std::stoi(id)};
 }
 

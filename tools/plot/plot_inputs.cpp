@@ -91,8 +91,8 @@ Names methods_in(const std::vector<SourceDocument>& documents) {
 void require_known(const std::string& method, const std::string& flag, const Names& known) {
   if (contains(known, method)) return;
   if (known.empty()) {
-    throw InputError(flag, fmt::format("the method \"{}\" selects from prediction files, but no prediction "
-                                       "file is given; add a prediction file (beadswim-theory)",
+    throw InputError(flag, fmt::format("the method \"{}\" names the predictions to draw, but no file of "
+                                       "predictions is given; add a file that beadswim-theory printed",
                                        method));
   }
   throw InputError(

@@ -90,9 +90,10 @@ ErrorReference reference_of(const PlottedPrediction& best, const PlottedRun& fir
 ErrorReference read_reference(const PlotInputs& inputs, const SpeedFlags& flags, const CycleChoice& cycle) {
   const PlotInputs read = read_plot_inputs({flags.reference}, {flags.methods});
   if (read.runs.size() + read.predictions.size() != 1) {
-    throw InputError(flags.reference,
-                     "the file contains several references; name one method with --method, or give a file "
-                     "with one run or one prediction");
+    throw InputError(
+        flags.reference,
+        "the file contains several runs or predictions, but errors are relative to one reference; name one "
+        "method with --method, or give a file with one run or one prediction");
   }
   const PlottedRun& first = inputs.runs.front();
   if (!same_units(read.units, inputs.units))
@@ -219,9 +220,8 @@ Drawing add_speed_flags(CLI::App& command) {
   add_cycle(command, flags->cycle);
   command
       .add_option("--reference", flags->reference,
-                  "Prediction or run record of the same scene, relative to which the errors of runs are "
-                  "measured; required if FILES are run records. Of a prediction, --method or else the best "
-                  "usable method is used")
+                  "Prediction or run record from which errors of runs are measured; required if FILES are "
+                  "run records")
       ->type_name("FILE")
       ->default_str("none");
   return [flags](const PlotFiles& files) {

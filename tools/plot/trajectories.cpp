@@ -33,10 +33,9 @@ std::vector<TrajectoryFile> open_all(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) files.push_back(open_trajectory(path));
   for (const TrajectoryFile& file : files) {
     if (same_units(file.layout.units, files.front().layout.units)) continue;
-    throw InputError(
-        file.source,
-        fmt::format("the units differ from those of {}; all files of a figure must have the same units",
-                    files.front().source));
+    throw InputError(file.source, fmt::format("the units of this file differ from the units of {}; all files "
+                                              "of a figure must have the same units",
+                                              files.front().source));
   }
   return files;
 }

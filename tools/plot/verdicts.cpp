@@ -46,9 +46,10 @@ std::string method_of(const VerdictDocument& verdict, const std::vector<std::str
 PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::string>& methods) {
   const std::string schema = schema_of(document.json);
   if (schema.starts_with("beadswim/run/")) {
-    throw InputError("--reference", fmt::format("no reference is given; name a prediction or a run for the "
-                                                "errors of {}, or draw verdicts of beadswim-compare",
-                                                document.source));
+    throw InputError("--reference",
+                     fmt::format("no reference is given; name a prediction or a run as the reference for the "
+                                 "errors of {}, or draw verdicts of beadswim-compare",
+                                 document.source));
   }
   if (!schema.starts_with("beadswim/verdict/")) {
     throw InputError(document.source, fmt::format("the document has the schema \"{}\"; give verdicts "

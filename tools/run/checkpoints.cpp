@@ -140,7 +140,8 @@ RunHistory restore(Model& model, Recorder& recorder, const CheckpointReader& che
   moment(history.steps_done);
   if (history.steps_done < 0)
     throw SolverError(checkpoint.path() +
-                      ": the checkpoint's number of steps is negative; take the other checkpoint, or begin "
+                      ": the number of time steps in the checkpoint is negative, so the file is damaged; "
+                      "take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin "
                       "without --restart");
   model.restore(history.steps_done, moment, checkpoint);
   moment(history.wall_seconds, history.core_seconds);

@@ -51,9 +51,8 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
       ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->type_name("ID");
   program
-      ->add_option(
-          "--stroke-from", request.stroke_path,
-          "Run record whose last cycle contains the measured stroke for the methods " + stroke_methods())
+      ->add_option("--stroke-from", request.stroke_path,
+                   "Run record with the measured stroke (last cycle) for " + stroke_methods())
       ->type_name("FILE");
   begin_group(*program, "Methods");
   program

@@ -174,7 +174,8 @@ void OverdampedSystem::restore(OverdampedState state) {
       !std::ranges::all_of(state.velocities, has_all_beads) ||
       !std::ranges::all_of(state.distant, has_all_beads))
     throw SolverError(
-        fmt::format("the checkpoint belongs to another scene; take the other checkpoint, or begin without {}",
+        fmt::format("the number of beads in the checkpoint differs from the number of beads in the layout; "
+                    "take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
                     Setting::restart));
   state_ = std::move(state);
 }

@@ -60,7 +60,8 @@ std::vector<double> commensurate_resolutions(const Layout& layout) {
 std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, double roundoff) {
   if (mach > max_incompressible_mach)
     return fmt::format(
-        "beads would reach Mach {:.2g}, where the fluid is compressible; use a smaller {} or more {}, or "
+        "the fastest bead would reach Mach {:.2g} (Mach 1: speed of sound of the lattice), where the fluid "
+        "is compressible; use a smaller {} or more {}, or "
         "reduce the driving amplitude",
         mach, Setting::relaxation_time, Setting::cells_per_radius);
   if (on_lattice.density_on_lattice() < min_stable_density)
@@ -69,8 +70,10 @@ std::string lattice_obstacle(const SceneOnLattice& on_lattice, double mach, doub
         "unstable; use a larger {} or {} psm",
         on_lattice.density_on_lattice(), Setting::relaxation_time, Setting::bead_boundary);
   if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time)
-    return fmt::format("relaxation time {:.4g} is too close to 1/2; use {} or more",
-                       on_lattice.lattice.relaxation_time, min_stable_relaxation_time);
+    return fmt::format(
+        "the relaxation time {:.4g} is so close to 1/2 that viscosity hardly damps unresolved flow; use {} "
+        "or more",
+        on_lattice.lattice.relaxation_time, min_stable_relaxation_time);
   constexpr double contact = 0.1;  // [cell]; smaller gaps cause errors of 100 % (docs/hard-cases.md)
   if (on_lattice.smallest_gap < contact)
     return "beads touch or nearly touch at rest, so contact forces would determine the stroke; move the "

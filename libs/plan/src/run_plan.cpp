@@ -42,7 +42,7 @@ void choose(RunPlan& plan, const Communicator& communicator) {
   for (int r = 0; r < std::ssize(plan.runs); ++r) {
     PlannedRun& run = plan.runs[r];
     if (run.refused.empty() && !std::isfinite(run.error.largest() + run.core_seconds))
-      run.refused = "the error of this run cannot be estimated";
+      run.refused = "the expected error or the cost of this run is not finite";
     if (!run.refused.empty()) continue;
     if (best == none || run.error.largest() < plan.runs[best].error.largest()) best = r;
     if (run.error.largest() > plan.tolerance) continue;
@@ -68,8 +68,8 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
     add("the velocity is zero or only roundoff; error estimates are for the stroke alone");
   } else if (constexpr double much = 3; best.cancellation > much) {
     add(
-        fmt::format("the velocity is only 1/{:.2g} of the velocity with the same stroke in open space, so "
-                    "its relative errors are large",
+        fmt::format("in this scene the swimmer reaches only 1/{:.2g} of the velocity with the same stroke in "
+                    "open space, so relative errors of the velocity are large",
                     best.cancellation));
   }
   if (!swimmer_facts.representative.approximation.empty())
@@ -98,8 +98,8 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
       add_hard_cases_of(plan, swimmer_facts);
     } else {
       plan.hard.push_back(
-          fmt::format("swimmer {}: {}; error estimates include only the cell size of the lattice and its lag "
-                      "(delay of stress and forces)",
+          fmt::format("swimmer {}: {}; error estimates include only errors by the cell size and by the delay "
+                      "of stress and forces on the lattice",
                       swimmer_facts.representative.swimmer, film_obstacle(swimmer_facts)));
     }
   }
@@ -115,7 +115,7 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
     const Vec3& box = facts.cell.domain->lengths;
     plan.proposals.push_back({fmt::format(
         "the scene consists of {} copies of a cell of {:g} x {:g} x {:g} with {} of the {} swimmers; a run "
-        "of one cell has 1/{} of the cost",
+        "of one such cell has 1/{} of the cost of a run of the scene",
         copies, box[0], box[1], box[2], facts.cell.swimmers.size(), layout.swimmers.size(), copies)});
   }
   const SwimmerFacts& swimmer_facts = facts.swimmer_facts.front();

@@ -65,7 +65,7 @@ CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
     const bool is_number = error == std::errc{} && end == last;
     const bool fine = is_number && value >= low && value <= high;
     return fine ? std::string{}
-                : fmt::format("\"{}\": must be a whole number from {} to {}", text, low, high);
+                : fmt::format("\"{}\": the value must be a whole number from {} to {}", text, low, high);
   };
   return CLI::Validator(fault, "");
 }
@@ -79,7 +79,7 @@ CLI::Validator number_between(double low, double high) {
     const std::optional<double> value = parse_number(text);
     const bool fine = value && *value >= low && *value <= high;
     return fine ? std::string{}
-                : fmt::format("\"{}\": must be a number from {} to {}{}", text, low, high,
+                : fmt::format("\"{}\": the value must be a number from {} to {}{}", text, low, high,
                               percentage_hint(text));
   };
   return CLI::Validator(fault, "");

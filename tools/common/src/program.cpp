@@ -81,7 +81,7 @@ void refuse_leftovers(const CLI::App& program) {
   if (flag != leftovers.end()) refuse_flag(*flag, command);
   if (leftovers.empty()) return;
   if (leftovers.front().empty())
-    throw InputError("command line", "an argument is empty; is a variable not set?");
+    throw InputError("command line", "an argument is empty; is a shell variable not set?");
   const std::vector<std::string> commands = command_names(command);
   const std::string what =
       commands.empty() ? std::string("unexpected argument.")

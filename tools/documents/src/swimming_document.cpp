@@ -85,7 +85,7 @@ SwimmingDocument swimming_from_json(const Json& document, const std::string& sou
   if (schema.starts_with("beadswim/prediction/")) return predictions_from_json(document, source);
   throw InputError(source, fmt::format("{}; a run record (\"schema\": \"beadswim/run/1\") or a prediction "
                                        "(\"beadswim/prediction/1\") is needed here",
-                                       schema.empty() ? "the document does not name its schema"
+                                       schema.empty() ? "the document has no key \"schema\""
                                                       : "the document has the schema \"" + schema + "\""));
 }
 

@@ -21,18 +21,24 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
   const auto found = parameters.find("layout");
   const std::string place = path + ":/parameters/layout";
   if (found == parameters.end()) {
-    throw InputError(place, "the layout is missing; give a trajectory file of beadswim-run");
+    throw InputError(place,
+                     "the file does not contain the layout of its run; the file is damaged or was edited: "
+                     "give a trajectory file as beadswim-run wrote it");
   }
   Layout layout = layout_from_json(parse_json(found->second, place), place).layout;
   if (layout.swimmers.size() * 3 != reader.header().swimmer.size()) {
-    throw InputError(place, fmt::format("the layout has {} swimmers, but the trajectory has {} swimmers; "
-                                        "give a trajectory file of beadswim-run",
-                                        layout.swimmers.size(), reader.header().swimmer.size() / 3));
+    throw InputError(
+        place,
+        fmt::format(
+            "the layout in the file has {} swimmers, but the file contains the positions of {} swimmers; the "
+            "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
+            layout.swimmers.size(), reader.header().swimmer.size() / 3));
   }
   if (!have_equal_lengths(reader.header().box, layout.domain)) {
-    throw InputError(path + ":/particles/beads/box/edges",
-                     "the box of the frames differs from the box of the layout in the file; the file is "
-                     "damaged or was edited: give a trajectory file as beadswim-run wrote it");
+    throw InputError(
+        path + ":/particles/beads/box/edges",
+        "the box of the first frame differs from the box of the layout that the file contains; the file is "
+        "damaged or was edited: give a trajectory file as beadswim-run wrote it");
   }
   return layout;
 }
@@ -47,10 +53,12 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
   for (std::size_t bead = 0; bead < of_bead.size(); bead += 3) {
     const auto found = index_of.find(of_bead[bead]);
     if (found == index_of.end()) {
-      throw InputError(path + ":/particles/beads/swimmer",
-                       fmt::format("swimmer {} is not in the layout, or occurs twice in the trajectory; give "
-                                   "a trajectory file of beadswim-run",
-                                   of_bead[bead]));
+      throw InputError(
+          path + ":/particles/beads/swimmer",
+          fmt::format(
+              "swimmer {} is not in the layout that the file contains, or occurs twice in this dataset; the "
+              "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
+              of_bead[bead]));
     }
     indices.push_back(found->second);
     index_of.erase(found);

@@ -21,9 +21,8 @@ CLI::Validator relaxation_time() {
 void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
   add_choice(program, "--model", options.settings.model,
-             "Model of the fluid: lbm (lattice Boltzmann); mobilities without inertia rpy (Rotne-Prager), "
-             "rpy+near (with near field), oseen (point forces); auto: the cheapest run within --tolerance, "
-             "as --plan finds it, or lbm without --tolerance");
+             "Model of the fluid: lbm (lattice Boltzmann), mobilities rpy (Rotne-Prager), rpy+near (with "
+             "near field) and oseen, or auto (the cheapest within --tolerance, else lbm)");
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
@@ -50,9 +49,8 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
   begin_group(program, "Model");
   program
       .add_option("--tolerance", mobility.tolerance,
-                  "Largest relative error. With --model auto or --plan: expected error of velocity and arm "
-                  "amplitudes. With rpy, rpy+near or oseen: root-mean-square error of the bead velocities in "
-                  "a step [1]")
+                  "Largest relative error: with auto or --plan of velocity and arm amplitudes; with a "
+                  "mobility model of the bead velocities in a step (root mean square) [1]")
       ->type_name("E")
       ->check(finite_positive());
   begin_group(program, "Length and sampling");
@@ -74,19 +72,17 @@ void add_resolution(CLI::App& program, LatticeSettings& lattice) {
       ->default_str("the layout's, else 4");
   program
       .add_option("--relaxation-time", lattice.relaxation_time,
-                  "Relaxation time tau of the lattice collision. It sets the time step by nu = (tau - 1/2)/3 "
-                  "cell^2/step, nu: kinematic viscosity; tau is adjusted so that a period is a whole number "
-                  "of steps [step]")
+                  "Relaxation time tau, adjusted to whole steps per period; the time step follows from the "
+                  "viscosity nu = (tau - 1/2)/3 cell^2/step [step]")
       ->type_name("TAU")
       ->check(relaxation_time())
       ->default_str("the layout's, else 1");
 }
 
 void add_beads_in_fluid(CLI::App& program, LatticeSettings& lattice) {
-  add_choice(
-      program, "--bead-boundary", lattice.bead_boundary,
-      "Scheme of the no-slip condition on bead surfaces: staircase (half-way bounce-back, as in Pickl et al. "
-      "2017), cli (linear interpolation), mr (multireflection), psm (partially saturated cells)");
+  add_choice(program, "--bead-boundary", lattice.bead_boundary,
+             "No-slip condition on beads: staircase (half-way bounce-back), cli (linear interpolation), mr "
+             "(multireflection), psm (partially saturated cells)");
   add_switch(program, "--delay-correction", lattice.delay_correction,
              "Increase the bead density to compensate the delay with which the lattice fluid exerts its "
              "force on a bead");
@@ -117,9 +113,8 @@ void add_stops(CLI::App& program, RunOptions& options) {
       ->default_str("only at a stop by time or signal");
   program
       .add_option("--restart", options.restart,
-                  "Checkpoint from which the run continues with the same layout and flags, or trajectory, "
-                  "whose last checkpoint is then used. Only --cycles (the total length), output flags and "
-                  "the number of ranks may change")
+                  "Checkpoint, or trajectory whose last checkpoint is used, from which the run continues. "
+                  "Only --cycles (total), outputs and ranks may change")
       ->type_name("FILE.h5md|FILE.h5md.ckpt.N")
       ->default_str("");
   program

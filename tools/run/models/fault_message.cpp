@@ -39,8 +39,10 @@ std::string cause_of_instability(const SceneOnLattice& on_lattice, double mach_s
   const std::string smaller_step =
       "reduce the time step by a smaller --relaxation-time or a larger --cells-per-radius";
   if (mach_so_far > max_incompressible_mach)
-    return fmt::format("beads have reached Mach {:.2g}; reduce the driving amplitude, or {}", mach_so_far,
-                       smaller_step);
+    return fmt::format(
+        "the fastest bead has reached Mach {:.2g} (Mach 1: speed of sound of the lattice); reduce the "
+        "driving amplitude, or {}",
+        mach_so_far, smaller_step);
   return fmt::format("reduce the driving amplitude, or {}", smaller_step);
 }
 
@@ -92,7 +94,7 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
 std::string fault_message(const Fault& fault, const SceneOnLattice& on_lattice, double mach_so_far) {
   const double steps = static_cast<double>(on_lattice.lattice.steps_per_period);
   const double mach = fault.kind == FaultKind::speed ? fault.value * std::sqrt(3.0) : mach_so_far;
-  return fmt::format("step {} (cycle {:.3f}, Mach {:.2g}): {}", fault.step,
+  return fmt::format("step {} (cycle {:.3f}, largest Mach number of a bead {:.2g}): {}", fault.step,
                      static_cast<double>(fault.step) / steps, mach,
                      what_is_wrong(fault, on_lattice, mach_so_far));
 }

@@ -55,7 +55,8 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
   const std::vector<PlacedSwimmer>& of_scene = system.scene().swimmers;
   if (total_bytes != of_scene.size() * snapshot_size())
     throw SolverError(file.path() +
-                      ": the checkpoint contains swimmers of another scene; take the other checkpoint, or "
+                      ": the checkpoint contains other swimmers than the layout; take the run's other "
+                      "checkpoint (.ckpt.0 or .ckpt.1), or "
                       "begin without --restart");
   auto next = of_scene.begin();
   std::vector<SwimmerSnapshot> owned;
@@ -64,7 +65,8 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
              file.bytes(swimmers_section, first, std::min(chunk_bytes, total_bytes - first)))) {
       if (!is_sound(swimmer.state, *next++))
         throw SolverError(file.path() +
-                          ": the checkpoint contains swimmers of another scene; take the other checkpoint, "
+                          ": the checkpoint contains other swimmers than the layout; take the run's other "
+                          "checkpoint (.ckpt.0 or .ckpt.1), "
                           "or begin without --restart");
       if (system.owns(swimmer.state)) owned.push_back(std::move(swimmer));
     }

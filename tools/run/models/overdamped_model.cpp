@@ -33,9 +33,11 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
     periods.push_back(type.driving.period / time_step);
     radii.push_back({first.radius, second.radius, third.radius});
   }
-  announcement = fmt::format("model {}, {} swimmers in {}, tolerance {:.3g}, {} steps per cycle, on {} ranks",
-                             to_text(scene.model), swimmers.size(), scene.box ? "a box" : "open space",
-                             scene.tolerance, steps_per_cycle, communicator.size());
+  announcement = fmt::format(
+      "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
+      "on {} ranks",
+      to_text(scene.model), swimmers.size(), scene.box ? "a box" : "open space", scene.tolerance,
+      steps_per_cycle, communicator.size());
 }
 
 std::unique_ptr<Model> OverdampedPlan::make(long) const {
@@ -152,12 +154,12 @@ std::vector<std::string> OverdampedModel::warnings() const {
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return {};
   const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
-  return {
-      fmt::format("beads came within a distance of {:.3g} of each other or of a wall and were repelled; {}; "
-                  "compare this run with a run by --model lbm",
-                  gap,
-                  knows_films ? "this repulsion is artificial and not a physical force"
-                              : "this model neglects lubrication by the fluid film between close surfaces")};
+  return {fmt::format(
+      "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
+      "compare this run with a run by --model lbm",
+      gap,
+      knows_films ? "this repulsion is artificial and not a physical force"
+                  : "the model of this run neglects lubrication by the fluid film between close surfaces")};
 }
 
 void OverdampedModel::write_history(OutgoingMessage& history) const {
@@ -180,7 +182,8 @@ void OverdampedModel::restore(long steps_done, IncomingMessage& history, const C
   OverdampedState::visit_bead_fields([&](const char*, auto& lists) { message(lists); }, state);
   if (!message.is_at_end())
     throw SolverError(
-        "the checkpoint's beads were written by another version of the program; continue with that version, "
+        "the positions of beads in the checkpoint were written by another version of the program; continue "
+        "with that version, "
         "or begin without --restart");
   system_.restore(std::move(state));
 }

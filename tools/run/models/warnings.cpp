@@ -43,7 +43,7 @@ void warn_of_stability(Lines& lines, const SceneOnLattice& on_lattice) {
   if (on_lattice.damps_springs) {
     lines.push_back(
         "springs vibrate too fast for the time step, so dashpots are added that damp these vibrations; "
-        "slower motion lags by half a step at most");
+        "these dashpots delay slower motion by at most half a time step");
   }
   if (on_lattice.angular_softening < 1) {
     lines.push_back(
@@ -61,10 +61,10 @@ void warn_of_roundoff(Lines& lines, Precision precision, double error) {
           ? fmt::format("{:.2g}", error)
           : "more than 1, because the velocity is zero to second order in the driving amplitude";
   if (precision == Precision::fp32) {
-    lines.push_back(
-        fmt::format("in single precision the relative error of the velocity may be {}: a swimmer is slow "
-                    "compared with its beads, or the run is long; use --precision double",
-                    much));
+    lines.push_back(fmt::format(
+        "in single precision the relative error of a swimmer's velocity may be {}: roundoff is too large if "
+        "a swimmer is slow compared with its beads, or if the run is long; use --precision double",
+        much));
   } else {
     lines.push_back(
         fmt::format("a swimmer moves so little per cycle that roundoff may cause a relative error of its "
@@ -86,7 +86,8 @@ std::vector<std::string> warnings_before(const SceneOnLattice& on_lattice, doubl
 std::vector<std::string> warnings_after(double mach) {
   if (mach <= max_incompressible_mach) return {};
   return {
-      fmt::format("beads reached Mach {:.2g}, where compression changes the density of the fluid by about "
+      fmt::format("the fastest bead reached Mach {:.2g} (Mach 1: speed of sound of the lattice), where "
+                  "compression changes the density of the fluid by about "
                   "{:.0f} % and affects the motion; reduce the time step by a smaller --relaxation-time or a "
                   "larger --cells-per-radius",
                   mach, 100 * mach * mach)};

@@ -9,8 +9,8 @@
 
 namespace beadswim {
 
-/// Returns the warnings that are known before the run. `roundoff`: relative error of the velocity caused by
-/// rounding of the populations, from velocity_roundoff().
+/// Returns the warnings that are known before the run. `roundoff`: relative error of the swimmers' velocity
+/// caused by rounding of the populations, from velocity_roundoff().
 std::vector<std::string> warnings_before(const SceneOnLattice& on_lattice, double roundoff);
 
 /// Returns a warning if the beads were so fast that compressibility affects the results. `mach`: largest Mach

@@ -50,16 +50,17 @@ const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
   if (plan.choice) return plan.runs[*plan.choice];
   const auto flags = [&](const PlannedRun& run) { return flags_of(run, options); };
   if (!plan.best)
-    throw InputError("--plan",
-                     fmt::format("no model can run this scene with these flags; the run {} is rejected: {}",
-                                 flags(plan.runs.back()), plan.runs.back().refused));
+    throw InputError("--plan", fmt::format("no model can run this scene with these flags; for example, the "
+                                           "run with {} is rejected, because of this fault: {}",
+                                           flags(plan.runs.back()), plan.runs.back().refused));
   const PlannedRun& best = plan.runs[*plan.best];
   const auto in_percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
-  throw InputError("--tolerance",
-                   fmt::format("no run has an expected error within {}; the best run, {}, has an expected "
-                               "error of {}: raise the tolerance to that value, leave out flags that exclude "
-                               "other runs, or change the scene as --plan proposes",
-                               in_percent(plan.tolerance), flags(best), in_percent(best.error.largest())));
+  throw InputError(
+      "--tolerance",
+      fmt::format("no run has an expected error within {}; the run with the smallest expected error, {}, has "
+                  "an expected error of {}: raise the tolerance to that value, leave out flags that exclude "
+                  "other runs, or change the scene as --plan proposes",
+                  in_percent(plan.tolerance), flags(best), in_percent(best.error.largest())));
 }
 
 }  // namespace beadswim

@@ -207,11 +207,13 @@ void Recorder::restore(std::vector<char> state, long steps_done) {
       transfer(message);
     } catch (const SolverError&) {
       throw SolverError(
-          "the checkpoint's record is incomplete; take the other checkpoint, or begin without --restart");
+          "the run record in the checkpoint is incomplete; take the run's other checkpoint (.ckpt.0 or "
+          ".ckpt.1), or begin without --restart");
     }
     if (!message.is_at_end() || !is_consistent_with(steps_done))
       throw SolverError(
-          "the checkpoint's record belongs to another run; take the other checkpoint, or begin without "
+          "the run record in the checkpoint belongs to another run; take the run's other checkpoint (.ckpt.0 "
+          "or .ckpt.1), or begin without "
           "--restart");
   }
   MPI_Bcast(&next_frame_, 1, MPI_LONG, 0, communicator_.get());

@@ -65,11 +65,9 @@ H5Handle open_file(const std::string& path, const Communicator& communicator) {
   const H5Handle access = parallel_access(communicator, path);
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (!all_agree(file >= 0, communicator))
-    throw InputError(
-        path,
-        fmt::format(
-            "the file is not a checkpoint, or is damaged; take the other checkpoint, or begin without {}",
-            Setting::restart));
+    throw InputError(path, fmt::format("the file is not a checkpoint, or is damaged; take the run's other "
+                                       "checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
+                                       Setting::restart));
   return {file, H5Fclose, path};
 }
 
@@ -145,18 +143,16 @@ std::array<hsize_t, dimensions> shape_of(const H5Handle& dataset, const std::str
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::array<hsize_t, dimensions> shape{};
   if (H5Sget_simple_extent_ndims(space) != static_cast<int>(dimensions))
-    throw SolverError(
-        what +
-        fmt::format(": the dataset has a wrong number of dimensions; take the other checkpoint, or begin "
-                    "without {}",
-                    Setting::restart));
+    throw SolverError(what + fmt::format(": a dataset of the checkpoint has a wrong number of dimensions; "
+                                         "take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin "
+                                         "without {}",
+                                         Setting::restart));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   if (!has_plausible_extents(dataset, shape))
-    throw SolverError(
-        what +
-        fmt::format(": the dataset declares more data than the file contains; take the other checkpoint, or "
-                    "begin without {}",
-                    Setting::restart));
+    throw SolverError(what + fmt::format(": a dataset of the checkpoint declares more data than the file "
+                                         "contains; take the run's other checkpoint (.ckpt.0 or .ckpt.1), or "
+                                         "begin without {}",
+                                         Setting::restart));
   return shape;
 }
 
@@ -305,9 +301,11 @@ CheckpointReader::~CheckpointReader() {
 void CheckpointReader::require_undamaged() const {
   const auto require = [this](bool is_undamaged) {
     if (!all_agree(is_undamaged, communicator_))
-      throw InputError(path_, fmt::format("the checkpoint is damaged: its contents do not match the stored "
-                                          "hash; take the other checkpoint, or begin without {}",
-                                          Setting::restart));
+      throw InputError(
+          path_,
+          fmt::format("the checkpoint is damaged: its contents do not match the stored "
+                      "hash; take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
+                      Setting::restart));
   };
   std::string format, hash_on_file;
   std::uint64_t lattice = 0;
@@ -383,9 +381,10 @@ std::vector<char> CheckpointReader::bytes(const std::string& section, std::uint6
   if (count == 0) return {};
   const H5Handle dataset(H5Dopen2(file_, section.c_str(), H5P_DEFAULT), H5Dclose, path_ + ":/" + section);
   if (first + count > shape_of<1>(dataset, path_ + ":/" + section)[0])
-    throw SolverError(fmt::format(
-        "{}:/{}: the data of the checkpoint end too early; take the other checkpoint, or begin without {}",
-        path_, section, Setting::restart));
+    throw SolverError(
+        fmt::format("{}:/{}: this dataset of the checkpoint ends too early; take the run's other checkpoint "
+                    "(.ckpt.0 or .ckpt.1), or begin without {}",
+                    path_, section, Setting::restart));
   std::vector<char> result(count);
   const Selection selection = select(dataset, std::array{hsize_t(first)}, std::array{hsize_t(count)}, path_);
   check_hdf5(H5Dread(dataset, H5T_NATIVE_CHAR, selection.memory, selection.file,
@@ -404,7 +403,7 @@ void CheckpointReader::copy_to(const std::string& section, int descriptor) const
   const std::uint64_t all = size(section);
   const auto require = [&](bool fine) {
     if (!fine)
-      throw SolverError(fmt::format("the file {} that the checkpoint {} contains cannot be written: {}",
+      throw SolverError(fmt::format("the {} that the checkpoint {} contains cannot be copied to a file: {}",
                                     section, path_, std::strerror(errno)));
   };
   require(ftruncate(descriptor, 0) == 0 && lseek(descriptor, 0, SEEK_SET) == 0);
@@ -428,11 +427,11 @@ void CheckpointReader::read_lattice(const LatticePart& part, int components,
   const std::array wanted{hsize_t(components), hsize_t(part.cells[2]), hsize_t(part.cells[1]),
                           hsize_t(part.cells[0])};
   if (shape_of<4>(dataset, path_) != wanted)
-    throw SolverError(
-        path_ +
-        fmt::format(": the lattice in the checkpoint belongs to another scene; take the other checkpoint, or "
-                    "begin without {}",
-                    Setting::restart));
+    throw SolverError(path_ +
+                      fmt::format(": the lattice in the checkpoint has other dimensions than the lattice of "
+                                  "this run; take the run's other checkpoint (.ckpt.0 or .ckpt.1), or "
+                                  "begin without {}",
+                                  Setting::restart));
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
   for (int c = 0; c < components; ++c) {
     if (!numbers.empty()) {

@@ -194,9 +194,11 @@ void TrajectoryWriter::add_series(const std::string& name, hid_t type, std::vect
   const H5Handle space(H5Dget_space(dataset), H5Sclose, what);
   std::vector<hsize_t> extent(row.size() + 1);
   if (H5Sget_simple_extent_ndims(space) != std::ssize(extent))
-    throw SolverError(what + fmt::format(": the dataset in the checkpoint has other dimensions than in this "
-                                         "run; take the other checkpoint, or begin without {}",
-                                         Setting::restart));
+    throw SolverError(
+        what +
+        fmt::format(": this dataset of the trajectory has a wrong number of dimensions in the checkpoint; "
+                    "take the run's other checkpoint (.ckpt.0 or .ckpt.1), or begin without {}",
+                    Setting::restart));
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   series_.emplace(
       name, Series{.dataset = std::move(dataset), .row = std::move(row), .type = type, .rows = extent[0]});

@@ -18,15 +18,21 @@ namespace beadswim {
 namespace {
 
 constexpr const char* remedy = "give a trajectory file of beadswim-run (.h5md or .h5md.part)";
+constexpr const char* cause = "the file is damaged, or beadswim-run did not write it";
 constexpr hsize_t max_beads = 100'000'000;  // a larger number indicates a damaged file
 
 [[noreturn]] void throw_input_error(const std::string& place, const std::string& what) {
   throw InputError(place, what + "; " + remedy);
 }
 
+/// Throws InputError about the contents of a trajectory file.
+[[noreturn]] void throw_content_error(const std::string& place, const std::string& what) {
+  throw_input_error(place, what + "; " + cause);
+}
+
 /// Returns a handle that closes `id`. Throws InputError with the text `fault` if the id is negative.
 H5Handle checked_handle(hid_t id, H5Handle::Close close, const std::string& place, const std::string& fault) {
-  if (id < 0) throw_input_error(place, fault);
+  if (id < 0) throw_content_error(place, fault);
   return {id, close, place};
 }
 
@@ -40,7 +46,7 @@ void require_regular_file(const std::string& path) {
 }
 
 void require_read(herr_t status, const std::string& place) {
-  if (status < 0) throw_input_error(place, "this part of the HDF5 file is damaged");
+  if (status < 0) throw_content_error(place, "this part of the HDF5 file cannot be read");
 }
 
 /// Throws InputError if the HDF5 file lacks a group of Beadswim trajectories, because another program wrote
@@ -62,18 +68,16 @@ H5Handle open_file(const std::string& path) {
   const H5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
   check_hdf5(H5Pset_file_locking(access, false, true), path);
   H5Handle file = checked_handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose, path,
-                                 "the file is not an HDF5 file, or is damaged");
+                                 "the file is not an HDF5 file");
   require_groups(file, path);
   return file;
 }
 
 std::vector<hsize_t> extents_of(hid_t dataset, const std::string& place) {
   const H5Handle space =
-      checked_handle(H5Dget_space(dataset), H5Sclose, place, "this part of the HDF5 file is damaged");
+      checked_handle(H5Dget_space(dataset), H5Sclose, place, "this part of the HDF5 file cannot be read");
   const int rank = H5Sget_simple_extent_ndims(space);
-  if (rank < 0)
-    throw_input_error(place,
-                      "the dimensions of this HDF5 dataset cannot be read, because the file is damaged");
+  if (rank < 0) throw_content_error(place, "the dimensions of this HDF5 dataset cannot be read");
   std::vector<hsize_t> extents(rank);
   H5Sget_simple_extent_dims(space, extents.data(), nullptr);
   return extents;
@@ -111,7 +115,7 @@ std::vector<std::string> split_padded_texts(const std::string& padded, std::size
 /// Throws InputError if a dataset declares more data than the file stores.
 void require_storage(hid_t dataset, std::span<const hsize_t> extents, const std::string& place) {
   if (!has_plausible_extents(dataset, extents))
-    throw_input_error(place, "the dataset declares more data than the file contains");
+    throw_content_error(place, "the dataset declares more data than the file contains");
 }
 
 /// Returns the length of a text of this type [byte], or 0 if the type is not a string of fixed length.
@@ -127,21 +131,19 @@ std::vector<std::string> text_attribute(hid_t file, const std::string& path, con
       checked_handle(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                      place, fmt::format("this HDF5 object has no attribute \"{}\"", name));
   const H5Handle type =
-      checked_handle(H5Aget_type(attribute), H5Tclose, place, "this part of the HDF5 file is damaged");
+      checked_handle(H5Aget_type(attribute), H5Tclose, place, "this part of the HDF5 file cannot be read");
   const H5Handle space =
-      checked_handle(H5Aget_space(attribute), H5Sclose, place, "this part of the HDF5 file is damaged");
+      checked_handle(H5Aget_space(attribute), H5Sclose, place, "this part of the HDF5 file cannot be read");
   const std::size_t length = text_length(type);
   const auto count = static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
   hsize_t file_size = 0;
   require_read(H5Fget_filesize(file, &file_size), place);
   if (static_cast<double>(length) * static_cast<double>(count) > static_cast<double>(file_size))
-    throw_input_error(place,
-                      fmt::format("the attribute \"{}\" declares more data than the file contains", name));
+    throw_content_error(place,
+                        fmt::format("the attribute \"{}\" declares more data than the file contains", name));
   std::string padded(length * count, '\0');
   if (padded.empty() || H5Aread(attribute, type, padded.data()) < 0) {
-    throw_input_error(place, fmt::format("the HDF5 attribute \"{}\" is not a string; the file is damaged or "
-                                         "was written by another program",
-                                         name));
+    throw_content_error(place, fmt::format("the HDF5 attribute \"{}\" is not a string", name));
   }
   return split_padded_texts(padded, length);
 }
@@ -165,7 +167,8 @@ TrajectoryReader::TrajectoryReader(const std::string& path)
     throw InputError(
         path, "the trajectory contains no frame yet; wait for the first frame of the run, or run again");
   if (beads_ == 0 || beads_ > max_beads)
-    throw_input_error(path, fmt::format("the trajectory has an invalid number of beads, {}", beads_));
+    throw_content_error(path, fmt::format("the trajectory has {} beads; this number must be between 1 and {}",
+                                          beads_, max_beads));
   read_header();
 }
 
@@ -173,12 +176,12 @@ TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
                                                      std::vector<hsize_t> row) const {
   const std::string place = path_ + ":/" + name;
   H5Handle dataset = checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place,
-                                    "this part of the HDF5 file is missing or damaged");
+                                    "this part of the HDF5 file is missing or cannot be read");
   Table table{.place = place, .dataset = std::move(dataset), .extents = {}};
   table.extents = extents_of(table.dataset, place);
   if (table.extents.size() != row.size() + 1 ||
       !std::equal(row.begin(), row.end(), table.extents.begin() + 1)) {
-    throw_input_error(place, "the dataset does not have the shape given in docs/formats/h5md.md");
+    throw_content_error(place, "the dataset does not have the shape given in docs/formats/h5md.md");
   }
   require_storage(table.dataset, table.extents, place);
   return table;
@@ -199,19 +202,19 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   hsize_t numbers = 1;
   for (const hsize_t n : size) numbers *= n;
   const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place,
-                                       "this part of the HDF5 file is damaged");
+                                       "this part of the HDF5 file cannot be read");
   if (!holds<Number>(type))
-    throw_input_error(table.place, "the dataset does not have the number type given in docs/formats/h5md.md");
+    throw_content_error(table.place,
+                        "the dataset does not have the number type given in docs/formats/h5md.md");
   const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place,
-                                          "this part of the HDF5 file is damaged");
+                                          "this part of the HDF5 file cannot be read");
   const H5Handle in_memory = checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place,
-                                            "this part of the HDF5 file is damaged");
+                                            "this part of the HDF5 file cannot be read");
   require_read(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
                table.place);
   std::vector<Number> values(numbers);
   if (H5Dread(table.dataset, native_type(Number{}), in_memory, in_file, H5P_DEFAULT, values.data()) < 0) {
-    throw_input_error(table.place,
-                      "the numbers in this HDF5 dataset cannot be read, because the file is damaged");
+    throw_content_error(table.place, "the numbers in this HDF5 dataset cannot be read");
   }
   return values;
 }
@@ -221,7 +224,7 @@ std::vector<Number> TrajectoryReader::read_rows(const Table& table, hsize_t firs
   std::vector<Number> values = read_raw_rows<Number>(table, first, count);
   const auto is_number = [](Number value) { return std::isfinite(static_cast<double>(value)); };
   if (!std::all_of(values.begin(), values.end(), is_number)) {
-    throw_input_error(table.place, "the dataset contains a non-finite number");
+    throw_content_error(table.place, "the dataset contains a non-finite number");
   }
   return values;
 }
@@ -230,7 +233,8 @@ template <typename Number>
 std::vector<Number> TrajectoryReader::read_all(const std::string& name) const {
   const Table table = open_table(name, {});
   if (table.extents[0] != beads_)
-    throw_input_error(table.place, fmt::format("the dataset does not have {} entries, one per bead", beads_));
+    throw_content_error(table.place,
+                        fmt::format("the dataset does not have {} entries, one per bead", beads_));
   return read_rows<Number>(table, 0, beads_);
 }
 
@@ -244,16 +248,15 @@ std::vector<Vec3> TrajectoryReader::vectors(const Table& table, std::size_t fram
 std::string TrajectoryReader::text(const std::string& name) const {
   const std::string place = path_ + ":/" + name;
   const H5Handle dataset = checked_handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT), H5Dclose, place,
-                                          "this part of the HDF5 file is missing or damaged");
+                                          "this part of the HDF5 file is missing or cannot be read");
   const H5Handle type =
-      checked_handle(H5Dget_type(dataset), H5Tclose, place, "this part of the HDF5 file is damaged");
+      checked_handle(H5Dget_type(dataset), H5Tclose, place, "this part of the HDF5 file cannot be read");
   const std::size_t length = text_length(type);
   require_storage(dataset, {}, place);
   std::string padded(length, '\0');
   if (length == 0 || !extents_of(dataset, place).empty() ||
       H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, padded.data()) < 0) {
-    throw_input_error(
-        place, "the HDF5 dataset is not a string; the file is damaged or was written by another program");
+    throw_content_error(place, "the HDF5 dataset is not a string");
   }
   return split_padded_texts(padded, length).front();
 }
@@ -261,7 +264,7 @@ std::string TrajectoryReader::text(const std::string& name) const {
 std::map<std::string, std::string> TrajectoryReader::texts(const std::string& group) const {
   const std::string place = path_ + ":/" + group;
   const H5Handle opened_group = checked_handle(H5Gopen2(file_, group.c_str(), H5P_DEFAULT), H5Gclose, place,
-                                               "this part of the HDF5 file is missing or damaged");
+                                               "this part of the HDF5 file is missing or cannot be read");
   H5G_info_t info{};
   require_read(H5Gget_info(opened_group, &info), place);
   std::map<std::string, std::string> result;
@@ -269,7 +272,7 @@ std::map<std::string, std::string> TrajectoryReader::texts(const std::string& gr
     std::array<char, 256> name{};
     if (H5Lget_name_by_idx(opened_group, ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(), name.size(),
                            H5P_DEFAULT) < 0) {
-      throw_input_error(place, "this part of the HDF5 file is damaged");
+      throw_content_error(place, "this part of the HDF5 file cannot be read");
     }
     result[name.data()] = text(group + "/" + name.data());
   }
@@ -280,7 +283,7 @@ std::array<Boundary, 3> TrajectoryReader::boundary() const {
   const std::string box = "particles/beads/box";
   const std::vector<std::string> names = text_attribute(file_, path_, box, "boundary");
   if (names.size() != 3)
-    throw_input_error(path_ + ":/" + box, "the attribute \"boundary\" does not have three entries");
+    throw_content_error(path_ + ":/" + box, "the attribute \"boundary\" does not have three entries");
   std::array<Boundary, 3> boundary;
   for (int a = 0; a < 3; ++a) boundary[a] = names[a] == "periodic" ? Boundary::periodic : Boundary::free_slip;
   return boundary;
@@ -291,7 +294,7 @@ std::optional<Box> TrajectoryReader::box(std::size_t frame) const {
   const Box box{.lengths = {edges[0], edges[4], edges[8]}, .boundary = boundary_};
   for (int a = 0; a < 3; ++a) {
     if (!(box.lengths[a] > 0) && (box.is_periodic(a) || box.lengths[a] != 0)) {
-      throw_input_error(edges_.place, "the dataset contains a box edge that is not positive");
+      throw_content_error(edges_.place, "the dataset contains a box edge that is not positive");
     }
   }
   return box.lengths == Vec3::Zero() ? std::nullopt : std::optional(box);
@@ -304,8 +307,8 @@ void TrajectoryReader::read_header() {
   header_.bead = read_all<int>("particles/beads/species");
   header_.radius = read_all<double>("particles/beads/radius");
   if (!std::ranges::all_of(header_.radius, [](double radius) { return radius > 0; }))
-    throw_input_error(path_ + ":/particles/beads/radius",
-                      "the dataset contains a bead radius that is not positive");
+    throw_content_error(path_ + ":/particles/beads/radius",
+                        "the dataset contains a bead radius that is not positive");
   header_.creator_version = text_attribute(file_, path_, "h5md/creator", "version").front();
   header_.parameters = texts("parameters");
   require_complete_swimmers();
@@ -318,7 +321,7 @@ void TrajectoryReader::require_complete_swimmers() const {
         header_.bead[b] == static_cast<int>(b % 3) + 1 && header_.swimmer[b] == header_.swimmer[b - b % 3];
   }
   if (!is_complete)
-    throw_input_error(
+    throw_content_error(
         path_ + ":/particles/beads/species",
         "the numbers of the beads must be 1, 2, 3 for the three consecutive beads of each swimmer");
 }
@@ -338,7 +341,9 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   for (std::size_t b = 0; b < beads_ && frame_box; ++b)
     frame.positions[b] += images[b].cwiseProduct(frame_box->lengths);
   if (!std::ranges::all_of(frame.positions, [](const Vec3& position) { return position.allFinite(); }))
-    throw_input_error(image_.place, "the dataset gives a bead position that is not finite");
+    throw_content_error(
+        image_.place,
+        "an image number in this dataset is so large that the position of a bead is not finite");
   frame.mean_flow = vectors(mean_flow_, index)[0];
   frame.momentum = vectors(momentum_, index)[0];
   return frame;
@@ -366,7 +371,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
       std::vector<double>& numbers = cycle.columns[i].numbers = read_raw_rows<double>(tables[i], c, 1);
       const auto is_infinite = [](double number) { return std::isinf(number); };
       if (std::ranges::any_of(numbers, is_infinite))
-        throw_input_error(tables[i].place, "the dataset contains an infinite number");
+        throw_content_error(tables[i].place, "the dataset contains an infinite number");
     }
   }
   return cycles;

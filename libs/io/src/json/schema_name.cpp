@@ -62,7 +62,9 @@ void check_schema_name(const Json& document, const std::string& expected, const 
   }
   const std::string place = source + ":/schema";
   const auto found = entry->is_string() ? parse_schema_name(entry->get<std::string>()) : std::nullopt;
-  if (!found) throw InputError(place, fmt::format("{}: the schema must be \"{}\"", entry->dump(), expected));
+  if (!found)
+    throw InputError(
+        place, fmt::format("{}: the value of the key \"schema\" must be \"{}\"", entry->dump(), expected));
   const SchemaName wanted = parse_schema_name(expected).value();
   if (found->kind != wanted.kind || found->version != wanted.version) {
     throw InputError(place, disagreement(*found, wanted, entry->get<std::string>()));

@@ -122,9 +122,9 @@ Prediction usable_if_close(const Question& question, const Formula& formula) {
   const std::optional<double> exact = exact_reference_velocity(question, formula);
   const bool near = exact && std::abs(formula.velocity / *exact - 1) < usable_distance;
   if (!near)
-    mark_unusable(prediction,
-                  fmt::format("this formula is not known to be within {:.0f} % of exact Stokes flow",
-                              100 * usable_distance));
+    mark_unusable(prediction, fmt::format("the velocity by this formula is not known to be within {:.0f} % "
+                                          "of the velocity in exact Stokes flow",
+                                          100 * usable_distance));
   return prediction;
 }
 
@@ -167,7 +167,9 @@ std::optional<std::string> rpy_force_printed_obstacle(const Question& question) 
   const auto& [A, B] = question.swimmer.amplitude;
   if (equal(A, B)) return std::nullopt;
   return fmt::format(
-      "(4.23) of the paper requires A = B, but the amplitudes are {}, {}; use rpy-force-repaired", A, B);
+      "equation (4.23) of Pickl et al. 2017 requires equal driving amplitudes A = B, but they are {}, {}; "
+      "use rpy-force-repaired",
+      A, B);
 }
 
 std::optional<std::string> oseen_stroke_obstacle(const Question& question) {
@@ -217,7 +219,8 @@ Prediction predict_oseen_ratio_printed(const Question& question) {
                                      .verdict = "(4.9) as printed, v_S from v_F of (4.3)",
                                      .pairs = "Oseen"});
   mark_unusable(prediction,
-                "with the stroke of equations (4.4) to (4.8), the velocities v_S of equation (4.2) and v_F "
+                "for the stroke of equations (4.4) to (4.8) of Pickl et al. 2017, the velocities v_S of "
+                "equation (4.2) and v_F "
                 "of equation (4.3) are equal, so their ratio (4.9) does not hold");
   return prediction;
 }

@@ -117,8 +117,9 @@ class HarmonicBalance {
   }
 
  private:
-  /// Residuals of the three equations of motion at a node, and their derivatives with respect to the rate and
-  /// the motion at the node. The derivatives with respect to the motion omit terms that vanish with the
+  /// Residuals of the three equations of motion of the beads at one node (time within the period).
+  /// Derivatives of the residuals with respect to the motion (changes of the arms and displacement of bead 2)
+  /// and to its rate of change. The derivatives with respect to the motion omit terms that vanish with the
   /// residual.
   struct NodeEquations {
     Vector3d residual;

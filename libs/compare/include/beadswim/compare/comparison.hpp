@@ -33,7 +33,7 @@ struct Reference {
 struct Criterion {
   std::vector<ComparedQuantity> quantities;
   double tolerance = 0;      ///< largest accepted |relative error|
-  std::size_t deciding = 0;  ///< index of the reference that determines the verdict
+  std::size_t deciding = 0;  ///< index, in the list of references, of the one that determines the verdict
 };
 
 /// Comparison of one number of a run with the corresponding number of a reference.
@@ -74,9 +74,9 @@ double relative_error(double run, double reference);
 /// Returns the root mean square of `values`. There must be at least one value.
 double root_mean_square(std::span<const double> values);
 
-/// Returns the index of the best reference that is usable and contains all quantities; nullopt if there is
-/// none. The order of preference of the methods is inertia-corrected, multipole-ode, rpy-ode,
-/// rpy-perturbation, then all others. Among references of equal preference, the first is returned.
+/// Returns the index in `references` of the best reference that is usable and contains all quantities;
+/// nullopt if there is none. The order of preference of the methods is inertia-corrected, multipole-ode,
+/// rpy-ode, rpy-perturbation, then all others. Among references of equal preference, the first is returned.
 std::optional<std::size_t> best_reference(std::span<const Reference> references,
                                           std::span<const ComparedQuantity> quantities);
 

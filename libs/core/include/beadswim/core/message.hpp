@@ -130,8 +130,8 @@ class IncomingMessage {
   void get(T& value) {
     if (bytes_left() < sizeof(T))
       throw SolverError(
-          "data from another rank or from a checkpoint end too early; after a restart, take the other "
-          "checkpoint");
+          "data from another rank or from a checkpoint end too early; if the run continues a checkpoint, "
+          "take the run's other checkpoint (.ckpt.0 or .ckpt.1)");
     std::memcpy(&value, bytes_.data() + read_, sizeof(T));
     read_ += sizeof(T);
   }
@@ -152,8 +152,8 @@ class IncomingMessage {
     get(size);
     if (size > bytes_left())
       throw SolverError(
-          "data from another rank or from a checkpoint end too early; after a restart, take the other "
-          "checkpoint");
+          "data from another rank or from a checkpoint end too early; if the run continues a checkpoint, "
+          "take the run's other checkpoint (.ckpt.0 or .ckpt.1)");
     list.resize(size);
     for (T& value : list) get(value);
   }
@@ -163,8 +163,8 @@ class IncomingMessage {
     get(has_value);
     if (has_value > 1)
       throw SolverError(
-          "data from another rank or from a checkpoint are damaged; after a restart, take the other "
-          "checkpoint");
+          "data from another rank or from a checkpoint are damaged; if the run continues a checkpoint, take "
+          "the run's other checkpoint (.ckpt.0 or .ckpt.1)");
     if (has_value == 1) get(value.emplace());
   }
 

@@ -27,7 +27,7 @@ struct CoveredImage {
   int bead;       ///< index into the beads passed to Coverage::update()
   Vec3 centre;    ///< centre of the bead, unwrapped [cell]
   double radius;  ///< radius of the bead [cell]
-  int first_run;  ///< index of the run of the first row of the box; rows are ordered with y fastest
+  int first_run;  ///< index in CoveredImages::runs of the first row's run; y varies fastest
 
   /// Returns the centre of a cell relative to the centre of the bead. It is evaluated in the unwrapped
   /// coordinates of the bead, so that every block gets the same bits.
@@ -58,7 +58,7 @@ struct CoveredImages {
     return std::span(runs).subspan(covered.first_run, rows[1] * rows[2]);
   }
 
-  /// Returns the index of row (y, z) among the runs of an image, or -1 if the row lies outside its box.
+  /// Returns the position of row (y, z) in runs_of(covered), or -1 if the row lies outside the image's box.
   static int run_index(const CoveredImage& covered, int y, int z) {
     const BeadImage& box = covered.image;
     if (y < box.low[1] || y >= box.high[1] || z < box.low[2] || z >= box.high[2]) return -1;

@@ -14,7 +14,8 @@ double lattice_bytes(const CoupledScene& scene);
 /// Returns the memory of this machine [byte].
 double installed_bytes();
 
-/// Throws InputError on all ranks if the ranks on a node need more memory than the node has. Collective.
+/// Throws InputError on all ranks if the ranks of a machine need more memory than this machine has.
+/// Collective.
 void require_memory(const CoupledScene& scene, const Communicator& communicator);
 
 }  // namespace beadswim

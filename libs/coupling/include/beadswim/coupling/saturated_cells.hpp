@@ -14,11 +14,11 @@ namespace beadswim {
 struct SaturatedRun {
   int low, high;
   int row;             ///< index of the row: y + (rows along y) z
-  int bead;            ///< index into the beads
+  int bead;            ///< index into the list of beads
   int first_fraction;  ///< index of the fraction of cell `low` in the list of all fractions
-  int shift;           ///< local coordinate x is x + shift in the unwrapped coordinates of the bead
-  double centre;       ///< x of the centre of the bead, unwrapped [cell]
-  double y, z;         ///< y, z of the cell centres relative to the centre of the bead [cell]
+  int shift;  ///< cell x has its centre at x + shift + 1/2 in the unwrapped coordinates of the bead [cell]
+  double centre;  ///< x of the centre of the bead, unwrapped [cell]
+  double y, z;    ///< y, z of the cell centres relative to the centre of the bead [cell]
 
   bool contains(int x) const { return x >= low && x < high; }
 

@@ -17,7 +17,7 @@ struct PicturedSwimmer {
   std::array<Vec3, 3> beads;      ///< centres [length]
   std::array<double, 3> radii{};  ///< [length]
   int colour = 0;                 ///< index in the palette of Okabe and Ito, modulo its size
-  std::array<int, 3> layer{};     ///< index of the swimmer's layer along each axis
+  std::array<int, 3> layer{};     ///< number of the swimmer's layer along each axis, from 0
 };
 
 /// Legend entry of a colour.

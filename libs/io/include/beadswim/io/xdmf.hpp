@@ -7,12 +7,12 @@
 
 namespace beadswim {
 
-/// Returns the file name of the index of a trajectory. The name ends in .xdmf2, so that ParaView uses the
-/// XDMF reader that can select one frame of a dataset. For the ending .xdmf, ParaView uses a reader that
+/// Returns the file name of the XDMF index of a trajectory. The name ends in .xdmf2, so that ParaView uses
+/// the XDMF reader that can select one frame of a dataset. For the ending .xdmf, ParaView uses a reader that
 /// cannot do this.
 std::string xdmf_name(const std::string& trajectory);
 
-/// Writes the index of a finished trajectory to the folder of the trajectory, completely or not at all. The
+/// Writes the XDMF index of a finished trajectory to the trajectory's folder, completely or not at all. The
 /// index contains, for each frame, the time, the beads as points, and the radius, species, swimmer, velocity
 /// and image of each bead. Must be called on one rank only. Throws InputError if the trajectory is invalid or
 /// the index cannot be created, and SolverError if the index cannot be written.

@@ -33,11 +33,11 @@ class LazyTable {
   using Place = std::array<double, axes>;
   using Values = std::array<double, values>;
   struct Axis {
-    double first = 0;  ///< coordinate of the first node
-    int nodes = 0;     ///< number of nodes
+    double first = 0;  ///< coordinate of the first table node
+    int nodes = 0;     ///< number of table nodes
   };
-  static constexpr double spacing = 0.125;
-  static constexpr int stencil = 6;  ///< nodes per axis that an interpolation uses
+  static constexpr double spacing = 0.125;  ///< distance of neighbouring table nodes
+  static constexpr int stencil = 6;         ///< table nodes per axis that one interpolation uses
 
   LazyTable(const std::array<Axis, axes>& extent, std::function<Values(const Place&)> law);
 

@@ -43,7 +43,7 @@ struct MobilityScene {
   double viscosity = 0;       ///< dynamic viscosity eta of the fluid [mass/(length time)]
   std::optional<Box> box;     ///< nullopt: open space
   std::vector<double> radii;  ///< radius of each sphere [length]
-  double tolerance = 1e-4;    ///< accepted error of the velocities, divided by their root mean square
+  double tolerance = 1e-4;    ///< accepted error of sphere velocities, divided by their root mean square
 };
 
 class MobilityProduct {

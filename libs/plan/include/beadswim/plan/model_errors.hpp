@@ -16,7 +16,7 @@
 
 namespace beadswim {
 
-/// Expected relative errors of velocity and arm amplitudes.
+/// Expected relative errors of a swimmer's velocity and arm amplitudes in a run.
 struct ErrorEstimate {
   double velocity = 0;
   std::array<double, 2> arm_amplitudes{};
@@ -29,8 +29,8 @@ struct ErrorEstimate {
   }
 };
 
-/// Velocity and arm amplitudes by the most accurate method of theory (inertia-corrected), and their
-/// uncertainty.
+/// Velocity and arm amplitudes of a swimmer by the most accurate method of theory (inertia-corrected), and
+/// their uncertainty.
 struct BestPrediction {
   double velocity = 0;                     ///< [length/time]
   std::array<double, 2> arm_amplitudes{};  ///< [length]
@@ -39,7 +39,7 @@ struct BestPrediction {
   /// velocity of the same stroke in open space without inertia, divided by `velocity`, times (1 + uncertainty
   /// of `velocity`), but at least 1.
   double cancellation = 1;
-  bool is_swimming = true;         ///< false: the velocity is zero or only roundoff, without a relative error
+  bool is_swimming = true;         ///< false: `velocity` is zero or only roundoff, without a relative error
   double smallest_stroke_gap = 0;  ///< smallest gap of neighbouring beads in the stroke [length]
 };
 

@@ -56,8 +56,8 @@ struct Proposal {
 struct RunPlan {
   double tolerance = 0;  ///< largest accepted relative error of velocity and arm amplitudes
   std::vector<PlannedRun> runs;
-  std::optional<std::size_t> choice;  ///< index of the cheapest run within the tolerance; nullopt if none
-  std::optional<std::size_t> best;    ///< index of the run with smallest error; nullopt if all are refused
+  std::optional<std::size_t> choice;  ///< index in `runs`: cheapest run within the tolerance; nullopt if none
+  std::optional<std::size_t> best;    ///< index in `runs`: run of smallest error; nullopt if all are refused
   std::vector<std::string> hard;      ///< difficulties of the scene, one line each; empty without advice
   std::vector<Proposal> proposals;    ///< smaller scenes; empty without advice
 };

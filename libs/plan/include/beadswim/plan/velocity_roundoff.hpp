@@ -5,7 +5,8 @@
 namespace beadswim {
 
 /// Returns the estimated relative error of the velocity of swimmers by roundoff, in a run of `steps` time
-/// steps: the largest error of all types. The velocity is evaluated to second order in the driving.
+/// steps: the largest error of all swimmer types. The velocity of a swimmer is evaluated to second order in
+/// the driving amplitude.
 ///
 /// Single precision: the estimate is a measured error relative to the speed of the fastest bead
 /// (docs/method/single-precision.md). The estimate is infinite for a type that is driven but does not swim.
@@ -14,7 +15,7 @@ namespace beadswim {
 /// are ignored.
 double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long steps);
 
-/// Relative error of the velocity by roundoff above which a run prints a warning.
+/// Largest relative error of a swimmer's velocity by roundoff for which a run prints no warning [1].
 constexpr double tolerated_roundoff = 0.002;
 
 }  // namespace beadswim

@@ -70,34 +70,34 @@
 
 namespace beadswim {
 
-/// Returns the velocity of a given stroke to lowest order in radius/arm length by equation (4.2) of Pickl et
-/// al. 2017 [length/time]. Requires equal radii and equal arms.
+/// Returns the swimmer's velocity by a given stroke to lowest order in radius/arm length, equation (4.2) of
+/// Pickl et al. 2017 [length/time]. Requires equal radii and equal arms.
 double oseen_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
-/// Returns the velocity under the driving forces to lowest order in radius/arm length, by equation (4.3) of
-/// Pickl et al. 2017 [length/time]. Requires equal radii, arms and stiffnesses, and no dashpots.
+/// Returns the swimmer's velocity under the driving forces to lowest order in radius/arm length, equation
+/// (4.3) of Pickl et al. 2017 [length/time]. Requires equal radii, arms and stiffnesses, and no dashpots.
 double oseen_force_velocity(const CollinearSwimmer& swimmer);
 
-/// Returns the velocity under the driving forces by equation (4.23) of Pickl et al. 2017 as printed
+/// Returns the swimmer's velocity under the driving forces by equation (4.23) of Pickl et al. 2017 as printed
 /// [length/time]. The printed formula depends on neither the driving amplitude B nor the driving phase alpha.
 /// Requires equal radii, arms and stiffnesses, and no dashpots.
 double rpy_force_velocity_printed(const CollinearSwimmer& swimmer);
 
-/// Returns the velocity under the driving forces by equation (4.23) of Pickl et al. 2017 with the printing
-/// errors corrected, for any driving amplitudes and phase [length/time]. Requires equal radii, arms and
-/// stiffnesses, and no dashpots.
+/// Returns the swimmer's velocity under the driving forces by equation (4.23) of Pickl et al. 2017 with the
+/// printing errors corrected, for any driving amplitudes and phase [length/time]. Requires equal radii, arms
+/// and stiffnesses, and no dashpots.
 double rpy_force_velocity_repaired(const CollinearSwimmer& swimmer);
 
-/// Returns the velocity of a given stroke by equation (4.24) of Pickl et al. 2017 [length/time]. Requires
-/// equal radii and equal arms.
+/// Returns the swimmer's velocity by a given stroke, equation (4.24) of Pickl et al. 2017 [length/time].
+/// Requires equal radii and equal arms.
 double rpy_stroke_velocity(const CollinearSwimmer& swimmer, const Stroke& stroke);
 
-/// Returns the ratio v_S/v_F of the velocities from the stroke and from the driving forces, by equation (4.9)
-/// of Pickl et al. 2017 as printed. Requires equal radii and equal arms.
+/// Returns the ratio v_S/v_F of the swimmer's velocities from the stroke (v_S) and from the driving forces
+/// (v_F), by equation (4.9) of Pickl et al. 2017 as printed. Requires equal radii and equal arms.
 double oseen_ratio_printed(const CollinearSwimmer& swimmer);
 
 /// Returns the corrected ratio of equation (4.9) of Pickl et al. 2017: the velocity of a stroke with Oseen
-/// mobilities to lowest order in radius/arm length, divided by the velocity of the same stroke to all orders.
+/// mobilities to lowest order in radius/arm length, divided by the velocity of this stroke to all orders.
 /// Requires equal radii and equal arms.
 double oseen_ratio_repaired(const CollinearSwimmer& swimmer);
 

@@ -16,9 +16,9 @@
 
 namespace beadswim {
 
-/// Returns c, the leading relative change of the velocity in open space because the driving amplitude is
-/// finite: V = V_2 (1 + c + ..), where V_2 is the velocity to second order in the driving amplitude. Returns
-/// 0 if V_2 is zero within roundoff, and NaN if beads touch or overlap at rest.
+/// Returns c, the leading relative change of the swimmer's velocity V in open space because the driving
+/// amplitude is finite: V = V_2 (1 + c + ..), where V_2 is the velocity to second order in the driving
+/// amplitude. Returns 0 if V_2 is zero within roundoff, and NaN if beads touch or overlap at rest.
 double finite_amplitude_change(const CollinearSwimmer& swimmer, const MobilityFunction& mobility);
 
 }  // namespace beadswim

@@ -37,15 +37,15 @@
 
 namespace beadswim {
 
-/// Contributions to the velocity by the method inertia-corrected, which sum() adds, and the uncertainty of
-/// the sum [length/time].
+/// Contributions to the swimmer's velocity by the method inertia-corrected, which sum() adds, and the
+/// uncertainty of the sum [length/time].
 struct InertialVelocity {
   double quasi_static = 0;        ///< exact Stokes flow in open space, to second order
   double by_stroke = 0;           ///< change because inertia changes the stroke
   double by_drift = 0;            ///< change because the flow around moving beads is unsteady
   double by_reynolds_stress = 0;  ///< mean Reynolds stress, in open space
   double by_box = 0;              ///< change because of the images in the box
-  double by_amplitude = 0;        ///< change because the amplitude is finite
+  double by_amplitude = 0;        ///< change because the driving amplitude is finite
   double uncertainty = 0;         ///< absolute uncertainty of the sum
 
   double sum() const {
@@ -53,7 +53,7 @@ struct InertialVelocity {
   }
 };
 
-/// Velocity and stroke by the method inertia-corrected.
+/// Velocity and stroke of a swimmer by the method inertia-corrected.
 struct InertiaCorrected {
   InertialVelocity velocity;
   Eigen::Vector2cd arm;                           ///< complex arm amplitudes x_i at finite amplitude [length]

@@ -77,15 +77,15 @@ struct DriftForm {
 /// Returns the coefficients of the Lagrangian drift at the driving frequency.
 DriftForm drift_form(const InertialScene& scene);
 
-/// Returns the Lagrangian drift, the part of the velocity due to the displacement of beads and induced forces
-/// (sum over i and j in V) [length/time]. `displacement`: complex amplitudes of the bead displacements
-/// [length], `force`: induced forces f [mass length/time^2].
+/// Returns the Lagrangian drift, the part of the swimmer's velocity due to the displacement of beads and
+/// induced forces (sum over i and j in V) [length/time]. `displacement`: complex amplitudes of the bead
+/// displacements [length], `force`: induced forces f [mass length/time^2].
 double lagrangian_drift(const DriftForm& form, const Eigen::Vector3cd& displacement,
                         const Eigen::Vector3cd& force);
 double lagrangian_drift(const InertialScene& scene, const LinearResponse& response);
 
-/// Returns Q, the coefficients of the velocity V_R by the Reynolds stress (reynolds_stress.hpp), for the
-/// swimmer in open space.
+/// Returns Q, the coefficients of the swimmer's velocity V_R by the Reynolds stress (reynolds_stress.hpp),
+/// for the swimmer in open space.
 ReynoldsForm reynolds_form(const InertialScene& scene);
 
 }  // namespace beadswim

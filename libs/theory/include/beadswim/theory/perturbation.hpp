@@ -37,18 +37,19 @@ struct SecondOrderMotion {
 /// `mobility`: of the three beads [time/mass].
 Eigen::Vector3d rigid_force_distribution(const Eigen::Matrix3d& mobility);
 
-/// Returns the periodic motion to second order in the driving amplitudes A and B. `mobility`: of the beads at
-/// rest, with its derivatives.
+/// Returns the periodic motion to second order in the driving amplitudes A and B. `mobility`: mobility of the
+/// beads at rest, with its derivatives.
 SecondOrderMotion second_order_motion(const CollinearSwimmer& swimmer, const CollinearMobility& mobility);
 
-/// Returns the velocity to second order in amplitude if the arm lengths change by Re(x_i exp(i omega t))
-/// [length/time]. x = `arm` [length], omega = `angular_frequency`; `mobility`: of the beads at rest. The
-/// velocity does not depend on the forces that cause this stroke.
+/// Returns the swimmer's velocity to second order in the arm amplitudes if the arm lengths change by
+/// Re(x_i exp(i omega t)) [length/time]. x = `arm` [length], omega = `angular_frequency`; `mobility`:
+/// mobility of the beads at rest. The velocity does not depend on the forces that cause this stroke.
 double velocity_of_stroke(const Eigen::Vector2cd& arm, const CollinearMobility& mobility,
                           double angular_frequency);
 
-/// Returns the geometry factor C of the velocity V = C omega d_1 d_2 sin(delta_1 - delta_2) to second order
-/// in the arm amplitudes d [1/length], delta: arm phases. This law is valid in open space for any driving.
+/// Returns the geometry factor C of the swimmer's velocity V = C omega d_1 d_2 sin(delta_1 - delta_2) to
+/// second order in the arm amplitudes d [1/length], delta: arm phases. This law is valid in open space for
+/// any driving.
 double geometry_factor(const CollinearMobility& mobility);
 
 }  // namespace beadswim

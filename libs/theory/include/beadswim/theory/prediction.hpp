@@ -28,8 +28,9 @@ struct Prediction {
   bool usable = true;    ///< false: printed, but not used as a reference
   std::string validity;  ///< range of validity and known errors, as text
   double velocity = 0;   ///< mean over a period, positive towards bead 3 [length/time]
-  /// Estimated relative error of the velocity; nullopt if unknown. The exact velocity is that of Stokes flow
-  /// at finite amplitude, or of Navier-Stokes flow for methods with inertia.
+  /// Estimated error of `velocity`, relative to the exact velocity; nullopt if unknown. The exact velocity
+  /// follows from the Stokes equations at finite amplitude, or from the Navier-Stokes equations for methods
+  /// with inertia.
   std::optional<double> uncertainty;
   Stroke stroke;
   std::optional<StrokeUncertainty> stroke_uncertainty;  ///< nullopt if unknown
@@ -37,7 +38,7 @@ struct Prediction {
   std::optional<std::array<double, 2>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
-  std::vector<Setting> settings;  ///< names and values: assumptions, contributions to the velocity
+  std::vector<Setting> settings;  ///< names and values: assumptions, contributions to `velocity`
 
   static void visit_fields(auto&& visit, auto& prediction) {
     visit("method", prediction.method);

@@ -23,7 +23,7 @@ struct BoxPlace {
 struct ExactStokes {
   CollinearMobility mobility;   ///< mobility of the beads at rest
   SecondOrderMotion motion;     ///< motion to second order in the driving amplitude
-  double amplitude_change = 0;  ///< estimated relative change of the velocity at finite amplitude
+  double amplitude_change = 0;  ///< estimated relative change of the swimmer's velocity at finite amplitude
 };
 
 /// Input of all methods of prediction: a swimmer, its fluid, its box (or open space), and its stroke if it

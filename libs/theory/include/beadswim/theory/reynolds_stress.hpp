@@ -23,21 +23,21 @@
 
 namespace beadswim {
 
-/// Matrix Q of the velocity V_R = 1/2 Re sum_ij f_i f_j* Q_ij by the Reynolds stress of the induced forces f,
-/// and the contribution of the volume of the beads to Q [time^3/(mass^2 length)]. Q is Hermitian.
+/// Matrix Q of the swimmer's velocity V_R = 1/2 Re sum_ij f_i f_j* Q_ij by the Reynolds stress of the induced
+/// forces f, and the contribution of the volume of the beads to Q [time^3/(mass^2 length)]. Q is Hermitian.
 struct ReynoldsForm {
   Eigen::Matrix3cd total;   ///< Q, the integral over all space
   Eigen::Matrix3cd inside;  ///< contribution of the volume of the beads, a measure of the error
 };
 
-/// Returns the matrix Q of the velocity by the Reynolds stress in open space. `towing`: the forces w on the
-/// three beads that tow the swimmer, sum 1. The error of an element is below 1e-5 of the largest element, for
-/// penetration depths from 0.1 bead radii to 1000 arm lengths.
+/// Returns the matrix Q of the swimmer's velocity by the Reynolds stress in open space. `towing`: the forces
+/// w on the three beads that tow the swimmer, sum 1. The error of an element is below 1e-5 of the largest
+/// element, for penetration depths from 0.1 bead radii to 1000 arm lengths.
 ReynoldsForm reynolds_stress_form(const CollinearSwimmer& swimmer, double fluid_density,
                                   const Eigen::Vector3d& towing);
 
-/// Returns the velocity V_R by the Reynolds stress [length/time] for the matrix Q = `form` and the complex
-/// amplitudes of the induced forces of the three beads [mass length/time^2].
+/// Returns the swimmer's velocity V_R by the Reynolds stress [length/time] for the matrix Q = `form` and the
+/// complex amplitudes of the induced forces of the three beads [mass length/time^2].
 double reynolds_stress_velocity(const Eigen::Matrix3cd& form, const Eigen::Vector3cd& induced_force);
 
 }  // namespace beadswim

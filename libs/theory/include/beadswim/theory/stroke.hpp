@@ -14,8 +14,8 @@ struct Stroke {
   /// Returns sin(delta_1 - delta_2), or 0 if an arm is at rest and its phase is undefined.
   double sin_phase_shift() const;
 
-  /// Returns d_1 d_2 sin(delta_1 - delta_2) [length^2]. To second order in amplitude, the velocity is
-  /// proportional to this product.
+  /// Returns d_1 d_2 sin(delta_1 - delta_2) [length^2]. To second order in the arm amplitudes d_i, the
+  /// swimmer's velocity is proportional to this product.
   double area() const;
 };
 
