@@ -106,7 +106,7 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       loads[b].torque = 0.5 * (swimmer.last_impulse[b].torque + impulse.torque);
       swimmer.last_impulse[b] = impulse;
       swimmer.removed_fraction[b] = received.removed_fraction.value();
-      // The links return a part of the fluid mass that the bead holds, equally in all directions.
+      // The links return a part of the fluid mass that the bead holds, in proportion to w_i.
       swimmer.held_mass[b] += received.mass.value();
       swimmer.mass_source[b] = returned_mass(swimmer.held_mass[b], received.link_weight.value());
     }

@@ -35,9 +35,9 @@ struct BeadBoundary {
 /// divided by the weight w_i of the link. held_mass: fluid mass beyond density 1 that the bead has taken up.
 /// link_weight: sum of w_i over all links of the bead; 0 if the bead has no links.
 ///
-/// The bead returns a tenth of held_mass per step, equally in all directions. The returned mass changes the
-/// mass that interpolated links take up in the following steps. If the bead returned all of held_mass in one
-/// step, held_mass would therefore change its sign and grow from step to step.
+/// The bead returns a tenth of held_mass per step, in proportion to the weights w_i. The returned mass
+/// changes the mass that interpolated links take up in the following steps. If the bead returned all of
+/// held_mass in one step, held_mass would therefore change its sign and grow from step to step.
 constexpr double returned_mass(double held_mass, double link_weight) {
   constexpr double returned_part = 0.1;
   return link_weight > 0 ? returned_part * held_mass / link_weight : 0;

@@ -194,8 +194,8 @@ struct RunCost {
   }
 };
 
-/// The run record. In JSON, an optional member is null if the model does not provide it. Cost and provenance
-/// may be absent.
+/// The run record. In JSON, a member that is visited with omitted_if_none is absent if it has no value; any
+/// other optional member is then null.
 struct RunRecord {
   std::string model;
   RunStatus status = RunStatus::finished;
