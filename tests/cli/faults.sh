@@ -132,7 +132,7 @@ for ranks in 1 2; do
     command_line="the folder vanishes of mpirun -n $ranks beadswim-run $run"
     has_status 3
     out_empty
-    err_has '^beadswim-run: .*gone/a.h5md.*(No such file|cannot be created)'
+    err_has '^beadswim-run: (the complete trajectory )?gone/a.h5md.*(No such file|cannot be created)'
   done
 done
 

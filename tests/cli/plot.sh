@@ -187,7 +187,7 @@ for x in -3.14 0 1.57; do swept phase $x '.sin_phase_shift = 0.3 * $x'; done >by
 accepts beadswim-plot stroke --against phase by_phase.jsonl
 out_has '>phase of the driving, α \(rad\)<'
 check 'the sine is not proportional to the phase' straight < <(series '#009E73')
-refuses 'run.json: the run record lacks the phase of the driving, α, .*leave the run out' \
+refuses 'run.json: the run record lacks the phase of the driving, α, the abscissa of the figure; leave the run out' \
   beadswim-plot stroke --against phase by_phase.jsonl run.json
 refuses 'line 1: the prediction by multipole-ode lacks the setting "amplitude_ratio".*left out where B = 0' \
   beadswim-plot stroke --against amplitude-ratio by_phase.jsonl

@@ -45,7 +45,7 @@ accepts beadswim-plot swarm open
 notes_have '1 swimmer in open space, a box drawn around \(um, s, pg\)'
 
 refuses '--distances: there is no distance to draw, because no swimmer has a neighbour along an axis; draw periodic copies too' beadswim-plot swarm open --distances
-refuses '--distances: distances between neighbours along an axis need .*; give --block-swimmers as NX,NY,NZ' \
+refuses '--distances: distances between neighbours along an axis need the number of swimmers of a block along each axis; give --block-swimmers as NX,NY,NZ' \
   beadswim-plot swarm defect.json --distances --block-swimmers 9
 refuses '--mark: there is no swimmer with the id 12 in defect.json; the nearest id is 8, and the ids range from 0 to 8' beadswim-plot swarm defect.json --mark A=12
 for mark in A A= =3 A=x A=-1; do

@@ -106,7 +106,7 @@ out_has '>seven<'
 cp eight.h5md eight.any
 same_bytes 'beadswim-plot swarm eight.h5md' 'beadswim-plot swarm eight.any'
 refuses '--mark: there is no swimmer with the id 8 in eight.h5md; the nearest id is 7, and the ids range from 0 to 7' beadswim-plot swarm eight.h5md --mark A=8
-refuses '--distances: .*but eight.h5md is a trajectory, in which the swimmers have moved; give the layout' \
+refuses '--distances: distances between neighbours are drawn only for a layout, but eight.h5md is a trajectory, in which the swimmers have moved; give the layout' \
   beadswim-plot swarm eight.h5md --distances
 
 # A swarm of the paper's size is a file that opens.

@@ -127,7 +127,7 @@ check "1 and 3 ranks end in different states" \
   test "$(jq .state_sha256 mr1.json)" = "$(jq .state_sha256 mr3.json)"
 check "multireflection gives another stroke, and near" stroke_over cli2.json mr1.json '- 1 | fabs | . > 1e-5 and . < 0.05'
 small --period 150 >even.json
-refuses 'relaxation-time: .*0.875 makes the correction of multireflection .* undefined' beadswim-run even.json -o x.h5md --bead-boundary mr \
+refuses 'relaxation-time: the relaxation time 0.875 makes the correction of multireflection .* undefined' beadswim-run even.json -o x.h5md --bead-boundary mr \
   --relaxation-time 0.875
 run beadswim-run strong.json -o psm.h5md --cycles 2 --bead-boundary psm --progress none
 has_status 0
@@ -238,7 +238,7 @@ refuses '--lubrication: unknown value "maybe"' beadswim-run layout.json -o x.h5m
 refuses 'friction: "-1": the value must be' beadswim-run layout.json -o x.h5md --friction=-1
 
 # --- refusals leave nothing behind
-refuses 'relaxation-time: .*0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
+refuses 'relaxation-time: the relaxation time 0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
 refuses 'cannot be created' beadswim-run layout.json -o no/such/folder/x.h5md
 refuses 'cannot be read' beadswim-run missing.json -o x.h5md
 refuses '--model: unknown value "lbn"; did you mean "lbm"\? Valid values: lbm, rpy, rpy\+near, oseen, auto' \

@@ -48,7 +48,7 @@ refuses 'the flag --fraction or --count is missing' beadswim-layout defect vacan
 refuses 'would remove all swimmers' beadswim-layout defect vacancy --fraction 1 swarm.json
 refuses '73 is greater than the number of swimmers, 72' beadswim-layout defect vacancy --count 73 swarm.json
 refuses 'the flag --fraction or --count is missing' beadswim-layout defect mixture --with one.json swarm.json
-refuses 'with: .*cannot be read from standard input' beadswim-layout defect mixture --with - --count 1 swarm.json
+refuses 'with: the layout to mix in cannot be read from standard input' beadswim-layout defect mixture --with - --count 1 swarm.json
 refuses 'the flag --sigma or --random is missing' beadswim-layout defect rotation swarm.json
 refuses 'overlap.*--repair moves swimmers apart' beadswim-layout defect jitter --sigma 20 swarm.json
 refuses 'command is needed: .*vacancy' beadswim-layout defect
