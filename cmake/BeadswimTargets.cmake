@@ -26,8 +26,7 @@ endfunction()
 # false (GCC bug 105651).
 set(BEADSWIM_FALSE_WARNINGS_OFF -Wno-stringop-overflow -Wno-array-bounds)
 
-# Templates and virtual classes of these headers compile in a third less time at -O1 than at -O2. The speed of this code does
-# not matter.
+# Templates and virtual classes of these headers compile faster at -O1. The speed of this code does not matter.
 set(BEADSWIM_COLD_CODE $<$<NOT:$<CONFIG:Debug>>:-O1>)
 
 # beadswim_share_headers(TARGET numerics|tests|together): lets a target use the precompiled header of a family. `together`
