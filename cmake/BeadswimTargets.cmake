@@ -101,6 +101,14 @@ function(beadswim_kernels target)
   endforeach()
 endfunction()
 
+# Keeps the plug-ins of MPI loaded in the executable, for reports of the leak sanitizer (tests/sanitizers/keep_libraries.cpp).
+function(beadswim_keep_libraries target)
+  if(BEADSWIM_SANITIZE)
+    target_sources(${target} PRIVATE ${PROJECT_SOURCE_DIR}/tests/sanitizers/keep_libraries.cpp)
+    target_link_options(${target} PRIVATE LINKER:--export-dynamic-symbol=dlclose)
+  endif()
+endfunction()
+
 # beadswim_program(NAME SOURCES file... DEPENDS target... [TESTED]): defines the executable beadswim-NAME. With TESTED all
 # sources except main.cpp form the library beadswim_NAME_program, so that tests can link it.
 function(beadswim_program name)
@@ -117,6 +125,7 @@ function(beadswim_program name)
   endif()
   add_executable(beadswim-${name} ${arg_SOURCES})
   target_link_libraries(beadswim-${name} PRIVATE ${arg_DEPENDS})
+  beadswim_keep_libraries(beadswim-${name})
   beadswim_share_headers(beadswim-${name} together)
 endfunction()
 
@@ -134,7 +143,7 @@ function(read_variables result file)
 endfunction()
 read_variables(BEADSWIM_MPI_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/mpi.env)
 read_variables(BEADSWIM_MPI_SANITIZER_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/sanitizers/sanitizers.env)
-# Tests without MPI do not need LSAN_OPTIONS and are faster without it.
+# Tests without MPI do not need LSAN_OPTIONS.
 read_variables(BEADSWIM_SANITIZER_ENVIRONMENT ${PROJECT_SOURCE_DIR}/tests/sanitizers/sanitizers.env "(ASAN|UBSAN)_")
 
 # Builds all executables of the tests labelled `unit`.
@@ -172,6 +181,7 @@ function(beadswim_mpi_test name)
   cmake_parse_arguments(arg "OPTIMISED" "" "RANKS;SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES} ${PROJECT_SOURCE_DIR}/tests/mpi_main.cpp)
   target_link_libraries(${name} PRIVATE ${arg_DEPENDS} MPI::MPI_C GTest::gtest GTest::gmock)
+  beadswim_keep_libraries(${name})
   if(arg_OPTIMISED)
     beadswim_share_headers(${name} numerics)
     target_compile_options(${name} PRIVATE ${BEADSWIM_FALSE_WARNINGS_OFF})
