@@ -23,7 +23,7 @@ refuses '--no-such-flag: unknown flag. "beadswim-layout --help" lists all flags'
 refuses '--raduis: unknown flag; did you mean --radius' beadswim-layout swimmer --raduis=4
 refuses 'required flags are missing: --stiffness, --amplitude' beadswim-layout swimmer --radius 4 --arm 20 --box 99,99,99
 refuses '--preset: unknown value "paper-singel"; did you mean "paper-single"' beadswim-layout swimmer --preset paper-singel
-refuses '--preset: unknown value "paper-uniform". Valid values: paper-single; the commands swimmer and swarm have different presets' \
+refuses '--preset: unknown value "paper-uniform". Valid values: paper-single; some presets belong to the other command, swimmer or swarm' \
   beadswim-layout swimmer --preset paper-uniform
 refuses '--radius: "-4": the value must be a finite number greater than 0' beadswim-layout swimmer --preset paper-single --radius -4
 refuses '--beads: no such flag: a swimmer has three beads and two arms; --radius, --bead-density and --arm describe them' \
@@ -36,7 +36,7 @@ refuses '--amplitude: "5 %": the value must be a finite number, 0 or greater; wr
   beadswim-layout swimmer --preset paper-single --amplitude '5 %'
 refuses '--radius: "4,5" has 2 values, but 1 or 3' beadswim-layout swimmer --preset paper-single --radius 4,5
 refuses '--radius: the flag is given 2 times' beadswim-layout swimmer --preset paper-single --radius 4 --radius 5
-refuses '--axis: the flag is required but not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
+refuses '--axis: required but not given; see "beadswim-layout defect spacing --help"' beadswim-layout defect spacing layout.json
 refuses '--axis: unknown value "w"\. Valid values: x, y, z' beadswim-layout defect spacing layout.json --axis w
 refuses '--fraction: "2": the value must be a number from 0 to 1' beadswim-layout defect vacancy layout.json --fraction 2
 refuses '--radius: the flag needs a value' beadswim-layout swimmer --preset paper-single --radius

@@ -59,7 +59,7 @@ check "no file is left" test ! -e x.h5md
 within() { # LAYOUT TOLERANCE CYCLES REFERENCE
   run beadswim-run "$1" -o run.h5md --model auto --tolerance "$2" --cycles "$3" --progress lines
   has_status 0
-  err_has '^beadswim-run: chosen run: --model '
+  err_has '^beadswim-run: starting the cheapest run within --tolerance: --model '
   check "it is within $2" holds "$(jq -c '.predictions[0] | [.velocity] + .arm_amplitudes' "$BEADSWIM_SOURCE/docs/results/speed-against-error/$4") as \$r
     | .swimmers[0].cycles[-1] | [[.velocity[0] - .mean_flow[0]] + .arm_amplitudes, \$r] | transpose | all((.[0] / .[1] - 1 | fabs) < $2)" out
 }

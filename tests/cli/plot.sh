@@ -257,7 +257,7 @@ refuses 'run.json: the run has an error of 0 in the velocity.*leave this file ou
 refuses 'corrections.jsonl line 5: this run differs from .* line 1 only in --radius-correction or --delay-correction' \
   beadswim-plot speed-against-error corrections.jsonl --reference run.json
 jq 'del(.cost)' run.json >free.json
-refuses 'free.json: the run record does not contain the cost' beadswim-plot speed-against-error free.json --reference run.json
+refuses 'free.json: the run record does not contain the cost of the run, for example because the run had the flag --no-provenance; leave this file out' beadswim-plot speed-against-error free.json --reference run.json
 refuses 'si.json: the units of the reference differ from the units of run.json' beadswim-plot speed-against-error run.json --reference si.json
 refuses '--reference: the command "stroke" does not have this flag; only these commands have the flag: speed-against-error; remove the flag' beadswim-plot stroke run.json --reference run.json
 
@@ -295,10 +295,10 @@ refuses '--method: the verdict cheap.verdict.json has no method "oseen-force"; d
 refuses '--method: 2 methods are given; name the one' beadswim-plot speed-against-error cheap.verdict.json --method a,b
 refuses '--cycle: each verdict already states which cycle was compared' beadswim-plot speed-against-error cheap.verdict.json --cycle 2
 jq '.cost = null' cheap.verdict.json >free.verdict.json
-refuses 'free.verdict.json: the verdict does not contain the costs' beadswim-plot speed-against-error free.verdict.json
+refuses 'free.verdict.json: the verdict does not contain the costs of the runs, for example because a run had the flag --no-provenance; leave this file out' beadswim-plot speed-against-error free.verdict.json
 refuses '--reference: no reference is given; .* errors of run.json' beadswim-plot speed-against-error cheap.verdict.json run.json
 refuses 'prediction.json: the document has the schema "beadswim/prediction/1"; give verdicts' beadswim-plot speed-against-error prediction.json
-refuses 'cheap.verdict.json: the document is a verdict, but only beadswim-plot speed-against-error without --reference draws verdicts' \
+refuses 'cheap.verdict.json: the document is a verdict; verdicts are drawn only by beadswim-plot speed-against-error, without --reference; leave this file out' \
   beadswim-plot speed-against-error cheap.verdict.json --reference run.json
 jq '.rows |= map(.quantity = "sin_phase_shift" | del(.arm))' cheap.verdict.json >phases.verdict.json
 refuses 'phases.verdict.json: the verdict compares neither velocity nor arm_amplitudes' beadswim-plot speed-against-error phases.verdict.json

@@ -91,7 +91,7 @@ drawn 3 '>λ = 4 um<'
 drawn 2 '>k = 0.0347 pg/s²<'
 notes_have 'to scale, in um, s, pg'
 refuses '--swimmers: there is no swimmer with the id 12 in own.json; the nearest id is 8, and the ids range from 0 to 8' beadswim-plot swimmer own.json --swimmers 12
-refuses '--swimmers: 2 swimmers are given; a sketch shows one swimmer' beadswim-plot swimmer own.json --swimmers 1,2
+refuses '--swimmers: 2 ids are given, but a sketch shows one swimmer; give one id' beadswim-plot swimmer own.json --swimmers 1,2
 refuses 'FILES: 2 files are given; a swimmer is drawn from one layout' beadswim-plot swimmer own.json single.json
 refuses 'FILES: 0 files are given' beadswim-plot swimmer
 

@@ -76,7 +76,7 @@ refuses '--output: the file name "page.svg" does not end in .html; give a name t
 refuses '--every' beadswim-view swarm.h5md -o kept.html --every 0
 refuses '--block-swimmers' beadswim-view swarm.h5md -o kept.html --block-swimmers 1,2
 refuses '--evry: unknown flag; did you mean --every' beadswim-view swarm.h5md -o kept.html --evry 2
-refuses '--output: the flag is required but not given' beadswim-view swarm.h5md
+refuses '--output: required but not given; see "beadswim-view --help"' beadswim-view swarm.h5md
 refuses 'no/such/folder' beadswim-view swarm.h5md -o no/such/folder/page.html
 check "what was there is gone" test "$(cat kept.html)" = kept
 

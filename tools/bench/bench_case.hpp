@@ -7,8 +7,8 @@
 
 namespace beadswim {
 
-/// One benchmark case of beadswim-bench. `step` performs one time step of the lattice, or loads and stores
-/// all arrays once, on the cells of this rank.
+/// One benchmark case of beadswim-bench. `step` performs one time step of the lattice on this rank, or one
+/// pass over arrays that measures the memory.
 struct BenchCase {
   std::string name;
   Precision precision = Precision::fp64;

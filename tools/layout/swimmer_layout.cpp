@@ -57,7 +57,7 @@ Layout SwimmerFlags::preset_layout() const {
     names.push_back(preset.name);
   }
   throw InputError("--preset", format_unknown_name(preset_, names) +
-                                   "; the commands swimmer and swarm have different presets");
+                                   "; some presets belong to the other command, swimmer or swarm");
 }
 
 void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {

@@ -51,7 +51,8 @@ Prediction best_prediction(const PredictionDocument& document, const std::string
   const auto best = best_reference(references, all_values<ComparedQuantity>);
   if (!best)
     throw InputError(source,
-                     "no prediction in the document is usable; name the methods to draw with --method");
+                     "no prediction in the document is usable; to draw some anyway, name their methods with "
+                     "--method");
   return document.predictions[*best];
 }
 
@@ -118,8 +119,8 @@ std::vector<SourceDocument> read_documents(const std::vector<std::string>& files
     for (const auto& [source, json] : read_json_documents(path, "a run record or a prediction")) {
       if (schema_of(json).starts_with("beadswim/verdict/"))
         throw InputError(source,
-                         "the document is a verdict, but only beadswim-plot speed-against-error without "
-                         "--reference draws verdicts; leave this file out");
+                         "the document is a verdict; verdicts are drawn only by beadswim-plot "
+                         "speed-against-error, without --reference; leave this file out");
       documents.push_back({source, swimming_from_json(json, source)});
     }
   }

@@ -121,8 +121,8 @@ double periods_done(const RunRecord& record) {
 double cost_of(const PlottedRun& run) {
   if (!run.record.cost) {
     throw InputError(run.source,
-                     "the run record does not contain the cost of the run, for example because of "
-                     "--no-provenance; leave this file out");
+                     "the run record does not contain the cost of the run, for example because the run had "
+                     "the flag --no-provenance; leave this file out");
   }
   return run.record.cost->core_seconds / periods_done(run.record);
 }

@@ -116,7 +116,7 @@ Drawing add_swimmer_flags(CLI::App& command) {
     if (ids->size() > 1)
       throw InputError(
           "--swimmers",
-          fmt::format("{} swimmers are given; a sketch shows one swimmer; give one id", ids->size()));
+          fmt::format("{} ids are given, but a sketch shows one swimmer; give one id", ids->size()));
     const auto id = ids->empty() ? std::nullopt : std::optional(ids->front());
     return swimmer_sketch_to_svg(swimmer_figure(files.inputs, id));
   };

@@ -59,8 +59,8 @@ PlottedVerdict verdict_in(const SourceJson& document, const std::vector<std::str
   VerdictDocument verdict = verdict_from_json(document.json, document.source);
   if (!verdict.cost) {
     throw InputError(document.source,
-                     "the verdict does not contain the costs of the runs, for example because of "
-                     "--no-provenance; leave this file out");
+                     "the verdict does not contain the costs of the runs, for example because a run had the "
+                     "flag --no-provenance; leave this file out");
   }
   std::string method = method_of(verdict, methods, document.source);
   return {document.source, std::move(verdict), std::move(method)};

@@ -127,7 +127,8 @@ void apply_plan(const LayoutDocument& document, Request& request, const Communic
   request.options.given.erase("--tolerance");  // the value was the tolerance of the plan, not of the mobility
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   print_to_stderr(fmt::format(
-      "{}: chosen run: {}, with an expected error of {:.2g} % and a cost of {:.3g} core-seconds\n",
+      "{}: starting the cheapest run within --tolerance: {}, with an expected error of {:.2g} % and a cost "
+      "of {:.3g} core-seconds\n",
       program_name, flags_of(planned, request.options), 100 * planned.error.largest(), planned.core_seconds));
 }
 

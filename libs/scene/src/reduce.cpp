@@ -110,8 +110,8 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
   }
   if (static_cast<double>(firsts.size()) * result.cells.cast<double>().prod() != static_cast<double>(all)) {
     throw InputError(Setting::tolerance,
-                     "the tolerance of positions is so large that different swimmers count as copies of one "
-                     "swimmer; reduce the tolerance");
+                     "the tolerance of positions is so large that different swimmers count as periodic "
+                     "copies of one swimmer; reduce the tolerance");
   }
   result.layout.swimmers = std::move(firsts);
   return result;

@@ -119,7 +119,7 @@ void refuse_empty_values(const CLI::App& command) {
     const std::vector<std::string>& values = option->results();
     if (option->get_items_expected_max() == 0 || std::find(values.begin(), values.end(), "") == values.end())
       continue;
-    throw InputError(option->get_name(), "the value of the flag is empty; is a shell variable not set?");
+    throw InputError(option->get_name(), "the value is empty; is a shell variable not set?");
   }
   for (const CLI::App* chosen : command.get_subcommands()) refuse_empty_values(*chosen);
 }
@@ -128,8 +128,8 @@ void refuse_empty_values(const CLI::App& command) {
 void refuse_absent(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
-    throw InputError(option->get_name(), fmt::format("the flag is required but not given; see \"{} --help\"",
-                                                     full_name(command)));
+    throw InputError(option->get_name(),
+                     fmt::format("required but not given; see \"{} --help\"", full_name(command)));
   }
 }
 

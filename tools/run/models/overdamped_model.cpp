@@ -88,7 +88,7 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
   const std::string place =
       fmt::format("of swimmer {} at ({:.6g}, {:.6g}, {:.6g})", fault.swimmer, p[0], p[1], p[2]);
   const std::string other_model = plan_.scene.model == MobilityModel::oseen
-                                      ? ", or use --model rpy, which is also valid for close beads"
+                                      ? ", or use --model rpy, which is also stable for close beads"
                                       : "";
   switch (fault.kind) {
     case OverdampedFaultKind::torn_arm:

@@ -59,8 +59,8 @@ void CoupledSystem::step() {
   std::swap(beads_before_, beads_);
   beads_ = exchange_.publish(owned_);
 
-  // Transfers the momentum of cells that beads have covered or uncovered. Prepares links or saturated cells,
-  // and close pairs, for the next step.
+  // Transfers the momentum of cells that beads have covered or uncovered. Prepares links (or, with psm,
+  // saturated cells) and close pairs for the next step.
   if_state_is_finite([&] {
     coverage_.update(beads_);
     if (has_links(scene_.bead_boundary))

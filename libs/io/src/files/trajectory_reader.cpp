@@ -204,8 +204,7 @@ std::vector<Number> TrajectoryReader::read_raw_rows(const Table& table, hsize_t 
   const H5Handle type = checked_handle(H5Dget_type(table.dataset), H5Tclose, table.place,
                                        "this part of the HDF5 file cannot be read");
   if (!holds<Number>(type))
-    throw_content_error(table.place,
-                        "the dataset does not have the number type given in docs/formats/h5md.md");
+    throw_content_error(table.place, "the dataset does not contain numbers of a suitable type");
   const H5Handle in_file = checked_handle(H5Dget_space(table.dataset), H5Sclose, table.place,
                                           "this part of the HDF5 file cannot be read");
   const H5Handle in_memory = checked_handle(H5Screate_simple(1, &numbers, nullptr), H5Sclose, table.place,
@@ -343,7 +342,8 @@ TrajectoryFrame TrajectoryReader::frame(std::size_t index) const {
   if (!std::ranges::all_of(frame.positions, [](const Vec3& position) { return position.allFinite(); }))
     throw_content_error(
         image_.place,
-        "an image number in this dataset is so large that the position of a bead is not finite");
+        "the number of a periodic image in this dataset is so large that the position of a bead is not "
+        "finite");
   frame.mean_flow = vectors(mean_flow_, index)[0];
   frame.momentum = vectors(momentum_, index)[0];
   return frame;

@@ -22,7 +22,8 @@ void throw_if_faulty(const std::string& source, const std::vector<DocumentFault>
     text += fmt::format("\n{}: {}", place(source, faults[i]), faults[i].message);
   }
   if (faults.size() > max_faults_shown) {
-    text += fmt::format("\n{}: and at least {} more faults", source, faults.size() - max_faults_shown);
+    text +=
+        fmt::format("\n{}: at least {} more faults are not listed", source, faults.size() - max_faults_shown);
   }
   throw InputError(place(source, faults.front()), text);
 }

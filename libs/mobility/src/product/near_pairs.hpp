@@ -44,8 +44,7 @@ class NearPairs {
   std::vector<double> coefficients_;
 };
 
-/// Adds the velocities due to the pairs that this rank evaluates, in a direct sum over all pairs in open
-/// space (without an Ewald sum).
+/// Adds the velocities due to this rank's share of all pairs in open space, without an Ewald sum.
 void add_all_pairs(MobilityModel model, double viscosity, std::span<const double> radii,
                    std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
                    const Communicator& communicator);

@@ -9,8 +9,8 @@
 #include "beadswim/core/vec3.hpp"
 
 // Motion and order of a swarm at the end of a base cycle. A base cycle is one period of the driving; if the
-// periods of the swimmers differ, it is one period of the first swimmer's type. Angle brackets <...> denote
-// the mean over the swimmers. See docs/method/swarm-statistics.md.
+// periods of the swimmers differ, it is one period of the type of the first swimmer. Angle brackets <...>
+// denote the mean over the swimmers. See docs/method/swarm-statistics.md.
 
 namespace beadswim {
 

@@ -20,8 +20,8 @@ struct BeadImage {
   Index3 shift;
 };
 
-/// Returns true if along every axis the nearest cells of the boxes of two images are at most `distance` cells
-/// apart. If `distance` is 0, the boxes must share cells.
+/// Returns true if along every axis the coordinates of the nearest cells of the boxes of two images differ by
+/// at most `distance`. If `distance` is 0, the boxes must share cells.
 inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
   return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
 }

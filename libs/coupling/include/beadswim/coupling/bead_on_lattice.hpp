@@ -42,7 +42,7 @@ struct Impulse {
     visit("removed_fraction", impulses.removed_fraction...);
   }
 
-  /// Adds the momentum p, transferred at the point `from_centre` relative to the centre of the bead.
+  /// Adds the momentum p that acts at `from_centre`, relative to the centre of the bead.
   void add(const Vec3& p, const Vec3& from_centre) {
     const Vec3 l = from_centre.cross(p);
     for (int a = 0; a < 3; ++a) {

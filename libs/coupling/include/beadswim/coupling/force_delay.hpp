@@ -23,7 +23,7 @@ constexpr double force_delay(double relaxation_time) {
 /// Returns a copy of a bead (lattice units) whose density is increased by 9 nu t_d/(2 R^2) [density of the
 /// fluid]. nu is the kinematic viscosity, R the radius of the bead and t_d = force_delay() the delay of the
 /// force. The increase compensates this delay. The moment of inertia increases in proportion, which
-/// compensates about a third of the delay of the torque.
+/// compensates 0.3 to 0.45 of the delay of the torque.
 Bead with_delay_correction(Bead bead, double relaxation_time);
 
 }  // namespace beadswim

@@ -1,7 +1,6 @@
 #pragma once
 
-// Repulsive force F between close beads, for models that do not resolve the lubrication film between their
-// surfaces.
+// Repulsive force F between close beads in runs with a mobility model.
 //
 //   F = strength (cutoff/gap - 1)    for gap < cutoff, else 0
 //

@@ -48,8 +48,8 @@ struct BestPrediction {
 BestPrediction best_prediction(const Question& question);
 
 /// Returns the expected relative error of a run with a mobility model. It is the sum of the relative
-/// difference between the model and `best`, the uncertainty of `best`, and the error of time steps of finite
-/// length. Throws InputError if beads touch, so that the model has no periodic motion.
+/// difference between the model and `best`, the uncertainty of `best` and, for the velocity, the error by the
+/// time step. Throws InputError if beads touch, because no periodic motion exists then.
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              int steps_per_cycle);
 

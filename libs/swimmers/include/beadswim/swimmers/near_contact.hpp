@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "beadswim/swimmers/lubrication.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/lubrication.hpp"
 
 // Impulses that two close beads exchange within a time step: through the film between them (lubrication.hpp)
 // and by contact. Quantities are in any coherent units. See docs/method/near-contact.md.
@@ -77,9 +77,10 @@ struct ChainContact {
 
 /// Returns the impulses among the three beads of a swimmer at `positions`. A Gauss-Seidel iteration makes the
 /// impulse of each close pair consistent with the impulses of the other pairs. The iteration converges to
-/// roundoff unless the middle bead is much lighter than the end beads. In a test with nearly rigid films, the
-/// residual was 1 % of the velocity if the middle bead had 1/27 of the mass of an end bead, and 19 % of the
-/// velocity if it had 1/100. CloseBead::pairs is ignored.
+/// roundoff unless the middle bead is much lighter than the end beads. In a test with nearly rigid films, one
+/// end bead moved towards the others, which were at rest. Its velocity then differed from the common velocity
+/// by 1 % of its initial velocity if the middle bead had 1/27 of the mass of an end bead, and by 19 % if it
+/// had 1/100. CloseBead::pairs is ignored.
 ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
                            const std::array<Vec3, 3>& positions, double step);
 
