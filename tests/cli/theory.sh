@@ -31,7 +31,7 @@ out_has '"velocity": 7.614[0-9]+e-05'
 check "methods are not those of the table" test "$(grep -oE '"method": "[^"]+"' out | cut -d'"' -f4 | xargs)" = \
   "oseen-force-closed oseen-stroke-closed oseen-ratio-printed oseen-ratio-repaired rpy-force-printed rpy-force-repaired \
 rpy-stroke-printed rpy-equal-weight oseen-perturbation rpy-perturbation multipole-perturbation oseen-ode rpy-ode multipole-ode \
-unsteady-response inertia-corrected"
+unsteady-response unsteady-multipole inertia-corrected"
 same_bytes 'beadswim-theory paper.json' 'beadswim-theory <paper.json'
 same_bytes 'beadswim-theory paper.json' 'beadswim-layout swimmer --preset paper-single --unbounded | beadswim-theory -'
 same_bytes 'beadswim-theory paper.json' 'cd / && LC_ALL=C TZ=UTC beadswim-theory "$OLDPWD/paper.json"'

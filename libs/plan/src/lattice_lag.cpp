@@ -55,7 +55,7 @@ LatticeLag::Motion LatticeLag::motion(const Eigen::Matrix3cd& mobility, const Ei
   const Eigen::Vector3cd velocity = i_unit * scene_.swimmer.angular_frequency() * response.displacement;
   const Eigen::Vector3cd force = induced.partialPivLu().solve(velocity);
   return {.arm = response.arm,
-          .drift = lagrangian_drift(form, response.displacement, force),
+          .drift = form.towing.dot(drift_velocities(form, response.displacement, force)),
           .reynolds = reynolds_stress_velocity(reynolds_, force)};
 }
 

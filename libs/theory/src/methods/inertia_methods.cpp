@@ -9,6 +9,7 @@
 #include "beadswim/theory/inertia_corrected.hpp"
 #include "beadswim/theory/inertial_motion.hpp"
 #include "beadswim/theory/reynolds_stress.hpp"
+#include "beadswim/theory/unsteady_multipole.hpp"
 #include "confidence.hpp"
 #include "method_rows.hpp"
 
@@ -25,9 +26,9 @@ std::optional<std::string> penetration_depth_obstacle(const Question& question) 
   const double kappa = std::abs(inverse_penetration_depth(swimmer, question.fluid_density)) * largest;
   if (kappa < largest_kappa) return std::nullopt;
   return fmt::format(
-      "the penetration depth is {:.3g} times smaller than the largest bead radius, but this method is for "
-      "slow oscillations; increase {} or {}",
-      kappa / std::sqrt(2.0), Setting::period, Setting::viscosity);
+      "the penetration depth is {:.3g} times smaller than the largest bead radius, above the limit of {:.3g} "
+      "times; increase {} or {}",
+      kappa / std::sqrt(2.0), largest_kappa / std::sqrt(2.0), Setting::period, Setting::viscosity);
 }
 
 std::string surroundings(const Question& question) {
@@ -65,9 +66,57 @@ std::optional<std::string> inertia_obstacle(const Question& question) {
   return penetration_depth_obstacle(question);
 }
 
-std::optional<std::string> inertia_corrected_obstacle(const Question& question) {
+std::optional<std::string> unsteady_multipole_obstacle(const Question& question) {
   if (auto obstacle = exact_obstacle(question)) return obstacle;
+  if (auto obstacle = penetration_depth_obstacle(question)) return obstacle;
+  if (sufficient_resolution(question.swimmer)) return std::nullopt;
+  return fmt::format(
+      "beads nearly touch at rest (separation ratio l/lambda = {:.5g}), and the flow would need more than "
+      "100 "
+      "multipoles per bead; use the less accurate method unsteady-response",
+      separation_ratio(question.swimmer));
+}
+
+std::optional<std::string> inertia_corrected_obstacle(const Question& question) {
+  if (auto obstacle = unsteady_multipole_obstacle(question)) return obstacle;
   return inertia_obstacle(question);
+}
+
+Prediction predict_unsteady_multipole(const Question& question) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const auto motion_at = [&](const MultipoleResolution& resolution) {
+    const UnsteadyMultipoles flow = unsteady_multipoles(swimmer, question.fluid_density, resolution);
+    const LinearResponse response = linear_response(swimmer, flow.mobility);
+    return std::pair(response, mean_motion(flow, swimmer, response));
+  };
+  const MultipoleResolution resolution = *sufficient_resolution(swimmer);
+  const auto [response, motion] = motion_at(resolution);
+  const double numerical_error =
+      std::abs(motion_at(coarser(resolution)).second.velocity() - motion.velocity());
+
+  Prediction prediction;
+  prediction.velocity = motion.velocity();
+  prediction.stroke = stroke_of({response.arm[0], response.arm[1]});
+  prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
+  prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
+  if (const std::optional<double> quasi_static = exact_velocity(question)) {
+    const double inertial = std::min(1.0, std::abs(motion.velocity() / *quasi_static - 1));
+    prediction.uncertainty = std::hypot(numerical_error / std::abs(motion.velocity()),
+                                        (1 + inertial) * question.exact->amplitude_change);
+  }
+  prediction.validity =
+      "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia (axisymmetric "
+      "multipoles), alone in "
+      "unbounded fluid, with Lagrangian drift and Reynolds stress";
+  add_amplitude_limit(question, prediction);
+  mark_unusable_if_beads_touch(question, prediction);
+  prediction.settings.emplace_back("mobility", "exact, unsteady");
+  prediction.settings.emplace_back("velocity_by_drift", motion.by_drift);
+  prediction.settings.emplace_back("velocity_by_reynolds_stress", motion.by_reynolds_stress);
+  prediction.settings.emplace_back("numerical_error", numerical_error);
+  prediction.settings.emplace_back("fluid", "unbounded");
+  add_driving_settings(question, prediction);
+  return prediction;
 }
 
 Prediction predict_unsteady_response(const Question& question) {
@@ -112,10 +161,12 @@ Prediction predict_inertia_corrected(const Question& question) {
   prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
   prediction.arm_means = best.arm_means;
   prediction.validity = fmt::format(
-      "exact Stokes flow of three spheres at finite amplitude, with inertia of fluid and beads and {}, both "
-      "from unsteady Faxen pairs; compressibility and the lattice's own errors are not in it",
-      question.box ? "the layout's box" : "no box");
-  prediction.settings.emplace_back("mobility", "exact, inertia by unsteady Faxen pairs");
+      "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia; finite amplitude from "
+      "exact steady "
+      "Stokes flow; {}; compressibility and the lattice's own errors are not in it",
+      question.box ? "images in the layout's box as unsteady Faxen pairs" : "no box");
+  prediction.settings.emplace_back("mobility",
+                                   question.box ? "exact, box by unsteady Faxen pairs" : "exact, unsteady");
   prediction.settings.emplace_back("velocity_quasi_static", v.quasi_static);
   prediction.settings.emplace_back("velocity_by_stroke", v.by_stroke);
   prediction.settings.emplace_back("velocity_by_drift", v.by_drift);

@@ -20,6 +20,7 @@ std::optional<std::string> oseen_stroke_obstacle(const Question& question);
 std::optional<std::string> measured_stroke_obstacle(const Question& question);
 std::optional<std::string> box_obstacle(const Question& question);
 std::optional<std::string> inertia_obstacle(const Question& question);
+std::optional<std::string> unsteady_multipole_obstacle(const Question& question);
 std::optional<std::string> inertia_corrected_obstacle(const Question& question);
 
 // Predictions by closed formulas, most of them from the paper (closed_forms.hpp).
@@ -47,6 +48,7 @@ Prediction predict_rpy_box_ode(const Question& question);
 
 // Predictions with inertia of fluid and beads.
 Prediction predict_unsteady_response(const Question& question);
+Prediction predict_unsteady_multipole(const Question& question);
 Prediction predict_inertia_corrected(const Question& question);
 
 /// Returns the gap of neighbouring beads down to which exact_mobility() is used in a periodic motion

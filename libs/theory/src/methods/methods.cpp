@@ -42,6 +42,7 @@ const std::vector<Method>& methods() {
       {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation},
       {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode},
       {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response},
+      {"unsteady-multipole", driving, unsteady_multipole_obstacle, predict_unsteady_multipole},
       {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected},
   };
   return table;

@@ -16,16 +16,6 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
-/// Returns the mass of each bead minus the mass of the fluid that it displaces [mass].
-Eigen::Vector3d excess_masses(const InertialScene& scene) {
-  Eigen::Vector3d excess;
-  for (int i = 0; i < 3; ++i) {
-    const double volume = 4 * std::numbers::pi / 3 * std::pow(scene.swimmer.radius[i], 3);
-    excess[i] = (scene.swimmer.density[i] - scene.fluid_density) * volume;
-  }
-  return excess;
-}
-
 /// Returns the mean of r^2 over the induced force of a bead, where r is the distance from the centre
 /// [length^2]. This mean replaces a^2 in the steady flow of a bead of radius a. The parts of the force on the
 /// surface, where r^2 = a^2, and in the volume, where the mean of r^2 is 3/5 a^2, have the weights
@@ -35,6 +25,15 @@ Complex steady_size(double radius, Complex kappa) {
 }
 
 }  // namespace
+
+Eigen::Vector3d excess_masses(const InertialScene& scene) {
+  Eigen::Vector3d excess;
+  for (int i = 0; i < 3; ++i) {
+    const double volume = 4 * std::numbers::pi / 3 * std::pow(scene.swimmer.radius[i], 3);
+    excess[i] = (scene.swimmer.density[i] - scene.fluid_density) * volume;
+  }
+  return excess;
+}
 
 InertialScene unbounded_scene(const Question& question) {
   return {.swimmer = question.swimmer,
@@ -109,21 +108,22 @@ DriftForm drift_form(const InertialScene& scene) {
   return form;
 }
 
-double lagrangian_drift(const DriftForm& form, const Eigen::Vector3cd& displacement,
-                        const Eigen::Vector3cd& force) {
-  double drift = 0;
+Eigen::Vector3d drift_velocities(const DriftForm& form, const Eigen::Vector3cd& displacement,
+                                 const Eigen::Vector3cd& force) {
+  Eigen::Vector3d drift = Eigen::Vector3d::Zero();
   for (int j = 0; j < 3; ++j) {
     for (int i = 0; i < 3; ++i) {
       const Complex by_place = std::conj(displacement[j]) * form.by_receiver(j, i) * force[i];
       const Complex by_source = std::conj(displacement[i]) * form.by_source(j, i) * force[i];
-      drift += form.towing[j] * (by_place + by_source).real() / 2;
+      drift[j] += (by_place + by_source).real() / 2;
     }
   }
   return drift;
 }
 
 double lagrangian_drift(const InertialScene& scene, const LinearResponse& response) {
-  return lagrangian_drift(drift_form(scene), response.displacement, induced_forces(scene, response));
+  const DriftForm form = drift_form(scene);
+  return form.towing.dot(drift_velocities(form, response.displacement, induced_forces(scene, response)));
 }
 
 ReynoldsForm reynolds_form(const InertialScene& scene) {

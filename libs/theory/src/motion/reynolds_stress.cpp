@@ -1,39 +1,16 @@
 #include "beadswim/theory/reynolds_stress.hpp"
 
-#include <boost/math/special_functions/legendre.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include "beadswim/mobility/gauss_legendre.hpp"
 #include "lone_sphere_flow.hpp"
 
 namespace beadswim {
 
 namespace {
-
-struct QuadratureNode {
-  double place, weight;
-};
-
-/// Returns Gauss-Legendre nodes and weights on [0, 1]. Newton's method finds the nodes.
-std::vector<QuadratureNode> gauss_legendre(int count) {
-  using namespace boost::math::policies;
-  const auto polynomial = [](int degree, double x) {
-    return boost::math::legendre_p(degree, x, policy<promote_double<false>>());
-  };
-  std::vector<QuadratureNode> nodes;
-  for (int i = 0; i < count; ++i) {
-    double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5)), slope = 0;
-    for (int step = 0; step < 8; ++step) {
-      const double value = polynomial(count, x);
-      slope = count * (x * value - polynomial(count - 1, x)) / (x * x - 1);
-      x -= value / slope;
-    }
-    nodes.push_back({(1 + x) / 2, 1 / ((1 - x * x) * slope * slope)});
-  }
-  return nodes;
-}
 
 /// Integrand of the matrix Q (reynolds_stress.hpp) on the half-plane (x, s), from the flows of the three
 /// spheres. x: coordinate along the axis of the swimmer; s: distance from this axis [length].
@@ -90,7 +67,7 @@ ReynoldsForm radial_integral(const ReynoldsStress& stress, int bead, double radi
 /// into one region per bead, in which the integrand is smooth in polar coordinates about the bead.
 ReynoldsForm space_integral(const ReynoldsStress& stress, const CollinearSwimmer& swimmer, int count) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  const std::vector<QuadratureNode> nodes = gauss_legendre(count);
+  const std::vector<QuadratureNode> nodes = gauss_legendre(count, 0, 1);
   const std::array<double, 2> gaps = gaps_at_rest(swimmer);
   ReynoldsForm sum{.total = Eigen::Matrix3cd::Zero(), .inside = Eigen::Matrix3cd::Zero()};
   for (int bead = 0; bead < 3; ++bead) {

@@ -3,9 +3,9 @@
 #include <array>
 #include <complex>
 
-#include "beadswim/swimmers/swimmer_type.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/collinear_mobility.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 
 namespace beadswim {
 

@@ -5,28 +5,22 @@
 
 #include "beadswim/theory/question.hpp"
 
-// Method inertia-corrected, the most accurate prediction of a resolved run. It combines exact Stokes flow of
-// three spheres at finite amplitude with corrections for inertia and for the box. The corrections are
-// evaluated with unsteady Rotne-Prager pairs (inertial_motion.hpp).
+// Method inertia-corrected, the most accurate prediction of a resolved run. It adds the box and finite
+// amplitude to the exact motion with inertia in unbounded fluid (unsteady_multipole.hpp).
 //
 // Stroke: the complex arm amplitudes x follow from the impedance Z of the arms.
 //
-//   (i omega Z + K) x = g,    Z = Z_exact + Z_unsteady - Z_RP,    each Z = (D mu D^T)^-1
+//   (i omega Z + K) x = g,    Z = Z_exact + Z_box - Z_open,    each Z = (D mu D^T)^-1
 //
-//   Z_exact      mu is the exact steady mobility in open space
-//   Z_unsteady   mu is the unsteady mobility of pairs in the box (inertial_motion.hpp)
-//   Z_RP         mu is the steady Rotne-Prager mobility in open space
-//   K, g         stiffness of the arms, tensions of the arms by the driving (linear_response.hpp)
-//   D            matrix that maps bead velocities to rates of the arm lengths (linear_response.hpp)
+//   Z_exact  mu is the exact unsteady mobility in open space
+//   Z_box    mu is the unsteady mobility of pairs of beads with their images in the box (inertial_motion.hpp)
+//   Z_open   mu is the same in open space
+//   K, g     stiffness of the arms, tensions of the arms by the driving (linear_response.hpp)
+//   D        matrix that maps bead velocities to rates of the arm lengths (linear_response.hpp)
 //
-// Velocity to second order in amplitude. In the formula for V of inertial_motion.hpp, V_drift is the sum over
-// i and j and V_R the last term. For the stroke x they give
-//
-//   V = (C_exact / C_RP) (V_drift(x) + V_R(x)),
-//
-// where C_exact and C_RP are the geometry factors (perturbation.hpp) of exact flow and of Rotne-Prager
-// mobility. Without inertia
-//   V_drift + V_R = C_RP omega d_1 d_2 sin(delta_1 - delta_2),   d, delta: arm amplitudes and phases.
+// Velocity to second order in amplitude: V = V_exact(x) + V_images(x). V_exact is the exact velocity in open
+// space. V_images is the Lagrangian drift (inertial_motion.hpp) by pairs in the box minus that in open space,
+// for the exact displacements and induced forces.
 //
 // Finite amplitude: two quasi-static motions in exact Stokes flow are compared, the periodic motion at finite
 // amplitude (velocity V_f) and the motion to second order (velocity V_2, arm amplitudes d_1 and d_2). The

@@ -53,6 +53,9 @@ InertialScene inertial_scene(const Question& question);
 /// Returns the swimmer in open space, whether or not the question has a box.
 InertialScene unbounded_scene(const Question& question);
 
+/// Returns m - m_f of the three beads: mass of the bead minus mass of the fluid that it displaces [mass].
+Eigen::Vector3d excess_masses(const InertialScene& scene);
+
 /// Returns the matrix M of U = M f at the driving frequency: bead velocities U per induced force f of the
 /// beads on the fluid [time/mass].
 Eigen::Matrix3cd induced_mobility(const InertialScene& scene);
@@ -77,11 +80,14 @@ struct DriftForm {
 /// Returns the coefficients of the Lagrangian drift at the driving frequency.
 DriftForm drift_form(const InertialScene& scene);
 
+/// Returns the mean velocities of the beads due to the displacement of beads and induced forces: the sums
+/// over i in V, without w_j [length/time]. `displacement`: complex amplitudes of the bead displacements
+/// [length], `force`: induced forces f [mass length/time^2].
+Eigen::Vector3d drift_velocities(const DriftForm& form, const Eigen::Vector3cd& displacement,
+                                 const Eigen::Vector3cd& force);
+
 /// Returns the Lagrangian drift, the part of the swimmer's velocity due to the displacement of beads and
-/// induced forces (sum over i and j in V) [length/time]. `displacement`: complex amplitudes of the bead
-/// displacements [length], `force`: induced forces f [mass length/time^2].
-double lagrangian_drift(const DriftForm& form, const Eigen::Vector3cd& displacement,
-                        const Eigen::Vector3cd& force);
+/// induced forces (sum over i and j in V) [length/time].
 double lagrangian_drift(const InertialScene& scene, const LinearResponse& response);
 
 /// Returns Q, the coefficients of the swimmer's velocity V_R by the Reynolds stress (reynolds_stress.hpp),
