@@ -14,10 +14,10 @@ using Complex = std::complex<double>;
 using Eigen::MatrixXcd;
 
 /// Returns for each k the matrix of the elements -int_j <xi_j du1/dx> . t^k dS per U_i U_j*, in row i and
-/// column j. `nodes`: number of nodes on each sphere.
+/// column j.
 std::vector<MatrixXcd> drift_forms(const OscillatingSpheres& unsteady, const OscillatingSpheres& steady,
-                                   double viscosity, double angular_frequency, int nodes) {
-  const int count = unsteady.count();
+                                   double viscosity, double angular_frequency) {
+  const int count = unsteady.count(), nodes = 2 * unsteady.order() + 4;
   std::vector<MatrixXcd> forms(count, MatrixXcd::Zero(count, count));
   for (int j = 0; j < count; ++j) {
     const double area = 2 * std::numbers::pi * unsteady.radius(j) * unsteady.radius(j);
@@ -62,7 +62,7 @@ MeanForces mean_forces(const OscillatingSpheres& unsteady, const OscillatingSphe
                        double angular_frequency, int nodes) {
   const double alpha = std::abs(unsteady.alpha());  // |alpha|^2 = omega rho/eta = 2/depth^2
   return {.resistance = steady.resistance().real(),
-          .drift = drift_forms(unsteady, steady, viscosity, angular_frequency, 4 * nodes),
+          .drift = drift_forms(unsteady, steady, viscosity, angular_frequency),
           .reynolds = reynolds_forms(unsteady, steady, viscosity * alpha * alpha / angular_frequency,
                                      std::sqrt(2.0) / alpha, nodes)};
 }

@@ -40,8 +40,8 @@ namespace beadswim {
 /// that moves while the others are at rest. x is the coordinate along the line, s the distance from the line.
 struct FlowAtPoint {
   Eigen::Matrix2Xcd velocity;  ///< rows u_x, u_s [1]
-  Eigen::Matrix<std::complex<double>, 4, Eigen::Dynamic>
-      gradient;  ///< rows du_x/dx, du_s/dx, du_x/ds, du_s/ds [1/length]
+  /// Rows du_x/dx, du_s/dx, du_x/ds, du_s/ds [1/length].
+  Eigen::Matrix<std::complex<double>, 4, Eigen::Dynamic> gradient;
 };
 
 /// Flow around N oscillating spheres on a line.
@@ -53,6 +53,7 @@ class OscillatingSpheres {
   OscillatingSpheres(std::span<const double> radii, std::span<const double> positions, double viscosity,
                      std::complex<double> alpha, int order);
 
+  int order() const { return order_; }
   int count() const { return static_cast<int>(radius_.size()); }
   double radius(int sphere) const { return radius_[sphere]; }
   double position(int sphere) const { return position_[sphere]; }

@@ -8,19 +8,24 @@
 // Method inertia-corrected, the most accurate prediction of a resolved run. It adds the box and finite
 // amplitude to the exact motion with inertia in unbounded fluid (unsteady_multipole.hpp).
 //
-// Stroke: the complex arm amplitudes x follow from the impedance Z of the arms.
+// First order: the bead velocities per force on the beads are the mobility
 //
-//   (i omega Z + K) x = g,    Z = Z_exact + Z_box - Z_open,    each Z = (D mu D^T)^-1
+//   M = M_exact + M_box - M_open
 //
-//   Z_exact  mu is the exact unsteady mobility in open space
-//   Z_box    mu is the unsteady mobility of pairs of beads with their images in the box (inertial_motion.hpp)
-//   Z_open   mu is the same in open space
-//   K, g     stiffness of the arms, tensions of the arms by the driving (linear_response.hpp)
-//   D        matrix that maps bead velocities to rates of the arm lengths (linear_response.hpp)
+//   M_exact  exact unsteady mobility in open space
+//   M_box    unsteady mobility of pairs of beads with their images in the box (inertial_motion.hpp)
+//   M_open   the same in open space
 //
-// Velocity to second order in amplitude: V = V_exact(x) + V_images(x). V_exact is the exact velocity in open
-// space. V_images is the Lagrangian drift (inertial_motion.hpp) by pairs in the box minus that in open space,
-// for the exact displacements and induced forces.
+// The linear response (linear_response.hpp) with M gives the complex arm amplitudes x, the bead displacements
+// xi and the induced forces f.
+//
+// Second order: V = sum_j w_j (u_j + u_j,box - u_j,open)
+//
+//   u_j      exact mean velocities of the beads without mean forces (unsteady_multipole.hpp): the beads have
+//            the displacements xi in the flow that the forces f cause in open space
+//   u_j,box  mean velocities by pairs in the box (drift_velocities);  u_j,open: by pairs in open space
+//   w_j      share of bead j in the force that tows the rigid swimmer in the box, sum 1. The steady mobility
+//            is the exact one, plus that of pairs in the box, minus that of pairs in open space
 //
 // Finite amplitude: two quasi-static motions in exact Stokes flow are compared, the periodic motion at finite
 // amplitude (velocity V_f) and the motion to second order (velocity V_2, arm amplitudes d_1 and d_2). The

@@ -33,15 +33,14 @@ namespace beadswim {
 /// Forms of the mean forces on N spheres:
 ///   <F_k> = -(R V)_k + 1/2 Re sum_ij U_i [ (i omega xi_j)* drift_k,ij + U_j* reynolds_k,ij ].
 struct MeanForces {
-  Eigen::MatrixXd resistance;  ///< R of steady flow, N x N [mass/time]
-  std::vector<Eigen::MatrixXcd>
-      drift;  ///< contribution of the displacements to the force on sphere k [mass/length]
-  std::vector<Eigen::MatrixXcd> reynolds;  ///< contribution of the Reynolds stress [mass/length]
+  Eigen::MatrixXd resistance;              ///< R of steady flow, N x N [mass/time]
+  std::vector<Eigen::MatrixXcd> drift;     ///< by the displacements, for the force on sphere k [mass/length]
+  std::vector<Eigen::MatrixXcd> reynolds;  ///< by the Reynolds stress [mass/length]
 };
 
 /// Evaluates the mean forces. `unsteady` and `steady` are flows around the same spheres, the second with
 /// alpha = 0. `viscosity` is dynamic [mass/(length time)], `angular_frequency` in [radian/time]. `nodes`:
-/// number of quadrature nodes per panel and direction.
+/// number of nodes per panel and direction of the quadrature over the fluid.
 MeanForces mean_forces(const OscillatingSpheres& unsteady, const OscillatingSpheres& steady, double viscosity,
                        double angular_frequency, int nodes);
 

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
-#include <string>
 
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
@@ -12,14 +11,15 @@
 // Exact motion of a swimmer with inertia of fluid and beads in unbounded fluid, to second order in the
 // amplitude, by multipole expansion (oscillating_spheres.hpp, mean_forces.hpp).
 //
-//   M = (Z + i omega m)^-1            first order: velocities U = M F per force of driving, springs and
-//   dashpots V = sum_k f_k / sum_jk R_jk       second order: the mean forces f_k - sum_j R_kj V of the fluid
-//   sum to zero k_1 m_1 = R_1 V - f_1,  k_2 m_2 = f_3 - R_3 V          mean changes m_i of the arms, R_k =
-//   sum_j R_kj
+//   first order    U = M F,   M = (Z + i omega m)^-1
+//   second order   V = sum_k f_k / sum_jk R_jk,   because the mean forces f_k - sum_j R_kj V sum to zero
+//   arms           k_1 m_1 = R_1 V - f_1,   k_2 m_2 = f_3 - R_3 V,   R_k = sum_j R_kj
 //
-//   Z    resistance of oscillating flow [mass/time];  m  masses of the beads;  R  resistance of steady flow
-//   f_k  mean force of the fluid on bead k at V = 0 [mass length/time^2];  k_i  stiffness of arm i
-//   [mass/time^2]
+//   U, F  velocities of the beads; forces of driving, springs and dashpots  [length/time, mass length/time^2]
+//   Z, R  resistance of oscillating flow, of steady flow [mass/time];  m  masses of the beads [mass]
+//   V     mean velocity of the swimmer [length/time]
+//   f_k   mean force of the fluid on bead k at V = 0 [mass length/time^2]
+//   k_i   stiffness of arm i [mass/time^2];  m_i  mean change of the length of arm i [length]
 //
 // Page: docs/method/unsteady-multipole.md.
 
@@ -42,8 +42,8 @@ struct MeanMotion {
   double by_drift = 0;                  ///< contribution of the Lagrangian drift to V [length/time]
   double by_reynolds_stress = 0;        ///< contribution of the Reynolds stress to V [length/time]
   std::array<double, 2> arm_changes{};  ///< m_i: mean length of arm i minus rest length [length]
-  Eigen::Vector3d bead_velocities =
-      Eigen::Vector3d::Zero();  ///< R^-1 f: mean velocities without mean forces [length/time]
+  /// R^-1 f: mean velocities that the beads would have without mean forces [length/time].
+  Eigen::Vector3d bead_velocities = Eigen::Vector3d::Zero();
 
   double velocity() const { return by_drift + by_reynolds_stress; }
 };
