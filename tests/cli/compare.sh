@@ -20,7 +20,9 @@ edited() { jq "$2" "$1"; } # FILE JQ-EDIT
 accepts beadswim-compare --help
 for flag in reference method quantity tolerance cycle; do out_has "^  --$flag"; done
 accepts beadswim-compare --version
-refuses '--tolerance: "5%": the value must be a finite number greater than 0; write 5 % as 0.05' \
+refuses '--tolerance: "5": the value must be a number above 0 and below 1; 0.05 means 5 %' \
+  beadswim-compare run.json prediction.json --tolerance 5
+refuses '--tolerance: "5%": the value must be a number above 0 and below 1; 0.05 means 5 %; write 5 % as 0.05' \
   beadswim-compare run.json prediction.json --tolerance 5%
 
 # --- the verdict is the exit status
@@ -40,7 +42,7 @@ holds '.decided_by == "run" and all(.rows[]; .relative_error == 0 and .decides)'
 judged 1 beadswim-compare run.json prediction.json --method oseen-force-closed
 holds '.decided_by == "oseen-force-closed"'
 holds 'all(.rows[]; .decides == (.method == "oseen-force-closed"))'
-judged 0 beadswim-compare run.json prediction.json --tolerance 1000
+judged 0 beadswim-compare run.json prediction.json --tolerance 0.999
 holds 'all(.rows[]; .usable or (.decides | not))'
 judged 0 beadswim-compare run.json run.json --reference prediction.json
 holds '.decided_by == "run" and ([.rows[].method] | unique | length == 5)'

@@ -30,7 +30,7 @@ fails() { # REGEX COMMAND...
 for command in 'layout swimmer --preset paper-single' 'layout swarm --preset paper-uniform' 'layout check layout.json' \
   'layout reduce layout.json' 'layout defect phase --sigma 0.1 --seed 1 layout.json' 'layout --help' \
   'theory layout.json --method rpy-ode' 'theory --jsonl layout.jsonl --method rpy-ode' \
-  'compare run.json prediction.json --tolerance 9' 'plot stroke run.json prediction.json -o -' \
+  'compare run.json prediction.json --tolerance 0.9' 'plot stroke run.json prediction.json -o -' \
   "run $rpy -o full.h5md --cycles 1" "${views[@]}"; do
   fails 'standard output: the text cannot be written: No space left on device' bash -c "beadswim-$command >/dev/full"
 done

@@ -74,6 +74,18 @@ out_has '"axis": \[0.0, 0.0, -1.0\]'
 out_has '"radius": 4.0, "density": 2.0'
 out_has '"phase": 1.5707963267948966'
 
+# --- phases in degrees; a phase of more than one turn is probably one
+accepts beadswim-layout swimmer --preset paper-single --phase=-90deg
+out_has '"phase": -1.5707963267948966'
+err_empty
+beadswim-layout check out >table
+check "check does not state the phase" grep -qE '^  driving phase alpha \[rad\] +-1\.571$' table
+accepts beadswim-layout swimmer --preset paper-single --phase 90
+out_has '"phase": 90'
+err_has '^beadswim-layout: warning: --phase: 90 rad is more than one turn; if the value is in degrees, write --phase=90deg$'
+refuses '--phase: "90 degrees": the value must be a finite number of radians, or of degrees such as 90deg' \
+  beadswim-layout swimmer --preset paper-single --phase "90 degrees"
+
 # --- on one line, for streams: the same scene
 accepts beadswim-layout swimmer --preset paper-single --jsonl
 check 'the layout is not on one line' test "$(wc -l <out)" -eq 1

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/box_mobility.hpp"
+#include "beadswim/theory/perturbation.hpp"
 #include "scenes.hpp"
 
 namespace beadswim {
@@ -147,6 +150,30 @@ TEST(InertiaCorrected, TakesTheBoxFromUnsteadyPairs) {
         return boxed(method).stroke.amplitude[1] / open(method).stroke.amplitude[1] - 1;
       });
     }
+  }
+}
+
+// Without inertia a box gives second-order theory with the mobility exact + pairs in the box - pairs in open
+// space, with its derivatives; also between walls that the swimmer does not stand in the middle of.
+TEST(InertiaCorrected, InABoxTendsToSteadyTheoryAsDensityVanishes) {
+  constexpr double density = 1e-12, tolerance = 1e-5;
+  const CollinearSwimmer swimmer = with_density(with_amplitude(unequal_swimmer(), small), density);
+  for (const BoxPlace& place :
+       {BoxPlace{periodic_box(140, 60, 70), {70, 30, 35}}, BoxPlace{walled_box(140, 60, 70), {60, 22, 35}}}) {
+    Question question = ask_in_box(swimmer, place.box, place.middle_bead);
+    question.fluid_density = density;
+    const LineFlow flow = box_line_flow(place, swimmer.viscosity);
+    const CollinearMobility exact = exact_mobility(swimmer, rest_positions(swimmer)),
+                            open = rest_mobility(swimmer, rotne_prager),
+                            boxed = rotne_prager_mobility(flow, swimmer, rest_positions(swimmer, place));
+    CollinearMobility mobility = exact;
+    mobility.value += boxed.value - open.value;
+    for (int k = 0; k < 3; ++k) mobility.slope[k] += boxed.slope[k] - open.slope[k];
+    const SecondOrderMotion steady = second_order_motion(swimmer, mobility);
+    const Prediction p = predicted("inertia-corrected", question);
+    EXPECT_NEAR(p.velocity / steady.velocity, 1, tolerance);
+    EXPECT_NEAR(p.stroke.amplitude[1] / steady.stroke.amplitude[1], 1, tolerance);
+    EXPECT_GT(std::abs(setting(p, "velocity_by_box") / p.velocity), 100 * tolerance);
   }
 }
 

@@ -18,12 +18,16 @@ PredictionDocument two_predictions() {
                     .stroke = {.amplitude = {3.25, 0}, .phase = {-0.5, 0}},
                     .stroke_uncertainty = std::nullopt,
                     .sin_phase_shift = 0,
+                    .power = std::nullopt,
+                    .efficiency = std::nullopt,
                     .arm_means = std::nullopt,
                     .settings = {}};
   Prediction full = sparse;
   full.method = "rpy-perturbation";
   full.usable = true;
   full.uncertainty = 0.1;
+  full.power = 2.5e-3;
+  full.efficiency = 1.25e-4;
   full.stroke_uncertainty = StrokeUncertainty{.arm_amplitudes = {0.01, 0.02}, .sin_phase_shift = 0.003};
   full.arm_means = {20.01, 19.99};
   full.settings = {{"fluid", "unbounded"}, {"period", 4800.0}};

@@ -64,11 +64,12 @@ Vector3 extrapolated_step(const CollinearSwimmer& s, const Mobility& mobility, c
   return table[0];
 }
 
-/// Displacement of bead 2, final arm lengths and mean arm lengths of a period that begins with given arm
-/// lengths.
+/// Displacement of bead 2, final arm lengths, mean arm lengths and mean power of the driving in a period that
+/// begins with given arm lengths.
 struct Period {
   Real displacement;
   Vector2 arms, arm_means;
+  Real power;
 };
 
 template <class Mobility>
@@ -76,16 +77,21 @@ Period integrate(const CollinearSwimmer& s, const Mobility& mobility, const Vect
   const Real h = Real(s.period) / steps;
   Vector3 x(-arms[0], 0, arms[1]);
   Vector2 sum(0, 0);
+  Real work_rate = 0;
   for (int n = 0; n < steps; ++n) {
+    const Real phase = 2 * std::numbers::pi_v<Real> * n / steps;
+    const Real f1 = s.amplitude[0] * std::sin(phase), f3 = s.amplitude[1] * std::sin(phase + s.phase);
+    work_rate += Vector3(f1, -f1 - f3, f3).dot(velocity(s, mobility, x, n * h));
     sum += Vector2(x[1] - x[0], x[2] - x[1]);  // rectangles: exact for a periodic function
     x = extrapolated_step(s, mobility, x, n * h, h);
   }
-  return {x[1], Vector2(x[1] - x[0], x[2] - x[1]), sum / steps};
+  return {x[1], Vector2(x[1] - x[0], x[2] - x[1]), sum / steps, work_rate / steps};
 }
 
 struct Motion {
   double velocity;
   std::array<double, 2> arm_means;
+  double power;
 };
 
 /// Returns the periodic motion. `arms`: initial guess of the arm lengths at t = 0.
@@ -106,7 +112,8 @@ Motion periodic(const CollinearSwimmer& s, const Mobility& mobility, Vector2 arm
     if (change.norm() < 1e-13L * arms.norm()) {
       const Period last = integrate(s, mobility, arms, steps);
       return {static_cast<double>(last.displacement / s.period),
-              {static_cast<double>(last.arm_means[0]), static_cast<double>(last.arm_means[1])}};
+              {static_cast<double>(last.arm_means[0]), static_cast<double>(last.arm_means[1])},
+              static_cast<double>(last.power)};
     }
   }
   throw std::runtime_error("no periodic motion");

@@ -38,12 +38,12 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
               "Quantities to compare; velocity is the velocity along the swimmer's axis, minus the mean flow "
               "along periodic axes of the box");
   program
-      .add_option(
-          "--tolerance", request.tolerance,
-          "Largest relative error between run and reference with which a run passes; 0.05 means 5 % [1]")
+      .add_option("--tolerance", request.tolerance,
+                  "Largest relative error between run and reference with which a run passes, below 1; 0.05 "
+                  "means 5 % [1]")
       ->type_name("E")
       ->default_val(0.05)
-      ->check(finite_positive());
+      ->check(fraction());
   program
       .add_option("--cycle", flags.cycle,
                   "Driving cycle of each run that is compared: the last, cycle number N (the first is 1), or "

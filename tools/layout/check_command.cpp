@@ -26,6 +26,7 @@ std::string row(const std::string& name, double value) {
 
 std::string table_of(const std::string& name, const TypeNumbers& numbers) {
   std::string text = fmt::format("type {}\n", name);
+  text += row("driving phase alpha [rad]", numbers.phase);
   text += row("Re = 2 lambda v/nu, fastest bead", numbers.reynolds);
   text += row("penetration depth delta = sqrt(2 nu/omega)", numbers.penetration_depth);
   text += row("lambda/delta", numbers.radius_over_penetration_depth);

@@ -41,7 +41,8 @@ void require_same_units(const Layout& layout, const Layout& other, const std::st
 /// that was set for these swimmers individually. Removes types that no swimmer uses any more. Throws
 /// InputError if the two layouts have different units.
 void mix_in(Layout& layout, const std::vector<std::size_t>& chosen_swimmers, const std::string& path) {
-  if (path == "-") throw InputError("--with", "the layout to mix in cannot be read from standard input; name a file");
+  if (path == "-")
+    throw InputError("--with", "the layout to mix in cannot be read from standard input; name a file");
   const Layout other = read_layout(path).layout;
   require_same_units(layout, other, path);
   const std::string name = free_type_name(layout);

@@ -65,9 +65,9 @@ void SwimmerFlags::add_driving(CLI::App& command) {
   command
       .add_option("--phase", phase_,
                   "Phase alpha of the force on bead 3 relative to the force on bead 1, positive if ahead; "
-                  "write a negative value as --phase=-0.5 [rad]")
+                  "for degrees write 90deg, for a negative value --phase=-0.5 [rad]")
       ->type_name("ALPHA")
-      ->check(finite())
+      ->check(angle())
       ->default_str("the preset's, else pi/2");
   command.add_option("--period", period_, "Period T of the driving forces [time]")
       ->type_name("T")

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
+#include <cmath>
+#include <cstdio>
 
 #include <algorithm>
 #include <numbers>
@@ -90,7 +92,14 @@ void SwimmerFlags::apply_driving(Driving& driving) const {
     driving.amplitude = {amplitudes[0], amplitudes[1]};
   }
   if (preset_.empty()) driving.phase = std::numbers::pi / 2;
-  if (!phase_.empty()) driving.phase = parse_numbers(phase_)[0];
+  if (!phase_.empty()) driving.phase = parse_angle(phase_);
+  if (std::abs(driving.phase) > 2 * std::numbers::pi && !phase_.ends_with("deg")) {
+    fmt::print(
+        stderr,
+        "beadswim-layout: warning: --phase: {} rad is more than one turn; if the value is in degrees, write "
+        "--phase={}deg\n",
+        phase_, phase_);
+  }
   if (!period_.empty()) driving.period = parse_numbers(period_)[0];
   if (frame_) driving.frame = *frame_;
 }

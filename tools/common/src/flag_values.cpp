@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "beadswim/core/nearest_name.hpp"
@@ -25,6 +26,11 @@ std::optional<double> parse_number(const std::string& text) {
   const auto [end, error] = std::from_chars(first_digit(text), last, value);
   if (end != last || error == std::errc::invalid_argument) return std::nullopt;
   return error == std::errc::result_out_of_range ? HUGE_VAL : value;
+}
+
+/// Returns the text without the ending, if it has this ending.
+std::string without_ending(const std::string& text, const std::string& ending) {
+  return text.ends_with(ending) ? text.substr(0, text.size() - ending.size()) : text;
 }
 
 /// Returns an addition to an error message if the text is a percentage such as "5 %": the number to write
@@ -55,6 +61,23 @@ CLI::Validator finite() {
 
 CLI::Validator finite_positive() {
   return number_that([](double x) { return x > 0; }, "the value must be a finite number greater than 0");
+}
+
+CLI::Validator fraction() {
+  return number_that([](double x) { return x > 0 && x < 1; },
+                     "the value must be a number above 0 and below 1; 0.05 means 5 %");
+}
+
+CLI::Validator angle() {
+  const auto fault = [](const std::string& text) {
+    const std::optional<double> value = parse_number(without_ending(text, "deg"));
+    return value && std::isfinite(*value)
+               ? std::string{}
+               : fmt::format(
+                     "\"{}\": the value must be a finite number of radians, or of degrees such as 90deg",
+                     text);
+  };
+  return CLI::Validator(fault, "");
 }
 
 CLI::Validator whole_number(std::int64_t low, std::int64_t high) {
@@ -131,6 +154,11 @@ std::vector<double> parse_numbers(const std::string& text) {
   std::vector<double> numbers;
   for (const std::string& part : split_at_commas(text)) numbers.push_back(parse_number(part).value());
   return numbers;
+}
+
+double parse_angle(const std::string& text) {
+  const double value = parse_number(without_ending(text, "deg")).value();
+  return text.ends_with("deg") ? value * std::numbers::pi / 180 : value;
 }
 
 std::vector<int> parse_whole_numbers(const std::string& text) {

@@ -18,20 +18,27 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double numerical_error = 1e-6;  // relative, of the multipoles at their coarser resolution
+/// The flow in unbounded fluid, and the same at a coarser resolution, for the numerical error.
+struct OpenFlow {
+  UnsteadyMultipoles fine, coarse;
+};
 
 /// Returns the flow in unbounded fluid. Keeps the last flow, because plans ask for one swimmer in many boxes.
-UnsteadyMultipoles flow_of(const Question& question) {
+OpenFlow flow_of(const Question& question) {
   struct Known {
     CollinearSwimmer swimmer;
     double fluid_density;
-    UnsteadyMultipoles flow;
+    OpenFlow flow;
   };
   thread_local std::optional<Known> last;
   if (!last || last->swimmer != question.swimmer || last->fluid_density != question.fluid_density) {
-    const MultipoleResolution resolution = coarser(sufficient_resolution(question.swimmer).value());
-    last = {question.swimmer, question.fluid_density,
-            unsteady_multipoles(question.swimmer, question.fluid_density, resolution)};
+    const MultipoleResolution resolution = sufficient_resolution(question.swimmer).value();
+    const auto at = [&](const MultipoleResolution& r) {
+      return unsteady_multipoles(question.swimmer, question.fluid_density, r);
+    };
+    last = {question.swimmer,
+            question.fluid_density,
+            {.fine = at(resolution), .coarse = at(coarser(resolution))}};
   }
   return last->flow;
 }
@@ -52,7 +59,8 @@ OpenMotion open_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& s
 /// Motion in the box, to second order in amplitude.
 struct BoxMotion {
   Eigen::Vector2cd arm;
-  double velocity = 0;  ///< [length/time]
+  double velocity = 0;      ///< [length/time]
+  double gross_change = 0;  ///< sum of the magnitudes of the changes of the velocity by stroke and by images
 };
 
 /// Returns the matrix that maps induced forces to bead velocities, for the exact flow in unbounded fluid.
@@ -75,8 +83,21 @@ BoxMotion box_motion(const Question& question, const UnsteadyMultipoles& flow) {
   const Eigen::Matrix3d steady = question.exact->mobility.value +
                                  rotne_prager_mobility(boxed.flow, swimmer, boxed.positions).value -
                                  rest_mobility(swimmer, rotne_prager).value;
+  const double velocity = rigid_force_distribution(steady).dot(by_beads.bead_velocities + by_images);
+  const auto open_velocity = [&](const Eigen::Vector2cd& arm) {
+    return open_motion(flow, swimmer, arm).mean.velocity();
+  };
+  const double unbounded = open_velocity(driven_arms(swimmer, arm_impedance(flow.mobility))),
+               with_stroke = open_velocity(response.arm);
   return {.arm = response.arm,
-          .velocity = rigid_force_distribution(steady).dot(by_beads.bead_velocities + by_images)};
+          .velocity = velocity,
+          .gross_change = std::abs(with_stroke - unbounded) + std::abs(velocity - with_stroke)};
+}
+
+/// Returns |x_1 x_2|/(d_1 d_2): the size of the stroke x = `arm`, relative to that of exact Stokes flow.
+double relative_stroke(const Question& question, const Eigen::Vector2cd& arm) {
+  const auto& [d1, d2] = question.exact->motion.stroke.amplitude;
+  return d1 * d2 > 0 ? std::abs(arm[0] * arm[1]) / (d1 * d2) : 1;
 }
 
 double root_of_squares(std::initializer_list<double> parts) {
@@ -94,12 +115,13 @@ struct PairErrors {
 PairErrors pair_errors(const Question& question) {
   const CollinearMobility pairs = rest_mobility(question.swimmer, rotne_prager),
                           &exact = question.exact->mobility;
-  PairErrors errors{.velocity = std::abs(geometry_factor(pairs) / geometry_factor(exact) - 1), .mobility = 0};
+  double mobility = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < i; ++j)
-      errors.mobility = std::max(errors.mobility, std::abs(pairs.value(i, j) / exact.value(i, j) - 1));
+      mobility = std::max(mobility, std::abs(pairs.value(i, j) / exact.value(i, j) - 1));
   }
-  return errors;
+  const double velocity = std::abs(geometry_factor(pairs) / geometry_factor(exact) - 1);
+  return {.velocity = std::max(velocity, mobility), .mobility = mobility};
 }
 
 /// Returns the shortest distance between the centre of a bead and of an image of a bead in the box [length].
@@ -124,38 +146,49 @@ PairErrors box_uncertainty(const Question& question) {
   return {.velocity = factor * pairs.velocity, .mobility = factor * pairs.mobility};
 }
 
+/// Returns the relative uncertainty of the change by the box because the Reynolds stress of the images is
+/// left out. It is 1.5 bead radii per penetration depth beside walls. In a periodic box, where images on
+/// opposite sides balance, it is a quarter of this value. At most 1; 0 in open space.
+double missing_image_stress(const Question& question) {
+  if (!question.box) return 0;
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const Box& box = question.box->box;
+  const bool has_walls = box.has_mirrors(0) || box.has_mirrors(1) || box.has_mirrors(2);
+  const double radius = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
+  const double depth = std::sqrt(2.0) / std::abs(inverse_penetration_depth(swimmer, question.fluid_density));
+  return std::min(1.0, (has_walls ? 1.5 : 1.5 / 4) * radius / depth);
+}
+
 /// Returns the relative uncertainty of the velocity V_R by the Reynolds stress in a box, because V_R is
-/// evaluated without images: sum of the arm lengths divided by the shortest edge of the box, at most 1.
+/// evaluated without images: length of both arms divided by the distance of the nearest image, at most 1.
 /// Returns 0 in open space.
 double unknown_share_of_reynolds(const Question& question) {
   if (!question.box) return 0;
-  const double narrowest = question.box->box.lengths.minCoeff();
-  return std::min(1.0, (question.swimmer.arm[0] + question.swimmer.arm[1]) / narrowest);
+  const CollinearSwimmer& swimmer = question.swimmer;
+  return std::min(1.0, (swimmer.arm[0] + swimmer.arm[1]) / nearest_image(swimmer, *question.box));
 }
 
 /// Returns the contributions to the velocity. `open`, `boxed`: motion to second order in open space and in
-/// the box.
+/// the box; `finite`: motion at finite amplitude without inertia.
 InertialVelocity velocity_parts(const Question& question, const OpenMotion& open, const BoxMotion& boxed,
-                                double amplitude_change) {
-  const SecondOrderMotion& second_order = question.exact->motion;
+                                const PeriodicMotion& finite) {
   const double kinematic =
       velocity_of_stroke(open.response.arm, question.exact->mobility, question.swimmer.angular_frequency());
+  // Share of the gross change by the box that counts where the changes by stroke and by images cancel.
+  constexpr double uncancelled = 0.1;
   InertialVelocity v;
-  v.quasi_static = second_order.velocity;
+  v.quasi_static = question.exact->motion.velocity;
   v.by_stroke = kinematic - v.quasi_static;
   v.by_drift = open.mean.by_drift - kinematic;
   v.by_reynolds_stress = open.mean.by_reynolds_stress;
   v.by_box = boxed.velocity - open.mean.velocity();
-  const auto& [d1, d2] = second_order.stroke.amplitude;
-  const double size = d1 * d2 > 0 ? std::abs(boxed.arm[0] * boxed.arm[1]) / (d1 * d2) : 1;
-  v.by_amplitude = amplitude_change * size;
-
-  const double inertial = std::abs(v.by_stroke) + std::abs(v.by_drift) + std::abs(v.by_reynolds_stress);
-  const double amplitude_share = v.quasi_static != 0 ? inertial / std::abs(v.quasi_static) : 1;
-  v.uncertainty = root_of_squares({box_uncertainty(question).velocity * v.by_box,
-                                   unknown_share_of_reynolds(question) * v.by_reynolds_stress,
-                                   std::min(1.0, amplitude_share) * v.by_amplitude,
-                                   numerical_error * (open.mean.velocity())});
+  const double size = relative_stroke(question, boxed.arm);
+  v.by_amplitude = (finite.velocity - v.quasi_static) * size * size;
+  v.uncertainty =
+      root_of_squares({(box_uncertainty(question).velocity + missing_image_stress(question)) *
+                           std::max(std::abs(v.by_box), uncancelled * boxed.gross_change),
+                       unknown_share_of_reynolds(question) * v.by_reynolds_stress,
+                       amplitude_uncertainty(question, open.response, open.mean, v.by_amplitude)});
   return v;
 }
 
@@ -173,36 +206,56 @@ double sin_uncertainty(const Eigen::Vector2cd& y, double relative_error) {
 
 }  // namespace
 
+double amplitude_uncertainty(const Question& question, const LinearResponse& response, const MeanMotion& mean,
+                             double by_amplitude) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const double omega = swimmer.angular_frequency(), nu = swimmer.viscosity / question.fluid_density;
+  const double quasi_static = question.exact->motion.velocity;
+  const double kinematic = velocity_of_stroke(response.arm, question.exact->mobility, omega);
+  const double inertial = std::abs(kinematic - quasi_static) + std::abs(mean.by_drift - kinematic) +
+                          std::abs(mean.by_reynolds_stress);
+  const double share = quasi_static != 0 ? std::min(1.0, inertial / std::abs(quasi_static)) : 1;
+  const double strain =
+      std::max(std::abs(response.arm[0]) / swimmer.arm[0], std::abs(response.arm[1]) / swimmer.arm[1]);
+  const double reynolds = std::pow(omega * response.displacement.cwiseAbs().maxCoeff(), 2) / (omega * nu);
+  return share * std::abs(by_amplitude) + std::max(strain * strain, reynolds) * inertial;
+}
+
 InertiaCorrected inertia_corrected(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const UnsteadyMultipoles flow = flow_of(question);
-  const OpenMotion open = open_motion(flow, swimmer, driven_arms(swimmer, arm_impedance(flow.mobility)));
-  const BoxMotion boxed =
-      question.box ? box_motion(question, flow) : BoxMotion{open.response.arm, open.mean.velocity()};
+  const OpenFlow flow = flow_of(question);
+  const OpenMotion open =
+      open_motion(flow.fine, swimmer, driven_arms(swimmer, arm_impedance(flow.fine.mobility)));
+  const BoxMotion boxed = question.box
+                              ? box_motion(question, flow.fine)
+                              : BoxMotion{.arm = open.response.arm, .velocity = open.mean.velocity()};
   const PeriodicMotion finite = exact_periodic_motion(swimmer);
   const SecondOrderMotion& small = question.exact->motion;
+  const double numerical_error =
+      std::abs(mean_motion(flow.coarse, swimmer, open.response).velocity() - open.mean.velocity());
 
   InertiaCorrected best;
-  best.velocity = velocity_parts(question, open, boxed, finite.velocity - small.velocity);
-  for (int arm = 0; arm < 2; ++arm) {
-    best.arm_means[arm] = finite.arm_means[arm] + open.mean.arm_changes[arm] - small.arm_changes[arm];
-  }
+  best.velocity = velocity_parts(question, open, boxed, finite);
+  best.velocity.uncertainty += numerical_error;
+  const double size = relative_stroke(question, boxed.arm);
   // Relative uncertainties of the arm amplitudes: the change by the box has the error of pairs, the change by
   // finite amplitude is that without inertia.
-  std::array<double, 2> uncertainty{};
   for (int arm = 0; arm < 2; ++arm) {
     const Complex steady = complex_of(small.stroke, arm), y = boxed.arm[arm];
-    const Complex growth = small.stroke.amplitude[arm] > 0 ? complex_of(finite.stroke, arm) / steady : 1;
-    best.arm[arm] = y * growth;
-    const double size = std::abs(y);
-    const double by_box = size > 0 ? std::abs(y - open.response.arm[arm]) / size : 0;
-    const double by_inertia = size > 0 ? std::abs(open.response.arm[arm] - steady) / size : 0;
-    uncertainty[arm] =
-        root_of_squares({by_box * box_uncertainty(question).mobility,
-                         std::min(1.0, by_inertia) * std::abs(growth - 1.0), size > 0 ? numerical_error : 0});
+    const Complex growth =
+        small.stroke.amplitude[arm] > 0 ? size * (complex_of(finite.stroke, arm) / steady - 1.0) : 0;
+    best.arm[arm] = y * (1.0 + growth);
+    best.arm_means[arm] = swimmer.arm[arm] + open.mean.arm_changes[arm] +
+                          size * size * (finite.arm_means[arm] - swimmer.arm[arm] - small.arm_changes[arm]);
+    if (y == 0.0) continue;
+    const double by_box = std::abs(y - open.response.arm[arm]) / std::abs(y),
+                 by_inertia = std::min(1.0, std::abs(open.response.arm[arm] - steady) / std::abs(y));
+    best.amplitude_uncertainty[arm] =
+        std::hypot(by_box * box_uncertainty(question).mobility,
+                   by_inertia * (std::abs(growth) + std::norm(y) / std::pow(swimmer.arm[arm], 2)));
   }
-  best.amplitude_uncertainty = uncertainty;
-  best.sin_uncertainty = sin_uncertainty(best.arm, uncertainty[0] + uncertainty[1]);
+  best.sin_uncertainty =
+      sin_uncertainty(best.arm, best.amplitude_uncertainty[0] + best.amplitude_uncertainty[1]);
   return best;
 }
 

@@ -99,10 +99,13 @@ Prediction predict_unsteady_multipole(const Question& question) {
   prediction.stroke = stroke_of({response.arm[0], response.arm[1]});
   prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
   prediction.arm_means = {swimmer.arm[0] + motion.arm_changes[0], swimmer.arm[1] + motion.arm_changes[1]};
-  if (const std::optional<double> quasi_static = exact_velocity(question)) {
-    const double inertial = std::min(1.0, std::abs(motion.velocity() / *quasi_static - 1));
-    prediction.uncertainty = std::hypot(numerical_error / std::abs(motion.velocity()),
-                                        (1 + inertial) * question.exact->amplitude_change);
+  const double gross = std::abs(motion.by_drift) + std::abs(motion.by_reynolds_stress);
+  constexpr double roundoff = 1e-12;
+  if (std::abs(motion.velocity()) > roundoff * gross) {
+    const double by_amplitude = question.exact->amplitude_change * question.exact->motion.velocity;
+    const double uncertainty = numerical_error + std::abs(by_amplitude) +
+                               amplitude_uncertainty(question, response, motion, by_amplitude);
+    prediction.uncertainty = uncertainty / std::abs(motion.velocity());
   }
   prediction.validity =
       "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia (axisymmetric "
@@ -154,7 +157,9 @@ Prediction predict_inertia_corrected(const Question& question) {
   const InertialVelocity& v = best.velocity;
   Prediction prediction;
   prediction.velocity = v.sum();
-  if (exact_velocity(question)) prediction.uncertainty = v.uncertainty / std::abs(v.sum());
+  constexpr double roundoff = 1e-12;
+  const double gross = std::abs(v.quasi_static) + std::abs(v.by_stroke) + std::abs(v.by_drift);
+  if (std::abs(v.sum()) > roundoff * gross) prediction.uncertainty = v.uncertainty / std::abs(v.sum());
   prediction.stroke = stroke_of({best.arm[0], best.arm[1]});
   prediction.stroke_uncertainty = StrokeUncertainty{.arm_amplitudes = best.amplitude_uncertainty,
                                                     .sin_phase_shift = best.sin_uncertainty};
@@ -174,6 +179,7 @@ Prediction predict_inertia_corrected(const Question& question) {
   prediction.settings.emplace_back("velocity_by_box", v.by_box);
   prediction.settings.emplace_back("velocity_by_amplitude", v.by_amplitude);
   add_settings(question, prediction);
+  mark_unusable_if_beads_touch(question, prediction);
   return prediction;
 }
 

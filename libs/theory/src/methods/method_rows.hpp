@@ -5,6 +5,7 @@
 
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/theory/periodic_motion.hpp"
+#include "beadswim/theory/unsteady_multipole.hpp"
 
 // Functions in the rows of the table of methods (methods.cpp).
 
@@ -50,6 +51,13 @@ Prediction predict_rpy_box_ode(const Question& question);
 Prediction predict_unsteady_response(const Question& question);
 Prediction predict_unsteady_multipole(const Question& question);
 Prediction predict_inertia_corrected(const Question& question);
+
+/// Returns the uncertainty of the velocity of a motion with inertia because the amplitude is finite
+/// [length/time]. The change `by_amplitude` is that of exact Stokes flow; its uncertainty is the share of
+/// inertia in the velocity. The contributions of inertia change with the amplitude by the larger of
+/// (d_i/l_i)^2 and the Reynolds number U^2/(omega nu).
+double amplitude_uncertainty(const Question& question, const LinearResponse& response, const MeanMotion& mean,
+                             double by_amplitude);
 
 /// Returns the gap of neighbouring beads down to which exact_mobility() is used in a periodic motion
 /// [length].

@@ -1,5 +1,6 @@
 #include "beadswim/theory/methods.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -7,6 +8,10 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/mobility/oseen.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/theory/linear_response.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
 #include "method_rows.hpp"
 
 namespace beadswim {
@@ -19,31 +24,69 @@ bool is_finite(const Prediction& p) {
                        p.uncertainty.value_or(0));
 }
 
+double drag_of(const Eigen::Matrix3d& mobility) {
+  return mobility.inverse().sum();
+}
+
+double oseen_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
+  return drag_of(pairwise_mobility(oseen, swimmer.radius, positions, swimmer.viscosity).value);
+}
+
+double rotne_prager_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
+  return drag_of(pairwise_mobility(rotne_prager, swimmer.radius, positions, swimmer.viscosity).value);
+}
+
+double exact_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
+  return drag_of(exact_mobility(swimmer, positions).value);
+}
+
+/// Adds the mean power of the driving, the drag coefficient of the towed swimmer and the Lighthill
+/// efficiency. The last two are omitted if beads with the mean arm lengths touch or nearly touch.
+void add_power(const Method& method, const CollinearSwimmer& swimmer, Prediction& prediction) {
+  prediction.power = mean_power(swimmer, prediction.stroke);
+  const std::array<double, 2> arm = prediction.arm_means.value_or(swimmer.arm);
+  const LinePositions positions{-arm[0], 0, arm[1]};
+  if (smallest_gap(swimmer, positions) < min_exact_gap(swimmer)) return;  // no mean shape with this drag
+  double drag = 0;
+  try {
+    drag = method.towing_drag(swimmer, positions);
+  } catch (const InputError&) {  // beads of very different radii need too many multipoles
+    return;
+  }
+  if (*prediction.power > 0)
+    prediction.efficiency = drag * prediction.velocity * prediction.velocity / *prediction.power;
+  prediction.settings.emplace_back("towing_drag", drag);
+}
+
 }  // namespace
 
 const std::vector<Method>& methods() {
   using enum Method::Input;
   static const std::vector<Method> table{
-      {"oseen-force-closed", driving, equal_parts_obstacle, predict_oseen_force},
-      {"oseen-stroke-closed", driving_or_stroke, oseen_stroke_obstacle, predict_oseen_stroke},
-      {"oseen-ratio-printed", driving, equal_parts_obstacle, predict_oseen_ratio_printed},
-      {"oseen-ratio-repaired", driving_or_stroke, equal_shape_obstacle, predict_oseen_ratio_repaired},
-      {"rpy-force-printed", driving, rpy_force_printed_obstacle, predict_rpy_force_printed},
-      {"rpy-force-repaired", driving, equal_parts_obstacle, predict_rpy_force_repaired},
-      {"rpy-stroke-printed", driving_or_stroke, equal_shape_obstacle, predict_rpy_stroke_printed},
-      {"rpy-equal-weight", driving_or_stroke, equal_shape_obstacle, predict_rpy_equal_weight},
-      {"multipole-stroke", stroke, measured_stroke_obstacle, predict_multipole_stroke},
-      {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation},
-      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation},
-      {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation},
-      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode},
-      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode},
-      {"multipole-ode", driving, exact_obstacle, predict_multipole_ode},
-      {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation},
-      {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode},
-      {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response},
-      {"unsteady-multipole", driving, unsteady_multipole_obstacle, predict_unsteady_multipole},
-      {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected},
+      {"oseen-force-closed", driving, equal_parts_obstacle, predict_oseen_force, oseen_drag},
+      {"oseen-stroke-closed", driving_or_stroke, oseen_stroke_obstacle, predict_oseen_stroke, oseen_drag},
+      {"oseen-ratio-printed", driving, equal_parts_obstacle, predict_oseen_ratio_printed, oseen_drag},
+      {"oseen-ratio-repaired", driving_or_stroke, equal_shape_obstacle, predict_oseen_ratio_repaired,
+       oseen_drag},
+      {"rpy-force-printed", driving, rpy_force_printed_obstacle, predict_rpy_force_printed,
+       rotne_prager_drag},
+      {"rpy-force-repaired", driving, equal_parts_obstacle, predict_rpy_force_repaired, rotne_prager_drag},
+      {"rpy-stroke-printed", driving_or_stroke, equal_shape_obstacle, predict_rpy_stroke_printed,
+       rotne_prager_drag},
+      {"rpy-equal-weight", driving_or_stroke, equal_shape_obstacle, predict_rpy_equal_weight,
+       rotne_prager_drag},
+      {"multipole-stroke", stroke, measured_stroke_obstacle, predict_multipole_stroke, exact_drag},
+      {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation, oseen_drag},
+      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation, rotne_prager_drag},
+      {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation, exact_drag},
+      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode, oseen_drag},
+      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rotne_prager_drag},
+      {"multipole-ode", driving, exact_obstacle, predict_multipole_ode, exact_drag},
+      {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, rotne_prager_drag},
+      {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, rotne_prager_drag},
+      {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response, rotne_prager_drag},
+      {"unsteady-multipole", driving, unsteady_multipole_obstacle, predict_unsteady_multipole, exact_drag},
+      {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected, exact_drag},
   };
   return table;
 }
@@ -63,15 +106,17 @@ Prediction predict(const Method& method, const Question& question) {
     throw InputError(method.name, "this method cannot treat this swimmer: " + *obstacle);
   }
   Prediction prediction = method.predict(question);
-  const double offset = question.swimmer.phase_offset;
-  if (!(question.measured_stroke && method.uses_stroke()) && offset != 0) {
-    for (double& phase : prediction.stroke.phase)
-      phase = std::remainder(phase + offset, 2 * std::numbers::pi);
-  }
   if (!is_finite(prediction)) {
     throw InputError(name_of(Setting::method) + " " + method.name,
                      "this method cannot treat this swimmer: the result is non-finite, because of a pole of "
                      "the formula or of values beyond the range of a double; use another method");
+  }
+  const double offset = question.swimmer.phase_offset;
+  const bool is_measured = question.measured_stroke && method.uses_stroke();
+  if (!is_measured) add_power(method, question.swimmer, prediction);
+  if (!is_measured && offset != 0) {
+    for (double& phase : prediction.stroke.phase)
+      phase = std::remainder(phase + offset, 2 * std::numbers::pi);
   }
   prediction.method = method.name;
   return prediction;

@@ -30,6 +30,7 @@ TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
   const std::array<double, 3> speed = bead_speeds(swimmer);
 
   TypeNumbers numbers;
+  numbers.phase = type.driving.phase;
   for (int i = 0; i < 3; ++i) {
     numbers.reynolds = std::max(numbers.reynolds, 2 * type.beads[i].radius * speed[i] / nu);
   }

@@ -34,6 +34,17 @@ Eigen::Vector2cd driving_tensions(const CollinearSwimmer& swimmer) {
   return {-force_1, force_3};
 }
 
+double mean_power(const CollinearSwimmer& swimmer, const Stroke& stroke) {
+  const Eigen::Vector2cd tension = driving_tensions(swimmer);
+  double power = 0;
+  for (int i = 0; i < 2; ++i) {
+    const Complex rate =
+        i_unit * swimmer.angular_frequency() * std::polar(stroke.amplitude[i], stroke.phase[i]);
+    power += (tension[i] * std::conj(rate)).real() / 2;
+  }
+  return power;
+}
+
 LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,
                                   double angular_frequency) {
   const Eigen::Vector3cd force_per_frequency =

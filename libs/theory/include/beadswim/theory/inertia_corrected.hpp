@@ -28,9 +28,9 @@
 //            is the exact one, plus that of pairs in the box, minus that of pairs in open space
 //
 // Finite amplitude: two quasi-static motions in exact Stokes flow are compared, the periodic motion at finite
-// amplitude (velocity V_f) and the motion to second order (velocity V_2, arm amplitudes d_1 and d_2). The
-// term (V_f - V_2) |x_1 x_2|/(d_1 d_2) is added to V. The ratio of the complex arm amplitudes of the two
-// motions multiplies x.
+// amplitude (velocity V_f, complex arm amplitudes y) and the motion to second order (velocity V_2, arm
+// amplitudes z). With s = |x_1 x_2|/|z_1 z_2|, the term s^2 (V_f - V_2) is added to V, and x_i is multiplied
+// by 1 + s (y_i/z_i - 1). Images do not change the mean arm lengths.
 //
 // Page: docs/method/inertia.md.
 

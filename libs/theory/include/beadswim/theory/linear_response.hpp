@@ -51,6 +51,11 @@ Eigen::Matrix2cd arm_impedance(const Eigen::Matrix3cd& mobility);
 /// where Z is `impedance` [mass/time], K the stiffness of springs and dashpots, and g = driving_tensions().
 Eigen::Vector2cd driven_arms(const CollinearSwimmer& swimmer, const Eigen::Matrix2cd& impedance);
 
+/// Returns the mean power of the driving forces, P = 1/2 Re sum_i g_i (i omega x_i)* [mass length^2/time^3],
+/// if the arm lengths vary by `stroke`. It is exact at any amplitude if `stroke` is the part of the motion
+/// with the frequency of the driving, because the driving forces are pure sines.
+double mean_power(const CollinearSwimmer& swimmer, const Stroke& stroke);
+
 /// Returns the displacements of the beads and the forces on them, if the arms oscillate with the complex
 /// amplitudes `arm` [length] at `angular_frequency` [rad/time]. `mobility`: of the beads at rest [time/mass].
 LinearResponse response_to_stroke(const Eigen::Vector2cd& arm, const Eigen::Matrix3cd& mobility,

@@ -19,6 +19,9 @@ struct Method {
   /// Returns the prediction. Requires a question without obstacle. Throws InputError if the calculation
   /// fails.
   Prediction (*predict)(const Question& question);
+  /// Returns the drag coefficient of the swimmer that is towed along its axis in open space, with the steady
+  /// mobility of the method, at the positions of the beads [mass/time].
+  double (*towing_drag)(const CollinearSwimmer& swimmer, const LinePositions& positions);
 
   /// Returns whether the method uses a measured stroke.
   bool uses_stroke() const { return input == Input::stroke || input == Input::driving_or_stroke; }
@@ -31,8 +34,10 @@ const std::vector<Method>& methods();
 /// name and all names.
 const Method& find_method(const std::string& name);
 
-/// Returns the method's prediction. Throws InputError with the reason if the method cannot treat the question
-/// or if its result is not finite.
+/// Returns the method's prediction, with the mean power P of the driving and the Lighthill efficiency D
+/// V^2/P. V is the velocity; the drag coefficient D is that of the swimmer with its mean arm lengths, or rest
+/// lengths if the method does not predict them (towing_drag). Throws InputError with the reason if the method
+/// cannot treat the question or if its result is not finite.
 Prediction predict(const Method& method, const Question& question);
 
 }  // namespace beadswim

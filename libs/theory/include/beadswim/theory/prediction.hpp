@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "beadswim/core/fields.hpp"
 #include "beadswim/theory/stroke.hpp"
 
 namespace beadswim {
@@ -35,6 +36,8 @@ struct Prediction {
   Stroke stroke;
   std::optional<StrokeUncertainty> stroke_uncertainty;  ///< nullopt if unknown
   double sin_phase_shift = 0;                           ///< sin(delta_1 - delta_2)
+  std::optional<double> power;       ///< mean power of the driving forces [mass length^2/time^3]
+  std::optional<double> efficiency;  ///< Lighthill efficiency; predict() sets it and `power` (methods.hpp)
   std::optional<std::array<double, 2>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
@@ -49,6 +52,8 @@ struct Prediction {
     visit("arm_amplitudes", prediction.stroke.amplitude);
     visit("arm_phases", prediction.stroke.phase);
     visit("sin_phase_shift", prediction.sin_phase_shift);
+    visit("power", prediction.power, omitted_if_none);
+    visit("efficiency", prediction.efficiency, omitted_if_none);
     visit("stroke_uncertainty", prediction.stroke_uncertainty);
     visit("arm_means", prediction.arm_means);
     visit("settings", prediction.settings);

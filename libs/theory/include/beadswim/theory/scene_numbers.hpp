@@ -14,6 +14,7 @@ namespace beadswim {
 
 /// Numbers of one swimmer type, evaluated with the driving of the type.
 struct TypeNumbers {
+  double phase = 0;                          ///< driving phase alpha, bead 3 ahead of bead 1 [radian]
   double reynolds = 0;                       ///< largest 2 lambda v / nu of the beads, v: velocity amplitude
   double penetration_depth = 0;              ///< delta = sqrt(2 nu / omega) [length]
   double radius_over_penetration_depth = 0;  ///< lambda / delta with the largest radius lambda
@@ -24,6 +25,7 @@ struct TypeNumbers {
   std::optional<std::array<double, 3>> box_over_length;  ///< box edges / swimmer length
 
   static void visit_fields(auto&& visit, auto& numbers) {
+    visit("phase", numbers.phase);
     visit("reynolds_bead", numbers.reynolds);
     visit("penetration_depth", numbers.penetration_depth);
     visit("radius_over_penetration_depth", numbers.radius_over_penetration_depth);

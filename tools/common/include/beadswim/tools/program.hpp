@@ -58,6 +58,8 @@ CLI::Validator finite();
 CLI::Validator finite_positive();
 CLI::Validator finite_non_negative();
 CLI::Validator number_between(double low, double high);
+CLI::Validator fraction();  ///< above 0 and below 1
+CLI::Validator angle();     ///< a finite number of radians, or of degrees with the ending deg, such as 90deg
 CLI::Validator whole_number(std::int64_t low, std::int64_t high);
 CLI::Validator whole_positive();     ///< from 1 to 10^6
 CLI::Validator product_tolerance();  ///< relative error of mobility products, from 1e-12 to 1e-2
@@ -76,6 +78,7 @@ std::vector<std::string> split_at_commas(const std::string& text);
 /// the text.
 std::vector<double> parse_numbers(const std::string& text);
 std::vector<int> parse_whole_numbers(const std::string& text);
+double parse_angle(const std::string& text);  ///< of the form that angle() accepts [radian]
 
 /// Throws InputError if both paths name the same file, because writing the output would destroy the input.
 void require_other_file(const std::string& input, const std::string& output);
