@@ -48,8 +48,8 @@ beadswim-compare "$out/run.json" "$out/prediction.json" --tolerance "$tolerance"
 if [ "$verdict" -gt 1 ]; then exit "$verdict"; fi
 cat >&2 <<EOF
 
-The method inertia-corrected decides the verdict: exact Stokes flow of three spheres at finite amplitude, corrected for
-the inertia of fluid and beads and for the box. "validity" in prediction.json states what the other methods neglect.
+The method inertia-corrected decides the verdict: exact flow of three spheres with the inertia of fluid and beads,
+corrected for finite amplitude and for the box. "validity" in prediction.json states what the other methods neglect.
 EOF
 
 step "Figure"

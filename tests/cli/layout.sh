@@ -80,7 +80,8 @@ out_has '"phase": -1.5707963267948966'
 err_empty
 beadswim-layout check out >table
 check "check does not state the phase" grep -qE '^  driving phase alpha \[rad\] +-1\.571$' table
-accepts beadswim-layout swimmer --preset paper-single --phase 90
+run beadswim-layout swimmer --preset paper-single --phase 90
+has_status 0
 out_has '"phase": 90'
 err_has '^beadswim-layout: warning: --phase: 90 rad is more than one turn; if the value is in degrees, write --phase=90deg$'
 refuses '--phase: "90 degrees": the value must be a finite number of radians, or of degrees such as 90deg' \

@@ -64,8 +64,8 @@ void SwimmerFlags::add_driving(CLI::App& command) {
       ->check(number_list({1, 2}, finite_non_negative()));
   command
       .add_option("--phase", phase_,
-                  "Phase alpha of the force on bead 3 relative to the force on bead 1, positive if ahead; "
-                  "for degrees write 90deg, for a negative value --phase=-0.5 [rad]")
+                  "Phase alpha by which the force on bead 3 is ahead of that on bead 1, as 1.5 or 90deg; "
+                  "negative: --phase=-0.5 [rad]")
       ->type_name("ALPHA")
       ->check(angle())
       ->default_str("the preset's, else pi/2");
