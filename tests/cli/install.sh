@@ -11,7 +11,7 @@ scene_from() { # PREFIX
       --amplitude 0.02 >layout.json
     beadswim-run layout.json -o run.h5md --cells-per-radius 2 --relaxation-time 1.5 --cycles 2 --progress none >run.json
     beadswim-theory layout.json >theory.json
-    beadswim-compare run.json theory.json --tolerance 0.9 >verdict.json
+    beadswim-compare run.json theory.json --quantity arm_amplitudes --tolerance 0.9 >verdict.json
     beadswim-plot stroke run.json theory.json -o stroke.svg'
   has_status 0
   check "the verdict is there" holds '.pass' verdict.json
