@@ -51,6 +51,20 @@ inline CollinearSwimmer mirrored(const CollinearSwimmer& s) {
   return m;
 }
 
+/// Returns the same swimmer in other units: the units are smaller by the factors `length`, `time` and `mass`.
+inline CollinearSwimmer in_units(const CollinearSwimmer& s, double length, double time, double mass) {
+  CollinearSwimmer u = s;
+  for (double& radius : u.radius) radius *= length;
+  for (double& density : u.density) density *= mass / (length * length * length);
+  for (double& arm : u.arm) arm *= length;
+  for (double& stiffness : u.stiffness) stiffness *= mass / (time * time);
+  for (double& damping : u.damping) damping *= mass / time;
+  for (double& amplitude : u.amplitude) amplitude *= mass * length / (time * time);
+  u.period *= time;
+  u.viscosity *= mass / (length * time);
+  return u;
+}
+
 /// Returns a question for a swimmer in unbounded fluid of density 1.
 inline Question ask(const CollinearSwimmer& swimmer) {
   return with_exact_reference({.swimmer = swimmer,

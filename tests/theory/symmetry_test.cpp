@@ -12,20 +12,6 @@ namespace {
 
 constexpr double roundoff = 1e-12;  // relative
 
-/// Returns the same swimmer in other units: the units are smaller by the factors `length`, `time` and `mass`.
-CollinearSwimmer in_units(const CollinearSwimmer& s, double length, double time, double mass) {
-  CollinearSwimmer u = s;
-  for (double& radius : u.radius) radius *= length;
-  for (double& density : u.density) density *= mass / (length * length * length);
-  for (double& arm : u.arm) arm *= length;
-  for (double& stiffness : u.stiffness) stiffness *= mass / (time * time);
-  for (double& damping : u.damping) damping *= mass / time;
-  for (double& amplitude : u.amplitude) amplitude *= mass * length / (time * time);
-  u.period *= time;
-  u.viscosity *= mass / (length * time);
-  return u;
-}
-
 class SwimmerSymmetry : public testing::TestWithParam<PairLaw> {};
 
 TEST_P(SwimmerSymmetry, MirroredSwimmerMovesTheOtherWay) {

@@ -17,19 +17,12 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double pi = std::numbers::pi;
 
-/// Response and mean motion at a resolution, in fluid of density `rho`.
-struct Motion {
-  LinearResponse response;
-  MeanMotion mean;
-};
-
-Motion motion_of(const CollinearSwimmer& swimmer, double rho, const MultipoleResolution& resolution) {
-  const UnsteadyMultipoles flow = unsteady_multipoles(swimmer, rho, resolution);
-  const LinearResponse response = linear_response(swimmer, flow.mobility);
-  return {.response = response, .mean = mean_motion(flow, swimmer, response)};
+/// Returns the motion at a resolution, in fluid of density `rho`.
+ExactMotion motion_of(const CollinearSwimmer& swimmer, double rho, const MultipoleResolution& resolution) {
+  return exact_motion(unsteady_multipoles(swimmer, rho, resolution), swimmer);
 }
 
-Motion motion_of(const CollinearSwimmer& swimmer, double rho = 1) {
+ExactMotion motion_of(const CollinearSwimmer& swimmer, double rho = 1) {
   return motion_of(swimmer, rho, sufficient_resolution(swimmer).value());
 }
 
@@ -134,7 +127,7 @@ TEST(UnsteadyMultipole, TendsToExactStokesFlowAsDensityVanishes) {
     const CollinearSwimmer swimmer = with_density(shape, density);
     const SecondOrderMotion exact =
         second_order_motion(swimmer, exact_mobility(swimmer, rest_positions(swimmer)));
-    const Motion motion = motion_of(swimmer, density);
+    const ExactMotion motion = motion_of(swimmer, density);
     EXPECT_NEAR(motion.mean.velocity() / exact.velocity, 1, tolerance);
     for (int arm = 0; arm < 2; ++arm) {
       EXPECT_NEAR(motion.mean.arm_changes[arm] / exact.arm_changes[arm], 1, tolerance);
@@ -172,16 +165,8 @@ TEST(UnsteadyMultipole, ObeysSymmetries) {
   EXPECT_NEAR(motion_of(mirrored(swimmer)).mean.velocity() / velocity, -1, roundoff);
 
   constexpr double length = 3, mass = 7, time = 0.2;
-  CollinearSwimmer other = swimmer;
-  for (double& a : other.radius) a *= length;
-  for (double& l : other.arm) l *= length;
-  for (double& k : other.stiffness) k *= mass / (time * time);
-  for (double& c : other.damping) c *= mass / time;
-  for (double& f : other.amplitude) f *= mass * length / (time * time);
-  other.period *= time;
-  other.viscosity *= mass / (length * time);
-  const double rho = mass / std::pow(length, 3);
-  EXPECT_NEAR(motion_of(with_density(other, rho), rho).mean.velocity() / velocity, length / time,
+  const CollinearSwimmer other = in_units(swimmer, length, time, mass);
+  EXPECT_NEAR(motion_of(other, other.density[0]).mean.velocity() / velocity, length / time,
               roundoff * length / time);
 }
 

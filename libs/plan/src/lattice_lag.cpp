@@ -14,11 +14,6 @@ using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 constexpr double frequency_step = 0.02;  // relative change of frequency in the difference quotient
 
-/// Returns the mass of a sphere [mass].
-double mass(double radius, double density) {
-  return 4 * std::numbers::pi / 3 * std::pow(radius, 3) * density;
-}
-
 }  // namespace
 
 // The matrix M is a function of omega rho/eta, divided by eta (omega: frequency, rho: density, eta:
@@ -68,11 +63,12 @@ Eigen::Matrix3cd LatticeLag::with_delayed_links(const Eigen::Matrix3cd& induced,
   const double nu = swimmer.viscosity / scene_.fluid_density;
   const double delay = 1.5 * nu / (timing.sound_speed * timing.sound_speed) + timing.step;
   Eigen::Matrix3cd impedance = induced.inverse();
-  for (int b = 0; b < 3; ++b) impedance(b, b) -= i_omega * mass(swimmer.radius[b], scene_.fluid_density);
+  for (int b = 0; b < 3; ++b)
+    impedance(b, b) -= i_omega * sphere_mass(swimmer.radius[b], scene_.fluid_density);
   impedance *= std::exp(-i_omega * timing.step);
   for (int b = 0; b < 3; ++b) {
     const double friction = 6 * std::numbers::pi * swimmer.viscosity * swimmer.radius[b];
-    impedance(b, b) += i_omega * (mass(swimmer.radius[b], swimmer.density[b]) +
+    impedance(b, b) += i_omega * (sphere_mass(swimmer.radius[b], swimmer.density[b]) +
                                   (timing.corrects_delay ? friction * delay : 0));
   }
   return impedance.inverse();

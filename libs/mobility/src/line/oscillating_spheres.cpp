@@ -120,6 +120,13 @@ Polar polar_of(double x, double s) {
   return {.r = r, .cosine = x / r, .sine = s / r};
 }
 
+/// Returns the matrix whose columns are the unit vectors of r and theta, in components along x and s.
+Eigen::Matrix2d axes_of(const Polar& place) {
+  Eigen::Matrix2d axes;
+  axes << place.cosine, -place.sine, place.sine, place.cosine;
+  return axes;
+}
+
 }  // namespace
 
 OscillatingSpheres::OscillatingSpheres(std::span<const double> radii, std::span<const double> positions,
@@ -160,20 +167,29 @@ OscillatingSpheres::OscillatingSpheres(std::span<const double> radii, std::span<
   }
 }
 
+Eigen::Matrix2Xcd OscillatingSpheres::velocity(double x, double s) const {
+  Eigen::Matrix2Xcd sum = Eigen::Matrix2Xcd::Zero(2, count());
+  for (int j = 0; j < count(); ++j) {
+    const Polar place = polar_of(x - position_[j], s);
+    const Multipoles m = multipoles_of(radius_[j], alpha_, order_, place.r, place.cosine, place.sine);
+    sum += axes_of(place).cast<Complex>() * (m.topRows(2) * own_coefficients(j));
+  }
+  return sum;
+}
+
 FlowAtPoint OscillatingSpheres::at(double x, double s) const {
   FlowAtPoint flow{.velocity = Eigen::Matrix2Xcd::Zero(2, count()), .gradient = {}};
   flow.gradient.setZero(4, count());
   for (int j = 0; j < count(); ++j) {
-    const auto [r, cosine, sine] = polar_of(x - position_[j], s);
-    const Multipoles own = multipoles_of(radius_[j], alpha_, order_, r, cosine, sine) *
-                           coefficients_.middleRows(2 * order_ * j, 2 * order_);
-    Eigen::Matrix2d axes;  // columns: unit vectors of r and theta; rows: x and s
-    axes << cosine, -sine, sine, cosine;
-    flow.velocity += axes.cast<Complex>() * own.topRows(2);
+    const Polar place = polar_of(x - position_[j], s);
+    const Multipoles own =
+        multipoles_of(radius_[j], alpha_, order_, place.r, place.cosine, place.sine) * own_coefficients(j);
+    const Eigen::Matrix2cd axes = axes_of(place).cast<Complex>();
+    flow.velocity += axes * own.topRows(2);
     for (int k = 0; k < count(); ++k) {
       Eigen::Matrix2cd polar;  // row: direction of the derivative; column: component
       polar << own(2, k), own(3, k), own(4, k) - own(1, k), own(5, k) + own(0, k);
-      const Eigen::Matrix2cd gradient = axes.cast<Complex>() * polar * axes.transpose().cast<Complex>() / r;
+      const Eigen::Matrix2cd gradient = axes * polar * axes.transpose() / place.r;
       flow.gradient.col(k) += gradient.transpose().reshaped();
     }
   }

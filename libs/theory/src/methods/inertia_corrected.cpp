@@ -5,6 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
@@ -18,42 +19,33 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// The flow in unbounded fluid, and the same at a coarser resolution, for the numerical error.
+/// The flow in unbounded fluid, and the same at a coarser resolution.
 struct OpenFlow {
   UnsteadyMultipoles fine, coarse;
 };
 
-/// Returns the flow in unbounded fluid. Keeps the last flow, because plans ask for one swimmer in many boxes.
-OpenFlow flow_of(const Question& question) {
+/// Returns the swimmer without springs and driving, of which the flow is independent.
+CollinearSwimmer three_beads(CollinearSwimmer swimmer) {
+  swimmer.stiffness = swimmer.damping = swimmer.amplitude = {};
+  swimmer.phase = swimmer.phase_offset = 0;
+  return swimmer;
+}
+
+const OpenFlow& flow_around(const CollinearSwimmer& beads, double fluid_density) {
   struct Known {
-    CollinearSwimmer swimmer;
+    CollinearSwimmer beads;
     double fluid_density;
     OpenFlow flow;
   };
   thread_local std::optional<Known> last;
-  if (!last || last->swimmer != question.swimmer || last->fluid_density != question.fluid_density) {
-    const MultipoleResolution resolution = sufficient_resolution(question.swimmer).value();
-    const auto at = [&](const MultipoleResolution& r) {
-      return unsteady_multipoles(question.swimmer, question.fluid_density, r);
-    };
-    last = {question.swimmer,
-            question.fluid_density,
-            {.fine = at(resolution), .coarse = at(coarser(resolution))}};
+  if (!last || last->beads != beads || last->fluid_density != fluid_density) {
+    const MultipoleResolution resolution = sufficient_resolution(beads).value();
+    last = {beads,
+            fluid_density,
+            {.fine = unsteady_multipoles(beads, fluid_density, resolution),
+             .coarse = unsteady_multipoles(beads, fluid_density, coarser(resolution))}};
   }
   return last->flow;
-}
-
-/// Motion in unbounded fluid, exact to second order in amplitude.
-struct OpenMotion {
-  LinearResponse response;
-  MeanMotion mean;
-};
-
-/// Returns the exact motion with the arm amplitudes `arm` in unbounded fluid.
-OpenMotion open_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& swimmer,
-                       const Eigen::Vector2cd& arm) {
-  const LinearResponse response = response_to_stroke(arm, flow.mobility, swimmer.angular_frequency());
-  return {.response = response, .mean = mean_motion(flow, swimmer, response)};
 }
 
 /// Motion in the box, to second order in amplitude.
@@ -63,35 +55,28 @@ struct BoxMotion {
   double gross_change = 0;  ///< sum of the magnitudes of the changes of the velocity by stroke and by images
 };
 
-/// Returns the matrix that maps induced forces to bead velocities, for the exact flow in unbounded fluid.
-Eigen::Matrix3cd exact_induced_mobility(const InertialScene& open, const Eigen::Matrix3cd& mobility) {
-  Eigen::Matrix3cd impedance = mobility.inverse();
-  impedance.diagonal() -= Complex(0, open.swimmer.angular_frequency()) * excess_masses(open).cast<Complex>();
-  return impedance.inverse();
-}
-
-BoxMotion box_motion(const Question& question, const UnsteadyMultipoles& flow) {
+BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
   const CollinearSwimmer& swimmer = question.swimmer;
+  const UnsteadyMultipoles& flow = exact.flow;
   const InertialScene open = unbounded_scene(question), boxed = inertial_scene(question);
   const Eigen::Matrix3cd mobility = flow.mobility + unsteady_mobility(boxed) - unsteady_mobility(open);
   const LinearResponse response = linear_response(swimmer, mobility);
   const Eigen::Vector3cd force = induced_forces(open, response);
   const MeanMotion by_beads =
-      mean_motion(flow, swimmer, response.displacement, exact_induced_mobility(open, flow.mobility) * force);
+      mean_motion(flow, swimmer, response.displacement, flow.induced_mobility * force);
   const Eigen::Vector3d by_images = drift_velocities(drift_form(boxed), response.displacement, force) -
                                     drift_velocities(drift_form(open), response.displacement, force);
   const Eigen::Matrix3d steady = question.exact->mobility.value +
                                  rotne_prager_mobility(boxed.flow, swimmer, boxed.positions).value -
                                  rest_mobility(swimmer, rotne_prager).value;
   const double velocity = rigid_force_distribution(steady).dot(by_beads.bead_velocities + by_images);
-  const auto open_velocity = [&](const Eigen::Vector2cd& arm) {
-    return open_motion(flow, swimmer, arm).mean.velocity();
-  };
-  const double unbounded = open_velocity(driven_arms(swimmer, arm_impedance(flow.mobility))),
-               with_stroke = open_velocity(response.arm);
+  const double with_stroke =
+      mean_motion(flow, swimmer, response_to_stroke(response.arm, flow.mobility, swimmer.angular_frequency()))
+          .velocity();
   return {.arm = response.arm,
           .velocity = velocity,
-          .gross_change = std::abs(with_stroke - unbounded) + std::abs(velocity - with_stroke)};
+          .gross_change =
+              std::abs(with_stroke - exact.motion.mean.velocity()) + std::abs(velocity - with_stroke)};
 }
 
 /// Returns |x_1 x_2|/(d_1 d_2): the size of the stroke x = `arm`, relative to that of exact Stokes flow.
@@ -169,9 +154,10 @@ double unknown_share_of_reynolds(const Question& question) {
 }
 
 /// Returns the contributions to the velocity. `open`, `boxed`: motion to second order in open space and in
-/// the box; `finite`: motion at finite amplitude without inertia.
-InertialVelocity velocity_parts(const Question& question, const OpenMotion& open, const BoxMotion& boxed,
-                                const PeriodicMotion& finite) {
+/// the box; `finite`: motion at finite amplitude without inertia; `box_uncertainty`: of the change by the
+/// box, by pairs (relative).
+InertialVelocity velocity_parts(const Question& question, const ExactMotion& open, const BoxMotion& boxed,
+                                const PeriodicMotion& finite, double box_uncertainty) {
   const double kinematic =
       velocity_of_stroke(open.response.arm, question.exact->mobility, question.swimmer.angular_frequency());
   // Share of the gross change by the box that counts where the changes by stroke and by images cancel.
@@ -184,11 +170,10 @@ InertialVelocity velocity_parts(const Question& question, const OpenMotion& open
   v.by_box = boxed.velocity - open.mean.velocity();
   const double size = relative_stroke(question, boxed.arm);
   v.by_amplitude = (finite.velocity - v.quasi_static) * size * size;
-  v.uncertainty =
-      root_of_squares({(box_uncertainty(question).velocity + missing_image_stress(question)) *
-                           std::max(std::abs(v.by_box), uncancelled * boxed.gross_change),
-                       unknown_share_of_reynolds(question) * v.by_reynolds_stress,
-                       amplitude_uncertainty(question, open.response, open.mean, v.by_amplitude)});
+  v.uncertainty = root_of_squares({(box_uncertainty + missing_image_stress(question)) *
+                                       std::max(std::abs(v.by_box), uncancelled * boxed.gross_change),
+                                   unknown_share_of_reynolds(question) * v.by_reynolds_stress,
+                                   amplitude_uncertainty(question, open, v.by_amplitude)});
   return v;
 }
 
@@ -206,8 +191,15 @@ double sin_uncertainty(const Eigen::Vector2cd& y, double relative_error) {
 
 }  // namespace
 
-double amplitude_uncertainty(const Question& question, const LinearResponse& response, const MeanMotion& mean,
-                             double by_amplitude) {
+ExactInertia exact_inertia(const Question& question) {
+  const OpenFlow& flow = flow_around(three_beads(question.swimmer), question.fluid_density);
+  const ExactMotion motion = exact_motion(flow.fine, question.swimmer);
+  const double coarse = exact_motion(flow.coarse, question.swimmer).mean.velocity();
+  return {.flow = flow.fine, .motion = motion, .numerical_error = std::abs(coarse - motion.mean.velocity())};
+}
+
+double amplitude_uncertainty(const Question& question, const ExactMotion& motion, double by_amplitude) {
+  const auto& [response, mean] = motion;
   const CollinearSwimmer& swimmer = question.swimmer;
   const double omega = swimmer.angular_frequency(), nu = swimmer.viscosity / question.fluid_density;
   const double quasi_static = question.exact->motion.velocity;
@@ -223,20 +215,18 @@ double amplitude_uncertainty(const Question& question, const LinearResponse& res
 
 InertiaCorrected inertia_corrected(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const OpenFlow flow = flow_of(question);
-  const OpenMotion open =
-      open_motion(flow.fine, swimmer, driven_arms(swimmer, arm_impedance(flow.fine.mobility)));
+  const ExactInertia exact = exact_inertia(question);
+  const ExactMotion& open = exact.motion;
   const BoxMotion boxed = question.box
-                              ? box_motion(question, flow.fine)
+                              ? box_motion(question, exact)
                               : BoxMotion{.arm = open.response.arm, .velocity = open.mean.velocity()};
   const PeriodicMotion finite = exact_periodic_motion(swimmer);
   const SecondOrderMotion& small = question.exact->motion;
-  const double numerical_error =
-      std::abs(mean_motion(flow.coarse, swimmer, open.response).velocity() - open.mean.velocity());
+  const PairErrors by_pairs = box_uncertainty(question);
 
   InertiaCorrected best;
-  best.velocity = velocity_parts(question, open, boxed, finite);
-  best.velocity.uncertainty += numerical_error;
+  best.velocity = velocity_parts(question, open, boxed, finite, by_pairs.velocity);
+  best.velocity.uncertainty += exact.numerical_error;
   const double size = relative_stroke(question, boxed.arm);
   // Relative uncertainties of the arm amplitudes: the change by the box has the error of pairs, the change by
   // finite amplitude is that without inertia.
@@ -251,7 +241,7 @@ InertiaCorrected inertia_corrected(const Question& question) {
     const double by_box = std::abs(y - open.response.arm[arm]) / std::abs(y),
                  by_inertia = std::min(1.0, std::abs(open.response.arm[arm] - steady) / std::abs(y));
     best.amplitude_uncertainty[arm] =
-        std::hypot(by_box * box_uncertainty(question).mobility,
+        std::hypot(by_box * by_pairs.mobility,
                    by_inertia * (std::abs(growth) + std::norm(y) / std::pow(swimmer.arm[arm], 2)));
   }
   best.sin_uncertainty =

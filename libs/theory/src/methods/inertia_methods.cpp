@@ -72,8 +72,7 @@ std::optional<std::string> unsteady_multipole_obstacle(const Question& question)
   if (sufficient_resolution(question.swimmer)) return std::nullopt;
   return fmt::format(
       "beads nearly touch at rest (separation ratio l/lambda = {:.5g}), and the flow would need more than "
-      "100 "
-      "multipoles per bead; use the less accurate method unsteady-response",
+      "100 multipoles per bead; use the less accurate method unsteady-response",
       separation_ratio(question.swimmer));
 }
 
@@ -84,15 +83,8 @@ std::optional<std::string> inertia_corrected_obstacle(const Question& question) 
 
 Prediction predict_unsteady_multipole(const Question& question) {
   const CollinearSwimmer& swimmer = question.swimmer;
-  const auto motion_at = [&](const MultipoleResolution& resolution) {
-    const UnsteadyMultipoles flow = unsteady_multipoles(swimmer, question.fluid_density, resolution);
-    const LinearResponse response = linear_response(swimmer, flow.mobility);
-    return std::pair(response, mean_motion(flow, swimmer, response));
-  };
-  const MultipoleResolution resolution = *sufficient_resolution(swimmer);
-  const auto [response, motion] = motion_at(resolution);
-  const double numerical_error =
-      std::abs(motion_at(coarser(resolution)).second.velocity() - motion.velocity());
+  const ExactInertia exact = exact_inertia(question);
+  const auto& [response, motion] = exact.motion;
 
   Prediction prediction;
   prediction.velocity = motion.velocity();
@@ -103,20 +95,20 @@ Prediction predict_unsteady_multipole(const Question& question) {
   constexpr double roundoff = 1e-12;
   if (std::abs(motion.velocity()) > roundoff * gross) {
     const double by_amplitude = question.exact->amplitude_change * question.exact->motion.velocity;
-    const double uncertainty = numerical_error + std::abs(by_amplitude) +
-                               amplitude_uncertainty(question, response, motion, by_amplitude);
+    const double uncertainty = exact.numerical_error + std::abs(by_amplitude) +
+                               amplitude_uncertainty(question, exact.motion, by_amplitude);
     prediction.uncertainty = uncertainty / std::abs(motion.velocity());
   }
   prediction.validity =
       "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia (axisymmetric "
-      "multipoles), alone in "
-      "unbounded fluid, with Lagrangian drift and Reynolds stress";
+      "multipoles), "
+      "alone in unbounded fluid, with Lagrangian drift and Reynolds stress";
   add_amplitude_limit(question, prediction);
   mark_unusable_if_beads_touch(question, prediction);
   prediction.settings.emplace_back("mobility", "exact, unsteady");
   prediction.settings.emplace_back("velocity_by_drift", motion.by_drift);
   prediction.settings.emplace_back("velocity_by_reynolds_stress", motion.by_reynolds_stress);
-  prediction.settings.emplace_back("numerical_error", numerical_error);
+  prediction.settings.emplace_back("numerical_error", exact.numerical_error);
   prediction.settings.emplace_back("fluid", "unbounded");
   add_driving_settings(question, prediction);
   return prediction;
@@ -167,8 +159,7 @@ Prediction predict_inertia_corrected(const Question& question) {
   prediction.arm_means = best.arm_means;
   prediction.validity = fmt::format(
       "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia; finite amplitude from "
-      "exact steady "
-      "Stokes flow; {}; compressibility and the lattice's own errors are not in it",
+      "exact steady Stokes flow; {}; compressibility and the lattice's own errors are not in it",
       question.box ? "images in the layout's box as unsteady Faxen pairs" : "no box");
   prediction.settings.emplace_back("mobility",
                                    question.box ? "exact, box by unsteady Faxen pairs" : "exact, unsteady");

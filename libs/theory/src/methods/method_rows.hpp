@@ -52,12 +52,22 @@ Prediction predict_unsteady_response(const Question& question);
 Prediction predict_unsteady_multipole(const Question& question);
 Prediction predict_inertia_corrected(const Question& question);
 
+/// Exact motion with inertia in unbounded fluid, and the flow from which it follows.
+struct ExactInertia {
+  UnsteadyMultipoles flow;
+  ExactMotion motion;
+  double numerical_error = 0;  ///< change of the velocity from a coarser resolution [length/time]
+};
+
+/// Returns the exact motion of the swimmer. Keeps the last flow, because plans and sweeps ask for one flow in
+/// many boxes and with many drivings. Requires that unsteady_multipole_obstacle() returns nullopt.
+ExactInertia exact_inertia(const Question& question);
+
 /// Returns the uncertainty of the velocity of a motion with inertia because the amplitude is finite
 /// [length/time]. The change `by_amplitude` is that of exact Stokes flow; its uncertainty is the share of
 /// inertia in the velocity. The contributions of inertia change with the amplitude by the larger of
 /// (d_i/l_i)^2 and the Reynolds number U^2/(omega nu).
-double amplitude_uncertainty(const Question& question, const LinearResponse& response, const MeanMotion& mean,
-                             double by_amplitude);
+double amplitude_uncertainty(const Question& question, const ExactMotion& motion, double by_amplitude);
 
 /// Returns the gap of neighbouring beads down to which exact_mobility() is used in a periodic motion
 /// [length].

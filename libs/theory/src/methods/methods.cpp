@@ -32,7 +32,7 @@ double oseen_drag(const CollinearSwimmer& swimmer, const LinePositions& position
   return drag_of(pairwise_mobility(oseen, swimmer.radius, positions, swimmer.viscosity).value);
 }
 
-double rotne_prager_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
+double rpy_drag(const CollinearSwimmer& swimmer, const LinePositions& positions) {
   return drag_of(pairwise_mobility(rotne_prager, swimmer.radius, positions, swimmer.viscosity).value);
 }
 
@@ -62,32 +62,30 @@ void add_power(const Method& method, const CollinearSwimmer& swimmer, Prediction
 
 const std::vector<Method>& methods() {
   using enum Method::Input;
+  // clang-format off
   static const std::vector<Method> table{
       {"oseen-force-closed", driving, equal_parts_obstacle, predict_oseen_force, oseen_drag},
       {"oseen-stroke-closed", driving_or_stroke, oseen_stroke_obstacle, predict_oseen_stroke, oseen_drag},
       {"oseen-ratio-printed", driving, equal_parts_obstacle, predict_oseen_ratio_printed, oseen_drag},
-      {"oseen-ratio-repaired", driving_or_stroke, equal_shape_obstacle, predict_oseen_ratio_repaired,
-       oseen_drag},
-      {"rpy-force-printed", driving, rpy_force_printed_obstacle, predict_rpy_force_printed,
-       rotne_prager_drag},
-      {"rpy-force-repaired", driving, equal_parts_obstacle, predict_rpy_force_repaired, rotne_prager_drag},
-      {"rpy-stroke-printed", driving_or_stroke, equal_shape_obstacle, predict_rpy_stroke_printed,
-       rotne_prager_drag},
-      {"rpy-equal-weight", driving_or_stroke, equal_shape_obstacle, predict_rpy_equal_weight,
-       rotne_prager_drag},
+      {"oseen-ratio-repaired", driving_or_stroke, equal_shape_obstacle, predict_oseen_ratio_repaired, oseen_drag},
+      {"rpy-force-printed", driving, rpy_force_printed_obstacle, predict_rpy_force_printed, rpy_drag},
+      {"rpy-force-repaired", driving, equal_parts_obstacle, predict_rpy_force_repaired, rpy_drag},
+      {"rpy-stroke-printed", driving_or_stroke, equal_shape_obstacle, predict_rpy_stroke_printed, rpy_drag},
+      {"rpy-equal-weight", driving_or_stroke, equal_shape_obstacle, predict_rpy_equal_weight, rpy_drag},
       {"multipole-stroke", stroke, measured_stroke_obstacle, predict_multipole_stroke, exact_drag},
       {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation, oseen_drag},
-      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation, rotne_prager_drag},
+      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation, rpy_drag},
       {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation, exact_drag},
       {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode, oseen_drag},
-      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rotne_prager_drag},
+      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rpy_drag},
       {"multipole-ode", driving, exact_obstacle, predict_multipole_ode, exact_drag},
-      {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, rotne_prager_drag},
-      {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, rotne_prager_drag},
-      {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response, rotne_prager_drag},
+      {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, rpy_drag},
+      {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, rpy_drag},
+      {"unsteady-response", driving, inertia_obstacle, predict_unsteady_response, rpy_drag},
       {"unsteady-multipole", driving, unsteady_multipole_obstacle, predict_unsteady_multipole, exact_drag},
       {"inertia-corrected", driving, inertia_corrected_obstacle, predict_inertia_corrected, exact_drag},
   };
+  // clang-format on
   return table;
 }
 

@@ -69,6 +69,10 @@ std::complex<double> inverse_penetration_depth(const CollinearSwimmer& swimmer, 
   return std::sqrt(std::complex<double>(0, swimmer.angular_frequency() * fluid_density / swimmer.viscosity));
 }
 
+double sphere_mass(double radius, double density) {
+  return 4 * std::numbers::pi / 3 * std::pow(radius, 3) * density;
+}
+
 LinePositions rest_positions(const CollinearSwimmer& swimmer) {
   return {-swimmer.arm[0], 0, swimmer.arm[1]};
 }

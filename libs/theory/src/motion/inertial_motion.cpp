@@ -16,6 +16,15 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Complex i_unit{0, 1};
 
+/// Returns the mass of each bead minus the mass of the fluid that it displaces [mass].
+Eigen::Vector3d excess_masses(const InertialScene& scene) {
+  Eigen::Vector3d excess;
+  for (int i = 0; i < 3; ++i) {
+    excess[i] = sphere_mass(scene.swimmer.radius[i], scene.swimmer.density[i] - scene.fluid_density);
+  }
+  return excess;
+}
+
 /// Returns the mean of r^2 over the induced force of a bead, where r is the distance from the centre
 /// [length^2]. This mean replaces a^2 in the steady flow of a bead of radius a. The parts of the force on the
 /// surface, where r^2 = a^2, and in the volume, where the mean of r^2 is 3/5 a^2, have the weights
@@ -25,15 +34,6 @@ Complex steady_size(double radius, Complex kappa) {
 }
 
 }  // namespace
-
-Eigen::Vector3d excess_masses(const InertialScene& scene) {
-  Eigen::Vector3d excess;
-  for (int i = 0; i < 3; ++i) {
-    const double volume = 4 * std::numbers::pi / 3 * std::pow(scene.swimmer.radius[i], 3);
-    excess[i] = (scene.swimmer.density[i] - scene.fluid_density) * volume;
-  }
-  return excess;
-}
 
 InertialScene unbounded_scene(const Question& question) {
   return {.swimmer = question.swimmer,

@@ -19,9 +19,10 @@ std::vector<MatrixXcd> drift_forms(const OscillatingSpheres& unsteady, const Osc
                                    double viscosity, double angular_frequency) {
   const int count = unsteady.count(), nodes = 2 * unsteady.order() + 4;
   std::vector<MatrixXcd> forms(count, MatrixXcd::Zero(count, count));
+  const std::vector<QuadratureNode> rule = gauss_legendre(nodes, -1, 1);
   for (int j = 0; j < count; ++j) {
     const double area = 2 * std::numbers::pi * unsteady.radius(j) * unsteady.radius(j);
-    for (const auto& [cosine, weight] : gauss_legendre(nodes, -1, 1)) {
+    for (const auto& [cosine, weight] : rule) {
       const Eigen::RowVectorXcd shear = unsteady.surface_shear(j, cosine);
       const Eigen::RowVectorXcd traction = viscosity * steady.surface_shear(j, cosine);
       const Complex displacement(0, 1 / angular_frequency);  // xi_j*/U_j* = 1/(i omega)* = i/omega
@@ -44,7 +45,7 @@ std::vector<MatrixXcd> reynolds_forms(const OscillatingSpheres& unsteady, const 
   }
   std::vector<MatrixXcd> forms(count, MatrixXcd::Zero(count, count));
   for (const auto& [x, s, weight] : outside_nodes(radii, positions, depth, nodes)) {
-    const Eigen::Matrix2Xcd u = unsteady.at(x, s).velocity;
+    const Eigen::Matrix2Xcd u = unsteady.velocity(x, s);
     const auto towed = steady.at(x, s).gradient.real().eval();
     for (int k = 0; k < count; ++k) {
       const double shear = (towed(1, k) + towed(2, k)) / 2;

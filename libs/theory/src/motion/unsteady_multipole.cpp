@@ -2,18 +2,13 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/multipole_mobility.hpp"
 
 namespace beadswim {
 
-namespace {
-
 using Complex = std::complex<double>;
-
-}  // namespace
 
 std::optional<MultipoleResolution> sufficient_resolution(const CollinearSwimmer& swimmer) {
   constexpr double tolerance = 1e-10;  // of the steady mobility
@@ -40,12 +35,15 @@ UnsteadyMultipoles unsteady_multipoles(const CollinearSwimmer& swimmer, double f
   const OscillatingSpheres unsteady(swimmer.radius, positions, eta,
                                     inverse_penetration_depth(swimmer, fluid_density), order);
   const OscillatingSpheres steady(swimmer.radius, positions, eta, 0, order);
-  Eigen::Matrix3cd impedance = unsteady.resistance();
+  const Complex i_omega(0, omega);
+  Eigen::Matrix3cd with_beads = unsteady.resistance(), with_fluid = unsteady.resistance();
   for (int i = 0; i < 3; ++i) {
-    const double mass = swimmer.density[i] * 4 * std::numbers::pi / 3 * std::pow(swimmer.radius[i], 3);
-    impedance(i, i) += Complex(0, omega * mass);
+    with_beads(i, i) += i_omega * sphere_mass(swimmer.radius[i], swimmer.density[i]);
+    with_fluid(i, i) += i_omega * sphere_mass(swimmer.radius[i], fluid_density);
   }
-  return {.mobility = impedance.inverse(), .mean_forces = mean_forces(unsteady, steady, eta, omega, nodes)};
+  return {.mobility = with_beads.inverse(),
+          .induced_mobility = with_fluid.inverse(),
+          .mean_forces = mean_forces(unsteady, steady, eta, omega, nodes)};
 }
 
 MeanMotion mean_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& swimmer,
@@ -71,6 +69,11 @@ MeanMotion mean_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& s
                        const LinearResponse& response) {
   return mean_motion(flow, swimmer, response.displacement,
                      Complex(0, swimmer.angular_frequency()) * response.displacement);
+}
+
+ExactMotion exact_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& swimmer) {
+  const LinearResponse response = linear_response(swimmer, flow.mobility);
+  return {.response = response, .mean = mean_motion(flow, swimmer, response)};
 }
 
 }  // namespace beadswim

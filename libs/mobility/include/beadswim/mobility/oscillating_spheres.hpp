@@ -63,6 +63,10 @@ class OscillatingSpheres {
   /// [mass/time]. It is symmetric within the truncation error.
   const Eigen::MatrixXcd& resistance() const { return resistance_; }
 
+  /// Returns the velocity at the point (x, s) outside of the spheres: FlowAtPoint::velocity alone, in half
+  /// the time of at().
+  Eigen::Matrix2Xcd velocity(double x, double s) const;
+
   /// Returns the flow at the point (x, s) outside of the spheres.
   FlowAtPoint at(double x, double s) const;
 
@@ -71,6 +75,10 @@ class OscillatingSpheres {
   Eigen::RowVectorXcd surface_shear(int sphere, double cosine) const;
 
  private:
+  auto own_coefficients(int sphere) const {
+    return coefficients_.middleRows(2 * order_ * sphere, 2 * order_);
+  }
+
   std::vector<double> radius_, position_;
   std::complex<double> alpha_;
   int order_;

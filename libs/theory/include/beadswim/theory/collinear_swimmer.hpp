@@ -44,6 +44,9 @@ CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, do
 /// exp(-alpha x) with the distance x. This alpha is not the driving phase.
 std::complex<double> inverse_penetration_depth(const CollinearSwimmer& swimmer, double fluid_density);
 
+/// Returns the mass of a sphere [mass], from its radius [length] and density [mass/length^3].
+double sphere_mass(double radius, double density);
+
 /// Returns the bead positions at rest, with bead 2 at the origin [length].
 LinePositions rest_positions(const CollinearSwimmer& swimmer);
 

@@ -53,9 +53,6 @@ InertialScene inertial_scene(const Question& question);
 /// Returns the swimmer in open space, whether or not the question has a box.
 InertialScene unbounded_scene(const Question& question);
 
-/// Returns m - m_f of the three beads: mass of the bead minus mass of the fluid that it displaces [mass].
-Eigen::Vector3d excess_masses(const InertialScene& scene);
-
 /// Returns the matrix M of U = M f at the driving frequency: bead velocities U per induced force f of the
 /// beads on the fluid [time/mass].
 Eigen::Matrix3cd induced_mobility(const InertialScene& scene);

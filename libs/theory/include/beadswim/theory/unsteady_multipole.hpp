@@ -33,7 +33,8 @@ struct MultipoleResolution {
 
 /// Flow of a swimmer at rest length to second order in the velocities of its beads.
 struct UnsteadyMultipoles {
-  Eigen::Matrix3cd mobility;  ///< M [time/mass]
+  Eigen::Matrix3cd mobility;          ///< M [time/mass]
+  Eigen::Matrix3cd induced_mobility;  ///< bead velocities per induced force (inertial_motion.hpp) [time/mass]
   MeanForces mean_forces;
 };
 
@@ -46,6 +47,12 @@ struct MeanMotion {
   Eigen::Vector3d bead_velocities = Eigen::Vector3d::Zero();
 
   double velocity() const { return by_drift + by_reynolds_stress; }
+};
+
+/// Motion of the driven swimmer in unbounded fluid, exact to second order in the amplitude.
+struct ExactMotion {
+  LinearResponse response;
+  MeanMotion mean;
 };
 
 /// Returns the resolution at which the relative error of V is about 1e-8 or less for l >= 2.5 lambda; nullopt
@@ -70,5 +77,8 @@ MeanMotion mean_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& s
 /// frequency of `swimmer`.
 MeanMotion mean_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& swimmer,
                        const LinearResponse& response);
+
+/// Returns the motion under the driving of `swimmer`.
+ExactMotion exact_motion(const UnsteadyMultipoles& flow, const CollinearSwimmer& swimmer);
 
 }  // namespace beadswim
