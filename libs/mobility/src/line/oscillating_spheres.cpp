@@ -92,10 +92,10 @@ Multipoles multipoles_of(double radius, Complex alpha, int order, double r, doub
   double power = q;  // q^n
   for (int k = 0; k < order; ++k, power *= q) {
     const int n = k + 1;
-    const double steep = power * q * q;
+    const double steeper = power * q * q;  // q^(n+2)
     // clang-format off
-    const double  first_r     = -(n + 1) * steep;
-    const double  first_theta = steep;
+    const double  first_r     = -(n + 1) * steeper;
+    const double  first_theta = steeper;
     const Complex second_r        = n * (n + 1) * power * v.h[k];
     const Complex second_theta    = power * (2.0 * v.g_below[k] - double(n) * v.h[k]);
     const Complex slope_r         = n * (n + 1) * power * (2.0 * v.g_below[k] - (n + 2.0) * v.h[k]);
@@ -111,6 +111,7 @@ Multipoles multipoles_of(double radius, Complex alpha, int order, double r, doub
   return m;
 }
 
+/// A point in polar coordinates around the centre of a sphere: distance [length], cosine and sine of theta.
 struct Polar {
   double r, cosine, sine;
 };
