@@ -30,7 +30,8 @@
 // Finite amplitude: two quasi-static motions in exact Stokes flow are compared, the periodic motion at finite
 // amplitude (velocity V_f, complex arm amplitudes y) and the motion to second order (velocity V_2, arm
 // amplitudes z). With s = |x_1 x_2|/|z_1 z_2|, the term s^2 (V_f - V_2) is added to V, and x_i is multiplied
-// by 1 + s (y_i/z_i - 1). Images do not change the mean arm lengths.
+// by 1 + s (y_i/z_i - 1). The effect of images on the mean arm
+// lengths is left out.
 //
 // Page: docs/method/inertia.md.
 
