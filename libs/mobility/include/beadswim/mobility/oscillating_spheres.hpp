@@ -63,8 +63,7 @@ class OscillatingSpheres {
   /// [mass/time]. It is symmetric within the truncation error.
   const Eigen::MatrixXcd& resistance() const { return resistance_; }
 
-  /// Returns the velocity at the point (x, s) outside of the spheres: FlowAtPoint::velocity alone, in half
-  /// the time of at().
+  /// Returns the velocity at the point (x, s) outside of the spheres, as FlowAtPoint::velocity.
   Eigen::Matrix2Xcd velocity(double x, double s) const;
 
   /// Returns the flow at the point (x, s) outside of the spheres.
