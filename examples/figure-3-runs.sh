@@ -10,6 +10,7 @@
 set -euo pipefail
 
 box=120,80,80     # periodic box; all numbers are in lattice units
+middle=60,40,40   # of the box, where the recorded runs were made
 amplitude=0.2     # A = B; in by-amplitude-ratio only B
 period=4800       # driving period, except in by-period
 ranks=2
@@ -33,7 +34,7 @@ simulate() { # PERIOD LAYOUT-FLAGS...
   local period=$1 cycles=$((3 + 4000 / $1))
   shift
   echo "T = $period $* (${flags[*]})" >&2
-  beadswim-layout swimmer --preset paper-single --box "$box" --boundary periodic --period "$period" "$@" |
+  beadswim-layout swimmer --preset paper-single --box "$box" --boundary periodic --position $middle --period "$period" "$@" |
     mpirun -n "$ranks" beadswim-run - -o "$out/run.h5md" --cycles "$cycles" --progress none "${flags[@]}" | jq -c .
   rm "$out"/run.h5md{,.xdmf2}
 }

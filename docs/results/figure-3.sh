@@ -27,7 +27,7 @@ simulate() { # FLAGS...   standard input: layout; prints a record as one line
 slow() {
   local cells
   for cells in 2 3 4; do
-    beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic --stiffness 0.00347 --period 48000 \
+    beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic --position 60,40,40 --stiffness 0.00347 --period 48000 \
       --amplitude 0.02 | simulate --cells-per-radius $cells --relaxation-time 3 --cycles 2
   done >slow.part
   mv slow.part slow.jsonl
@@ -36,7 +36,8 @@ slow() {
 in_box() { # BOX BOUNDARY FLAGS...   T = 4800, A = 0.2
   local box=$1 boundary=$2
   shift 2
-  beadswim-layout swimmer --preset paper-single --box "$box" --boundary "$boundary" --amplitude 0.2 |
+  beadswim-layout swimmer --preset paper-single --box "$box" --boundary "$boundary" --amplitude 0.2 \
+    --position "$(jq -nr "[$box] | map(. / 2) | join(\",\")")" |
     simulate --cells-per-radius 2 --precision single "$@"
 }
 walls() {
@@ -54,7 +55,7 @@ cost() {
   cycle() { # SETTING FLAGS...
     local setting=$1 record
     shift
-    record=$(beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic | simulate --cycles 1 "$@")
+    record=$(beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic --position 60,40,40 | simulate --cycles 1 "$@")
     echo "$setting $record"
   }
   {

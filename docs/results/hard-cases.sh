@@ -9,13 +9,15 @@ export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Writes the layout of the paper's swimmer in a small box with T = 2000, A = 0.2, unless FLAGS state other values.
+# Writes the layout of the paper's swimmer in the middle of a small box with T = 2000, A = 0.2, unless FLAGS state other values.
 swimmer() { # FLAGS...
   local usual=()
   [[ " $* " == *" --box "* ]] || usual+=(--box 60,40,40)
   [[ " $* " == *" --period "* ]] || usual+=(--period 2000)
   [[ " $* " == *" --amplitude "* ]] || usual+=(--amplitude 0.2)
-  beadswim-layout swimmer --preset paper-single --boundary periodic "${usual[@]}" "$@" >"$work/layout.json"
+  beadswim-layout swimmer --preset paper-single --boundary periodic "${usual[@]}" "$@" |
+    if [[ " $* " == *" --position "* ]]; then cat; else jq '.swimmers[0].position[1:] = (.domain.lengths[1:] | map(. / 2))'; fi \
+      >"$work/layout.json"
 }
 
 # Runs two cycles of the layout that `swimmer` wrote last, and prints the outcome as a JSON object.

@@ -18,7 +18,7 @@ placed() { # CELL N
 }
 
 swimmer() { # CELLS-PER-RADIUS N
-  beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --period 2000 --amplitude 0.2 |
+  beadswim-layout swimmer --preset paper-single --box 60,40,40 --boundary periodic --position 30,20,20 --period 2000 --amplitude 0.2 |
     placed "$(jq -n "4 / $1")" "$2"
 }
 swarm() { # CELLS-PER-RADIUS N

@@ -7,8 +7,8 @@ mkdir -p "$folder"
 for period in 2000 4800; do
   for amplitude in 0.1 0.2; do
     layout=$folder/swimmer-T$period-A$amplitude.layout.json
-    beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic --period "$period" \
-      --amplitude "$amplitude" >"$layout"
+    beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic --position 60,40,40 \
+      --period "$period" --amplitude "$amplitude" >"$layout"
     measure() { # SCHEME [FLAGS...]
       local name=swimmer-$1-T$period-A$amplitude
       mpirun -n 2 beadswim-run "$layout" -o "$folder/$name.h5md" --bead-boundary "$@" --cycles 6 \

@@ -3,7 +3,7 @@
 # output.
 source "$(dirname "$0")/harness.sh"
 
-beadswim-layout swimmer --preset paper-single --box 72,30,30 --boundary periodic >sound.json || exit 1
+beadswim-layout swimmer --preset paper-single --box 72,30,30 --boundary periodic --position 36,15,15 >sound.json || exit 1
 accepts beadswim-layout check sound.json
 
 # Applies SED-SCRIPT to the valid layout and checks that the result is refused with a message that matches REGEX. sed -z is used,

@@ -33,7 +33,8 @@ TEST(PaperSingle, HasThePapersNumbers) {
 TEST(UnitResolution, GivesCellAndStepOfOne) {
   const Layout layout = paper_single();
   EXPECT_EQ(layout.resolution->cells_per_radius, 4);
-  EXPECT_NEAR((layout.resolution->relaxation_time - 0.5) / 3, layout.fluid.kinematic_viscosity, relative_roundoff);
+  EXPECT_NEAR((layout.resolution->relaxation_time - 0.5) / 3, layout.fluid.kinematic_viscosity,
+              relative_roundoff);
 }
 
 // The force, by the force law itself, of moving bead 3 sideways by a small way is ten times that of moving it
@@ -50,7 +51,7 @@ TEST(StraighteningStiffness, ResistsTenTimesMoreSideways) {
   EXPECT_NEAR(sideways / along, 10, 10 * truncation);
 }
 
-TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddle) {
+TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddleOffLatticePlanes) {
   SwimmerType type = paper_single().types.at("a");
   type.beads[0].radius = 3;
   type.beads[2].radius = 5;
@@ -61,8 +62,36 @@ TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddle) {
   const Vec3 bead_2 = centred_position(type, axis, box);
   const Vec3 tail = bead_2 - (18 + 3) * axis;
   const Vec3 head = bead_2 + (27 + 5) * axis;
-  EXPECT_NEAR(((tail + head) / 2 - Vec3(50, 30, 20)).norm(), 0, relative_roundoff);
+  EXPECT_NEAR(((tail + head) / 2 - Vec3(50, 30, 20) - 3 * Vec3(0.15, 0.05, 0)).norm(), 0, relative_roundoff);
   EXPECT_EQ(centred_position(type, axis, std::nullopt), Vec3::Zero());
+}
+
+// The middle of a box is on a plane of the lattice or halfway between two. A bead is off these planes if its
+// distance from the next plane or half plane is at least a tenth of a cell along one of the axes.
+TEST(ShiftOffLatticePlanes, KeepsBeadsOffPlanesAtAllUsualResolutions) {
+  const SwimmerType type = paper_single().types.at("a");
+  const Box periodic{.lengths = Vec3(60, 40, 40), .boundary = {}};
+  for (const Vec3& axis : {Vec3(1, 0, 0), Vec3(0, -1, 0), Vec3(0.1, 0.2, 0.9)}) {
+    const Vec3 shift = shift_off_lattice_planes(type, axis, periodic);
+    EXPECT_NEAR(shift.norm(), type.beads[0].radius * std::hypot(0.15, 0.05), relative_roundoff);
+    for (const double cells_per_radius : {2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0}) {
+      double furthest = 0;
+      for (int a = 0; a < 3; ++a) {
+        const double half_cells = 2 * shift[a] * cells_per_radius / type.beads[0].radius;
+        furthest = std::max(furthest, std::abs(half_cells - std::round(half_cells)) / 2);
+      }
+      EXPECT_GE(furthest, 0.1) << cells_per_radius;
+    }
+  }
+}
+
+TEST(ShiftOffLatticePlanes, LeavesASwimmerInTheMiddleBetweenWalls) {
+  const Layout layout = paper_single();
+  Box box = layout.domain.value();
+  const SwimmerType& type = layout.types.at("a");
+  EXPECT_EQ(shift_off_lattice_planes(type, Vec3::UnitX(), box), Vec3::Zero());
+  box.boundary[2] = Boundary::periodic;
+  EXPECT_EQ(shift_off_lattice_planes(type, Vec3::UnitX(), box), Vec3(0, 0, 0.05 * 4));
 }
 
 }  // namespace

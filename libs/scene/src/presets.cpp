@@ -7,6 +7,10 @@ namespace beadswim {
 
 namespace {
 
+double smallest_bead_radius(const SwimmerType& type) {
+  return std::ranges::min_element(type.beads, {}, &Bead::radius)->radius;
+}
+
 /// Returns a layout with the parameters that all scenes of the paper share, in lattice units: equal beads and
 /// arms, driving amplitudes A = B, driving phase alpha = pi/2, density 1 of beads and fluid, kinematic
 /// viscosity nu = 1/3. `arm` is the rest length.
@@ -55,16 +59,27 @@ double straightening_stiffness(const SwimmerType& type) {
 }
 
 Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid) {
-  const auto smaller = [](const Bead& a, const Bead& b) { return a.radius < b.radius; };
-  const Bead& smallest = *std::min_element(type.beads.begin(), type.beads.end(), smaller);
-  return {.cells_per_radius = smallest.radius, .relaxation_time = 3 * fluid.kinematic_viscosity + 0.5};
+  return {.cells_per_radius = smallest_bead_radius(type),
+          .relaxation_time = 3 * fluid.kinematic_viscosity + 0.5};
+}
+
+Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const Box& box) {
+  int along = 0;
+  axis.cwiseAbs().maxCoeff(&along);
+  Vec3 shift = Vec3::Zero();
+  shift[(along + 1) % 3] = 0.15;
+  shift[(along + 2) % 3] = 0.05;
+  for (int a = 0; a < 3; ++a) {
+    if (box.boundary[a] != Boundary::periodic) shift[a] = 0;
+  }
+  return smallest_bead_radius(type) * shift;
 }
 
 Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain) {
   if (!domain) return Vec3::Zero();
   const double ahead = type.springs[1].rest_length + type.beads[2].radius;
   const double behind = type.springs[0].rest_length + type.beads[0].radius;
-  return domain->lengths / 2 - (ahead - behind) / 2 * axis;
+  return domain->lengths / 2 - (ahead - behind) / 2 * axis + shift_off_lattice_planes(type, axis, *domain);
 }
 
 }  // namespace beadswim

@@ -37,8 +37,15 @@ double straightening_stiffness(const SwimmerType& type);
 /// from the kinematic viscosity nu = (tau - 1/2)/3.
 Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid);
 
-/// Returns the position of bead 2 [length] for a swimmer in the middle of the box. The middle of the swimmer
-/// is the midpoint between the outer ends of beads 1 and 3. Returns the origin in open space.
+/// Returns the shift [length] of a swimmer in the middle of a box: 0.15 and 0.05 times the smallest radius
+/// along the two coordinate axes across the swimmer, but 0 along axes that are not periodic. Errors by the
+/// positions of beads within cells are largest for beads on planes of the lattice. With this shift, beads are
+/// on none of these planes at 2 to 8 cells per radius (docs/resolution.md).
+Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const Box& box);
+
+/// Returns the position of bead 2 [length] for a swimmer in the middle of the box, with the shift off lattice
+/// planes. The middle of the swimmer is the midpoint between the outer ends of beads 1 and 3. Returns the
+/// origin in open space.
 Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain);
 
 }  // namespace beadswim
