@@ -123,15 +123,15 @@ TEST(InertiaCorrected, IsTheSumOfItsParts) {
   EXPECT_NEAR(p.velocity / sum, 1, roundoff);
 }
 
-// A box changes velocity and stroke almost as pairs alone predict: for long arms, whose pairs are exact, by
-// the same factor; for those of the paper's swimmer by a factor that differs from it by less than the error
-// of pairs.
+// With little inertia, where the Reynolds stress is negligible, a box changes velocity and stroke almost as
+// pairs alone predict: for long arms, whose pairs are exact, by the same factor; for those of the paper's
+// swimmer by a factor that differs from it by less than the error of pairs.
 TEST(InertiaCorrected, TakesTheBoxFromUnsteadyPairs) {
   struct Case {
     double arm, edge, tolerance;  // tolerance: relative to the change by the box
   };
   for (const auto& [arm, edge, tolerance] : {Case{20, 60, 0.12}, Case{80, 140, 0.015}}) {
-    for (const double period : {2000.0, 4800.0}) {
+    for (const double period : {4800.0, 10000.0}) {
       SCOPED_TRACE(testing::Message() << "arm " << arm << ", period " << period);
       CollinearSwimmer swimmer = with_amplitude(paper_swimmer(period * arm * arm / 400), small);
       swimmer.arm = {arm, arm};

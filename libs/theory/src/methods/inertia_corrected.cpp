@@ -9,6 +9,7 @@
 
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/theory/box_mobility.hpp"
+#include "beadswim/theory/box_reynolds_stress.hpp"
 #include "beadswim/theory/inertial_motion.hpp"
 #include "beadswim/theory/unsteady_multipole.hpp"
 #include "method_rows.hpp"
@@ -48,11 +49,49 @@ const OpenFlow& flow_around(const CollinearSwimmer& beads, double fluid_density)
   return last->flow;
 }
 
+/// Returns the shortest distance between the centre of a bead and of an image of a bead in the box [length].
+double nearest_image(const CollinearSwimmer& swimmer, const BoxPlace& place) {
+  const auto& [box, middle] = place;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double before = middle[axis] - (axis == 0 ? swimmer.arm[0] : 0);
+    const double after = box.lengths[axis] - middle[axis] - (axis == 0 ? swimmer.arm[1] : 0);
+    nearest = std::min(nearest, box.has_mirrors(axis) ? 2 * std::min(before, after) : before + after);
+  }
+  return nearest;
+}
+
+/// Change of the swimmer's velocity because images contribute to the Reynolds stress [length/time].
+struct ImageStress {
+  double change = 0, uncertainty = 0;
+};
+
+/// Returns the change for the induced forces `force` and the forces `towing` that tow the swimmer in the box.
+/// Beads and images are pairs; the error of pairs is that of the velocity by the Reynolds stress in open
+/// space, whose exact value is `exact`. In a large box the change is left out. Its uncertainty is then the
+/// length of both arms, divided by the distance of the nearest image, times `exact`.
+ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing,
+                         const Eigen::Vector3cd& force, double exact) {
+  const CollinearSwimmer& swimmer = question.swimmer;
+  const auto in_box = reynolds_velocities_in_box(swimmer, question.fluid_density, *question.box, force);
+  if (!in_box) {
+    const double share = (swimmer.arm[0] + swimmer.arm[1]) / nearest_image(swimmer, *question.box);
+    return {.change = 0, .uncertainty = share * std::abs(exact)};
+  }
+  constexpr double mesh = 0.02;  // relative error of reynolds_velocities_in_box()
+  const double boxed = towing.dot(*in_box);
+  const double open =
+      reynolds_stress_velocity(reynolds_stress_form(swimmer, question.fluid_density, towing).total, force);
+  const double change = boxed - open, by_pairs = exact != 0 ? std::min(1.0, std::abs(open / exact - 1)) : 0;
+  return {.change = change, .uncertainty = by_pairs * std::abs(change) + mesh * std::abs(boxed)};
+}
+
 /// Motion in the box, to second order in amplitude.
 struct BoxMotion {
   Eigen::Vector2cd arm;
   double velocity = 0;      ///< [length/time]
   double gross_change = 0;  ///< sum of the magnitudes of the changes of the velocity by stroke and by images
+  double stress_uncertainty = 0;  ///< of the velocity, by the Reynolds stress of images [length/time]
 };
 
 BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
@@ -69,14 +108,17 @@ BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
   const Eigen::Matrix3d steady = question.exact->mobility.value +
                                  rotne_prager_mobility(boxed.flow, swimmer, boxed.positions).value -
                                  rest_mobility(swimmer, rotne_prager).value;
-  const double velocity = rigid_force_distribution(steady).dot(by_beads.bead_velocities + by_images);
+  const Eigen::Vector3d towing = rigid_force_distribution(steady);
+  const ImageStress stress = image_stress(question, towing, force, by_beads.by_reynolds_stress);
+  const double velocity = towing.dot(by_beads.bead_velocities + by_images) + stress.change;
   const double with_stroke =
       mean_motion(flow, swimmer, response_to_stroke(response.arm, flow.mobility, swimmer.angular_frequency()))
           .velocity();
-  return {.arm = response.arm,
-          .velocity = velocity,
-          .gross_change =
-              std::abs(with_stroke - exact.motion.mean.velocity()) + std::abs(velocity - with_stroke)};
+  return {
+      .arm = response.arm,
+      .velocity = velocity,
+      .gross_change = std::abs(with_stroke - exact.motion.mean.velocity()) + std::abs(velocity - with_stroke),
+      .stress_uncertainty = stress.uncertainty};
 }
 
 /// Returns |x_1 x_2|/(d_1 d_2): the size of the stroke x = `arm`, relative to that of exact Stokes flow.
@@ -109,18 +151,6 @@ PairErrors pair_errors(const Question& question) {
   return {.velocity = std::max(velocity, mobility), .mobility = mobility};
 }
 
-/// Returns the shortest distance between the centre of a bead and of an image of a bead in the box [length].
-double nearest_image(const CollinearSwimmer& swimmer, const BoxPlace& place) {
-  const auto& [box, middle] = place;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    const double before = middle[axis] - (axis == 0 ? swimmer.arm[0] : 0);
-    const double after = box.lengths[axis] - middle[axis] - (axis == 0 ? swimmer.arm[1] : 0);
-    nearest = std::min(nearest, box.has_mirrors(axis) ? 2 * std::min(before, after) : before + after);
-  }
-  return nearest;
-}
-
 /// Returns the relative uncertainties of the changes by the box: the errors of pairs twice, because flow goes
 /// from the beads to the images and back, and more for images that are closer than the beads of an arm.
 PairErrors box_uncertainty(const Question& question) {
@@ -129,28 +159,6 @@ PairErrors box_uncertainty(const Question& question) {
   const double factor = 2 * std::max(1.0, std::pow(arm / nearest_image(question.swimmer, *question.box), 3));
   const PairErrors pairs = pair_errors(question);
   return {.velocity = factor * pairs.velocity, .mobility = factor * pairs.mobility};
-}
-
-/// Returns the relative uncertainty of the change by the box because the Reynolds stress of the images is
-/// left out. It is 1.5 bead radii per penetration depth beside walls. In a periodic box, where images on
-/// opposite sides balance, it is a quarter of this value. At most 1; 0 in open space.
-double missing_image_stress(const Question& question) {
-  if (!question.box) return 0;
-  const CollinearSwimmer& swimmer = question.swimmer;
-  const Box& box = question.box->box;
-  const bool has_walls = box.has_mirrors(0) || box.has_mirrors(1) || box.has_mirrors(2);
-  const double radius = *std::max_element(swimmer.radius.begin(), swimmer.radius.end());
-  const double depth = std::sqrt(2.0) / std::abs(inverse_penetration_depth(swimmer, question.fluid_density));
-  return std::min(1.0, (has_walls ? 1.5 : 1.5 / 4) * radius / depth);
-}
-
-/// Returns the relative uncertainty of the velocity V_R by the Reynolds stress in a box, because V_R is
-/// evaluated without images: length of both arms divided by the distance of the nearest image, at most 1.
-/// Returns 0 in open space.
-double unknown_share_of_reynolds(const Question& question) {
-  if (!question.box) return 0;
-  const CollinearSwimmer& swimmer = question.swimmer;
-  return std::min(1.0, (swimmer.arm[0] + swimmer.arm[1]) / nearest_image(swimmer, *question.box));
 }
 
 /// Returns the contributions to the velocity. `open`, `boxed`: motion to second order in open space and in
@@ -170,10 +178,9 @@ InertialVelocity velocity_parts(const Question& question, const ExactMotion& ope
   v.by_box = boxed.velocity - open.mean.velocity();
   const double size = relative_stroke(question, boxed.arm);
   v.by_amplitude = (finite.velocity - v.quasi_static) * size * size;
-  v.uncertainty = root_of_squares({(box_uncertainty + missing_image_stress(question)) *
-                                       std::max(std::abs(v.by_box), uncancelled * boxed.gross_change),
-                                   unknown_share_of_reynolds(question) * v.by_reynolds_stress,
-                                   amplitude_uncertainty(question, open, v.by_amplitude)});
+  v.uncertainty =
+      root_of_squares({box_uncertainty * std::max(std::abs(v.by_box), uncancelled * boxed.gross_change),
+                       boxed.stress_uncertainty, amplitude_uncertainty(question, open, v.by_amplitude)});
   return v;
 }
 
