@@ -83,6 +83,8 @@ SwarmSwimming swimming_of(const Cycles& cycles) {
     swimming.arm_means[arm] = spread_over(cycles, [=](auto* c) { return c->arm_means[arm]; });
     swimming.arm_phase_order[arm] = phase_order(cycles, arm);
   }
+  if (std::ranges::all_of(cycles, [](auto* cycle) { return cycle->power.has_value(); }))
+    swimming.power = spread_over(cycles, [](auto* cycle) { return *cycle->power; });
   return swimming;
 }
 

@@ -5,6 +5,8 @@
 #include <limits>
 #include <tuple>
 
+#include "beadswim/compare/driving_power.hpp"
+#include "beadswim/compare/swimming.hpp"
 #include "beadswim/core/error.hpp"
 
 namespace beadswim {
@@ -18,6 +20,13 @@ Vec3 interpolate(double part, const Vec3& first, const Vec3& last) {
   return result;
 }
 
+/// Returns the method of theory with the mobility of the model; for the model lbm, which resolves the flow,
+/// the exact mobility.
+const Method& towing_method(RunModel model) {
+  const bool has_pairs = model == RunModel::oseen || model == RunModel::rpy;
+  return find_method(has_pairs ? to_text(model) + "-ode" : "multipole-ode");
+}
+
 }  // namespace
 
 Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
@@ -29,6 +38,8 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       frames_per_cycle_(
           static_cast<int>(std::min<long>(plan.options.settings.frames_per_cycle, steps_per_cycle_))),
       box_(layout.domain),
+      dynamic_viscosity_(layout.fluid.dynamic_viscosity()),
+      towing_method_(towing_method(plan.options.settings.model)),
       trajectory_(trajectory),
       schedules_(plan.periods, frames_per_cycle_) {
   if (!communicator.is_root()) return;
@@ -41,8 +52,8 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
     logs_.push_back({.record = {.id = in_order[s]->id,
                                 .cycles = {},
                                 .period = period == plan.base_period ? std::nullopt : std::optional(period)},
-                     .beads = type.beads,
-                     .period = period,
+                     .type = type,
+                     .initial_axis = in_order[s]->axis,
                      .samples_per_cycle = schedules_.of(plan.swimmers[s].type).per_cycle(),
                      .samples = {}});
   }
@@ -111,9 +122,22 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
   const int index = static_cast<int>(position_sample.number / log.samples_per_cycle);
   std::vector<CycleStatistics>& cycles = log.record.cycles;
   if (logs_.size() > max_swimmers_listed) cycles.clear();
-  cycles.push_back(cycle_statistics(index, log.samples, log.period));
+  cycles.push_back(statistics_of(log, index));
   log.samples.erase(log.samples.begin(),
                     log.samples.end() - 1);  // the last sample also begins the next cycle
+}
+
+CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const {
+  const Driving& driving = log.type.driving;
+  CycleStatistics cycle = cycle_statistics(index, log.samples, driving.period);
+  cycle.power = driving_power(driving, log.initial_axis, log.samples);
+  if (logs_.size() > max_swimmers_listed) return cycle;
+  const auto& [first, second, third] = log.type.beads;
+  const CollinearSwimmer swimmer{.radius = {first.radius, second.radius, third.radius},
+                                 .viscosity = dynamic_viscosity_};
+  if (const auto drag = towing_drag(towing_method_, swimmer, cycle.arm_means))
+    cycle.efficiency = lighthill_efficiency(*drag, velocity_relative_to_fluid(cycle, box_), *cycle.power);
+  return cycle;
 }
 
 void Recorder::record(const Model& model, const ModelTotals& totals) {
@@ -168,8 +192,8 @@ void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3
       member.centre += motion[b].position * units_.length / 3;
       const double speed = motion[b].velocity.norm() * units_.velocity();
       const double spin = motion[b].angular_velocity.norm() / units_.time;
-      member.kinetic_energy +=
-          0.5 * mass(log.beads[b]) * speed * speed + 0.5 * moment_of_inertia(log.beads[b]) * spin * spin;
+      member.kinetic_energy += 0.5 * mass(log.type.beads[b]) * speed * speed +
+                               0.5 * moment_of_inertia(log.type.beads[b]) * spin * spin;
     }
   }
   const int index = static_cast<int>(next_frame_ / frames_per_cycle_);

@@ -6,6 +6,7 @@
 #include "beadswim/core/message.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
+#include "beadswim/theory/methods.hpp"
 #include "models/model.hpp"
 #include "record/sampling_schedule.hpp"
 
@@ -64,8 +65,8 @@ class Recorder {
   /// Data that rank 0 stores for one swimmer.
   struct SwimmerLog {
     SwimmerRecord record;
-    std::array<Bead, 3> beads;  ///< beads in units of the layout
-    double period = 0;          ///< driving period [time]
+    SwimmerType type;  ///< in units of the layout, with the swimmer's own driving
+    Vec3 initial_axis = Vec3::UnitX();
     int samples_per_cycle = 1;
     std::vector<SwimmerSample> samples;  ///< samples of the current cycle
   };
@@ -80,6 +81,9 @@ class Recorder {
   void gather_samples();
   void store_samples(const FlowSample& now);
   void store_sample(SwimmerLog& log, const PositionSample& position_sample, const FlowSample& now);
+  /// Returns the statistics of the cycle whose samples `log` contains. In swarms of more than
+  /// max_swimmers_listed swimmers, the efficiency is left out.
+  CycleStatistics statistics_of(const SwimmerLog& log, int index) const;
   void append_cycles(long step, double time);
   void append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum);
   template <class Message>
@@ -93,6 +97,8 @@ class Recorder {
   long steps_per_cycle_;
   int frames_per_cycle_;
   std::optional<Box> box_;
+  double dynamic_viscosity_;     ///< [mass/(length time)]
+  const Method& towing_method_;  ///< method of theory for the drag of the towed swimmer
   TrajectoryWriter& trajectory_;
   SamplingSchedules schedules_;
   long next_frame_ = 0;

@@ -40,22 +40,14 @@ double exact_drag(const CollinearSwimmer& swimmer, const LinePositions& position
   return drag_of(exact_mobility(swimmer, positions).value);
 }
 
-/// Adds the mean power of the driving, the drag coefficient of the towed swimmer and the Lighthill
-/// efficiency. The last two are omitted if beads with the mean arm lengths touch or nearly touch.
+/// Adds the mean power of the driving and, if the drag coefficient of the towed swimmer is known, this
+/// coefficient and the Lighthill efficiency.
 void add_power(const Method& method, const CollinearSwimmer& swimmer, Prediction& prediction) {
   prediction.power = mean_power(swimmer, prediction.stroke);
-  const std::array<double, 2> arm = prediction.arm_means.value_or(swimmer.arm);
-  const LinePositions positions{-arm[0], 0, arm[1]};
-  if (smallest_gap(swimmer, positions) < min_exact_gap(swimmer)) return;  // no mean shape with this drag
-  double drag = 0;
-  try {
-    drag = method.towing_drag(swimmer, positions);
-  } catch (const InputError&) {  // beads of very different radii need too many multipoles
-    return;
-  }
-  if (*prediction.power > 0)
-    prediction.efficiency = drag * prediction.velocity * prediction.velocity / *prediction.power;
-  prediction.settings.emplace_back("towing_drag", drag);
+  const auto drag = towing_drag(method, swimmer, prediction.arm_means.value_or(swimmer.arm));
+  if (!drag) return;
+  prediction.efficiency = lighthill_efficiency(*drag, prediction.velocity, *prediction.power);
+  prediction.settings.emplace_back("towing_drag", *drag);
 }
 
 }  // namespace
@@ -97,6 +89,21 @@ const Method& find_method(const std::string& name) {
   std::vector<std::string> names;
   for (const Method& row : table) names.push_back(row.name);
   throw InputError(Setting::method, format_unknown_name(name, names));
+}
+
+std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& swimmer,
+                                  const std::array<double, 2>& arm) {
+  const LinePositions positions{-arm[0], 0, arm[1]};
+  if (!(smallest_gap(swimmer, positions) >= min_exact_gap(swimmer))) return std::nullopt;
+  try {
+    return method.towing_drag(swimmer, positions);
+  } catch (const InputError&) {  // beads of very different radii need too many multipoles
+    return std::nullopt;
+  }
+}
+
+std::optional<double> lighthill_efficiency(double drag, double velocity, double power) {
+  return power > 0 ? std::optional(drag * velocity * velocity / power) : std::nullopt;
 }
 
 Prediction predict(const Method& method, const Question& question) {

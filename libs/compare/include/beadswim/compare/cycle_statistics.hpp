@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
 #include "beadswim/core/fields.hpp"
@@ -35,6 +36,8 @@ struct CycleStatistics {
   std::array<double, 2> arm_amplitudes{};  ///< d1, d2 of equation (4.1) of the paper [length]
   std::array<double, 2> arm_phases{};      ///< delta1, delta2 of equation (4.1), in (-pi, pi] [rad]
   std::array<double, 2> arm_means{};       ///< mean arm lengths [length]
+  std::optional<double> power;             ///< mean power of the driving [mass length^2/time^3]
+  std::optional<double> efficiency;  ///< Lighthill efficiency: drag of the towed swimmer x v^2/power [1]
 
   static void visit_fields(auto&& visit, auto& cycle) {
     visit("index", cycle.index, not_a_column);
@@ -45,6 +48,8 @@ struct CycleStatistics {
     visit("arm_amplitudes", cycle.arm_amplitudes);
     visit("arm_phases", cycle.arm_phases);
     visit("arm_means", cycle.arm_means);
+    visit("power", cycle.power, omitted_if_none, not_a_column);
+    visit("efficiency", cycle.efficiency, omitted_if_none, not_a_column);
   }
 };
 
@@ -53,8 +58,8 @@ struct CycleStatistics {
 ///   samples  at least 4, in order of time; the last sample is one period after the first
 ///   period   [time]
 /// Time averages use the trapezoidal rule over all samples. The stroke is fitted without the last sample,
-/// because the first sample has the same phase. Throws InputError if the samples do not satisfy the
-/// conditions.
+/// because the first sample has the same phase. Power and efficiency are left empty. Throws InputError if the
+/// samples do not satisfy the conditions.
 CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, double period);
 
 }  // namespace beadswim

@@ -46,6 +46,7 @@ struct SwarmSwimming {
   Vec3 mean_flow = Vec3::Zero();           ///< mean of CycleStatistics::mean_flow over swimmers [length/time]
   std::array<Spread, 2> arm_amplitudes{};  ///< d1, d2 of equation (4.1) of the paper [length]
   std::array<Spread, 2> arm_means{};       ///< mean arm lengths [length]
+  std::optional<Spread> power;  ///< mean power of the driving [mass length^2/time^3]; empty if not known
   std::array<double, 2> arm_phase_order{};  ///< Kuramoto |<exp(i delta)>| of delta1, delta2; 1: equal phases
 
   static void visit_fields(auto&& visit, auto& swimming) {
@@ -56,6 +57,7 @@ struct SwarmSwimming {
     visit("mean_flow", swimming.mean_flow);
     visit("arm_amplitudes", swimming.arm_amplitudes);
     visit("arm_means", swimming.arm_means);
+    visit("power", swimming.power, omitted_if_none);
     visit("arm_phase_order", swimming.arm_phase_order);
   }
 };

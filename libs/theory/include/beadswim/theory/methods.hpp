@@ -34,6 +34,16 @@ const std::vector<Method>& methods();
 /// name and all names.
 const Method& find_method(const std::string& name);
 
+/// Returns the drag coefficient of the towed swimmer (Method::towing_drag) with these arm lengths [length].
+/// Uses only radii and viscosity of `swimmer`. Returns nullopt if beads touch or nearly touch, or if their
+/// radii differ too much for the method.
+std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& swimmer,
+                                  const std::array<double, 2>& arm);
+
+/// Returns the Lighthill efficiency D v^2/P; nullopt if the power P is not positive. `drag`: D [mass/time];
+/// `velocity`: v [length/time]; `power`: P [mass length^2/time^3].
+std::optional<double> lighthill_efficiency(double drag, double velocity, double power);
+
 /// Returns the method's prediction, with the mean power P of the driving and the Lighthill efficiency D
 /// V^2/P. V is the velocity; the drag coefficient D is that of the swimmer with its mean arm lengths, or rest
 /// lengths if the method does not predict them (towing_drag). Throws InputError with the reason if the method
