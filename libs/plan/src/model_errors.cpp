@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "beadswim/theory/methods.hpp"
 
@@ -54,25 +55,31 @@ double relative(double value, double reference) {
   return reference != 0 ? std::abs(value / reference - 1) : 0;
 }
 
-/// Returns the scatter of the results of runs that differ only in the position of beads within a cell. The
-/// scatter with the given bead boundary is divided by the scatter with the bead boundary mr
-/// (docs/resolution.md).
-double scatter_over_mr(BeadScheme scheme) {
+/// Returns the error by the bead boundary, divided by that of the bead boundary mr (docs/resolution.md).
+double error_over_mr(BeadScheme scheme) {
   return scheme == BeadScheme::mr ? 1 : scheme == BeadScheme::staircase ? 4 : 1.5;
 }
 
-/// Returns the relative error by cells of finite size. The formulas are fits to measurements:
-/// docs/speed-against-error.md for small time steps, and docs/hard-cases.md below 2 cells per radius.
-///
-/// The mobility of a bead on the lattice depends on its position within a cell. An oscillation over several
-/// cells averages this dependence. An oscillation over less than a cell does not, which causes the error
-/// `by_place`. `swing`: the smaller arm amplitude [cell].
-ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme, double swing) {
-  constexpr double shortest = 0.2;  // [cell]; the error is constant for smaller `swing`
+/// Returns the relative error by cells of finite size, averaged over all places of the beads within cells. The
+/// formulas are fits to measurements: docs/speed-against-error.md for small time steps, and docs/hard-cases.md
+/// below 2 cells per radius.
+ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme) {
   const double n2 = cells_per_radius * cells_per_radius, n5 = n2 * n2 * cells_per_radius;
-  const double by_place = 0.114 / std::pow(cells_per_radius, 1.7) / std::pow(std::max(swing, shortest), 2.5);
-  const double arm = 0.03 / n2 + 0.05 / n5, scatter = scatter_over_mr(scheme);
-  return {.velocity = scatter * (0.045 / n2 + by_place), .arm_amplitudes = {scatter * arm, scatter * arm}};
+  const double factor = error_over_mr(scheme), arm = factor * (0.03 / n2 + 0.05 / n5);
+  return {.velocity = factor * 0.045 / n2, .arm_amplitudes = {arm, arm}};
+}
+
+/// Returns two standard deviations of the relative velocity over all places of the beads within cells.
+///
+/// The mobility of a bead on the lattice depends on its place within a cell. An oscillation over several cells
+/// averages this dependence, an oscillation over less than a cell does not. The formula is a fit to runs with
+/// strokes of 0.15 to 5 cells (docs/resolution.md). `swing`: the smaller arm amplitude [cell].
+double velocity_wander(double cells_per_radius, BeadScheme scheme, double swing, double plane_factor) {
+  // The velocity by psm wanders less, and not more on planes of the lattice.
+  const bool is_smooth = scheme == BeadScheme::psm;
+  const double factor = is_smooth ? 0.6 : scheme == BeadScheme::mr ? 1 : scheme == BeadScheme::cli ? 2 : 6;
+  const double by_swing = std::min(1 / swing, std::pow(swing, -2.5));
+  return factor * (is_smooth ? 1 : plane_factor) * 0.1 / (cells_per_radius * cells_per_radius) * by_swing;
 }
 
 /// Returns the relative error that occurs because cells do not resolve gaps between beads. `at_rest`:
@@ -99,6 +106,23 @@ double smallest_gap_in_stroke(const CollinearSwimmer& swimmer, const Prediction&
 }
 
 }  // namespace
+
+double lattice_plane_factor(const Vec3& position, const Vec3& axis) {
+  int along = 0;
+  constexpr double parallel = 1 - 1e-6;
+  if (axis.cwiseAbs().maxCoeff(&along) < parallel) return 1;
+  double closeness = 1;
+  for (const int across : {(along + 1) % 3, (along + 2) % 3})
+    closeness *= std::pow(std::cos(2 * std::numbers::pi * position[across]), 2);
+  return 1 + 4 * closeness;
+}
+
+ErrorEstimate LatticeErrors::total() const {
+  ErrorEstimate sum{.velocity = std::hypot(resolution.velocity, wander.velocity)};
+  for (int arm = 0; arm < 2; ++arm)
+    sum.arm_amplitudes[arm] = std::hypot(resolution.arm_amplitudes[arm], wander.arm_amplitudes[arm]);
+  return sum;
+}
 
 double ErrorEstimate::largest() const {
   return std::max({velocity, arm_amplitudes[0], arm_amplitudes[1]});
@@ -136,26 +160,29 @@ ErrorEstimate mobility_error(const Question& question, const BestPrediction& bes
   return error;
 }
 
-ErrorEstimate lattice_error(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
-                            const ResolvedRun& run) {
+LatticeErrors lattice_errors(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
+                             const ResolvedRun& run) {
   const LagErrors lag = lattice.errors(run.timing);
   const double swing =
       best ? std::min(best->arm_amplitudes[0], best->arm_amplitudes[1]) / run.cell : INFINITY;
-  const ErrorEstimate cells = error_of_cells(run.cells_per_radius, run.scheme, swing);
+  const ErrorEstimate cells = error_of_cells(run.cells_per_radius, run.scheme);
   const ErrorEstimate gaps = error_of_gaps(run.smallest_gap, best ? best->smallest_stroke_gap / run.cell : 0);
   const double cancellation = best ? best->cancellation : 1, compression = run.mach * run.mach;
-  ErrorEstimate error;
+  LatticeErrors errors;
   if (!best || best->is_swimming) {
-    error.velocity = std::hypot(lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression,
-                                min_validated_error);
+    errors.resolution.velocity =
+        std::hypot(lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression,
+                   min_validated_error);
+    errors.wander.velocity =
+        cancellation * velocity_wander(run.cells_per_radius, run.scheme, swing, run.plane_factor);
   }
   for (int arm = 0; arm < 2; ++arm) {
     if (best && best->arm_amplitudes[arm] == 0) continue;  // the arm is at rest
-    error.arm_amplitudes[arm] =
+    errors.resolution.arm_amplitudes[arm] =
         std::hypot(std::abs(lag.arm_amplitudes[arm]) + cells.arm_amplitudes[arm] + gaps.arm_amplitudes[arm],
                    min_validated_error);
   }
-  return error;
+  return errors;
 }
 
 }  // namespace beadswim

@@ -53,6 +53,16 @@ BestPrediction best_prediction(const Question& question);
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              int steps_per_cycle);
 
+/// Expected errors of a run with the model lbm, by cause.
+struct LatticeErrors {
+  ErrorEstimate resolution;  ///< by cells and time steps of finite size
+  /// By the place of the beads within cells: the velocity of a cycle wanders while the swimmer moves through a
+  /// cell. Two standard deviations.
+  ErrorEstimate wander;
+
+  ErrorEstimate total() const;  ///< root of the sum of squares
+};
+
 /// Properties of a run with the model lbm that determine its error.
 struct ResolvedRun {
   double cells_per_radius = 0;  ///< cells per radius of the smallest bead
@@ -60,13 +70,20 @@ struct ResolvedRun {
   double smallest_gap = 0;  ///< smallest gap at rest of beads, images and walls [cell]
   double cell = 0;          ///< edge of a cell [length]
   double mach = 0;          ///< Mach number of the fastest bead
+  double plane_factor = 1;  ///< lattice_plane_factor(), the largest of all swimmers
   LatticeTiming timing;
 };
 
-/// Returns the expected relative error of a run with the model lbm. The error of time steps of finite length
+/// Returns the factor, from 1 to 5, by which the velocity wanders more because the beads of a swimmer are on
+/// planes of the lattice: 1 + 4 cos^2(2 pi y) cos^2(2 pi z), where y and z [cell] are the coordinates across
+/// the swimmer. Returns 1 for a swimmer that is not parallel to an axis of the lattice. `position`: of the
+/// middle bead [cell].
+double lattice_plane_factor(const Vec3& position, const Vec3& axis);
+
+/// Returns the expected relative errors of a run with the model lbm. The error of time steps of finite length
 /// follows from theory (`lag`), and the error of cells of finite size from measurements. If `best` is
 /// nullopt, the estimate assumes that beads touch during the stroke.
-ErrorEstimate lattice_error(const LatticeLag& lag, const std::optional<BestPrediction>& best,
+LatticeErrors lattice_errors(const LatticeLag& lag, const std::optional<BestPrediction>& best,
                             const ResolvedRun& run);
 
 }  // namespace beadswim
