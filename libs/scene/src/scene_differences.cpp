@@ -1,0 +1,180 @@
+#include "beadswim/scene/scene_differences.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace beadswim {
+namespace {
+
+constexpr double tolerance = 1e-9;  // relative; small, since equal values are copies from one layout
+
+bool agree(double a, double b) {
+  return std::abs(a - b) <= tolerance * std::max(std::abs(a), std::abs(b));
+}
+
+bool agree(const PropertyValue& a, const PropertyValue& b) {
+  return std::ranges::equal(a.numbers, b.numbers, [](double x, double y) { return agree(x, y); });
+}
+
+/// Returns "4" for equal numbers, otherwise "4, 5, 4". The digits suffice to read the same numbers back.
+std::string joined(const std::vector<double>& numbers) {
+  if (std::ranges::count(numbers, numbers.front()) == std::ssize(numbers))
+    return fmt::format("{}", numbers.front());
+  return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+PropertyValue fluid_value(const Fluid& fluid) {
+  return {{fluid.density, fluid.kinematic_viscosity},
+          fmt::format("density {}, viscosity {}", fluid.density, fluid.kinematic_viscosity)};
+}
+
+// --- Swimmers that both scenes contain
+
+/// A swimmer of a run and the swimmer with the same id in the reference.
+struct Pair {
+  const Swimmer& run;
+  const Swimmer& reference;
+};
+
+std::vector<Pair> common_swimmers(const Layout& run, const Layout& reference) {
+  std::vector<Pair> pairs;
+  for (const Swimmer& swimmer : run.swimmers) {
+    const auto same = std::ranges::find(reference.swimmers, swimmer.id, &Swimmer::id);
+    if (same != reference.swimmers.end()) pairs.push_back({swimmer, *same});
+  }
+  return pairs;
+}
+
+// --- Placing
+
+bool has_walls(const std::optional<Box>& domain, int axis) {
+  return domain && !domain->is_periodic(axis);
+}
+
+/// Returns the translation that moves the swimmer of the run to the one of the reference, along axes on which
+/// a translation changes nothing.
+Vec3 translation(const Pair& pair, const Layout& run, const Layout& reference) {
+  Vec3 shift = pair.reference.position - pair.run.position;
+  for (int a = 0; a < 3; ++a)
+    if (has_walls(run.domain, a) && has_walls(reference.domain, a)) shift[a] = 0;
+  return shift;
+}
+
+/// Returns the largest absolute value of all coordinates and box lengths [length].
+double largest_coordinate(const Layout& layout) {
+  double largest = layout.domain ? layout.domain->lengths.maxCoeff() : 0;
+  for (const Swimmer& swimmer : layout.swimmers)
+    largest = std::max(largest, swimmer.position.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+std::string vector_text(const Vec3& v) {
+  return fmt::format("({:.10g}, {:.10g}, {:.10g})", v.x(), v.y(), v.z());
+}
+
+std::optional<SceneDifference> placing_difference(const Layout& run, const Layout& reference,
+                                                  const std::vector<Pair>& pairs) {
+  const auto difference = [](const Pair& pair, const char* what, const auto& own, const auto& other) {
+    return SceneDifference{SceneProperty::placing, fmt::format("swimmer {} {} {}", pair.run.id, what, own),
+                           fmt::format("swimmer {} {} {}", pair.run.id, what, other)};
+  };
+  const bool same_domain = agree(domain_value(run.domain), domain_value(reference.domain));
+  const std::optional<Box> box = same_domain ? run.domain : std::nullopt;
+  const double largest_distance =
+      tolerance * std::max(largest_coordinate(run), largest_coordinate(reference));
+  const Vec3 shift = pairs.empty() ? Vec3::Zero() : translation(pairs.front(), run, reference);
+  for (const Pair& pair : pairs) {
+    const Vec3 distance = nearest_separation(pair.run.position + shift, pair.reference.position, box);
+    if (distance.norm() > largest_distance)
+      return difference(pair, "at", vector_text(pair.run.position),
+                        vector_text(pair.run.position + distance));
+    if ((pair.run.axis - pair.reference.axis).norm() > tolerance)
+      return difference(pair, "with axis", vector_text(pair.run.axis), vector_text(pair.reference.axis));
+    const double offset = run.resolved_type(pair.run).driving.phase_offset;
+    const double other = reference.resolved_type(pair.reference).driving.phase_offset;
+    if (!agree(offset, other)) return difference(pair, "with phase offset", offset, other);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+PropertyValue numbers_value(const std::vector<double>& numbers) {
+  return {numbers, joined(numbers)};
+}
+
+PropertyValue domain_value(const std::optional<Box>& domain) {
+  if (!domain) return {{}, "open space"};
+  PropertyValue value{
+      {domain->lengths.begin(), domain->lengths.end()},
+      fmt::format("{} x {} x {}", domain->lengths.x(), domain->lengths.y(), domain->lengths.z())};
+  std::vector<std::string> boundaries;
+  for (const Boundary boundary : domain->boundary) {
+    value.numbers.push_back(static_cast<double>(boundary));
+    boundaries.push_back(to_text(boundary));
+  }
+  value.text += fmt::format(", {}", fmt::join(boundaries, ", "));
+  return value;
+}
+
+PropertyValue swimmers_value(std::vector<int> ids) {
+  std::ranges::sort(ids);
+  std::string text = fmt::format("{} with id {}", ids.size(), ids.front());
+  if (ids.size() > 1) text += fmt::format(" to {}", ids.back());
+  return {{ids.begin(), ids.end()}, text};
+}
+
+SceneProperties common_properties(const Layout& layout) {
+  std::vector<int> ids;
+  for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
+  return {{SceneProperty::fluid, fluid_value(layout.fluid)},
+          {SceneProperty::domain, domain_value(layout.domain)},
+          {SceneProperty::swimmers, swimmers_value(ids)}};
+}
+
+SceneProperties swimmer_properties(const SwimmerType& type) {
+  const auto& [one, two, three] = type.beads;
+  const auto& [first, second] = type.springs;
+  const Driving& driving = type.driving;
+  return {
+      {SceneProperty::period, numbers_value({driving.period})},
+      {SceneProperty::amplitude, numbers_value({driving.amplitude[0], driving.amplitude[1]})},
+      {SceneProperty::phase, numbers_value({driving.phase})},
+      {SceneProperty::frame, {{static_cast<double>(driving.frame)}, to_text(driving.frame)}},
+      {SceneProperty::radius, numbers_value({one.radius, two.radius, three.radius})},
+      {SceneProperty::bead_density, numbers_value({one.density, two.density, three.density})},
+      {SceneProperty::arm, numbers_value({first.rest_length, second.rest_length})},
+      {SceneProperty::stiffness, numbers_value({first.stiffness, second.stiffness})},
+      {SceneProperty::damping, numbers_value({first.damping, second.damping})},
+      {SceneProperty::angular_stiffness, numbers_value({type.angular_stiffness})},
+  };
+}
+
+void add_differences(std::vector<SceneDifference>& differences, const SceneProperties& run,
+                     const SceneProperties& reference, const std::string& prefix) {
+  for (const auto& [property, value] : run) {
+    const auto other = reference.find(property);
+    if (other == reference.end() || agree(value, other->second)) continue;
+    if (std::ranges::find(differences, property, &SceneDifference::property) == differences.end())
+      differences.push_back({property, prefix + value.text, prefix + other->second.text});
+  }
+}
+
+std::vector<SceneDifference> scene_differences(const Layout& run, const Layout& reference) {
+  std::vector<SceneDifference> differences;
+  add_differences(differences, common_properties(run), common_properties(reference));
+  const std::vector<Pair> pairs = common_swimmers(run, reference);
+  for (const Pair& pair : pairs) {
+    add_differences(differences, swimmer_properties(run.resolved_type(pair.run)),
+                    swimmer_properties(reference.resolved_type(pair.reference)),
+                    pairs.size() > 1 ? fmt::format("swimmer {}: ", pair.run.id) : "");
+  }
+  if (const auto difference = placing_difference(run, reference, pairs)) differences.push_back(*difference);
+  std::ranges::sort(differences, {}, &SceneDifference::property);
+  return differences;
+}
+
+}  // namespace beadswim

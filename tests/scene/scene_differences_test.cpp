@@ -1,0 +1,124 @@
+#include "beadswim/scene/scene_differences.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <numbers>
+
+#include "beadswim/scene/presets.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Returns two swimmers in a box of 1200 x 800 x 800 that is periodic along x and y and has walls along z.
+Layout two_swimmers() {
+  Layout layout = paper_single();
+  layout.domain->boundary = {Boundary::periodic, Boundary::periodic, Boundary::no_slip};
+  layout.swimmers.push_back({.id = 3, .type = "a", .position = Vec3(100, 400, 500)});
+  return layout;
+}
+
+std::vector<SceneDifference> after(const std::function<void(Layout&)>& edit) {
+  Layout reference = two_swimmers();
+  edit(reference);
+  return scene_differences(two_swimmers(), reference);
+}
+
+/// Returns the names of the differences that the edit of the reference causes, joined by commas.
+std::string names_after(const std::function<void(Layout&)>& edit) {
+  std::string names;
+  for (const SceneDifference& difference : after(edit))
+    names += (names.empty() ? "" : ",") + to_text(difference.property);
+  return names;
+}
+
+SwimmerType& type(Layout& layout) {
+  return layout.types.at("a");
+}
+
+void move_all(Layout& layout, const Vec3& shift) {
+  for (Swimmer& swimmer : layout.swimmers) swimmer.position += shift;
+}
+
+TEST(SceneDifferences, ACopyHasNone) {
+  EXPECT_EQ(names_after([](Layout&) {}), "");
+}
+
+// Each property alone. Would catch a property that is not compared, or that is taken for another.
+TEST(SceneDifferences, EachPropertyHasItsName) {
+  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.period = 4000; }), "period");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.amplitude[1] = 0.3; }), "amplitude");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.phase = 0; }), "phase");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.frame = DrivingFrame::body; }), "frame");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).beads[2].radius = 5; }), "radius");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).beads[1].density = 2; }), "bead_density");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).springs[1].rest_length = 21; }), "arm");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).springs[0].stiffness = 0.1; }), "stiffness");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).springs[1].damping = 0.1; }), "damping");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).angular_stiffness = 0; }), "angular_stiffness");
+  EXPECT_EQ(names_after([](Layout& l) { l.fluid.density = 1.1; }), "fluid");
+  EXPECT_EQ(names_after([](Layout& l) { l.fluid.kinematic_viscosity = 0.3; }), "fluid");
+  EXPECT_EQ(names_after([](Layout& l) { l.domain->lengths[1] = 900; }), "domain");
+  EXPECT_EQ(names_after([](Layout& l) { l.domain->boundary[0] = Boundary::free_slip; }), "domain");
+  EXPECT_EQ(names_after([](Layout& l) { l.domain.reset(); }), "domain");
+  EXPECT_EQ(names_after([](Layout& l) { l.swimmers.pop_back(); }), "swimmers");
+  EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].id = 2; }), "swimmers");
+  EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].position[0] += 1e-3; }), "placing");
+  EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].axis = Vec3(0.6, 0.8, 0); }), "placing");
+  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.phase_offset = 1; }), "placing");
+}
+
+TEST(SceneDifferences, AreSortedAndStateBothValues) {
+  const auto differences = after([](Layout& layout) {
+    layout.domain.reset();
+    layout.swimmers[1].driving = type(layout).driving;
+    layout.swimmers[1].driving->amplitude = {0.2, 0.3};
+    layout.swimmers[1].driving->phase = std::numbers::pi;
+  });
+  const std::vector<SceneDifference> expected{
+      {SceneProperty::amplitude, "swimmer 3: 0.2", "swimmer 3: 0.2, 0.3"},
+      {SceneProperty::phase, "swimmer 3: 1.5707963267948966", "swimmer 3: 3.141592653589793"},
+      {SceneProperty::domain, "1200 x 800 x 800, periodic, periodic, no-slip", "open space"}};
+  EXPECT_EQ(differences, expected);
+}
+
+TEST(SceneDifferences, StateSwimmersByNumberAndIds) {
+  const std::vector<SceneDifference> expected{{SceneProperty::swimmers, "2 with id 0 to 3", "1 with id 0"}};
+  EXPECT_EQ(after([](Layout& layout) { layout.swimmers.pop_back(); }), expected);
+}
+
+// Would catch positions that are compared without regard to the boundaries.
+TEST(SceneDifferences, ACommonTranslationAlongPeriodicAxesIsNone) {
+  EXPECT_EQ(names_after([](Layout& layout) { move_all(layout, Vec3(123.4, -50.6, 0)); }), "");
+  EXPECT_EQ(names_after([](Layout& layout) { move_all(layout, Vec3(0, 0, 1)); }), "placing");
+}
+
+TEST(SceneDifferences, APositionInAnotherPeriodicImageIsNone) {
+  EXPECT_EQ(names_after([](Layout& layout) { layout.swimmers[1].position[0] += 2400; }), "");
+  EXPECT_EQ(names_after([](Layout& layout) { layout.swimmers[1].position[2] += 800; }), "placing");
+}
+
+TEST(SceneDifferences, ATranslationInOpenSpaceIsNone) {
+  Layout run = two_swimmers();
+  run.domain.reset();
+  Layout reference = run;
+  move_all(reference, Vec3(1, 2, 3));
+  EXPECT_TRUE(scene_differences(run, reference).empty());
+  reference.swimmers[1].position[2] += 1;
+  const std::vector<SceneDifference> expected{
+      {SceneProperty::placing, "swimmer 3 at (100, 400, 500)", "swimmer 3 at (100, 400, 501)"}};
+  EXPECT_EQ(scene_differences(run, reference), expected);
+}
+
+// The names of types and the order of the swimmers do not belong to the scene.
+TEST(SceneDifferences, NamesOfTypesAndOrderDoNotMatter) {
+  EXPECT_EQ(names_after([](Layout& layout) {
+              layout.types["b"] = type(layout);
+              layout.swimmers[0].type = "b";
+              std::swap(layout.swimmers[0], layout.swimmers[1]);
+            }),
+            "");
+}
+
+}  // namespace
+}  // namespace beadswim
