@@ -56,6 +56,8 @@ class Page:
 
     def add_keys(self, path, schema, rows):
         for key, value in schema.get("properties", {}).items():
+            if value is True:
+                continue  # another schema describes this key
             place = f"{path}.{key}" if path else key
             self.add_row(place, value, key in schema.get("required", []), rows)
         others = schema.get("additionalProperties")

@@ -49,6 +49,14 @@ for model in rpy rpy+near; do
   done
 done
 
+# --- records contain the scene of the layout, also without provenance, for up to 64 swimmers
+scene_of_layout() { jq '{fluid, domain, types, swimmers}' "$1"; }
+check "the record has not the layout's scene" cmp -s <(jq .scene one.json) <(scene_of_layout swarm.json)
+beadswim-layout swarm --preset paper-uniform --blocks 1,5,13 --block-swimmers 1,1,1 >many.json
+run small 1 many.json --model oseen --tolerance 0.01 --cycles 0.02 -o many.h5md
+has_status 0
+check "the record of 65 swimmers has a scene" holds '.scene == null and .swimmers == null' out
+
 # --- stopped by time, and gone on, with the bits of an unbroken run
 for model in rpy+near rpy; do
   run small 2 swarm.json --model $model -o whole.h5md --cycles 1.5

@@ -25,6 +25,9 @@ paper >paper.json
 accepts beadswim-theory paper.json
 out_is_valid
 out_has '"schema": "beadswim/prediction/1"'
+check "the prediction has not the layout's scene" cmp -s <(jq .scene out) <(jq '{fluid, domain, types, swimmers}' paper.json)
+beadswim-layout swarm --preset paper-uniform --blocks 1,5,13 --block-swimmers 1,1,1 | beadswim-theory - --method rpy-ode >many.json
+check "the prediction for 65 swimmers has a scene" holds 'has("scene") | not' many.json
 # A^2 times 1.9731e-3 of (4.3) and 1.9035e-3 of Rotne-Prager at A = 0.2
 out_has '"velocity": 7.892[0-9]+e-05'
 out_has '"velocity": 7.614[0-9]+e-05'

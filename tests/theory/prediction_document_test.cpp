@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/scene/presets.hpp"
 
 namespace beadswim {
 namespace {
@@ -37,7 +38,8 @@ PredictionDocument two_predictions() {
           .predictions = {sparse, full},
           .left_out = {{"rpy-ode", "contact"}},
           .warnings = {"large"},
-          .provenance = Json::array()};
+          .provenance = Json::array(),
+          .scene = paper_single()};
 }
 
 // Whatever is written is read back bit by bit, so writing it again gives the same bytes.
@@ -46,6 +48,7 @@ TEST(PredictionDocument, SurvivesWritingAndReading) {
   const PredictionDocument read = predictions_from_json(parse_json(written, "test"), "test");
   EXPECT_EQ(dump_json(predictions_to_json(read)), written);
   EXPECT_EQ(read.swimmer, 7);
+  EXPECT_EQ(read.scene->units.time.si_factor, 1e-3);
   EXPECT_EQ(read.units.time.si_factor, 1e-3);
   EXPECT_FALSE(read.predictions[0].usable);
   EXPECT_FALSE(read.predictions[0].arm_means.has_value());

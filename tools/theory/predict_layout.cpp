@@ -156,6 +156,7 @@ PredictionDocument predict_layout(const LayoutDocument& document, const std::str
   PredictionDocument predicted;
   predicted.units = layout.units;
   predicted.swimmer = swimmer.id;
+  if (layout.swimmers.size() <= max_swimmers_listed) predicted.scene = layout;
   predict_by(request.methods, question, predicted);
   check_stroke_is_used(predicted, question);
   predicted.warnings = warnings(question, request.tolerance);

@@ -92,6 +92,17 @@ Json json_of(const Swimmer& swimmer, const SwimmerType& type) {
   return json;
 }
 
+/// Appends fluid, domain, types and swimmers to a JSON object.
+void add_scene(Json& json, const Layout& layout) {
+  json["fluid"] = layout.fluid;
+  json["domain"] = layout.domain;
+  json["types"] = Json::object();
+  json["swimmers"] = Json::array();
+  for (const auto& [name, type] : layout.types) json["types"][name] = type;
+  for (const Swimmer& swimmer : layout.swimmers)
+    json["swimmers"].push_back(json_of(swimmer, layout.types.at(swimmer.type)));
+}
+
 Layout layout_from(const Json& json) {
   Layout layout;
   layout.units = units_from(json["units"]);
@@ -126,15 +137,25 @@ LayoutDocument read_layout(const std::string& path) {
 
 Json layout_to_json(const LayoutDocument& document) {
   const Layout& layout = document.layout;
-  Json json{{"schema", "beadswim/layout/1"}, {"units", json_of(layout.units)}, {"fluid", layout.fluid},
-            {"domain", layout.domain},       {"types", Json::object()},        {"swimmers", Json::array()}};
-  for (const auto& [name, type] : layout.types) json["types"][name] = type;
-  for (const Swimmer& swimmer : layout.swimmers) {
-    json["swimmers"].push_back(json_of(swimmer, layout.types.at(swimmer.type)));
-  }
+  Json json{{"schema", "beadswim/layout/1"}, {"units", json_of(layout.units)}};
+  add_scene(json, layout);
   if (layout.resolution) json["resolution"] = layout.resolution;
   json["provenance"] = document.provenance;
   return json;
+}
+
+Json scene_to_json(const Layout& layout) {
+  Json json;
+  add_scene(json, layout);
+  return json;
+}
+
+Layout scene_from_json(const Json& scene, const Units& units, const std::string& source) {
+  Json json{{"schema", "beadswim/layout/1"}, {"units", "lattice"}};
+  json.update(scene);
+  Layout layout = layout_from_json(json, "the scene in " + source).layout;
+  layout.units = units;
+  return layout;
 }
 
 }  // namespace beadswim

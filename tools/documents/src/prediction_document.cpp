@@ -1,5 +1,6 @@
 #include "beadswim/documents/prediction_document.hpp"
 
+#include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/schema.hpp"
 #include "units_json.hpp"
 
@@ -26,10 +27,12 @@ struct nlohmann::adl_serializer<std::vector<beadswim::Prediction::Setting>> {
 namespace beadswim {
 
 Json predictions_to_json(const PredictionDocument& document) {
-  return {{"schema", "beadswim/prediction/1"}, {"units", document.units},
-          {"swimmer", document.swimmer},       {"predictions", document.predictions},
-          {"left_out", document.left_out},     {"warnings", document.warnings},
-          {"provenance", document.provenance}};
+  Json json{{"schema", "beadswim/prediction/1"}, {"units", document.units},
+            {"swimmer", document.swimmer},       {"predictions", document.predictions},
+            {"left_out", document.left_out},     {"warnings", document.warnings},
+            {"provenance", document.provenance}};
+  if (document.scene) json["scene"] = scene_to_json(*document.scene);
+  return json;
 }
 
 PredictionDocument predictions_from_json(const Json& json, const std::string& source) {
@@ -41,6 +44,7 @@ PredictionDocument predictions_from_json(const Json& json, const std::string& so
   document.left_out = json.value("left_out", document.left_out);
   document.warnings = json.value("warnings", std::vector<std::string>());
   document.provenance = json.value("provenance", Json::array());
+  if (json.contains("scene")) document.scene = scene_from_json(json["scene"], document.units, source);
   return document;
 }
 

@@ -47,7 +47,10 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   record.units = document.layout.units;
   record.domain = document.layout.domain;
   record.driving = driving_of(document.layout, parts.plan.base_period);
-  if (parts.plan.swimmers.size() <= max_swimmers_listed) record.swimmers = parts.recorder.swimmers();
+  if (parts.plan.swimmers.size() <= max_swimmers_listed) {
+    record.swimmers = parts.recorder.swimmers();
+    record.scene = document.layout;
+  }
   if (!parts.recorder.swarm().empty() || record.swimmers.empty()) record.swarm = parts.recorder.swarm();
   add_conservation(record, parts.model.first_totals(), outcome.last_totals);
   record.cost = RunCost{.wall_seconds = outcome.wall_seconds,

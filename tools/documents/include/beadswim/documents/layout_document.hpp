@@ -24,4 +24,12 @@ LayoutDocument read_layout(const std::string& path);
 /// Returns the layout as JSON (schemas/layout.schema.json).
 Json layout_to_json(const LayoutDocument& document);
 
+/// Returns the scene of a layout as JSON: the member "scene" of run records and predictions. Its keys are the
+/// keys fluid, domain, types and swimmers of a layout document.
+Json scene_to_json(const Layout& layout);
+
+/// Converts the member "scene" of a document, with the checks of layout_from_json(). `units`, `source`: units
+/// and name of the document.
+Layout scene_from_json(const Json& scene, const Units& units, const std::string& source);
+
 }  // namespace beadswim

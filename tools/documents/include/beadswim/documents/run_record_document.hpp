@@ -40,8 +40,9 @@ struct SwimmerRecord {
   }
 };
 
-/// Largest number of swimmers for which a run record contains statistics of each swimmer. The record of a
-/// larger swarm contains only averages over the swarm; the trajectory file always contains all swimmers.
+/// Largest number of swimmers for which a run record contains statistics of each swimmer, and a run record or
+/// a prediction contains the scene. The record of a larger swarm contains only averages over the swarm; the
+/// trajectory file always contains all swimmers.
 constexpr std::size_t max_swimmers_listed = 64;
 
 /// Statistics of the swarm, and momentum of fluid and beads [mass length/time], at the end of a base cycle.
@@ -195,7 +196,7 @@ struct RunCost {
 };
 
 /// The run record. In JSON, a member that is visited with omitted_if_none is absent if it has no value; any
-/// other optional member is then null.
+/// other optional member is then null. The scene is converted by scene_to_json().
 struct RunRecord {
   std::string model;
   RunStatus status = RunStatus::finished;
@@ -214,6 +215,7 @@ struct RunRecord {
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;  ///< nullopt after a fault
   std::optional<Json> provenance;
+  std::optional<Layout> scene;  ///< nullopt for more than max_swimmers_listed swimmers and in older records
 
   static void visit_fields(auto&& visit, auto& record) {
     visit("model", record.model);
