@@ -18,7 +18,7 @@ edited() { jq "$2" "$1"; } # FILE JQ-EDIT
 
 # --- what it says of itself
 accepts beadswim-compare --help
-for flag in reference method quantity tolerance cycle; do out_has "^  --$flag"; done
+for flag in reference method quantity tolerance cycle allow-difference; do out_has "^  --$flag"; done
 accepts beadswim-compare --version
 refuses '--tolerance: "5": the value must be a number above 0 and below 1; 0.05 means 5 %' \
   beadswim-compare run.json prediction.json --tolerance 5
@@ -64,19 +64,64 @@ holds '(.rows[0].run / 7.225e-5 - 1 | fabs) < 1e-12'
 edited run.json '.swimmers[0].cycles[].velocity[0] += 1e-3 | .swimmers[0].cycles[].mean_flow[0] += 1e-3' >carried.json
 judged 0 beadswim-compare carried.json run.json --tolerance 1e-10
 edited carried.json '.domain.boundary[0] = "no-slip"' >walled.json
-judged 1 beadswim-compare walled.json run.json --quantity velocity
+judged 1 beadswim-compare walled.json run.json --quantity velocity --allow-difference domain
 edited run.json '.swimmers += [.swimmers[0] | .id = 1 | .cycles[].velocity[0] *= 2]' >two.json
 judged 0 beadswim-compare two.json prediction.json
 holds '[.rows[].swimmer] | unique == [0]'
 judged 0 beadswim-compare two.json two.json
 holds '[.rows[].swimmer] | unique == [0, 1]'
-refuses 'run.json: the run record contains no swimmer with the id 1; the ids in the record are 0' beadswim-compare run.json two.json
+refuses 'run.json: the run record contains no swimmer with the id 1; the ids in the record are 0$' \
+  beadswim-compare run.json two.json --allow-difference swimmers
 edited run.json 'del(.cost)' >free.json
 judged 0 beadswim-compare free.json prediction.json
 holds '.cost == null'
 judged 0 beadswim-compare run.json free.json prediction.json
 holds '[.rows[].run_file] | unique == ["free.json", "run.json"]'
 err_has '^free.json, swimmer 0:$'
+
+# --- the scenes of run and reference
+cat >scene.json <<'END'
+{"fluid": {"density": 1, "kinematic_viscosity": 0.25},
+ "domain": {"lengths": [120, 80, 80], "boundary": ["periodic", "periodic", "periodic"]},
+ "types": {"a": {"beads": [{"radius": 4, "density": 1}, {"radius": 4, "density": 1}, {"radius": 4, "density": 1}],
+   "springs": [{"stiffness": 0.1, "rest_length": 20, "damping": 0}, {"stiffness": 0.1, "rest_length": 20, "damping": 0}],
+   "angular_stiffness": 100, "driving": {"amplitude": [0.3, 0.3], "phase": 1.5, "period": 4800}}},
+ "swimmers": [{"id": 0, "type": "a", "position": [60, 40, 40], "axis": [1, 0, 0]}]}
+END
+with_scene() { jq --slurpfile scene scene.json '.scene = $scene[0]' "$1"; }
+with_scene run.json >scene-run.json
+with_scene prediction.json >theory.json
+for pair in 'scene-run theory' 'scene-run prediction' 'run theory'; do # with scene, and documents of older versions
+  judged 0 beadswim-compare "${pair% *}.json" "${pair#* }.json"
+  holds '.scene_differences == []'
+done
+edited theory.json '.scene.swimmers[0].position = [100, 1, 2]' >moved.json
+judged 0 beadswim-compare scene-run.json moved.json
+edited theory.json '.scene.domain = null | .scene.types.a.driving.amplitude = [0.2, 0.3]' >other.json
+made_otherwise() { # RUN DIFFERENCES NAMES   the complete message
+  echo "the reference was not made from the layout of the run $1: $2; compare files made from the same layout, or allow differences with --allow-difference $3\$"
+}
+amplitude='amplitude 0.2, 0.3 instead of 0.3'
+domain='domain open space instead of 120 x 80 x 80, periodic, periodic, periodic'
+refuses "^beadswim-compare: other.json: $(made_otherwise scene-run.json "$amplitude; $domain" amplitude,domain)" \
+  beadswim-compare scene-run.json other.json
+refuses "^beadswim-compare: other.json: $(made_otherwise scene-run.json "$amplitude" amplitude,domain)" \
+  beadswim-compare scene-run.json theory.json --reference other.json --allow-difference domain
+judged 0 beadswim-compare scene-run.json other.json --allow-difference amplitude,domain,fluid
+holds '.scene_differences == [{name: "amplitude", run: "0.3", reference: "0.2, 0.3"},
+  {name: "domain", run: "120 x 80 x 80, periodic, periodic, periodic", reference: "open space"}]'
+err_has '^allowed difference: amplitude: run 0.3, reference 0.2, 0.3$'
+err_has '^allowed difference: domain: run 120 x 80 x 80, periodic, periodic, periodic, reference open space$'
+judged 0 beadswim-compare scene-run.json scene-run.json other.json --allow-difference=domain --allow-difference amplitude
+holds '.scene_differences | length == 2'
+judged 1 beadswim-compare --allow-difference amplitude,domain scene-run.json other.json --tolerance 0.03
+refuses "^beadswim-compare: prediction_shorter_period.json: $(made_otherwise run.json 'period 2000 instead of 4800' period)" \
+  beadswim-compare run.json prediction_shorter_period.json
+judged 0 beadswim-compare run.json prediction_shorter_period.json --tolerance 0.99 --allow-difference period
+refuses '^beadswim-compare: --allow-difference: unknown value "amplitud"; did you mean "amplitude"\? Valid values: period, amplitude, .*, swimmers, placing$' \
+  beadswim-compare scene-run.json other.json --allow-difference amplitud
+edited scene-run.json '.scene.swimmers[0].type = "b"' >fault.json
+refuses '^beadswim-compare: the scene in fault.json:/swimmers/0/type: ' beadswim-compare fault.json theory.json
 
 # --- pipes
 same_bytes 'beadswim-compare - prediction.json <run.json | sed "s/standard input/run.json/"' 'beadswim-compare run.json prediction.json'
@@ -94,7 +139,6 @@ refuses 'layout.json:/schema: .*"layout"' beadswim-compare layout.json predictio
 refuses 'layout.json: the document has the schema "beadswim/layout/1"; a run record .* or a prediction' beadswim-compare run.json layout.json
 echo '[]' >list.json
 refuses 'list.json: the document has no key "schema"' beadswim-compare run.json list.json
-refuses 'driving period 2000, but the run run.json has the driving period 4800' beadswim-compare run.json prediction_shorter_period.json
 edited run.json '.units = {length: {name: "um", si_factor: 1e-6}, time: {name: "s", si_factor: 1}, mass: {name: "pg", si_factor: 1e-15}}' >si.json
 judged 0 beadswim-compare si.json si.json
 refuses 'run.json: the reference has other units of length, time or mass than si.json' beadswim-compare si.json run.json

@@ -3,10 +3,12 @@
 #include <limits>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 #include "beadswim/io/schema.hpp"
+#include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/units.hpp"
 
 namespace beadswim {
@@ -59,6 +61,8 @@ RunRecord full_record() {
                                           .friction = 0.4};
   record.state_sha256 = std::string(64, 'a');
   record.provenance = Json::array({{{"program", "beadswim-run"}}});
+  record.scene = paper_single();
+  record.scene->units = record.units;
   return record;
 }
 
@@ -84,6 +88,8 @@ TEST(RunRecord, SurvivesTheWayThroughText) {
   EXPECT_EQ(through_text(record).near_contact->tangential_cut_off, 0.5);
   EXPECT_EQ(through_text(record).resolution->radius_on_lattice, 4.0209);
   EXPECT_EQ(through_text(record).resolution->angular_softening, 0.25);
+  EXPECT_EQ(through_text(record).scene->fluid.kinematic_viscosity, 1.0 / 3);
+  EXPECT_TRUE(same_units(through_text(record).scene->units, record.units));
 }
 
 TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
@@ -104,8 +110,29 @@ TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
             run_record_to_json(record, RecordProvenance::written));
 }
 
+// The scene is the layout document without units, resolution and provenance.
+TEST(RunRecord, SceneHasTheKeysOfALayout) {
+  const Json record = run_record_to_json(full_record(), RecordProvenance::written);
+  Json layout = layout_to_json({.layout = paper_single()});
+  for (const char* key : {"schema", "units", "resolution", "provenance"}) layout.erase(key);
+  EXPECT_EQ(record["scene"], layout);
+}
+
+TEST(RunRecord, AFaultInTheSceneIsFound) {
+  Json document = run_record_to_json(full_record(), RecordProvenance::written);
+  document["scene"]["swimmers"][0]["type"] = "c";
+  try {
+    run_record_from_json(document, "r.json");
+    FAIL() << "the unknown type was accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("the scene in r.json:/swimmers/0/type: ", 0), 0)
+        << error.what();
+  }
+}
+
 TEST(RunRecord, LeavesOutWhatDiffersFromRunToRun) {
   const Json document = run_record_to_json(full_record(), RecordProvenance::left_out);
+  EXPECT_TRUE(document.contains("scene"));
   EXPECT_FALSE(document.contains("cost"));
   EXPECT_FALSE(document.contains("provenance"));
   EXPECT_NO_THROW(run_record_from_json(document, "r.json"));
@@ -125,6 +152,8 @@ TEST(RunRecord, RefusesValuesThatCannotBe) {
   refused("/resolution/relaxation_time", 0.5);
   refused("/near_contact/friction", -1);
   refused("/state_sha256", "abc");
+  refused("/scene/fluid/density", 0);
+  refused("/scene/units", "lattice");
   refused("/unheard_of", 1);
 }
 
@@ -141,10 +170,27 @@ ComparisonRow row_with_error(double relative_error) {
 }
 
 TEST(VerdictDocument, FollowsItsSchema) {
-  const VerdictDocument document{"rpy-ode", {row_with_error(0.01)}, VerdictCost{1, 2, 3}};
+  const VerdictDocument document{
+      "rpy-ode", {row_with_error(0.01)}, VerdictCost{1, 2, 3}, {{SceneProperty::arm, "20", "20, 21"}}};
   const Json json = verdict_to_json(document);
   EXPECT_NO_THROW(validate_json(json, "verdict", "v.json"));
   EXPECT_EQ(json["pass"], true);
+  EXPECT_EQ(verdict_from_json(json, "v.json").scene_differences, document.scene_differences);
+}
+
+// The schema lists the names of all properties.
+TEST(VerdictDocument, EveryPropertyOfTheSceneFollowsTheSchema) {
+  VerdictDocument document{"rpy-ode", {row_with_error(0.01)}, {}};
+  for (const SceneProperty property : all_values<SceneProperty>)
+    document.scene_differences.push_back({property, "1", "2"});
+  EXPECT_NO_THROW(validate_json(verdict_to_json(document), "verdict", "v.json"));
+}
+
+TEST(VerdictDocument, AnOlderVerdictHasNoSceneDifferences) {
+  Json json = verdict_to_json({"rpy-ode", {row_with_error(0.01)}, {}});
+  EXPECT_EQ(json["scene_differences"], Json::array());
+  json.erase("scene_differences");
+  EXPECT_TRUE(verdict_from_json(json, "v.json").scene_differences.empty());
 }
 
 TEST(VerdictDocument, AnInfiniteErrorIsNull) {

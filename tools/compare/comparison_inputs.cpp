@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/nearest_name.hpp"
@@ -74,42 +73,33 @@ Inputs read_inputs(const ComparisonRequest& request) {
 
 // --- Check that the documents describe the same scene
 
-/// Units and driving period, which must agree in all documents that are compared.
-struct Scene {
-  Units units;
-  std::optional<double> period;  ///< [time]
-};
-
-/// Returns the driving period of one swimmer of a run. Returns the base period if the record does not list
-/// this swimmer.
-double period_of(const RunRecord& run, int swimmer) {
-  const auto found = std::ranges::find(run.swimmers, swimmer, &SwimmerRecord::id);
-  return found == run.swimmers.end() ? run.driving.period : found->period.value_or(run.driving.period);
-}
-
-Scene scene_of(const SwimmingDocument& document) {
-  if (const auto* run = std::get_if<RunRecord>(&document)) return {run->units, run->driving.period};
-  const auto& prediction = std::get<PredictionDocument>(document);
-  return {prediction.units, driving_period(prediction)};
-}
-
-void require_same_scene(const RunFile& run, const ReferenceFile& reference) {
-  constexpr double period_tolerance = 1e-9;  // relative; small, since both periods are copies from a layout
-  const Scene scene = scene_of(reference.document);
-  const RunRecord& record = run.record;
-  if (!same_units(record.units, scene.units)) {
+/// Returns the differences between the scenes of run and reference. Throws InputError if the units differ, or
+/// if --allow-difference does not name one of the differences.
+std::vector<SceneDifference> require_same_scene(const RunFile& run, const ReferenceFile& reference,
+                                                const std::vector<SceneProperty>& allowed) {
+  if (!same_units(run.record.units, units_of(reference.document))) {
     throw InputError(reference.source, fmt::format("the reference has other units of length, time or mass "
                                                    "than {}; compare files made from the same layout",
                                                    run.source));
   }
-  const auto* prediction = std::get_if<PredictionDocument>(&reference.document);
-  const double own = prediction != nullptr ? period_of(record, prediction->swimmer) : record.driving.period;
-  const double period = scene.period.value_or(own);
-  if (std::abs(period - own) > period_tolerance * own) {
-    throw InputError(reference.source,
-                     fmt::format("the reference has the driving period {}, but the run {} has the driving "
-                                 "period {}; compare files made from the same layout",
-                                 period, run.source, own));
+  const std::vector<SceneDifference> differences = scene_differences(run.record, reference.document);
+  std::vector<std::string> names, refused;
+  for (const auto& [property, own, other] : differences) {
+    names.push_back(to_text(property));
+    if (std::ranges::find(allowed, property) == allowed.end())
+      refused.push_back(fmt::format("{} {} instead of {}", names.back(), other, own));
+  }
+  if (refused.empty()) return differences;
+  throw InputError(reference.source,
+                   fmt::format("the reference was not made from the layout of the run {}: {}; compare files "
+                               "made from the same layout, or allow differences with --allow-difference {}",
+                               run.source, fmt::join(refused, "; "), fmt::join(names, ",")));
+}
+
+/// Adds differences that `all` does not contain yet.
+void append(std::vector<SceneDifference>& all, const std::vector<SceneDifference>& more) {
+  for (const SceneDifference& difference : more) {
+    if (std::ranges::find(all, difference) == all.end()) all.push_back(difference);
   }
 }
 
@@ -135,14 +125,6 @@ std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, co
                           .swimming = swimming_of(prediction)});
   }
   return references;
-}
-
-/// Returns the ids of the swimmers that a reference document contains.
-std::vector<int> compared_swimmers(const SwimmingDocument& reference) {
-  if (const auto* prediction = std::get_if<PredictionDocument>(&reference)) return {prediction->swimmer};
-  std::vector<int> ids;
-  for (const SwimmerRecord& swimmer : std::get<RunRecord>(reference).swimmers) ids.push_back(swimmer.id);
-  return ids;
 }
 
 /// References for one swimmer from all files. The first `own` references are from REFERENCE, the last file
@@ -220,11 +202,12 @@ VerdictDocument compare_files(const ComparisonRequest& request) {
   VerdictDocument result;
   std::vector<std::optional<RunCost>> costs;
   for (const RunFile& run : inputs.runs) {
-    for (const ReferenceFile& reference : inputs.references) require_same_scene(run, reference);
+    for (const ReferenceFile& reference : inputs.references)
+      append(result.scene_differences, require_same_scene(run, reference, request.allowed_differences));
     costs.push_back(run.record.cost);
   }
   result.cost = total_cost(costs);
-  for (const int id : compared_swimmers(inputs.references.front().document)) {
+  for (const int id : swimmers_of(inputs.references.front().document)) {
     compare_swimmer_in_all_runs(id, request, inputs, result);
   }
   return result;

@@ -6,6 +6,7 @@
 
 #include "beadswim/compare/comparison.hpp"
 #include "beadswim/compare/cycle_choice.hpp"
+#include "beadswim/documents/document_scenes.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/verdict_document.hpp"
 
@@ -21,11 +22,12 @@ struct ComparisonRequest {
   std::vector<ComparedQuantity> quantities;
   double tolerance = 0;  ///< largest accepted |relative error|
   CycleChoice cycle;
+  std::vector<SceneProperty> allowed_differences;  ///< properties in which run and reference may differ
 };
 
 /// Reads all files and compares each run with every reference. If the reference is a prediction, the swimmer
 /// of the prediction is compared. If the reference is a run, all its swimmers are compared. Throws InputError
-/// if a file cannot be read, if the files have different units or driving periods, if a run has failed, or if
+/// if a file cannot be read, if the files have different units or scenes, if a run has failed, or if
 /// no usable method can determine the verdict.
 VerdictDocument compare_files(const ComparisonRequest& request);
 

@@ -49,6 +49,10 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
                   "Driving cycle of each run that is compared: the last, cycle number N (the first is 1), or "
                   "the mean over the last N cycles")
       ->type_name("last|N|mean:N");
+  add_choices(program, "--allow-difference", request.allowed_differences,
+              "Properties in which the scenes of run and reference may differ, such as domain,fluid; the "
+              "verdict lists the differences")
+      ->default_str("none");
   set_footer(program,
              {"beadswim-compare run.json theory.json --method rpy-box-ode >verdict.json",
               "beadswim-compare lbm.json run.json --quantity velocity --tolerance 0.5"},

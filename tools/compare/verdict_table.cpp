@@ -56,6 +56,8 @@ std::string verdict_table(const VerdictDocument& document) {
         fmt::format(line, quantity_text(row), fmt::format("{:.5g}", row.run),
                     fmt::format("{:.5g}", row.reference), row.method, error_text(row), verdict_text(row));
   }
+  for (const auto& [property, run, reference] : document.scene_differences)
+    table += fmt::format("allowed difference: {}: run {}, reference {}\n", to_text(property), run, reference);
   const bool pass = verdict(document.rows);
   return table + fmt::format("verdict: {}, decided by {}, tolerance {:g} %\n", pass ? "pass" : "FAIL",
                              document.decided_by, 100 * document.rows.front().tolerance);

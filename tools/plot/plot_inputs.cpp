@@ -25,10 +25,6 @@ struct SourceDocument {
   SwimmingDocument document;
 };
 
-const Units& units_of(const SwimmingDocument& document) {
-  return std::visit([](const auto& alternative) -> const Units& { return alternative.units; }, document);
-}
-
 void require_same_units(const std::vector<SourceDocument>& documents) {
   const SourceDocument& first = documents.front();
   for (const SourceDocument& other : documents) {

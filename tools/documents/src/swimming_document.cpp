@@ -95,6 +95,21 @@ SwimmingDocument read_swimming(const std::string& path) {
   return swimming_from_json(parse_json(read_text(path), source), source);
 }
 
+const Units& units_of(const SwimmingDocument& document) {
+  return std::visit([](const auto& any) -> const Units& { return any.units; }, document);
+}
+
+std::vector<int> swimmers_of(const RunRecord& run) {
+  std::vector<int> ids;
+  for (const SwimmerRecord& swimmer : run.swimmers) ids.push_back(swimmer.id);
+  return ids;
+}
+
+std::vector<int> swimmers_of(const SwimmingDocument& document) {
+  if (const auto* prediction = std::get_if<PredictionDocument>(&document)) return {prediction->swimmer};
+  return swimmers_of(std::get<RunRecord>(document));
+}
+
 ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                            const std::string& source) {
   std::vector<ComparedValues> cycles;
@@ -115,20 +130,9 @@ const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::strin
   const auto found = std::find_if(run.swimmers.begin(), run.swimmers.end(),
                                   [id](const SwimmerRecord& swimmer) { return swimmer.id == id; });
   if (found != run.swimmers.end()) return *found;
-  std::vector<int> ids;
-  for (const SwimmerRecord& swimmer : run.swimmers) ids.push_back(swimmer.id);
   throw InputError(
       source, fmt::format("the run record contains no swimmer with the id {}; the ids in the record are {}",
-                          id, fmt::join(ids, ", ")));
-}
-
-std::optional<double> driving_period(const PredictionDocument& document) {
-  for (const Prediction& prediction : document.predictions) {
-    for (const auto& [name, value] : prediction.settings) {
-      if (name == "period" && std::holds_alternative<double>(value)) return std::get<double>(value);
-    }
-  }
-  return std::nullopt;
+                          id, fmt::join(swimmers_of(run), ", ")));
 }
 
 }  // namespace beadswim

@@ -19,7 +19,8 @@ VerdictDocument verdict_from_json(const Json& json, const std::string& source) {
   validate_json(json, "verdict", source);
   return {.decided_by = json.at("decided_by"),
           .rows = json.at("rows"),
-          .cost = json.at("cost").get<std::optional<VerdictCost>>()};
+          .cost = json.at("cost").get<std::optional<VerdictCost>>(),
+          .scene_differences = json.value("scene_differences", std::vector<SceneDifference>())};
 }
 
 Json verdict_to_json(const VerdictDocument& document) {
@@ -27,6 +28,7 @@ Json verdict_to_json(const VerdictDocument& document) {
           {"pass", verdict(document.rows)},
           {"decided_by", document.decided_by},
           {"rows", document.rows},
+          {"scene_differences", document.scene_differences},
           {"cost", document.cost}};
 }
 

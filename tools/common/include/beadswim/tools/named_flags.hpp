@@ -46,6 +46,7 @@ CLI::Option* add_choices(CLI::App& command, const std::string& flag, std::vector
       };
   return command.add_option_function(flag, take, help)
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->check(one_of(all_names<Enum>()))
       ->default_str(CLI::detail::join(initial, ","))
       ->type_name("NAME,...");

@@ -46,6 +46,13 @@ SwimmingDocument swimming_from_json(const Json& document, const std::string& sou
 /// Reads a run record or a prediction document from a file, or from stdin for "-". Throws InputError.
 SwimmingDocument read_swimming(const std::string& path);
 
+/// Returns the units of a document.
+const Units& units_of(const SwimmingDocument& document);
+
+/// Returns the ids of the swimmers of which a document contains results.
+std::vector<int> swimmers_of(const RunRecord& run);
+std::vector<int> swimmers_of(const SwimmingDocument& document);
+
 /// Returns velocity and stroke of a swimmer of a run, averaged over the chosen cycles. Throws InputError if
 /// the run lacks a chosen cycle.
 ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
@@ -57,9 +64,5 @@ ComparedValues swimming_of(const Prediction& prediction);
 /// Returns the record of the swimmer with this id. Throws InputError if the run has no such swimmer; the
 /// message lists the ids of the run.
 const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source);
-
-/// Returns the driving period that the settings of the predictions state [time]; nullopt if no setting states
-/// the period.
-std::optional<double> driving_period(const PredictionDocument& document);
 
 }  // namespace beadswim

@@ -9,6 +9,7 @@
 #include "beadswim/compare/comparison.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/fields_json.hpp"
+#include "beadswim/scene/scene_differences.hpp"
 
 // Result of a comparison of runs with references (schemas/verdict.schema.json).
 
@@ -27,11 +28,12 @@ struct VerdictCost {
   }
 };
 
-/// Rows of a comparison, and the method that determines the verdict.
+/// Rows of a comparison, the method that determines the verdict, and the allowed differences of the scenes.
 struct VerdictDocument {
   std::string decided_by;  ///< method whose rows determine the verdict
   std::vector<ComparisonRow> rows;
   std::optional<VerdictCost> cost;
+  std::vector<SceneDifference> scene_differences{};
 };
 
 /// Returns the sum of the costs of all runs; nullopt if the cost of a run is not known.
