@@ -85,13 +85,17 @@ TEST(ScenesOfDocuments, AnAmplitudeOfZeroLeavesTheOtherUnknown) {
   EXPECT_EQ(scene_differences(record, prediction), Differences{});
 }
 
+// Swimmers other than the predicted one belong to the scene too.
 TEST(ScenesOfDocuments, TwoScenesAreComparedInFull) {
   RunRecord record = older_record();
   PredictionDocument prediction = older_prediction();
   record.scene = prediction.scene = layout_of_two();
   prediction.scene->fluid.density = 2;
-  const Differences expected{{SceneProperty::fluid, "density 1, viscosity 0.3333333333333333",
-                              "density 2, viscosity 0.3333333333333333"}};
+  prediction.scene->swimmers[0].axis = Vec3::UnitY();
+  const Differences expected{
+      {SceneProperty::fluid, "density 1, viscosity 0.3333333333333333",
+       "density 2, viscosity 0.3333333333333333"},
+      {SceneProperty::placing, "swimmer 0 with axis (1, 0, 0)", "swimmer 0 with axis (0, 1, 0)"}};
   EXPECT_EQ(scene_differences(record, prediction), expected);
 }
 
