@@ -164,7 +164,7 @@ TEST(LatticeError, IsThatOfRunsOnRecord) {
                                                   {3, 1.5, 0.0110, 0.0062},
                                                   {3, 2, 0.0163, 0.0093},
                                                   {4, 1.5, 0.0053, 0.0033}}) {
-    const ErrorEstimate error = lattice_error(LatticeLag(driven), best, resolved(cells, time));
+    const ErrorEstimate error = lattice_errors(LatticeLag(driven), best, resolved(cells, time)).total();
     EXPECT_LT(std::abs(std::log(error.velocity / velocity)), std::log(2.0)) << cells << " " << time;
     EXPECT_LT(std::abs(std::log(error.arm_amplitudes[1] / d2)), std::log(1.7)) << cells << " " << time;
   }
@@ -174,9 +174,9 @@ TEST(LatticeError, KnowsGapsThatCellsDoNotResolve) {
   const Question question = only_question(single(Vec3(60, 40, 40)));
   const BestPrediction best = best_prediction(question);
   ResolvedRun run = resolved(4, 1);
-  const double wide = lattice_error(LatticeLag(question), best, run).velocity;
+  const double wide = lattice_errors(LatticeLag(question), best, run).resolution.velocity;
   run.smallest_gap = 0.5;
-  EXPECT_GT(lattice_error(LatticeLag(question), best, run).velocity, wide + 0.2);
+  EXPECT_GT(lattice_errors(LatticeLag(question), best, run).resolution.velocity, wide + 0.2);
 }
 
 TEST(LatticeError, HasNoneAtRest) {
@@ -185,7 +185,7 @@ TEST(LatticeError, HasNoneAtRest) {
   question = with_exact_reference(question);
   const BestPrediction best = best_prediction(question);
   EXPECT_FALSE(best.is_swimming);
-  EXPECT_EQ(lattice_error(LatticeLag(question), best, resolved(2, 1)).largest(), 0);
+  EXPECT_EQ(lattice_errors(LatticeLag(question), best, resolved(2, 1)).total().largest(), 0);
 }
 
 TEST(LatticeError, IsLargeWhereTheVelocityIsASmallDifference) {

@@ -60,9 +60,9 @@ double error_over_mr(BeadScheme scheme) {
   return scheme == BeadScheme::mr ? 1 : scheme == BeadScheme::staircase ? 4 : 1.5;
 }
 
-/// Returns the relative error by cells of finite size, averaged over all places of the beads within cells. The
-/// formulas are fits to measurements: docs/speed-against-error.md for small time steps, and docs/hard-cases.md
-/// below 2 cells per radius.
+/// Returns the relative error by cells of finite size, averaged over all places of the beads within cells.
+/// The formulas are fits to measurements: docs/speed-against-error.md for small time steps, and
+/// docs/hard-cases.md below 2 cells per radius.
 ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme) {
   const double n2 = cells_per_radius * cells_per_radius, n5 = n2 * n2 * cells_per_radius;
   const double factor = error_over_mr(scheme), arm = factor * (0.03 / n2 + 0.05 / n5);
@@ -71,9 +71,9 @@ ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme) {
 
 /// Returns two standard deviations of the relative velocity over all places of the beads within cells.
 ///
-/// The mobility of a bead on the lattice depends on its place within a cell. An oscillation over several cells
-/// averages this dependence, an oscillation over less than a cell does not. The formula is a fit to runs with
-/// strokes of 0.15 to 5 cells (docs/resolution.md). `swing`: the smaller arm amplitude [cell].
+/// The mobility of a bead on the lattice depends on its place within a cell. An oscillation over several
+/// cells averages this dependence, an oscillation over less than a cell does not. The formula is a fit to
+/// runs with strokes of 0.15 to 5 cells (docs/resolution.md). `swing`: the smaller arm amplitude [cell].
 double velocity_wander(double cells_per_radius, BeadScheme scheme, double swing, double plane_factor) {
   // The velocity by psm wanders less, and not more on planes of the lattice.
   const bool is_smooth = scheme == BeadScheme::psm;
@@ -170,9 +170,8 @@ LatticeErrors lattice_errors(const LatticeLag& lattice, const std::optional<Best
   const double cancellation = best ? best->cancellation : 1, compression = run.mach * run.mach;
   LatticeErrors errors;
   if (!best || best->is_swimming) {
-    errors.resolution.velocity =
-        std::hypot(lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression,
-                   min_validated_error);
+    errors.resolution.velocity = std::hypot(
+        lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression, min_validated_error);
     errors.wander.velocity =
         cancellation * velocity_wander(run.cells_per_radius, run.scheme, swing, run.plane_factor);
   }

@@ -92,26 +92,15 @@ double largest_speed(const SceneFacts& facts) {
   return speed;
 }
 
-ErrorEstimate error_of(const SceneOnLattice& on_lattice, const SceneFacts& facts, double mach,
-                       double roundoff) {
-  const LatticeScales& scales = on_lattice.lattice.scales;
-  const ResolvedRun run{.cells_per_radius = on_lattice.resolution.cells_per_radius,
-                        .scheme = on_lattice.scene.bead_boundary,
-                        .smallest_gap = on_lattice.smallest_gap,
-                        .cell = scales.cell,
-                        .mach = mach,
-                        .timing = {.step = scales.step,
-                                   .sound_speed = scales.velocity() / std::numbers::sqrt3,
-                                   .corrects_delay = on_lattice.corrects_delay}};
-  ErrorEstimate error = scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
-    if (!swimmer_facts.lag)
-      throw InputError(
-          "the expected error is unknown, because no method of theory predicts the motion of a swimmer: " +
-          swimmer_facts.obstacle);
-    return lattice_error(*swimmer_facts.lag, swimmer_facts.best, run);
-  });
-  if (std::isfinite(roundoff) && error.velocity > 0) error.velocity += roundoff;
-  return error;
+double largest_plane_factor(const CoupledScene& scene) {
+  double factor = 1;
+  for (const PlacedSwimmer& swimmer : scene.swimmers)
+    factor = std::max(factor, lattice_plane_factor(swimmer.position, swimmer.axis));
+  return factor;
+}
+
+double mach_of(const SceneOnLattice& on_lattice, const SceneFacts& facts) {
+  return largest_speed(facts) * std::numbers::sqrt3 / on_lattice.lattice.scales.velocity();
 }
 
 void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSpeed& speed, long steps,
@@ -138,10 +127,10 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
     const long steps = total_steps(settings.cycles, steps_per_cycle);
-    const double mach = largest_speed(facts) * std::numbers::sqrt3 / on_lattice.lattice.scales.velocity();
+    const double mach = mach_of(on_lattice, facts);
     const double roundoff = velocity_roundoff(on_lattice.scene, steps_per_cycle, steps);
     if (!speed) speed = request.lattice_speed();
-    run.error = error_of(on_lattice, facts, mach, roundoff);
+    run.error = lattice_scene_errors(on_lattice, facts, roundoff).total();
     add_cost(run, on_lattice, *speed, steps, communicator);
     wrong = lattice_obstacle(on_lattice, mach, roundoff);
   });
@@ -150,6 +139,32 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
 }
 
 }  // namespace
+
+LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
+                                   double roundoff) {
+  const LatticeScales& scales = on_lattice.lattice.scales;
+  const ResolvedRun run{.cells_per_radius = on_lattice.resolution.cells_per_radius,
+                        .scheme = on_lattice.scene.bead_boundary,
+                        .smallest_gap = on_lattice.smallest_gap,
+                        .cell = scales.cell,
+                        .mach = mach_of(on_lattice, facts),
+                        .plane_factor = largest_plane_factor(on_lattice.scene),
+                        .timing = {.step = scales.step,
+                                   .sound_speed = scales.velocity() / std::numbers::sqrt3,
+                                   .corrects_delay = on_lattice.corrects_delay}};
+  const auto errors_of = [&](const SwimmerFacts& swimmer_facts) {
+    if (!swimmer_facts.lag)
+      throw InputError(
+          "the expected error is unknown, because no method of theory predicts the motion of a swimmer: " +
+          swimmer_facts.obstacle);
+    return lattice_errors(*swimmer_facts.lag, swimmer_facts.best, run);
+  };
+  LatticeErrors errors{
+      .resolution = scene_error(facts, [&](const auto& swimmer) { return errors_of(swimmer).resolution; }),
+      .wander = scene_error(facts, [&](const auto& swimmer) { return errors_of(swimmer).wander; })};
+  if (std::isfinite(roundoff) && errors.resolution.velocity > 0) errors.resolution.velocity += roundoff;
+  return errors;
+}
 
 std::vector<PlannedRun> lattice_runs(const Layout& layout, const SceneFacts& facts,
                                      const PlanRequest& request, const std::string& source,

@@ -76,17 +76,20 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
     request.require_choices_apply(run.settings);
     const MobilitySettings& settings = run.settings.mobility;
     const OverdampedSetup setup = overdamped_setup(layout, model, settings, source);
-    if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
-    run.error = scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
-      return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model,
-                            settings.steps_per_cycle);
-    });
+    run.error = mobility_scene_error(facts, model, settings.steps_per_cycle);
     add_cost(run, setup, communicator);
   });
   return run;
 }
 
 }  // namespace
+
+ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model, int steps_per_cycle) {
+  if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
+  return scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
+    return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, steps_per_cycle);
+  });
+}
 
 std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,
                                       const PlanRequest& request, const std::string& source,

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/plan/model_errors.hpp"
 #include "beadswim/plan/representatives.hpp"
 #include "beadswim/plan/run_plan.hpp"
@@ -70,6 +71,15 @@ constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
 /// Returns the disk space of the trajectory, the flow fields and the checkpoints [byte] for the given numbers
 /// of swimmers and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
 double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_per_cell);
+
+/// Returns the expected errors of a lattice run of the scene. `roundoff`: relative error of the velocity by
+/// roundoff. Throws InputError if theory cannot evaluate errors of a swimmer.
+LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
+                                   double roundoff);
+
+/// Returns the expected error of a run with a mobility model. Throws InputError if theory cannot predict the
+/// motion of a swimmer, or if no mobility model is accurate for the scene.
+ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model, int steps_per_cycle);
 
 /// Return the candidates (possible runs) with the model lbm and with mobility models, with their expected
 /// errors and costs. Collective.

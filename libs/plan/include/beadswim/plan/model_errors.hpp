@@ -56,8 +56,8 @@ ErrorEstimate mobility_error(const Question& question, const BestPrediction& bes
 /// Expected errors of a run with the model lbm, by cause.
 struct LatticeErrors {
   ErrorEstimate resolution;  ///< by cells and time steps of finite size
-  /// By the place of the beads within cells: the velocity of a cycle wanders while the swimmer moves through a
-  /// cell. Two standard deviations.
+  /// By the place of the beads within cells: the velocity of a cycle wanders while the swimmer moves through
+  /// a cell. Two standard deviations.
   ErrorEstimate wander;
 
   ErrorEstimate total() const;  ///< root of the sum of squares
@@ -84,6 +84,6 @@ double lattice_plane_factor(const Vec3& position, const Vec3& axis);
 /// follows from theory (`lag`), and the error of cells of finite size from measurements. If `best` is
 /// nullopt, the estimate assumes that beads touch during the stroke.
 LatticeErrors lattice_errors(const LatticeLag& lag, const std::optional<BestPrediction>& best,
-                            const ResolvedRun& run);
+                             const ResolvedRun& run);
 
 }  // namespace beadswim
