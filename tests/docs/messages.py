@@ -16,7 +16,7 @@ import sys
 LITERAL = r'"(?:[^"\\\n]|\\.)*"'
 TOKEN = re.compile(r"//[^\n]*|/\*.*?\*/|" + LITERAL + r"|'(?:[^'\\\n]|\\.)+'", re.S)
 RUN = re.compile(r"(?:" + LITERAL + r"\s*)+")
-LOUD = re.compile(r"\bthrow\b|\bInputError\(|\brefuse\w*\(|\bfail\w*\(|\btell\(|\bfaults?\b|\blines\.push_back|\bmessages\.push_back|stderr|refused =")
+LOUD = re.compile(r"\bthrow\b|\bInputError\(|\brefuse\w*\(|\bfail\w*\(|\btell\(|\bfaults?\b|\blines\.push_back|\bmessages\.push_back|\bwarnings\.push_back|stderr|refused =")
 QUIET = re.compile(r"add_option|add_flag|->check|assert|validity|verdict|settings|notes")
 # Files whose functions return texts that other files throw or print.
 SPEAKING = {

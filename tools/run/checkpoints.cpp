@@ -109,10 +109,11 @@ FlagValues flags_of(const CheckpointReader& checkpoint) {
 void require_same_result_flags(const RunOptions& options, const FlagValues& flags) {
   for (const auto& [flag, value] : result_flags(options.settings)) {
     const auto of_checkpoint = flags.find(flag);
-    if (of_checkpoint == flags.end() || of_checkpoint->second == value) continue;
+    const bool is_stored = of_checkpoint != flags.end();
+    if (is_stored ? of_checkpoint->second == value : !options.given.contains(flag)) continue;
     throw InputError(flag, fmt::format("the value {} of the flag differs from {}, the value in the run of "
                                        "the checkpoint; leave the flag out, or begin without --restart",
-                                       value, of_checkpoint->second));
+                                       value, is_stored ? of_checkpoint->second : "the default"));
   }
 }
 

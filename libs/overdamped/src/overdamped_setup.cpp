@@ -34,10 +34,21 @@ void require_room(const OverdampedScene& scene, const std::string& source) {
   }
 }
 
+/// Returns the number of time steps per base period.
+long steps_in_base_period(const Layout& layout, const MobilitySettings& settings, int frames_per_cycle) {
+  const double period = base_period(layout);
+  const int per_shortest_period =
+      settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle);
+  const long steps =
+      std::lround(std::ceil(per_shortest_period * period / std::min(period, shortest_period(layout)) - 1e-9));
+  if (settings.steps_per_cycle) return steps;
+  return (steps + frames_per_cycle - 1) / frames_per_cycle * frames_per_cycle;
+}
+
 }  // namespace
 
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
-                                 const std::string& source) {
+                                 int frames_per_cycle, const std::string& source) {
   OverdampedSetup setup;
   OverdampedScene& scene = setup.scene;
   scene.model = model;
@@ -47,11 +58,9 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   scene.tolerance = settings.tolerance;
   static_cast<Swarm&>(scene) = placed_swimmers(layout);
   require_room(scene, source);
-  const double period = base_period(layout);
-  setup.base_period = period;
-  setup.steps_per_cycle = std::lround(
-      std::ceil(settings.steps_per_cycle * period / std::min(period, shortest_period(layout)) - 1e-9));
-  scene.step = period / static_cast<double>(setup.steps_per_cycle);
+  setup.base_period = base_period(layout);
+  setup.steps_per_cycle = steps_in_base_period(layout, settings, frames_per_cycle);
+  scene.step = setup.base_period / static_cast<double>(setup.steps_per_cycle);
   return setup;
 }
 

@@ -75,8 +75,10 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
   run.refused = reason_against([&] {
     request.require_choices_apply(run.settings);
     const MobilitySettings& settings = run.settings.mobility;
-    const OverdampedSetup setup = overdamped_setup(layout, model, settings, source);
-    run.error = mobility_scene_error(facts, model, settings.steps_per_cycle);
+    const OverdampedSetup setup =
+        overdamped_setup(layout, model, settings, run.settings.frames_per_cycle, source);
+    run.error = mobility_scene_error(facts, model,
+                                     settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle));
     add_cost(run, setup, communicator);
   });
   return run;

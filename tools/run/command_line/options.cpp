@@ -39,8 +39,8 @@ void add_length(CLI::App& program, RunSettings& settings) {
       ->check(finite_positive());
   program
       .add_option("--frames-per-cycle", settings.frames_per_cycle,
-                  "Number of frames of the trajectory per base period; also the number of samples per "
-                  "driving period to which strokes are fitted")
+                  "Number of evenly spaced frames of the trajectory per base period; also the number of "
+                  "samples per driving period to which strokes are fitted")
       ->type_name("N")
       ->check(whole_number(4, 1000000));
 }
@@ -56,10 +56,11 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
   begin_group(program, "Length and sampling");
   program
       .add_option("--steps-per-cycle", mobility.steps_per_cycle,
-                  "Number of time steps per shortest driving period of the swimmers, for the models rpy, "
-                  "rpy+near and oseen")
+                  "Number of time steps per shortest driving period, for mobility models; frames between "
+                  "steps are extrapolated")
       ->type_name("N")
-      ->check(whole_number(20, 1000000));
+      ->check(whole_number(20, 1000000))
+      ->default_str("100, raised to a multiple of the frames");
 }
 
 void add_resolution(CLI::App& program, LatticeSettings& lattice) {
@@ -235,10 +236,12 @@ void refuse_lattice_flags(const RunOptions& options, RunModel model) {
 
 FlagValues result_flags(const RunSettings& settings) {
   if (settings.model != RunModel::lbm) {
-    return {{"--model", to_text(settings.model)},
-            {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
-            {"--tolerance", fmt::format("{}", settings.mobility.tolerance)},
-            {"--steps-per-cycle", fmt::format("{}", settings.mobility.steps_per_cycle)}};
+    FlagValues values{{"--model", to_text(settings.model)},
+                      {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
+                      {"--tolerance", fmt::format("{}", settings.mobility.tolerance)}};
+    if (settings.mobility.steps_per_cycle)
+      values["--steps-per-cycle"] = fmt::format("{}", *settings.mobility.steps_per_cycle);
+    return values;
   }
   FlagValues values{{"--model", to_text(settings.model)},
                     {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},

@@ -36,6 +36,15 @@ std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) 
                     plan.communicator);
 }
 
+/// Returns position and velocity of a bead `ahead` time steps later. `next`: its velocity at the end of the
+/// next step.
+BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead) {
+  const Vec3 acceleration = next.linear - bead.velocity;  // velocity change per step
+  bead.position = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
+  bead.velocity += ahead * acceleration;
+  return bead;
+}
+
 }  // namespace
 
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
@@ -92,18 +101,18 @@ SwimmerIdentity LatticeModel::own_swimmer(int number) const {
 std::array<Vec3, 3> LatticeModel::bead_positions(int number, double ahead) const {
   const SwimmerState& swimmer = system_.owned_swimmers()[number];
   std::array<Vec3, 3> positions;
-  for (int b = 0; b < 3; ++b) {
-    const BeadMotion& bead = swimmer.motion[b];
-    const Vec3 acceleration = swimmer.predicted[b].linear - bead.velocity;  // velocity change per step
-    positions[b] = bead.position + ahead * bead.velocity + 0.5 * ahead * ahead * acceleration;
-  }
+  for (int b = 0; b < 3; ++b)
+    positions[b] = extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead).position;
   return positions;
 }
 
-std::vector<SwimmerPose> LatticeModel::gather_swimmers() const {
+std::vector<SwimmerPose> LatticeModel::gather_swimmers(double ahead) const {
   std::vector<SwimmerPose> poses;
-  for (const SwimmerState& swimmer : system_.gather_swimmers())
-    poses.push_back({.id = swimmer.id, .initial_axis = swimmer.initial_axis, .motion = swimmer.motion});
+  for (const SwimmerState& swimmer : system_.gather_swimmers()) {
+    SwimmerPose& pose = poses.emplace_back();
+    pose = {.id = swimmer.id, .initial_axis = swimmer.initial_axis, .motion = swimmer.motion};
+    for (int b = 0; b < 3; ++b) pose.motion[b] = extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead);
+  }
   return poses;
 }
 

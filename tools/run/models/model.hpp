@@ -37,7 +37,7 @@ struct SwimmerIdentity {
   int type = 0;  ///< index into ModelPlan::periods and ModelPlan::radii
 };
 
-/// Present positions and velocities of the beads of a swimmer, with its axis at time 0.
+/// Positions and velocities of the beads of a swimmer, with its axis at time 0.
 struct SwimmerPose {
   int id = 0;
   Vec3 initial_axis = Vec3::UnitX();
@@ -82,8 +82,8 @@ class Model {
   /// The error is proportional to ahead^3. Local.
   virtual std::array<Vec3, 3> bead_positions(int number, double ahead) const = 0;
   /// Returns the beads of all swimmers, in the order of their ids, on rank 0, and an empty list on other
-  /// ranks.
-  virtual std::vector<SwimmerPose> gather_swimmers() const = 0;
+  /// ranks. Positions and velocities are those at the present time plus `ahead` time steps, as above.
+  virtual std::vector<SwimmerPose> gather_swimmers(double ahead) const = 0;
 
   virtual ModelTotals first_totals() const = 0;  ///< totals at the start of the run
   virtual ModelTotals totals() = 0;              ///< evaluates the present totals

@@ -21,8 +21,9 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
   refuse_lattice_flags(requested, requested.settings.model);
   options = requested;
-  OverdampedSetup setup = overdamped_setup(layout, *mobility_model(requested.settings.model),
-                                           requested.settings.mobility, source);
+  OverdampedSetup setup =
+      overdamped_setup(layout, *mobility_model(requested.settings.model), requested.settings.mobility,
+                       requested.settings.frames_per_cycle, source);
   scene = std::move(setup.scene);
   swimmers = scene.swimmers;
   base_period = setup.base_period;
@@ -57,27 +58,30 @@ SwimmerIdentity OverdampedModel::own_swimmer(int number) const {
   return {.id = swimmer.id, .type = swimmer.type};
 }
 
-std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) const {
+BeadMotion OverdampedModel::motion_of(std::size_t bead, double ahead) const {
   const OverdampedState& state = system_.state();
   const double time = ahead * plan_.time_step;
+  const Vec3& velocity = state.velocities[0][bead];
+  const Vec3 gained = velocity - state.velocities[1][bead];  // change in the last step
+  BeadMotion motion;
+  motion.position = state.positions[0][bead] + time * (velocity + 0.5 * ahead * gained);
+  motion.velocity = velocity + ahead * gained;
+  return motion;
+}
+
+std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) const {
+  const std::size_t first = 3 * (system_.own_swimmers().first + number);
   std::array<Vec3, 3> positions;
-  for (int b = 0; b < 3; ++b) {
-    const std::size_t bead = 3 * (system_.own_swimmers().first + number) + b;
-    const Vec3 gained = state.velocities[0][bead] - state.velocities[1][bead];  // change in the last step
-    positions[b] = state.positions[0][bead] + time * (state.velocities[0][bead] + 0.5 * ahead * gained);
-  }
+  for (int b = 0; b < 3; ++b) positions[b] = motion_of(first + b, ahead).position;
   return positions;
 }
 
-std::vector<SwimmerPose> OverdampedModel::gather_swimmers() const {
+std::vector<SwimmerPose> OverdampedModel::gather_swimmers(double ahead) const {
   std::vector<SwimmerPose> poses;
   if (!plan_.communicator.is_root()) return poses;
   for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
     SwimmerPose pose{.id = plan_.swimmers[s].id, .initial_axis = plan_.swimmers[s].axis, .motion = {}};
-    for (int b = 0; b < 3; ++b) {
-      pose.motion[b].position = system_.positions()[3 * s + b];
-      pose.motion[b].velocity = system_.velocities()[3 * s + b];
-    }
+    for (int b = 0; b < 3; ++b) pose.motion[b] = motion_of(3 * s + b, ahead);
     poses.push_back(pose);
   }
   return poses;

@@ -33,7 +33,7 @@ class OverdampedModel : public Model {
   int own_swimmers() const override;
   SwimmerIdentity own_swimmer(int number) const override;
   std::array<Vec3, 3> bead_positions(int number, double ahead) const override;
-  std::vector<SwimmerPose> gather_swimmers() const override;
+  std::vector<SwimmerPose> gather_swimmers(double ahead) const override;
 
   ModelTotals first_totals() const override { return {}; }
   ModelTotals totals() override { return {}; }  // no inertia: momentum and mean flow not evaluated
@@ -48,6 +48,7 @@ class OverdampedModel : public Model {
   void restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) override;
 
  private:
+  BeadMotion motion_of(std::size_t bead, double ahead) const;
   std::string message_of(const OverdampedFault& fault) const;
 
   const OverdampedPlan& plan_;

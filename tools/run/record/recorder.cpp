@@ -65,8 +65,12 @@ std::vector<SwimmerRecord> Recorder::swimmers() const {
   return records;
 }
 
+double Recorder::time_of_frame(long frame) const {
+  return static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_);
+}
+
 long Recorder::step_of_frame(long frame) const {
-  return std::lround(static_cast<double>(frame) / frames_per_cycle_ * static_cast<double>(steps_per_cycle_));
+  return std::lround(time_of_frame(frame));
 }
 
 void Recorder::sample(const Model& model) {
@@ -141,11 +145,12 @@ CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const 
 }
 
 void Recorder::record(const Model& model, const ModelTotals& totals) {
-  const std::vector<SwimmerPose> swimmers = model.gather_swimmers();
   const long step = model.steps_done();
+  const double time = time_of_frame(next_frame_);
+  const std::vector<SwimmerPose> swimmers = model.gather_swimmers(time - static_cast<double>(step));
   const FlowSample now{.time = static_cast<double>(step) * time_step_, .mean_flow = totals.mean_flow};
   TrajectoryFrame frame{.step = step,
-                        .time = now.time,
+                        .time = time * time_step_,
                         .positions = {},
                         .velocities = {},
                         .mean_flow = now.mean_flow,

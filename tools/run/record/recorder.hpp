@@ -21,8 +21,9 @@ class Recorder {
   Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
            const Communicator& communicator);
 
-  /// Returns the time step at which a frame is taken: the step nearest to frame / frames_per_cycle base
-  /// cycles.
+  /// Returns the exact time of a frame, which is frame / frames_per_cycle base cycles [step].
+  double time_of_frame(long frame) const;
+  /// Returns the time step nearest to the time of a frame. The frame is taken at the end of this step.
   long step_of_frame(long frame) const;
 
   /// Returns true if the next frame must be taken at this step.
@@ -32,7 +33,9 @@ class Recorder {
   /// the first step and after every step.
   void sample(const Model& model);
 
-  /// Takes the next frame and writes it to the trajectory. `totals`: present totals of the model. Collective.
+  /// Takes the next frame and writes it to the trajectory. Positions and velocities are extrapolated to the
+  /// exact time of the frame, over at most half a time step. `totals`: present totals of the model.
+  /// Collective.
   void record(const Model& model, const ModelTotals& totals);
 
   // Return statistics, on rank 0 only. For more than max_swimmers_listed swimmers, the result of swimmers()

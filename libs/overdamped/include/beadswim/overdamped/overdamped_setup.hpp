@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "beadswim/overdamped/overdamped_scene.hpp"
@@ -12,7 +13,11 @@ struct MobilitySettings {
   /// Largest error of the bead velocities that the product of mobility and forces returns, divided by the
   /// root mean square of these velocities.
   double tolerance = 1e-4;
-  int steps_per_cycle = 100;  ///< time steps per shortest driving period of all swimmers
+  /// Time steps per shortest driving period of all swimmers; nullopt: at least `default_steps_per_cycle`, so
+  /// many that each frame is taken at the end of a step.
+  std::optional<int> steps_per_cycle;
+
+  static constexpr int default_steps_per_cycle = 100;
 };
 
 /// Scene made from a layout for a mobility model, and its division into time steps.
@@ -22,10 +27,10 @@ struct OverdampedSetup {
   long steps_per_cycle = 0;  ///< time steps per base period
 };
 
-/// Converts a layout to a scene for a mobility model. `source` is the name of the layout in messages. Throws
-/// InputError if the layout has no-slip walls, or if an edge of its box is less than 4.4 times the radius of
-/// the largest bead.
+/// Converts a layout to a scene for a mobility model. `frames_per_cycle`: number of frames that are recorded
+/// per base period. `source` is the name of the layout in messages. Throws InputError if the layout has
+/// no-slip walls, or if an edge of its box is less than 4.4 times the radius of the largest bead.
 OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
-                                 const std::string& source);
+                                 int frames_per_cycle, const std::string& source);
 
 }  // namespace beadswim

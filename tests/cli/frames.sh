@@ -1,0 +1,77 @@
+#!/bin/bash
+# Tests that the frames of a trajectory are evenly spaced in time with every model, and the same in a run that was restarted.
+source "$(dirname "$0")/harness.sh"
+
+beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,16,16 --boundary periodic --period 100 \
+  --amplitude 0.05 >layout.json
+
+# Checks times and positions of the frames of FILE.h5md. The x coordinates of bead 1 in the last cycle are smooth: their fourth
+# differences are far below those of a swing at uneven times.
+frames_are_even() { # FILE FRAMES-PER-CYCLE CYCLES
+  h5dump -y -m %.17g -d /particles/beads/position/time -o times -O "$1.h5md" >/dev/null
+  h5dump -y -m %.9g -d /particles/beads/position/value -o positions -O "$1.h5md" >/dev/null
+  check "the frames of $1 are not even" python3 - "$2" "$3" <<'EOF'
+import sys
+frames, cycles = int(sys.argv[1]), int(sys.argv[2])
+numbers = lambda path: [float(word) for word in open(path).read().replace(",", " ").split()]
+times, x = numbers("times"), numbers("positions")[::9]
+assert len(times) == len(x) == frames * cycles + 1, f"{len(times)} frames"
+uneven = max(abs(time - 100 * n / frames) for n, time in enumerate(times))
+assert uneven < 1e-10, f"a frame is {uneven} from its time"
+last = x[-frames - 1:]
+for _ in range(4):
+    last = [b - a for a, b in zip(last, last[1:])]
+roughness = max(map(abs, last)) / (max(x) - min(x))
+assert roughness < (6.3 / frames) ** 4 + 2e-4, f"roughness {roughness}"
+EOF
+}
+small() { # RANKS ARGUMENT...
+  mpirun -n "$1" beadswim-run "${@:2}" --progress none --no-provenance
+}
+lattice="--model lbm --cells-per-radius 2 --relaxation-time 1.5"
+
+# --- the default flags: the lattice has 100 steps per cycle, the mobility models a multiple of the 40 frames
+run small 1 layout.json -o lbm.h5md $lattice --cycles 2
+has_status 0
+check "the lattice has steps between frames" holds '.resolution.steps_per_cycle == 100' out
+frames_are_even lbm 40 2
+for model in rpy rpy+near oseen; do
+  run small 1 layout.json -o $model.h5md --model $model --cycles 2
+  has_status 0
+  err_empty
+  check "$model has three steps per frame" holds '.mobility.steps_per_cycle == 120' out
+  frames_are_even $model 40 2
+done
+run small 1 layout.json -o twelve.h5md --model rpy --frames-per-cycle 12 --cycles 2
+check "the steps follow the frames" holds '.mobility.steps_per_cycle == 108' out
+frames_are_even twelve 12 2
+
+# --- frames between steps; steps that are given stay as they are
+run small 1 layout.json -o seven.h5md $lattice --frames-per-cycle 17 --cycles 2
+frames_are_even seven 17 2
+cp out seven.json
+run small 1 layout.json -o ninety.h5md --model rpy --steps-per-cycle 90 --cycles 2
+check "the steps are those of the flag" holds '.mobility.steps_per_cycle == 90' out
+frames_are_even ninety 40 2
+cp out ninety.json
+run small 1 layout.json -o few.h5md --model rpy --steps-per-cycle 30 --cycles 2
+err_has '^beadswim-run: warning: a cycle has only 30 time steps, so 30 frames per cycle are recorded instead of 40$'
+frames_are_even few 30 2
+
+# --- a restarted run has the same frames; the number of steps does not change
+restart() { # NAME RANKS FLAG...
+  run small "$2" layout.json -o part.h5md --cycles 0.9 --checkpoint-every 0.43 "${@:3}"
+  run small "$2" --restart part.h5md --cycles 2
+  has_status 0
+  check "the record of $1 is that of an unbroken run" cmp -s out "$1.json"
+  check "the frames of $1 are those of an unbroken run" h5diff "$1.h5md" part.h5md
+}
+restart seven 2 $lattice --frames-per-cycle 17
+restart ninety 1 --model rpy --steps-per-cycle 90
+refuses '^beadswim-run: --steps-per-cycle: the value 100 of the flag differs from 90, ' \
+  beadswim-run --restart part.h5md --steps-per-cycle 100 --cycles 3
+run small 1 layout.json -o part.h5md --model rpy --cycles 0.5 --checkpoint-every 0.5
+refuses '^beadswim-run: --steps-per-cycle: the value 100 of the flag differs from the default, ' \
+  beadswim-run --restart part.h5md --steps-per-cycle 100 --cycles 3
+
+finish
