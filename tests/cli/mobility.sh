@@ -27,7 +27,7 @@ check "the trajectory has frames and axes without a box" test "$(h5dump -H -d /p
 for boundary in periodic periodic,free-slip,free-slip; do
   beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary $boundary --amplitude 0.2 >box.json
   beadswim-theory box.json >theory.json
-  run beadswim-run box.json --model rpy -o box.h5md --steps-per-cycle 400 --cycles 3 --tolerance 1e-6 --progress none
+  run beadswim-run box.json --model rpy -o box.h5md --steps-per-cycle 400 --cycles 3 --sum-tolerance 1e-6 --progress none
   has_status 0
   cp out box.run.json
   decided rpy-box-ode 1e-4 box.run.json theory.json
@@ -88,7 +88,24 @@ check "the record reaches up to it" holds '.status == "failed" and .state_sha256
 # --- what the model cannot do
 refuses '^beadswim-run: --cells-per-radius: the flag applies to the lattice only' beadswim-run open.json --model rpy -o x.h5md --cells-per-radius 3
 refuses '^beadswim-run: --flow-every: the flag applies to the lattice only' beadswim-run open.json --model oseen -o x.h5md --flow-every 1
-refuses '^beadswim-run: --tolerance: the flag applies to mobility models only' beadswim-run box.json --model lbm -o x.h5md --tolerance 1e-3
+refuses '^beadswim-run: --sum-tolerance: the flag applies to mobility models only' \
+  beadswim-run box.json --model lbm -o x.h5md --sum-tolerance 1e-3
+refuses '^beadswim-run: --sum-tolerance: .*0.5.* a number from 1e-12 to 0.01' \
+  beadswim-run open.json --model rpy -o x.h5md --sum-tolerance 0.5
+
+# --- --tolerance, the former name of --sum-tolerance, where no plan is asked for
+run small 1 open.json --model rpy -o former.h5md --tolerance 1e-5 --cycles 0.2 --checkpoint-every 0.2
+has_status 0
+err_has '^beadswim-run: warning: the flag --tolerance is used as --sum-tolerance; with a mobility model write --sum-tolerance$'
+check "it is the sum's" holds '.mobility.tolerance == 1e-5' out
+refuses '^beadswim-run: --sum-tolerance: the value 0.001 of the flag differs from 1e-05, ' \
+  beadswim-run --restart former.h5md --tolerance 1e-3 --cycles 1
+run small 1 --restart former.h5md --cycles 0.3
+check "a restart keeps it" holds '.mobility.tolerance == 1e-5' out
+refuses '^beadswim-run: --tolerance: the flag applies to --plan and --model auto only; leave it out$' \
+  beadswim-run box.json --model lbm -o x.h5md --tolerance 1e-3
+refuses '^beadswim-run: --tolerance: the flag applies to --plan and --model auto only; leave it out$' \
+  beadswim-run open.json --model rpy -o x.h5md --tolerance 1e-3 --sum-tolerance 1e-3
 refuses '^beadswim-run: --tolerance: .*0.5.* a number from 1e-12 to 0.01' beadswim-run open.json --model rpy -o x.h5md --tolerance 0.5
 beadswim-layout swimmer --preset paper-single --box 100,60,60 --boundary no-slip >walls.json
 refuses 'walls.json:/domain/boundary/0: the boundary is no-slip' beadswim-run walls.json --model rpy -o x.h5md

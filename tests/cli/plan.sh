@@ -83,6 +83,17 @@ run beadswim-run slow.json -o slow.h5md --model auto --tolerance 0.02 --cycles 2
 has_status 0
 check "the model is one without inertia" holds '.model == "rpy+near" and .mobility.tolerance == 0.0001' out
 
+run beadswim-run slow.json --plan --tolerance 0.02 --sum-tolerance 1e-3
+check "flags state the tolerance of the sums" holds '.tolerance == 0.02 and .choice == "--model rpy+near --sum-tolerance 0.001"' out
+run beadswim-run slow.json --plan --model rpy+near --tolerance 0.02 --sum-tolerance 0.01
+check "errors of the sums are expected" holds '.runs[0].error.velocity > 0.05' out
+run beadswim-run slow.json --plan --sum-tolerance 1e-3
+check "lattices have no sums" holds '[.runs[] | select(.model == "lbm") | .refused] | length > 0 and all(test("applies to mobility models only"))' out
+run beadswim-run slow.json -o slow.h5md --model auto --tolerance 0.02 --sum-tolerance 1e-3 --cycles 1 --progress none
+has_status 0
+err_empty
+check "the sums have their tolerance" holds '.model == "rpy+near" and .mobility.tolerance == 0.001' out
+
 # --- proposals
 beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 >swarm.json
 run beadswim-run swarm.json --plan

@@ -107,9 +107,9 @@ TEST(MobilityError, IsWhatTheModelMisses) {
   const BestPrediction best = best_prediction(question);
   const double exact = predict(find_method("multipole-ode"), question).velocity;
   const double pairs = predict(find_method("rpy-ode"), question).velocity;
-  EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy, 100).velocity, pairs / exact - 1, 0.01);
-  EXPECT_LT(mobility_error(question, best, MobilityModel::rpy_near, 100).velocity, 0.01);
-  EXPECT_GT(mobility_error(question, best, MobilityModel::oseen, 100).velocity, 0.2);
+  EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy, {}).velocity, pairs / exact - 1, 0.01);
+  EXPECT_LT(mobility_error(question, best, MobilityModel::rpy_near, {}).velocity, 0.01);
+  EXPECT_GT(mobility_error(question, best, MobilityModel::oseen, {}).velocity, 0.2);
 }
 
 // docs/speed-against-error.md: strokes of the swimmer without inertia are short by 2.9 and 4.2 % (rpy), 3.4
@@ -117,8 +117,8 @@ TEST(MobilityError, IsWhatTheModelMisses) {
 TEST(MobilityError, IsThatOfRunsOnRecord) {
   Question question = only_question(single(Vec3(60, 40, 40)));
   const BestPrediction best = best_prediction(question);
-  const ErrorEstimate pairs = mobility_error(question, best, MobilityModel::rpy, 100);
-  const ErrorEstimate near = mobility_error(question, best, MobilityModel::rpy_near, 100);
+  const ErrorEstimate pairs = mobility_error(question, best, MobilityModel::rpy, {});
+  const ErrorEstimate near = mobility_error(question, best, MobilityModel::rpy_near, {});
   const std::array<double, 2> theory = best.uncertainty.arm_amplitudes;
   constexpr double last_digit = 5e-4;
   EXPECT_NEAR(pairs.arm_amplitudes[0] - theory[0], 0.029, theory[0] + last_digit);
@@ -132,7 +132,7 @@ TEST(MobilityError, GrowsWithInertia) {
   for (const double period : {20000.0, 5000.0, 1500.0}) {
     const Question question = only_question(single(Vec3(60, 40, 40), period));
     const double error =
-        mobility_error(question, best_prediction(question), MobilityModel::rpy_near, 100).arm_amplitudes[1];
+        mobility_error(question, best_prediction(question), MobilityModel::rpy_near, {}).arm_amplitudes[1];
     EXPECT_GT(error, 1.5 * before);
     before = error;
   }

@@ -43,7 +43,7 @@ quick 0 no-provenance ../open.layout.json --model rpy+near --cycles 1 --no-prove
 quick 0 single ../lattice.layout.json --cells-per-radius 2 --relaxation-time 1.5 --cycles 1 --precision single --bead-boundary psm
 beadswim-layout swarm --preset paper-uniform --blocks 2,3,4 --block-swimmers 1,2,2 >../many.layout.json
 quick 0 many ../many.layout.json --model rpy --cycles 0.5
-quick 0 many-cycle ../many.layout.json --model oseen --tolerance 0.01 --cycles 1
+quick 0 many-cycle ../many.layout.json --model oseen --sum-tolerance 0.01 --cycles 1
 swimmer --radius 2 --arm 9 --box 32,16,16 --boundary periodic --period 100 --amplitude 100 --stiffness 5 >../fast.layout.json
 quick 4 too-fast ../fast.layout.json --cells-per-radius 2 --relaxation-time 1.5 --cycles 1
 

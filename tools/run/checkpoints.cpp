@@ -98,7 +98,12 @@ std::unique_ptr<CheckpointReader> open_checkpoint(const std::string& restart,
 
 FlagValues flags_of(const CheckpointReader& checkpoint) {
   try {
-    return parse_json(checkpoint.text(flags_section), checkpoint.path()).get<FlagValues>();
+    auto flags = parse_json(checkpoint.text(flags_section), checkpoint.path()).get<FlagValues>();
+    if (auto former = flags.extract("--tolerance")) {  // the flag's name in earlier versions
+      former.key() = "--sum-tolerance";
+      flags.insert(std::move(former));
+    }
+    return flags;
   } catch (const Json::exception&) {
     throw InputError(
         checkpoint.path(),

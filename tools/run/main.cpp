@@ -124,7 +124,7 @@ void apply_plan(const LayoutDocument& document, Request& request, const Communic
       plan_run(document.layout, plan_request(request.options, communicator), request.source(), communicator);
   const PlannedRun& planned = choose_run(plan, request.options);
   request.options.settings = planned.settings;
-  request.options.given.erase("--tolerance");  // the value was the tolerance of the plan, not of the mobility
+  request.options.tolerance.reset();  // the tolerance of the plan; the run does not use it
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   print_to_stderr(fmt::format(
       "{}: starting the cheapest run within --tolerance: {}, with an expected error of {:.2g} % and a cost "

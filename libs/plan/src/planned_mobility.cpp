@@ -71,14 +71,12 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
   PlannedRun run;
   run.settings = request.settings;
   run.settings.model = run_model(model);
-  run.settings.mobility.tolerance = MobilitySettings{}.tolerance;
   run.refused = reason_against([&] {
     request.require_choices_apply(run.settings);
     const MobilitySettings& settings = run.settings.mobility;
     const OverdampedSetup setup =
         overdamped_setup(layout, model, settings, run.settings.frames_per_cycle, source);
-    run.error = mobility_scene_error(facts, model,
-                                     settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle));
+    run.error = mobility_scene_error(facts, model, settings);
     add_cost(run, setup, communicator);
   });
   return run;
@@ -86,10 +84,11 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
 
 }  // namespace
 
-ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model, int steps_per_cycle) {
+ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
+                                   const MobilitySettings& settings) {
   if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
   return scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
-    return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, steps_per_cycle);
+    return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
   });
 }
 

@@ -79,7 +79,8 @@ LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const Scene
 
 /// Returns the expected error of a run with a mobility model. Throws InputError if theory cannot predict the
 /// motion of a swimmer, or if no mobility model is accurate for the scene.
-ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model, int steps_per_cycle);
+ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
+                                   const MobilitySettings& settings);
 
 /// Return the candidates (possible runs) with the model lbm and with mobility models, with their expected
 /// errors and costs. Collective.

@@ -81,8 +81,7 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
         "times and the swimmer turns over; a swimmer without any disturbance keeps its orientation",
         swimmer_facts.tilt_growth));
   reason_against([&] {  // an error is ignored here; the candidate reports it as PlannedRun::refused
-    const ErrorEstimate stokes =
-        mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings::default_steps_per_cycle);
+    const ErrorEstimate stokes = mobility_error(question, best, MobilityModel::rpy_near, MobilitySettings{});
     const auto& [first, second] = stokes.arm_amplitudes;
     if (stokes.largest() > plan.tolerance)
       add(

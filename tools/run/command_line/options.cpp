@@ -26,7 +26,14 @@ void add_model(CLI::App& program, RunOptions& options) {
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
-      "--tolerance (default with --plan: 0.03). The exit status is 2 if no run is within it.");
+      "--tolerance. The exit status is 2 if no run is within it.");
+  program
+      .add_option("--tolerance", options.tolerance,
+                  "Largest relative error of velocity and arm amplitudes for --plan and --model auto; with "
+                  "another model a former name of --sum-tolerance [1]")
+      ->type_name("E")
+      ->check(finite_positive())
+      ->default_str("0.03 with --plan");
 }
 
 void add_length(CLI::App& program, RunSettings& settings) {
@@ -48,11 +55,11 @@ void add_length(CLI::App& program, RunSettings& settings) {
 void add_mobility(CLI::App& program, MobilitySettings& mobility) {
   begin_group(program, "Model");
   program
-      .add_option("--tolerance", mobility.tolerance,
-                  "Largest relative error: with auto or --plan of velocity and arm amplitudes; with a "
-                  "mobility model of the bead velocities in a step (root mean square) [1]")
+      .add_option("--sum-tolerance", mobility.tolerance,
+                  "Largest relative error (root mean square) of the bead velocities that a mobility model "
+                  "sums up in a step [1]")
       ->type_name("E")
-      ->check(finite_positive());
+      ->check(product_tolerance());
   begin_group(program, "Length and sampling");
   program
       .add_option("--steps-per-cycle", mobility.steps_per_cycle,
@@ -166,16 +173,16 @@ void add_flags(CLI::App& program, RunOptions& options) {
              "choosing-a-model.md");
 }
 
-/// Throws InputError if the model is a mobility and the value of --tolerance is not a valid tolerance of
-/// mobility products. With --plan and --model auto, --tolerance limits the errors of velocity and arm
-/// amplitudes instead and has a wider range.
-void require_fitting_tolerance(const RunOptions& options) {
-  if (!options.given.contains("--tolerance") || options.plan || options.settings.model == RunModel::lbm ||
-      options.settings.model == RunModel::automatic)
-    return;
-  if (const std::string why = product_tolerance()(fmt::format("{}", options.settings.mobility.tolerance));
-      !why.empty())
+/// Uses --tolerance as --sum-tolerance, its name in later versions, if the run has a mobility model and no
+/// plan. Throws InputError if both flags are given, or if the value is invalid for --sum-tolerance.
+void apply_former_tolerance(RunOptions& options) {
+  if (!options.tolerance || options.plan || !mobility_model(options.settings.model)) return;
+  if (options.given.contains("--sum-tolerance"))
+    throw InputError("--tolerance", "the flag applies to --plan and --model auto only; leave it out");
+  if (const std::string why = product_tolerance()(fmt::format("{}", *options.tolerance)); !why.empty())
     throw InputError("--tolerance", why);
+  options.settings.mobility.tolerance = *options.tolerance;
+  options.given.insert("--sum-tolerance");
 }
 
 }  // namespace
@@ -215,7 +222,7 @@ std::variant<RunOptions, int> parse_run_options(int argc, const char* const* arg
   const bool is_to_be_planned = options.plan || options.given.contains("--tolerance");
   if (options.settings.model == RunModel::automatic && !is_to_be_planned)
     options.settings.model = RunModel::lbm;
-  require_fitting_tolerance(options);
+  apply_former_tolerance(options);
   options.provenance = provenance_record(*program);
   return options;
 }
@@ -238,7 +245,7 @@ FlagValues result_flags(const RunSettings& settings) {
   if (settings.model != RunModel::lbm) {
     FlagValues values{{"--model", to_text(settings.model)},
                       {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
-                      {"--tolerance", fmt::format("{}", settings.mobility.tolerance)}};
+                      {"--sum-tolerance", fmt::format("{}", settings.mobility.tolerance)}};
     if (settings.mobility.steps_per_cycle)
       values["--steps-per-cycle"] = fmt::format("{}", *settings.mobility.steps_per_cycle);
     return values;

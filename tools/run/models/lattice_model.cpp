@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
@@ -50,8 +51,10 @@ BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead)
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                          const Communicator& ranks)
     : communicator(ranks), on_lattice(put_on_lattice(layout, requested.settings.lattice, source)) {
+  if (requested.tolerance)
+    throw InputError("--tolerance", "the flag applies to --plan and --model auto only; leave it out");
   refuse_flags(
-      requested, {"--tolerance", "--steps-per-cycle"},
+      requested, {"--sum-tolerance", "--steps-per-cycle"},
       "the flag applies to mobility models only; leave it out, or add --model rpy, rpy+near or oseen");
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;

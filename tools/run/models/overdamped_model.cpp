@@ -34,6 +34,9 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
     periods.push_back(type.driving.period / time_step);
     radii.push_back({first.radius, second.radius, third.radius});
   }
+  if (requested.tolerance)
+    warnings.push_back(
+        "the flag --tolerance is used as --sum-tolerance; with a mobility model write --sum-tolerance");
   announcement = fmt::format(
       "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
       "on {} ranks",

@@ -13,12 +13,13 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
   request.has_advice = options.plan;
   if (options.settings.model != RunModel::automatic) request.model = options.settings.model;
   if (options.given.contains("--precision")) request.precision = options.settings.lattice.precision;
-  if (options.given.contains("--tolerance")) request.tolerance = options.settings.mobility.tolerance;
+  request.tolerance = options.tolerance;
   request.require_choices_apply = [&options](const RunSettings& settings) {
     if (settings.model != RunModel::lbm) {
       refuse_lattice_flags(options, settings.model);
     } else {
-      refuse_flags(options, {"--steps-per-cycle"}, "the flag applies to mobility models only; leave it out");
+      refuse_flags(options, {"--sum-tolerance", "--steps-per-cycle"},
+                   "the flag applies to mobility models only; leave it out");
     }
   };
   request.lattice_speed = [&communicator] { return speed_of_this_machine(communicator); };
@@ -38,8 +39,8 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
       flags += " --bead-boundary " + to_text(lattice.bead_boundary);
   }
   const FlagValues course = result_flags(settings);
-  for (const char* asked :
-       {"--delay-correction", "--radius-correction", "--lubrication", "--friction", "--steps-per-cycle"}) {
+  for (const char* asked : {"--delay-correction", "--radius-correction", "--lubrication", "--friction",
+                            "--sum-tolerance", "--steps-per-cycle"}) {
     if (const auto flag = course.find(asked); flag != course.end() && options.given.contains(asked))
       flags += fmt::format(" {} {}", asked, flag->second);
   }

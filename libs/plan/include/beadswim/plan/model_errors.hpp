@@ -7,6 +7,7 @@
 #include "beadswim/core/fields.hpp"
 #include "beadswim/coupling/bead_scheme.hpp"
 #include "beadswim/mobility/mobility_model.hpp"
+#include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/plan/lattice_lag.hpp"
 #include "beadswim/theory/question.hpp"
 
@@ -48,10 +49,11 @@ struct BestPrediction {
 BestPrediction best_prediction(const Question& question);
 
 /// Returns the expected relative error of a run with a mobility model. It is the sum of the relative
-/// difference between the model and `best`, the uncertainty of `best` and, for the velocity, the error by the
-/// time step. Throws InputError if beads touch, because no periodic motion exists then.
+/// difference between the model and `best`, the uncertainty of `best` and, for the velocity, the errors by
+/// the time step and by the tolerance of mobility products. Throws InputError if beads touch, because no
+/// periodic motion exists then.
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
-                             int steps_per_cycle);
+                             const MobilitySettings& settings);
 
 /// Expected errors of a run with the model lbm, by cause.
 struct LatticeErrors {

@@ -19,8 +19,8 @@ namespace beadswim {
 
 /// Restrictions on the candidates of a plan.
 struct PlanRequest {
-  /// Settings that all candidates (possible runs) share, with exceptions: the plan chooses the model and the
-  /// tolerance of mobility models. It also varies cells per radius and relaxation time if they are not set.
+  /// Settings that all candidates (possible runs) share, except the model, which the plan chooses. It also
+  /// varies cells per radius and relaxation time if they are not set.
   RunSettings settings;
   std::optional<RunModel> model;       ///< nullopt: all models
   std::optional<Precision> precision;  ///< nullopt: both precisions
