@@ -97,13 +97,43 @@ check "the sums have their tolerance" holds '.model == "rpy+near" and .mobility.
 # --- proposals
 beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 >swarm.json
 run beadswim-run swarm.json --plan
-check "the cell is proposed" holds '.proposals[0] | .command == "beadswim-layout reduce" and (.what | test("18 copies of a cell of 96 x 32 x 32"))' out
+check "the cell is proposed" holds '.proposals[0] | .command == "beadswim-layout reduce swarm.json" and (.what | test("18 copies of a cell of 96 x 32 x 32"))' out
+err_has '^propose: beadswim-layout reduce swarm.json: the scene consists of 18 copies'
+pasted() { # JQ   runs the command of the plan's proposal through the shell, and checks the layout that it writes
+  local command
+  command=$(jq -er '.proposals[0].command' out)
+  run bash -c "$command >smaller.json"
+  has_status 0
+  run beadswim-layout check --json smaller.json
+  has_status 0
+  check "$command makes another layout" holds "$1" smaller.json
+}
+pasted '.swimmers | length == 1'
 run beadswim-run slow.json --plan
 check "a lattice is refused in open space" holds '[.runs[] | select(.model == "lbm") | .refused] | length > 0 and all(test("unbounded"))' out
 beadswim-layout swimmer --preset paper-single >large.json
 run beadswim-run large.json --plan
-check "a smaller box is proposed" holds '.proposals[0].command | test("--box [0-9]+,[0-9]+,[0-9]+ --boundary periodic")' out
+check "a smaller box is proposed" holds '.proposals[0].command | test("^beadswim-layout reduce large.json --box [0-9]+,[0-9]+,[0-9]+$")' out
 check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("GB per rank"))' out
+
+pasted '.domain.boundary == ["periodic", "periodic", "periodic"] and (.domain.lengths | .[0] < 200 and .[1] < 100)'
+jq 'del(.domain, .swimmers[].position, .provenance)' large.json >large.kept
+check "all but box and position is kept" cmp -s large.kept <(jq 'del(.domain, .swimmers[].position, .provenance)' smaller.json)
+cp large.json "it's large.json"
+run beadswim-run "it's large.json" --plan --model rpy
+pasted '.domain.lengths[0] < 200'
+beadswim-run --plan --model rpy <large.json >out 2>err
+check "of standard input, too" holds '.proposals[0].command | test("^beadswim-layout reduce - --box ")' out
+command=$(jq -r '.proposals[0].command' out)
+check "the layout is that of the file" cmp -s <(bash -c "$command" <large.json | jq 'del(.provenance)') <(jq 'del(.provenance)' smaller.json)
+
+# --- flags of the plan run when pasted: the choice, the best and all mobility models
+jq -r '[.choice, .best] + [.runs[] | select(.model != "lbm" and .refused == null) | .flags] | unique[]' plan.json >flags
+check "there are flags" test "$(wc -l <flags)" -ge 4
+while read -r flags; do
+  run bash -c "beadswim-run cell.json $flags -o pasted.h5md --cycles 0.01 --progress none"
+  has_status 0
+done <flags
 
 # --- hard cases are recognised
 plan_of() { # LAYOUT-FLAGS...
@@ -180,6 +210,7 @@ check "the tolerance is the plan's" holds '.tolerance == 0.2 and .choice == "--m
 beadswim-layout swimmer --preset paper-single --box 800,800,1200 --axis 0,0,1 --frame body >up.json
 run beadswim-run up.json --plan --model rpy
 check "the box is long along z" holds '.proposals[0].command | capture("--box (?<x>[0-9.]+),(?<y>[0-9.]+),(?<z>[0-9.]+)") | map_values(tonumber) | .z > .x and .x == .y' out
+pasted '.domain.lengths as $box | .swimmers[0] | .axis == [0, 0, 1] and .position == [$box[0] / 2, $box[1] / 2, $box[2] / 2]'
 run beadswim-run cell.json --plan --model lbm --cells-per-radius 3 --relaxation-time 1 --lubrication off
 check "flags that were given are in the run's" holds '.runs[0].flags | test("--lubrication off")' out
 beadswim-layout swimmer --preset paper-single --box 1e9,1e9,1e9 >vast.json

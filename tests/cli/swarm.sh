@@ -66,6 +66,13 @@ check 'not nine in 120 x 120 x 120' holds '(.swimmers | length) == 9 and .domain
 run bash -c 'beadswim-layout defect vacancy --count 1 swarm.json | beadswim-layout reduce'
 check 'a vacancy is reduced away' holds '(.swimmers | length) == 71' out
 refuses 'unbounded' beadswim-layout reduce unbounded.json
+without_provenance="jq 'del(.provenance)'"
+same_bytes "beadswim-layout reduce unbounded.json --box 80,60,70 | $without_provenance" \
+  "beadswim-layout swimmer --preset paper-single --box 80,60,70 --boundary periodic | $without_provenance"
+refuses '^beadswim-layout: --box: the layout has 72 swimmers, but only a single swimmer can be put in another box; leave the flag out$' \
+  beadswim-layout reduce swarm.json --box 80,60,60
+refuses 'the layout made by the flags is invalid: ' beadswim-layout reduce unbounded.json --box 20,20,20
+refuses '--box' beadswim-layout reduce unbounded.json --box 80,60,60 --tolerance 0.1
 
 # The cell's run is that of each of 2 x 2 x 2 cells, swimmer by swimmer, to roundoff.
 beadswim-layout swarm --preset paper-uniform --blocks 2,1,1 --block-swimmers 1,2,2 >eight.json

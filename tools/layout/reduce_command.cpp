@@ -4,33 +4,46 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
+#include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/reduce.hpp"
 #include "beadswim/tools/program.hpp"
+#include "sound_layout.hpp"
+#include "swimmer_flags.hpp"
 
 namespace beadswim {
 ReduceCommand::ReduceCommand(CLI::App& program)
     : command_(
           program.add_subcommand("reduce",
-                                 "Writes the smallest periodic box whose periodic copies give the scene of "
-                                 "the layout. A swarm of equal blocks becomes one block or one swimmer.")) {
+                                 "Writes the smallest periodic box whose copies give the scene of the "
+                                 "layout, such as one block of a swarm, or puts a single swimmer in another "
+                                 "box.")) {
   command_->add_option("layout", file_, "Layout file (JSON); - is standard input.")->type_name("FILE");
+  CLI::Option* tolerance =
+      command_
+          ->add_option(
+              "--tolerance", tolerance_,
+              "Largest accepted distance of a swimmer from its position in the repeated box, 0 to 0.5 "
+              "[smallest bead radius]")
+          ->type_name("E")
+          ->check(number_between(0, 0.5))
+          ->capture_default_str();
   command_
-      ->add_option("--tolerance", tolerance_,
-                   "Largest accepted distance of a swimmer from its position in the repeated box, 0 to 0.5 "
-                   "[smallest bead radius]")
-      ->type_name("E")
-      ->check(number_between(0, 0.5))
-      ->capture_default_str();
+      ->add_option("--box", box_,
+                   "Edge lengths of a periodic box that replaces the box of a single swimmer, which is moved "
+                   "to its centre [length]")
+      ->type_name("X,Y,Z")
+      ->check(number_list({3}, finite_positive()))
+      ->default_str("none")
+      ->excludes(tolerance);
   set_footer(*command_,
              {"beadswim-layout swarm --preset paper-uniform | beadswim-layout reduce >cell.json",
               "beadswim-layout reduce swarm.json --tolerance 0.1 >cell.json"},
              "swarms.md");
 }
 
-void ReduceCommand::run(const CLI::App& program) const {
-  LayoutDocument document = read_layout(file_);
-  ReducedCell reduced = reduce(document.layout, tolerance_ * smallest_radius(document.layout));
-  const std::size_t before = document.layout.swimmers.size(), after = reduced.layout.swimmers.size();
+void ReduceCommand::reduce_to_cell(Layout& layout) const {
+  ReducedCell reduced = reduce(layout, tolerance_ * smallest_radius(layout));
+  const std::size_t before = layout.swimmers.size(), after = reduced.layout.swimmers.size();
   const Vec3& box = reduced.layout.domain->lengths;
   print_to_stderr(fmt::format(
       "beadswim-layout: the scene consists of {} x {} x {} copies of one cell; the new layout is "
@@ -38,7 +51,24 @@ void ReduceCommand::run(const CLI::App& program) const {
       "in positions along one axis by at most {:.2g} (unit of length of the layout)\n",
       reduced.cells[0], reduced.cells[1], reduced.cells[2], before, after, box[0], box[1], box[2],
       reduced.largest_shift));
-  document.layout = std::move(reduced.layout);
+  layout = std::move(reduced.layout);
+}
+
+void ReduceCommand::put_in_box(Layout& layout) const {
+  if (layout.swimmers.size() != 1)
+    throw InputError("--box",
+                     fmt::format("the layout has {} swimmers, but only a single swimmer can be put in "
+                                 "another box; leave the flag out",
+                                 layout.swimmers.size()));
+  Swimmer& swimmer = layout.swimmers.front();
+  layout.domain = Box{.lengths = parse_vector(box_)};
+  swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.axis, layout.domain);
+  require_sound(layout, "the flags");
+}
+
+void ReduceCommand::run(const CLI::App& program) const {
+  LayoutDocument document = read_layout(file_);
+  box_.empty() ? reduce_to_cell(document.layout) : put_in_box(document.layout);
   document.provenance.push_back(provenance_record(program));
   write_text("-", dump_json(layout_to_json(document)));
 }

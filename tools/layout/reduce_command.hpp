@@ -3,10 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "beadswim/scene/layout.hpp"
+
 namespace beadswim {
 
 /// Command "beadswim-layout reduce": finds the smallest periodic box whose periodic copies give the scene of
-/// a layout. It reads a file or standard input and writes the layout of this box to standard output.
+/// a layout, or puts a single swimmer in another box. It reads a file or standard input and writes the layout
+/// of the box to standard output.
 class ReduceCommand {
  public:
   explicit ReduceCommand(CLI::App& program);
@@ -15,8 +18,11 @@ class ReduceCommand {
   void run(const CLI::App& program) const;
 
  private:
+  void reduce_to_cell(Layout& layout) const;
+  void put_in_box(Layout& layout) const;
+
   CLI::App* command_;
-  std::string file_ = "-";
+  std::string file_ = "-", box_;
   double tolerance_ = 1e-6;
 };
 

@@ -131,8 +131,8 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
   for (int a = 0; a < 3; ++a) lengths[(along + a) % 3] = box->lengths[a];
   plan.proposals.push_back(
       {fmt::format(
-           "make the layout with this box: a single swimmer needs no larger box; theory predicts that this "
-           "box changes velocity and stroke by at most {}, compared with the present layout",
+           "a single swimmer needs no larger box: theory predicts that this box changes velocity and stroke "
+           "by at most {}, compared with the present layout",
            in_percent(box->change)),
        lengths});
 }

@@ -67,11 +67,18 @@ Json json_of(const PlannedRun& run, const RunOptions& options, const Communicato
   return json;
 }
 
+/// Returns the text as one word of a shell command.
+std::string shell_word(const std::string& text) {
+  if (std::regex_match(text, std::regex("[A-Za-z0-9_./+,:=@%-]+"))) return text;
+  return "'" + std::regex_replace(text, std::regex("'"), R"('\'')") + "'";
+}
+
 /// Returns the command that writes the layout which a plan proposes instead of the present one.
-std::string command_of(const Proposal& proposal) {
-  if (!proposal.box) return "beadswim-layout reduce";
+std::string command_of(const Proposal& proposal, const RunOptions& options) {
+  const std::string command = "beadswim-layout reduce " + shell_word(options.layout);
+  if (!proposal.box) return command;
   const Vec3& box = *proposal.box;
-  return fmt::format("beadswim-layout swimmer --box {},{},{} --boundary periodic", box[0], box[1], box[2]);
+  return fmt::format("{} --box {},{},{}", command, box[0], box[1], box[2]);
 }
 
 }  // namespace
@@ -100,7 +107,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
   }
   for (const std::string& hard : plan.hard) text += fmt::format("hard: {}\n", hard);
   for (const Proposal& proposal : plan.proposals)
-    text += fmt::format("propose: {}: {}\n", command_of(proposal), proposal.what);
+    text += fmt::format("propose: {}: {}\n", command_of(proposal, options), proposal.what);
   return text;
 }
 
@@ -116,7 +123,7 @@ Json plan_to_json(const RunPlan& plan, const RunOptions& options, const Communic
             {"proposals", Json::array()}};
   for (const PlannedRun& run : plan.runs) json["runs"].push_back(json_of(run, options, communicator));
   for (const Proposal& proposal : plan.proposals)
-    json["proposals"].push_back({{"command", command_of(proposal)}, {"what", proposal.what}});
+    json["proposals"].push_back({{"command", command_of(proposal, options)}, {"what", proposal.what}});
   if (options.with_provenance) json["provenance"] = Json::array({options.provenance});
   return json;
 }
