@@ -114,6 +114,8 @@ check "a lattice is refused in open space" holds '[.runs[] | select(.model == "l
 beadswim-layout swimmer --preset paper-single >large.json
 run beadswim-run large.json --plan
 check "a smaller box is proposed" holds '.proposals[0].command | test("^beadswim-layout reduce large.json --box [0-9]+,[0-9]+,[0-9]+$")' out
+check "the plan says what errors are" holds '.error_definition | test("^expected relative error of velocity .* at infinitely fine resolution; ")' out
+err_has "^error: $(jq -r .error_definition out | sed 's/[()]/./g')\$"
 check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("GB per rank"))' out
 
 pasted '.domain.boundary == ["periodic", "periodic", "periodic"] and (.domain.lengths | .[0] < 200 and .[1] < 100)'

@@ -13,6 +13,11 @@
 namespace beadswim {
 namespace {
 
+constexpr const char* error_definition =
+    "expected relative error of velocity (v) and arm amplitudes (arms) in the last cycle, once the stroke is "
+    "periodic, compared with the same scene with inertia at infinitely fine resolution; estimated from the "
+    "prediction inertia-corrected and from measured errors of lattice runs";
+
 std::string percent(double share) {
   if (share == 0) return "-";
   return share < 10 ? fmt::format("{:.2g}", 100 * share) : "> 1000";
@@ -100,6 +105,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front)
     text += row(*run, options, communicator, run == choice ? "<- cheapest" : "");
+  text += fmt::format("error: {}\n", error_definition);
   for (const auto& [kind, runs] : refused) {
     const std::string others = runs.size() > 1 ? fmt::format(", and {} similar runs", runs.size() - 1) : "";
     text +=
@@ -114,6 +120,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
 Json plan_to_json(const RunPlan& plan, const RunOptions& options, const Communicator& communicator) {
   Json json{{"schema", "beadswim/plan/1"},
             {"tolerance", plan.tolerance},
+            {"error_definition", error_definition},
             {"cycles", options.settings.cycles},
             {"ranks", communicator.size()},
             {"choice", plan.choice ? Json(flags_of(plan.runs[*plan.choice], options)) : Json()},
