@@ -212,7 +212,7 @@ check "the tolerance is the plan's" holds '.tolerance == 0.2 and .choice == "--m
 beadswim-layout swimmer --preset paper-single --box 800,800,1200 --axis 0,0,1 --frame body >up.json
 run beadswim-run up.json --plan --model rpy
 check "the box is long along z" holds '.proposals[0].command | capture("--box (?<x>[0-9.]+),(?<y>[0-9.]+),(?<z>[0-9.]+)") | map_values(tonumber) | .z > .x and .x == .y' out
-pasted '.domain.lengths as $box | .swimmers[0] | .axis == [0, 0, 1] and .position == [$box[0] / 2, $box[1] / 2, $box[2] / 2]'
+pasted '.domain.lengths as $box | .swimmers[0] | .axis == [0, 0, 1] and .position == [$box[0] / 2 + 0.6, $box[1] / 2 + 0.2, $box[2] / 2]'
 run beadswim-run cell.json --plan --model lbm --cells-per-radius 3 --relaxation-time 1 --lubrication off
 check "flags that were given are in the run's" holds '.runs[0].flags | test("--lubrication off")' out
 beadswim-layout swimmer --preset paper-single --box 1e9,1e9,1e9 >vast.json

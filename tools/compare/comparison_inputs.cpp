@@ -113,7 +113,8 @@ std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, co
     return {Reference{.source = file.source,
                       .method = "run",
                       .usable = true,
-                      .swimming = swimming_of(*run, record, cycle, file.source)}};
+                      .swimming = swimming_of(*run, record, cycle, file.source),
+                      .uncertainties = uncertainties_of(record, cycle)}};
   }
   std::vector<Reference> references;
   const auto& document = std::get<PredictionDocument>(file.document);
@@ -122,7 +123,8 @@ std::vector<Reference> references_for(int swimmer, const ReferenceFile& file, co
     references.push_back({.source = file.source,
                           .method = prediction.method,
                           .usable = prediction.usable,
-                          .swimming = swimming_of(prediction)});
+                          .swimming = swimming_of(prediction),
+                          .uncertainties = uncertainties_of(prediction)});
   }
   return references;
 }
@@ -187,7 +189,8 @@ void compare_swimmer_in_all_runs(int id, const ComparisonRequest& request, const
     const SwimmerRecord& swimmer = find_swimmer(run.record, id, run.source);
     const RunSwimmer run_swimmer{.source = run.source,
                                  .id = id,
-                                 .swimming = swimming_of(run.record, swimmer, request.cycle, run.source)};
+                                 .swimming = swimming_of(run.record, swimmer, request.cycle, run.source),
+                                 .uncertainties = uncertainties_of(swimmer, request.cycle)};
     const auto rows = compare_swimmer(
         run_swimmer, references.all,
         {.quantities = request.quantities, .tolerance = request.tolerance, .deciding = deciding});

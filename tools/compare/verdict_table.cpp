@@ -34,6 +34,15 @@ std::string error_text(const ComparisonRow& row) {
   return fmt::format("{:+.2f} %", percent == 0 ? 0.0 : percent);  // avoids "-0.00"
 }
 
+/// Returns the uncertainty of the error: the root of the sum of squares of those of run and reference that
+/// are known.
+std::string uncertainty_text(const ComparisonRow& row) {
+  if (!row.run_uncertainty && !row.reference_uncertainty) return "";
+  const double uncertainty =
+      std::hypot(row.run_uncertainty.value_or(0), row.reference_uncertainty.value_or(0));
+  return fmt::format("± {:.2g} %", 100 * uncertainty);
+}
+
 /// Returns true if a heading must precede row i of the table. This is true for the first row of each run and
 /// swimmer if the table contains several runs or swimmers.
 bool begins_section(std::span<const ComparisonRow> rows, std::size_t i) {
@@ -46,15 +55,15 @@ bool begins_section(std::span<const ComparisonRow> rows, std::size_t i) {
 }  // namespace
 
 std::string verdict_table(const VerdictDocument& document) {
-  constexpr auto line = "{:<21} {:>13} {:>13}  {:<22} {:>10}  {}\n";
-  std::string table = fmt::format(line, "quantity", "run", "reference", "method", "error", "verdict");
+  constexpr auto line = "{:<21} {:>13} {:>13}  {:<22} {:>10} {:>9}  {}\n";
+  std::string table = fmt::format(line, "quantity", "run", "reference", "method", "error", "", "verdict");
   for (std::size_t i = 0; i < document.rows.size(); ++i) {
     const ComparisonRow& row = document.rows[i];
     if (begins_section(document.rows, i))
       table += fmt::format("{}, swimmer {}:\n", row.run_source, row.swimmer);
-    table +=
-        fmt::format(line, quantity_text(row), fmt::format("{:.5g}", row.run),
-                    fmt::format("{:.5g}", row.reference), row.method, error_text(row), verdict_text(row));
+    table += fmt::format(line, quantity_text(row), fmt::format("{:.5g}", row.run),
+                         fmt::format("{:.5g}", row.reference), row.method, error_text(row),
+                         uncertainty_text(row), verdict_text(row));
   }
   for (const auto& [property, run, reference] : document.scene_differences)
     table += fmt::format("allowed difference: {}: run {}, reference {}\n", to_text(property), run, reference);

@@ -40,9 +40,9 @@ void require_steps_left(const ModelPlan& plan, long done) {
                               cycles, static_cast<double>(done) / static_cast<double>(plan.steps_per_cycle)));
 }
 
-void warn(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings)
-    print_to_stderr(fmt::format("{}: warning: {}\n", program_name, warning));
+void warn(const std::vector<RunWarning>& warnings) {
+  for (const RunWarning& warning : warnings)
+    print_to_stderr(fmt::format("{}: warning: {}\n", program_name, warning.message));
 }
 
 /// Prints a description of the run and the warnings that are known before the run.
@@ -167,7 +167,7 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
                        .progress = progress};
   catch_stop_signals();
   const RunOutcome outcome = run_and_record(parts, request, document, failures);
-  const std::vector<std::string> warnings = model->warnings();
+  const std::vector<RunWarning> warnings = model->warnings();
   if (communicator.is_root()) {
     warn(warnings);
     if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal)

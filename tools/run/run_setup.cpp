@@ -2,7 +2,10 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "beadswim/core/version.hpp"
+#include "beadswim/plan/reason_against.hpp"
 #include "models/lattice_model.hpp"
 #include "models/overdamped_model.hpp"
 
@@ -16,6 +19,24 @@ std::unique_ptr<ModelPlan> plan_of_model(const LayoutDocument& document, const R
   return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
 }
 
+/// Sets the expected errors of the run. Adds a warning if they are larger than 10 % or not known.
+void add_expected_errors(ModelPlan& plan, const Layout& layout, const std::string& source) {
+  const std::string unknown =
+      reason_against([&] { plan.expected = expected_errors(layout, plan.options.settings, source); });
+  if (!plan.expected) {
+    plan.warnings.push_back({"error-unknown", "the error of this run is not known: " + unknown});
+    return;
+  }
+  constexpr double tolerated = 0.1;
+  const ErrorEstimate& error = plan.expected->total;
+  if (error.largest() <= tolerated) return;
+  plan.warnings.push_back(
+      {"expected-error",
+       fmt::format("the velocity is expected to be wrong by {:.2g} % and the arm amplitudes by {:.2g} %; "
+                   "beadswim-run --plan lists runs with smaller errors",
+                   100 * error.velocity, 100 * std::max(error.arm_amplitudes[0], error.arm_amplitudes[1]))});
+}
+
 }  // namespace
 
 std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Request& request,
@@ -23,8 +44,10 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
   std::unique_ptr<ModelPlan> plan = plan_of_model(document, request, communicator);
   if (const int frames = plan->options.settings.frames_per_cycle; frames > plan->steps_per_cycle)
     plan->warnings.push_back(
-        fmt::format("a cycle has only {} time steps, so {} frames per cycle are recorded instead of {}",
-                    plan->steps_per_cycle, plan->steps_per_cycle, frames));
+        {"few-steps",
+         fmt::format("a cycle has only {} time steps, so {} frames per cycle are recorded instead of {}",
+                     plan->steps_per_cycle, plan->steps_per_cycle, frames)});
+  if (communicator.is_root()) add_expected_errors(*plan, document.layout, request.source());
   return plan;
 }
 

@@ -35,6 +35,11 @@ ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, Co
   return row;
 }
 
+std::optional<double> value_of(const ComparedValues& values, ComparedQuantity quantity, std::size_t i) {
+  const auto found = values.find(quantity);
+  return found != values.end() ? std::optional(found->second[i]) : std::nullopt;
+}
+
 /// Returns the row for number i of a quantity. Arm amplitudes have one number per arm, and i + 1 is the
 /// number of the arm. Other quantities have one number.
 ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, ComparedQuantity quantity,
@@ -44,6 +49,8 @@ ComparisonRow compare_number(const RunSwimmer& run, const Reference& reference, 
   row.run = run.swimming.at(quantity)[i];
   row.reference = reference.swimming.at(quantity)[i];
   row.relative_error = relative_error(row.run, row.reference);
+  row.run_uncertainty = value_of(run.uncertainties, quantity, i);
+  row.reference_uncertainty = value_of(reference.uncertainties, quantity, i);
   row.tolerance = tolerance;
   row.pass = std::abs(row.relative_error) <= tolerance;  // false for NaN
   return row;

@@ -146,17 +146,29 @@ BestPrediction best_prediction(const Question& question) {
   return known;
 }
 
+ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b) {
+  ErrorEstimate change;
+  if (b.is_swimming) change.velocity = std::abs(a.velocity / b.velocity - 1);
+  for (int arm = 0; arm < 2; ++arm)
+    change.arm_amplitudes[arm] = relative(a.arm_amplitudes[arm], b.arm_amplitudes[arm]);
+  return change;
+}
+
 // The error by time steps of finite length is 3.3e-5 of the velocity with 100 steps per cycle. It is
 // proportional to the third power of the time step (docs/method/mobility-swarms.md). The tolerance E of
 // mobility products changed the velocities of a single swimmer and of a swarm by up to 5 E.
+double velocity_error_of_steps(const MobilitySettings& settings) {
+  const int steps = settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle);
+  return 3.3e-5 * std::pow(100.0 / steps, 3) + 5 * settings.tolerance;
+}
+
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              const MobilitySettings& settings) {
   const QuasiStaticMotion motion = question.box ? motion_in_box(question, method_of(model))
                                                 : motion_of(predicted(method_of(model), question));
   ErrorEstimate error = best.uncertainty;
-  const int steps = settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle);
-  const double by_steps = 3.3e-5 * std::pow(100.0 / steps, 3), by_products = 5 * settings.tolerance;
-  if (best.is_swimming) error.velocity += relative(motion.velocity, best.velocity) + by_steps + by_products;
+  if (best.is_swimming)
+    error.velocity += relative(motion.velocity, best.velocity) + velocity_error_of_steps(settings);
   for (int arm = 0; arm < 2; ++arm)
     error.arm_amplitudes[arm] += relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
   return error;

@@ -10,15 +10,6 @@
 namespace beadswim {
 namespace {
 
-double change_between(const BestPrediction& a, const BestPrediction& b) {
-  double change = b.is_swimming ? std::abs(a.velocity / b.velocity - 1) : 0;
-  for (int arm = 0; arm < 2; ++arm) {
-    if (b.arm_amplitudes[arm] > 0)
-      change = std::max(change, std::abs(a.arm_amplitudes[arm] / b.arm_amplitudes[arm] - 1));
-  }
-  return change;
-}
-
 Vec3 box_around(const CollinearSwimmer& swimmer, double free_length) {
   const double radius = *std::ranges::min_element(swimmer.radius);
   const auto rounded_up = [&](double edge) { return radius * std::ceil(edge / radius - 1e-9); };
@@ -38,7 +29,7 @@ std::optional<SufficientBox> sufficient_box(const Question& question, double tol
     Question boxed = question;
     boxed.box = box_place_at_centre(lengths);
     double change = INFINITY;  // stays infinite if the box is too narrow for theory
-    reason_against([&] { change = change_between(best_prediction(boxed), reference); });
+    reason_against([&] { change = difference(best_prediction(boxed), reference).largest(); });
     if (change <= tolerance) return SufficientBox{.lengths = lengths, .change = change};
   }
   return std::nullopt;

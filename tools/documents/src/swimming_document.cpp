@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "beadswim/core/error.hpp"
@@ -117,6 +118,28 @@ ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, c
     cycles.push_back(evaluate_compared_values(cycle, run.domain));
   }
   return average_compared_values(cycles);
+}
+
+ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice& choice) {
+  ComparedValues uncertainties;
+  if (choice.kind != CycleChoice::Kind::last || !swimmer.uncertainty) return uncertainties;
+  const auto& [velocity, arms] = *swimmer.uncertainty;
+  if (velocity.total) uncertainties[ComparedQuantity::velocity] = {*velocity.total};
+  if (arms.total) uncertainties[ComparedQuantity::arm_amplitudes] = {*arms.total, *arms.total};
+  return uncertainties;
+}
+
+ComparedValues uncertainties_of(const Prediction& prediction) {
+  ComparedValues uncertainties;
+  if (prediction.uncertainty) uncertainties[ComparedQuantity::velocity] = {*prediction.uncertainty};
+  if (prediction.stroke_uncertainty) {
+    const auto& [d1, d2] = prediction.stroke_uncertainty->arm_amplitudes;
+    uncertainties[ComparedQuantity::arm_amplitudes] = {d1, d2};
+    if (prediction.sin_phase_shift != 0)
+      uncertainties[ComparedQuantity::sin_phase_shift] = {prediction.stroke_uncertainty->sin_phase_shift /
+                                                          std::abs(prediction.sin_phase_shift)};
+  }
+  return uncertainties;
 }
 
 ComparedValues swimming_of(const Prediction& prediction) {

@@ -151,7 +151,7 @@ void LatticeModel::describe(RunRecord& record) const {
   describe_lattice_run(record, system_, on_lattice_, steps_done() - first_step_, communicator_);
 }
 
-std::vector<std::string> LatticeModel::warnings() const {
+std::vector<RunWarning> LatticeModel::warnings() const {
   return warnings_after(largest_mach());
 }
 

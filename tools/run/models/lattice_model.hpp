@@ -41,7 +41,7 @@ class LatticeModel : public Model {
 
   void write_flow() override { flow_->write(system_); }
   void describe(RunRecord& record) const override;
-  std::vector<std::string> warnings() const override;
+  std::vector<RunWarning> warnings() const override;
 
   void write_history(OutgoingMessage& history) const override;
   void write_state(CheckpointWriter& checkpoint) override;

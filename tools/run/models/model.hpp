@@ -10,6 +10,7 @@
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
+#include "beadswim/plan/expected_errors.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "command_line/options.hpp"
@@ -95,9 +96,8 @@ class Model {
   virtual void write_flow() = 0;
   /// Adds the data that only this model has to a record that already contains status, momentum and cost.
   virtual void describe(RunRecord& record) const = 0;
-  /// Returns warnings about states during the run that may have made the results less accurate, one line
-  /// each.
-  virtual std::vector<std::string> warnings() const = 0;
+  /// Returns warnings about states during the run that may have made the results less accurate.
+  virtual std::vector<RunWarning> warnings() const = 0;
 
   /// Writes the extreme values of the run until now, such as largest speed and smallest gap, for a
   /// checkpoint. Only rank 0 writes data.
@@ -130,7 +130,8 @@ struct ModelPlan {
   std::vector<PlacedSwimmer> swimmers;       ///< in the order of their ids [ModelUnits]
   std::optional<double> cells;               ///< number of lattice cells; nullopt: no lattice
   std::string announcement;                  ///< description of the run, one line
-  std::vector<std::string> warnings;         ///< warnings that are known before the run, one line each
+  std::optional<ExpectedErrors> expected;    ///< on rank 0; nullopt: unknown
+  std::vector<RunWarning> warnings;          ///< warnings that are known before the run
 };
 
 }  // namespace beadswim

@@ -36,7 +36,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
   }
   if (requested.tolerance)
     warnings.push_back(
-        "the flag --tolerance is used as --sum-tolerance; with a mobility model write --sum-tolerance");
+        {"tolerance-flag",
+         "the flag --tolerance is used as --sum-tolerance; with a mobility model write --sum-tolerance"});
   announcement = fmt::format(
       "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
       "on {} ranks",
@@ -157,16 +158,18 @@ void OverdampedModel::describe(RunRecord& record) const {
   record.state_sha256 = hash.hexadecimal();
 }
 
-std::vector<std::string> OverdampedModel::warnings() const {
+std::vector<RunWarning> OverdampedModel::warnings() const {
   const double gap = system_.state().smallest_gap;
   if (!std::isfinite(gap)) return {};
   const bool knows_films = plan_.scene.model == MobilityModel::rpy_near;
-  return {fmt::format(
-      "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
-      "compare this run with a run by --model lbm",
-      gap,
-      knows_films ? "this repulsion is artificial and not a physical force"
-                  : "the model of this run neglects lubrication by the fluid film between close surfaces")};
+  return {{"repulsion",
+           fmt::format(
+               "beads came within a gap of {:.3g} of each other or of a wall and were repelled; {}; "
+               "compare this run with a run by --model lbm",
+               gap,
+               knows_films
+                   ? "this repulsion is artificial and not a physical force"
+                   : "the model of this run neglects lubrication by the fluid film between close surfaces")}};
 }
 
 void OverdampedModel::write_history(OutgoingMessage& history) const {

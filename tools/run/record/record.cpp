@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
+
+#include "beadswim/compare/run_uncertainty.hpp"
+#include "beadswim/compare/swimming.hpp"
 
 namespace beadswim {
 namespace {
@@ -38,6 +42,55 @@ void add_conservation(RunRecord& record, const ModelTotals& first, const ModelTo
     record.mass_relative_change = (1 + *last.mass_excess) / (1 + *first.mass_excess) - 1;
 }
 
+/// Returns the uncertainty of a quantity. `values`: in successive cycles.
+QuantityUncertainty uncertainty_of(std::span<const double> values, std::optional<double> resolution,
+                                   std::optional<double> wander, std::optional<double> box) {
+  QuantityUncertainty uncertainty{.resolution = resolution,
+                                  .wander = wander,
+                                  .transient = remaining_change(values),
+                                  .total = {},
+                                  .box = box};
+  uncertainty.total = total_uncertainty(uncertainty);
+  return uncertainty;
+}
+
+SwimmerUncertainty uncertainty_of(const SwimmerRecord& swimmer, const std::optional<Box>& box,
+                                  const std::optional<ExpectedErrors>& expected) {
+  std::vector<double> velocities;
+  std::array<std::vector<double>, 2> amplitudes;
+  for (const CycleStatistics& cycle : swimmer.cycles) {
+    velocities.push_back(velocity_relative_to_fluid(cycle, box));
+    for (int arm = 0; arm < 2; ++arm) amplitudes[arm].push_back(cycle.arm_amplitudes[arm]);
+  }
+  const auto known = [&](auto&& value) { return expected ? std::optional(value(*expected)) : std::nullopt; };
+  SwimmerUncertainty result;
+  result.velocity = uncertainty_of(velocities, known([](auto& e) { return e.resolution.velocity; }),
+                                   known([](auto& e) { return e.wander.velocity; }),
+                                   known([](auto& e) { return e.box.velocity; }));
+  for (int arm = 0; arm < 2; ++arm) {
+    const QuantityUncertainty one =
+        uncertainty_of(amplitudes[arm], known([=](auto& e) { return e.resolution.arm_amplitudes[arm]; }),
+                       known([=](auto& e) { return e.wander.arm_amplitudes[arm]; }),
+                       known([=](auto& e) { return e.box.arm_amplitudes[arm]; }));
+    if (arm == 0 || one.total > result.arm_amplitudes.total) result.arm_amplitudes = one;
+  }
+  return result;
+}
+
+/// Adds expected errors, uncertainties and warnings. Rank 0 only.
+void add_errors(RunRecord& record, const ModelPlan& plan, const std::vector<RunWarning>& after) {
+  if (plan.expected) {
+    const ErrorEstimate& total = plan.expected->total;
+    record.expected_error =
+        ExpectedErrorRecord{.velocity = total.velocity, .arm_amplitudes = total.arm_amplitudes};
+  }
+  for (SwimmerRecord& swimmer : record.swimmers) {
+    if (!swimmer.cycles.empty()) swimmer.uncertainty = uncertainty_of(swimmer, record.domain, plan.expected);
+  }
+  record.warnings = plan.warnings;
+  record.warnings->insert(record.warnings->end(), after.begin(), after.end());
+}
+
 }  // namespace
 
 RunRecord make_record(const RunParts& parts, const LayoutDocument& document, const RunOutcome& outcome) {
@@ -61,6 +114,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
                         .peak_memory_bytes = peak_memory_bytes(parts.communicator),
                         .communication = std::nullopt};
   parts.model.describe(record);
+  add_errors(record, parts.plan, parts.model.warnings());
   record.provenance = document.provenance;
   record.provenance->push_back(parts.plan.options.provenance);
   return record;

@@ -178,7 +178,7 @@ class Explainer {
     }
     for (const auto& [key, value] : object.items()) {
       if (std::find(names.begin(), names.end(), key) != names.end()) continue;
-      const std::vector<std::string>& candidates = absent.empty() ? names : absent;
+      const std::vector<std::string>& candidates = nearest_name(key, absent).empty() ? names : absent;
       suggestions.push_back(nearest_name(key, candidates));
       faults.push_back({pointer + pointer_step(key),
                         fmt::format("unknown key{} Keys allowed here: {}", format_suggestion(key, candidates),

@@ -29,11 +29,17 @@ struct Source {
   double sign = 1;
 };
 
+/// Returns the beads and their mirror images. Along periodic axes, the middle bead is at 0, so that the mesh
+/// moves with the swimmer.
 std::vector<Source> sources(const CollinearSwimmer& swimmer, const BoxPlace& place) {
   const LinePositions x = rest_positions(swimmer, place);
   std::vector<Source> all;
+  Vec3 origin = Vec3::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    if (!place.box.has_mirrors(axis)) origin[axis] = place.middle_bead[axis];
   for (int bead = 0; bead < 3; ++bead)
-    all.push_back({.bead = bead, .position = {x[bead], place.middle_bead[1], place.middle_bead[2]}});
+    all.push_back(
+        {.bead = bead, .position = Vec3(x[bead], place.middle_bead[1], place.middle_bead[2]) - origin});
   for (int axis = 0; axis < 3; ++axis) {
     if (!place.box.has_mirrors(axis)) continue;
     for (std::size_t s = 0, count = all.size(); s < count; ++s) {
@@ -99,18 +105,18 @@ class Mesh {
   std::array<std::vector<double>, 3> waves_;  ///< wavenumbers along each axis [1/length]
 };
 
-std::optional<Mesh> mesh_for(const CollinearSwimmer& swimmer, const Vec3& lengths) {
+std::optional<Mesh> mesh_for(const CollinearSwimmer& swimmer, const Box& box) {
   constexpr double max_points = 1 << 21;
   const double spacing = *std::ranges::min_element(swimmer.radius);
   std::array<int, 3> points{};
   double count = 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const double pairs = std::ceil(lengths[axis] / (2 * spacing));
+    const double pairs = std::ceil(box.lengths[axis] / (2 * spacing)) * (box.has_mirrors(axis) ? 2 : 1);
     count *= 2 * pairs;
     if (count > max_points) return std::nullopt;
     points[axis] = 2 * static_cast<int>(pairs);
   }
-  return Mesh(lengths, points);
+  return Mesh(mirrored_lengths(box), points);
 }
 
 /// Spherical Bessel functions j_0(x) and j_1(x)/x.
@@ -151,12 +157,12 @@ std::array<Mesh::Field, 3> flow_on(const Mesh& mesh, const CollinearSwimmer& swi
 std::optional<Eigen::Vector3d> reynolds_velocities_in_box(const CollinearSwimmer& swimmer,
                                                           double fluid_density, const BoxPlace& place,
                                                           const Eigen::Vector3cd& force) {
-  const Vec3 lengths = mirrored_lengths(place.box);
-  const std::optional<Mesh> mesh = mesh_for(swimmer, lengths);
+  const std::optional<Mesh> mesh = mesh_for(swimmer, place.box);
   if (!mesh) return std::nullopt;
   const Complex alpha = inverse_penetration_depth(swimmer, fluid_density);
   const std::vector<Source> all = sources(swimmer, place);
-  const std::array<Mesh::Field, 3> flow = flow_on(*mesh, swimmer, alpha, all, force, lengths.prod());
+  const std::array<Mesh::Field, 3> flow =
+      flow_on(*mesh, swimmer, alpha, all, force, mirrored_lengths(place.box).prod());
 
   std::array<Mesh::Field, 3> mean_force;  // in waves
   for (Mesh::Field& component : mean_force) component.resize(mesh->size());

@@ -18,7 +18,8 @@ namespace beadswim {
 struct RunSwimmer {
   std::string source;  ///< file of the run
   int id = 0;
-  ComparedValues swimming;  ///< contains all compared quantities
+  ComparedValues swimming;       ///< contains all compared quantities
+  ComparedValues uncertainties = {};  ///< relative uncertainties of `swimming`; quantities without one are absent
 };
 
 /// Quantities of one swimmer that a run is compared with.
@@ -27,6 +28,7 @@ struct Reference {
   std::string method;  ///< method of a prediction, or "run" for another run
   bool usable = true;  ///< false: the comparison is shown but does not affect the verdict
   ComparedValues swimming;
+  ComparedValues uncertainties = {};  ///< relative uncertainties of `swimming`; quantities without one are absent
 };
 
 /// Quantities, tolerance and reference that determine the verdict.
@@ -46,6 +48,7 @@ struct ComparisonRow {
   bool usable = true;
   double run = 0, reference = 0;
   double relative_error = 0;
+  std::optional<double> run_uncertainty, reference_uncertainty;  ///< relative; nullopt: unknown
   double tolerance = 0;
   bool pass = false;
   bool decides = false;
@@ -61,6 +64,8 @@ struct ComparisonRow {
     visit("method", row.method);
     visit("usable", row.usable);
     visit("relative_error", row.relative_error, null_if_infinite);
+    visit("run_uncertainty", row.run_uncertainty);
+    visit("reference_uncertainty", row.reference_uncertainty);
     visit("tolerance", row.tolerance);
     visit("pass", row.pass);
     visit("decides", row.decides);

@@ -48,6 +48,13 @@ struct BestPrediction {
 /// Throws InputError if the method cannot treat the question, for example because beads touch or overlap.
 BestPrediction best_prediction(const Question& question);
 
+/// Returns the relative differences of `a` from `b`; 0 for a velocity or arm amplitude of `b` that is zero.
+ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b);
+
+/// Returns the relative error of the velocity in a run with a mobility model by its time steps and by the
+/// accuracy of the products of mobility and forces.
+double velocity_error_of_steps(const MobilitySettings& settings);
+
 /// Returns the expected relative error of a run with a mobility model. It is the sum of the relative
 /// difference between the model and `best`, the uncertainty of `best` and, for the velocity, the errors by
 /// the time step and by the tolerance of mobility products. Throws InputError if beads touch, because no

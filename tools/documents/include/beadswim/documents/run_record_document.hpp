@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
+#include "beadswim/compare/run_uncertainty.hpp"
 #include "beadswim/compare/swarm_statistics.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/io/fields_json.hpp"
@@ -30,13 +31,15 @@ inline constexpr auto name_table<RunStatus> =
 /// Cycle statistics of one swimmer.
 struct SwimmerRecord {
   int id = 0;
-  std::vector<CycleStatistics> cycles;  ///< complete cycles, in order
-  std::optional<double> period;         ///< driving period [time]; nullopt: the base period
+  std::vector<CycleStatistics> cycles;                 ///< complete cycles, in order
+  std::optional<double> period;                        ///< driving period [time]; nullopt: the base period
+  std::optional<SwimmerUncertainty> uncertainty = {};  ///< of the last cycle; absent in older records
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);
     visit("period", swimmer.period, omitted_if_none);
     visit("cycles", swimmer.cycles);
+    visit("uncertainty", swimmer.uncertainty, omitted_if_none);
   }
 };
 
@@ -195,6 +198,28 @@ struct RunCost {
   }
 };
 
+/// Relative errors that are expected in a run; for the arm amplitudes, of d1 and d2.
+struct ExpectedErrorRecord {
+  double velocity = 0;
+  std::array<double, 2> arm_amplitudes{};
+
+  static void visit_fields(auto&& visit, auto& error) {
+    visit("velocity", error.velocity);
+    visit("arm_amplitudes", error.arm_amplitudes);
+  }
+};
+
+/// A warning about a run: a code for programs, and a message for users.
+struct RunWarning {
+  std::string code;
+  std::string message;
+
+  static void visit_fields(auto&& visit, auto& warning) {
+    visit("code", warning.code);
+    visit("message", warning.message);
+  }
+};
+
 /// The run record. In JSON, a member that is visited with omitted_if_none is absent if it has no value; any
 /// other optional member is then null. The scene is converted by scene_to_json().
 struct RunRecord {
@@ -212,6 +237,8 @@ struct RunRecord {
   std::optional<LatticeResolution> resolution;
   std::optional<MobilityRecord> mobility;
   std::optional<NearContactRecord> near_contact;
+  std::optional<ExpectedErrorRecord> expected_error;  ///< nullopt: unknown, or an older record
+  std::optional<std::vector<RunWarning>> warnings;    ///< nullopt in older records
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;  ///< nullopt after a fault
   std::optional<Json> provenance;
@@ -232,6 +259,8 @@ struct RunRecord {
     visit("reason", record.reason, omitted_if_none);
     visit("mobility", record.mobility, omitted_if_none);
     visit("near_contact", record.near_contact, omitted_if_none);
+    visit("expected_error", record.expected_error, omitted_if_none);
+    visit("warnings", record.warnings);
     visit("cost", record.cost, omitted_if_none);
     visit("state_sha256", record.state_sha256);
     visit("provenance", record.provenance, omitted_if_none);
