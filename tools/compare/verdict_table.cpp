@@ -40,7 +40,8 @@ std::string uncertainty_text(const ComparisonRow& row) {
   if (!row.run_uncertainty && !row.reference_uncertainty) return "";
   const double uncertainty =
       std::hypot(row.run_uncertainty.value_or(0), row.reference_uncertainty.value_or(0));
-  return fmt::format("± {:.2g} %", 100 * uncertainty);
+  return uncertainty < 0.1 ? fmt::format("± {:.2g} %", 100 * uncertainty)
+                           : fmt::format("± {:.0f} %", 100 * uncertainty);
 }
 
 /// Returns true if a heading must precede row i of the table. This is true for the first row of each run and

@@ -12,13 +12,16 @@ std::optional<double> total_uncertainty(const QuantityUncertainty& uncertainty) 
 }
 
 std::optional<double> remaining_change(std::span<const double> values) {
-  if (values.size() < 2 || values.back() == 0) return std::nullopt;
-  const auto last = values.last(std::min<std::size_t>(values.size(), 3));
-  const double change = std::abs(last[last.size() - 1] - last[last.size() - 2]);
-  constexpr double least = 0.5, most = 0.9;
-  const double before = last.size() == 3 ? std::abs(last[1] - last[0]) : 0;
-  const double ratio = before > 0 ? std::clamp(change / before, least, most) : least;
-  return ratio / (1 - ratio) * change / std::abs(last.back());
+  const std::size_t count = values.size();
+  if (count < 2 || values.back() == 0) return std::nullopt;
+  const double change = values[count - 1] - values[count - 2];
+  constexpr double usual = 0.5, most = 0.9;
+  double ratio = usual;
+  if (count > 2) {
+    const double before = values[count - 2] - values[count - 3];
+    if (before != 0 && change / before < 1) ratio = std::clamp(change / before, usual, most);
+  }
+  return ratio / (1 - ratio) * std::abs(change / values.back());
 }
 
 }  // namespace beadswim

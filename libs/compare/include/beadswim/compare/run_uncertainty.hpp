@@ -41,9 +41,9 @@ std::optional<double> total_uncertainty(const QuantityUncertainty& uncertainty);
 
 /// Estimates how far a quantity will still change after the last cycle, relative to its last value. `values`:
 /// the quantity in successive cycles. The changes from cycle to cycle are assumed to decrease by a constant
-/// ratio r, at least 1/2 and at most 9/10, that of the last two changes: the remaining change is r/(1 - r)
-/// times the last one. With two cycles r = 1/2. Returns nullopt for fewer than two values, or if the last
-/// value is zero.
+/// ratio r, so that the remaining change is r/(1 - r) times the last one. r is the ratio of the last two
+/// changes, but at least 1/2 and at most 9/10; it is 1/2 if the last two changes do not decrease or if there
+/// is only one change. Returns nullopt for fewer than two values, or if the last value is zero.
 std::optional<double> remaining_change(std::span<const double> values);
 
 }  // namespace beadswim
