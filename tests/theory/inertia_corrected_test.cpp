@@ -154,7 +154,7 @@ TEST(InertiaCorrected, TakesTheBoxFromUnsteadyPairs) {
 }
 
 // Without inertia a box gives second-order theory with the mobility exact + pairs in the box - pairs in open
-// space, with its derivatives; also between walls that the swimmer does not stand in the middle of.
+// space, with its derivatives, those of the images weakened by C_exact/C_RP; also between walls that the swimmer does not stand in the middle of.
 TEST(InertiaCorrected, InABoxTendsToSteadyTheoryAsDensityVanishes) {
   constexpr double density = 1e-12, tolerance = 1e-5;
   const CollinearSwimmer swimmer = with_density(with_amplitude(unequal_swimmer(), small), density);
@@ -168,7 +168,8 @@ TEST(InertiaCorrected, InABoxTendsToSteadyTheoryAsDensityVanishes) {
                             boxed = rotne_prager_mobility(flow, swimmer, rest_positions(swimmer, place));
     CollinearMobility mobility = exact;
     mobility.value += boxed.value - open.value;
-    for (int k = 0; k < 3; ++k) mobility.slope[k] += boxed.slope[k] - open.slope[k];
+    const double weakening = geometry_factor(exact) / geometry_factor(open);
+    for (int k = 0; k < 3; ++k) mobility.slope[k] += weakening * (boxed.slope[k] - open.slope[k]);
     const SecondOrderMotion steady = second_order_motion(swimmer, mobility);
     const Prediction p = predicted("inertia-corrected", question);
     EXPECT_NEAR(p.velocity / steady.velocity, 1, tolerance);

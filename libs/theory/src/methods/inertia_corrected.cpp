@@ -61,15 +61,49 @@ double nearest_image(const CollinearSwimmer& swimmer, const BoxPlace& place) {
   return nearest;
 }
 
-/// Change of the swimmer's velocity because images contribute to the Reynolds stress [length/time].
+/// Returns C_exact/C_RP, the geometry factors of the swimmer in open space by exact and by Rotne-Prager
+/// mobilities: the factor by which finite beads weaken the flow between them, compared with pairs. Returns 1
+/// where the two differ by half or more.
+double weakening_by_beads(const Question& question) {
+  const double pairs = geometry_factor(rest_mobility(question.swimmer, rotne_prager));
+  const double ratio = geometry_factor(question.exact->mobility) / pairs;
+  return std::abs(ratio - 1) < 0.5 ? ratio : 1;
+}
+
+/// Relative uncertainties of the changes by the box.
+struct BoxUncertainty {
+  double images = 0;    ///< of the change of the velocity of a given stroke
+  double mobility = 0;  ///< of the change of the stroke
+};
+
+/// Returns the uncertainties of the changes by the box, more for images that are closer than the beads of an
+/// arm. That of the velocity is the change by weakening_by_beads(), which is a measured law, not an exact
+/// one. That of the stroke is the error of the Rotne-Prager mobilities between two beads, twice, because flow
+/// goes from the beads to the images and back.
+BoxUncertainty box_uncertainty(const Question& question) {
+  if (!question.box) return {};
+  const CollinearMobility pairs = rest_mobility(question.swimmer, rotne_prager),
+                          &exact = question.exact->mobility;
+  double mobility = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < i; ++j)
+      mobility = std::max(mobility, std::abs(pairs.value(i, j) / exact.value(i, j) - 1));
+  }
+  const double velocity = std::abs(geometry_factor(pairs) / geometry_factor(exact) - 1);
+  const double arm = (question.swimmer.arm[0] + question.swimmer.arm[1]) / 2;
+  const double closeness = std::max(1.0, std::pow(arm / nearest_image(question.swimmer, *question.box), 3));
+  return {.images = closeness * std::max(velocity, mobility), .mobility = 2 * closeness * mobility};
+}
+
+/// Change of the swimmer's velocity because images contribute to the Reynolds stress, and its uncertainty
+/// except by pairs [length/time].
 struct ImageStress {
   double change = 0, uncertainty = 0;
 };
 
 /// Returns the change for the induced forces `force` and the forces `towing` that tow the swimmer in the box.
-/// Beads and images are pairs; the error of pairs is that of the velocity by the Reynolds stress in open
-/// space, whose exact value is `exact`. In a large box the change is left out. Its uncertainty is then the
-/// length of both arms, divided by the distance of the nearest image, times `exact`.
+/// In a large box the change is left out. Its uncertainty is then the length of both arms, divided by the
+/// distance of the nearest image, times the velocity by the Reynolds stress in open space, `exact`.
 ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing,
                          const Eigen::Vector3cd& force, double exact) {
   const CollinearSwimmer& swimmer = question.swimmer;
@@ -82,16 +116,17 @@ ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing
   const double boxed = towing.dot(*in_box);
   const double open =
       reynolds_stress_velocity(reynolds_stress_form(swimmer, question.fluid_density, towing).total, force);
-  const double change = boxed - open, by_pairs = exact != 0 ? std::min(1.0, std::abs(open / exact - 1)) : 0;
-  return {.change = change, .uncertainty = by_pairs * std::abs(change) + mesh * std::abs(boxed)};
+  return {.change = boxed - open, .uncertainty = mesh * std::abs(boxed)};
 }
 
 /// Motion in the box, to second order in amplitude.
 struct BoxMotion {
   Eigen::Vector2cd arm;
-  double velocity = 0;      ///< [length/time]
-  double gross_change = 0;  ///< sum of the magnitudes of the changes of the velocity by stroke and by images
-  double stress_uncertainty = 0;  ///< of the velocity, by the Reynolds stress of images [length/time]
+  double velocity = 0;   ///< [length/time]
+  double by_stroke = 0;  ///< change of the velocity, because the box changes the stroke [length/time]
+  double by_drift =
+      0;  ///< change of the velocity of this stroke by drift in the flow of images [length/time]
+  ImageStress by_stress = {};  ///< change of the velocity of this stroke by the Reynolds stress of images
 };
 
 BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
@@ -110,15 +145,16 @@ BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
                                  rest_mobility(swimmer, rotne_prager).value;
   const Eigen::Vector3d towing = rigid_force_distribution(steady);
   const ImageStress stress = image_stress(question, towing, force, by_beads.by_reynolds_stress);
-  const double velocity = towing.dot(by_beads.bead_velocities + by_images) + stress.change;
+  const double velocity =
+      towing.dot(by_beads.bead_velocities + weakening_by_beads(question) * by_images) + stress.change;
   const double with_stroke =
       mean_motion(flow, swimmer, response_to_stroke(response.arm, flow.mobility, swimmer.angular_frequency()))
           .velocity();
-  return {
-      .arm = response.arm,
-      .velocity = velocity,
-      .gross_change = std::abs(with_stroke - exact.motion.mean.velocity()) + std::abs(velocity - with_stroke),
-      .stress_uncertainty = stress.uncertainty};
+  return {.arm = response.arm,
+          .velocity = velocity,
+          .by_stroke = with_stroke - exact.motion.mean.velocity(),
+          .by_drift = velocity - with_stroke - stress.change,
+          .by_stress = stress};
 }
 
 /// Returns |x_1 x_2|/(d_1 d_2): the size of the stroke x = `arm`, relative to that of exact Stokes flow.
@@ -133,43 +169,12 @@ double root_of_squares(std::initializer_list<double> parts) {
   return std::sqrt(sum);
 }
 
-/// Relative errors of interactions by pairs: those of Rotne-Prager pairs in steady flow.
-struct PairErrors {
-  double velocity;  ///< of the velocity of a given stroke
-  double mobility;  ///< largest of the mobilities between two beads
-};
-
-PairErrors pair_errors(const Question& question) {
-  const CollinearMobility pairs = rest_mobility(question.swimmer, rotne_prager),
-                          &exact = question.exact->mobility;
-  double mobility = 0;
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < i; ++j)
-      mobility = std::max(mobility, std::abs(pairs.value(i, j) / exact.value(i, j) - 1));
-  }
-  const double velocity = std::abs(geometry_factor(pairs) / geometry_factor(exact) - 1);
-  return {.velocity = std::max(velocity, mobility), .mobility = mobility};
-}
-
-/// Returns the relative uncertainties of the changes by the box: the errors of pairs twice, because flow goes
-/// from the beads to the images and back, and more for images that are closer than the beads of an arm.
-PairErrors box_uncertainty(const Question& question) {
-  if (!question.box) return {.velocity = 0, .mobility = 0};
-  const double arm = (question.swimmer.arm[0] + question.swimmer.arm[1]) / 2;
-  const double factor = 2 * std::max(1.0, std::pow(arm / nearest_image(question.swimmer, *question.box), 3));
-  const PairErrors pairs = pair_errors(question);
-  return {.velocity = factor * pairs.velocity, .mobility = factor * pairs.mobility};
-}
-
 /// Returns the contributions to the velocity. `open`, `boxed`: motion to second order in open space and in
-/// the box; `finite`: motion at finite amplitude without inertia; `box_uncertainty`: of the change by the
-/// box, by pairs (relative).
+/// the box; `finite`: motion at finite amplitude without inertia.
 InertialVelocity velocity_parts(const Question& question, const ExactMotion& open, const BoxMotion& boxed,
-                                const PeriodicMotion& finite, double box_uncertainty) {
+                                const PeriodicMotion& finite, const BoxUncertainty& by_box) {
   const double kinematic =
       velocity_of_stroke(open.response.arm, question.exact->mobility, question.swimmer.angular_frequency());
-  // Share of the gross change by the box that counts where the changes by stroke and by images cancel.
-  constexpr double uncancelled = 0.1;
   InertialVelocity v;
   v.quasi_static = question.exact->motion.velocity;
   v.by_stroke = kinematic - v.quasi_static;
@@ -178,9 +183,9 @@ InertialVelocity velocity_parts(const Question& question, const ExactMotion& ope
   v.by_box = boxed.velocity - open.mean.velocity();
   const double size = relative_stroke(question, boxed.arm);
   v.by_amplitude = (finite.velocity - v.quasi_static) * size * size;
-  v.uncertainty =
-      root_of_squares({box_uncertainty * std::max(std::abs(v.by_box), uncancelled * boxed.gross_change),
-                       boxed.stress_uncertainty, amplitude_uncertainty(question, open, v.by_amplitude)});
+  v.uncertainty = root_of_squares({by_box.mobility * boxed.by_stroke, by_box.images * boxed.by_drift,
+                                   by_box.images * boxed.by_stress.change, boxed.by_stress.uncertainty,
+                                   amplitude_uncertainty(question, open, v.by_amplitude)});
   return v;
 }
 
@@ -229,10 +234,10 @@ InertiaCorrected inertia_corrected(const Question& question) {
                               : BoxMotion{.arm = open.response.arm, .velocity = open.mean.velocity()};
   const PeriodicMotion finite = exact_periodic_motion(swimmer);
   const SecondOrderMotion& small = question.exact->motion;
-  const PairErrors by_pairs = box_uncertainty(question);
+  const BoxUncertainty by_pairs = box_uncertainty(question);
 
   InertiaCorrected best;
-  best.velocity = velocity_parts(question, open, boxed, finite, by_pairs.velocity);
+  best.velocity = velocity_parts(question, open, boxed, finite, by_pairs);
   best.velocity.uncertainty += exact.numerical_error;
   const double size = relative_stroke(question, boxed.arm);
   // Relative uncertainties of the arm amplitudes: the change by the box has the error of pairs, the change by

@@ -23,7 +23,7 @@
 //   P(k)            (1 - k k/k^2), x^: unit vector along the swimmer, V: volume of the box
 //   alpha           sqrt(i omega rho/eta), rho and eta: density and dynamic viscosity of the fluid
 //
-// In open space the law is that of reynolds_stress.hpp. Page: docs/method/inertia-corrected.md.
+// In open space the law is that of reynolds_stress.hpp. Page: docs/method/inertia.md.
 
 namespace beadswim {
 
