@@ -96,8 +96,8 @@ same_bytes() {
   check "the outputs differ" cmp -s out out.other
 }
 
-# Returns success if the jq condition $1 is true for the JSON document in the file $2.
-holds() { jq -e "$1" "$2" >/dev/null; }
+# holds [JQ-FLAG...] CONDITION FILE   returns success if the jq condition is true for the JSON document in FILE.
+holds() { jq -e "$@" >/dev/null; }
 
 skip() {
   echo "skipped: $1"

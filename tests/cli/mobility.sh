@@ -20,6 +20,9 @@ for model in rpy oseen rpy+near; do
   check "the record names the model" holds ".model == \"$model\" and .momentum == null and .resolution == null and .mobility.products > 4000" out
   cp out $model.json
   decided "${model/rpy+near/multipole}-ode" 2e-6 $model.json theory.json
+  check "power and efficiency are those of theory" holds --arg method "${model/rpy+near/multipole}-ode" --slurpfile theory theory.json \
+    '($theory[0].predictions[] | select(.method == $method)) as $p | .swimmers[0].cycles[-1]
+      | [.power / $p.power - 1, .efficiency / $p.efficiency - 1] | map(fabs) | max < 1e-5' $model.json
 done
 check "the trajectory has frames and axes without a box" test "$(h5dump -H -d /particles/beads/position/value rpy.h5md | grep -c '161, 3, 3')" -eq 1
 

@@ -90,8 +90,8 @@ check 'the swarm moves otherwise than its cell' holds '.number == 8 and .worst <
 
 # A swimmer with a period of its own, beside one that only lets itself be carried, swims as where its period is the base, by
 # which steps and frames are set.
-beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,32,16 --boundary periodic --period 200 --amplitude 0.05 |
-  jq '.swimmers += [.swimmers[0] | .id = 1 | .position[1] = 0 | .driving = {amplitude: [0, 0]}]' >layout.json
+beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,32,16 --boundary periodic --position 16,16,8 --period 200 \
+  --amplitude 0.05 | jq '.swimmers += [.swimmers[0] | .id = 1 | .position[1] = 0 | .driving = {amplitude: [0, 0]}]' >layout.json
 jq '.swimmers[0].driving = {period: 163.7}' layout.json >own.json
 jq '.types[].driving.period = 163.7' layout.json >base.json
 for name in own base; do

@@ -170,6 +170,42 @@ TEST(LatticeError, IsThatOfRunsOnRecord) {
   }
 }
 
+// docs/resolution.md: standard deviations of the velocity over places within a cell, on planes of the lattice
+// and off them, to a factor of 2.5 (the estimate is two of them).
+TEST(LatticeError, KnowsHowTheVelocityWanders) {
+  struct Measured {
+    double cells, amplitude, on_planes, off_planes;
+  };
+  for (const auto& [cells, amplitude, on_planes, off_planes] : {Measured{2, 0.025, 0.33, 0.080},
+                                                                {2, 0.05, 0.20, 0.041},
+                                                                {2, 0.1, 0.089, 0.0203},
+                                                                {2, 0.2, 0.0235, 0.0033},
+                                                                {2, 0.4, 0.0083, 0.0010},
+                                                                {3, 0.2, 0.0045, 0.0007},
+                                                                {4, 0.2, 0.0034, 0.0004}}) {
+    Question question = only_question(single(Vec3(60, 40, 40)));
+    question.swimmer.amplitude = {amplitude, amplitude};
+    question = with_exact_reference(question);
+    const BestPrediction best = best_prediction(question);
+    ResolvedRun run = resolved(cells, 1);
+    const auto deviation = [&](double plane_factor) {
+      run.plane_factor = plane_factor;
+      return lattice_errors(LatticeLag(question), best, run).wander.velocity / 2 / best.cancellation;
+    };
+    EXPECT_LT(std::abs(std::log(deviation(1) / off_planes)), std::log(2.5)) << cells << " " << amplitude;
+    EXPECT_LT(std::abs(std::log(deviation(5) / on_planes)), std::log(2.5)) << cells << " " << amplitude;
+  }
+}
+
+TEST(LatticePlaneFactor, IsFiveOnPlanesAndOneBetweenThem) {
+  const Vec3 along_y = Vec3::UnitY();
+  EXPECT_NEAR(lattice_plane_factor({7, 3.21, 5.5}, along_y), 5, 1e-12);
+  EXPECT_NEAR(lattice_plane_factor({7.25, 3, 5}, along_y), 1, 1e-12);
+  EXPECT_NEAR(lattice_plane_factor({7, 3, 5.75}, -along_y), 1, 1e-12);
+  EXPECT_NEAR(lattice_plane_factor({7, 3, 5.125}, along_y), 3, 1e-12);
+  EXPECT_EQ(lattice_plane_factor({7, 3, 5}, Vec3(0.6, 0.8, 0)), 1);
+}
+
 TEST(LatticeError, KnowsGapsThatCellsDoNotResolve) {
   const Question question = only_question(single(Vec3(60, 40, 40)));
   const BestPrediction best = best_prediction(question);
