@@ -166,11 +166,12 @@ ErrorEstimate mobility_error(const Question& question, const BestPrediction& bes
                              const MobilitySettings& settings) {
   const QuasiStaticMotion motion = question.box ? motion_in_box(question, method_of(model))
                                                 : motion_of(predicted(method_of(model), question));
+  constexpr double margin = 1.15;  // the motion of the model in a box is known to 15 % of the difference
   ErrorEstimate error = best.uncertainty;
   if (best.is_swimming)
-    error.velocity += relative(motion.velocity, best.velocity) + velocity_error_of_steps(settings);
+    error.velocity += margin * relative(motion.velocity, best.velocity) + velocity_error_of_steps(settings);
   for (int arm = 0; arm < 2; ++arm)
-    error.arm_amplitudes[arm] += relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
+    error.arm_amplitudes[arm] += margin * relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
   return error;
 }
 

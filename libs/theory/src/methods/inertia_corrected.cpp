@@ -112,7 +112,7 @@ ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing
     const double share = (swimmer.arm[0] + swimmer.arm[1]) / nearest_image(swimmer, *question.box);
     return {.change = 0, .uncertainty = share * std::abs(exact)};
   }
-  constexpr double mesh = 0.02;  // relative error of reynolds_velocities_in_box()
+  constexpr double mesh = 0.04;  // relative error of reynolds_velocities_in_box()
   const double boxed = towing.dot(*in_box);
   const double open =
       reynolds_stress_velocity(reynolds_stress_form(swimmer, question.fluid_density, towing).total, force);

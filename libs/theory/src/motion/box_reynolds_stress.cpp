@@ -106,7 +106,7 @@ class Mesh {
 };
 
 std::optional<Mesh> mesh_for(const CollinearSwimmer& swimmer, const Box& box) {
-  constexpr double max_points = 1 << 21;
+  constexpr double max_points = 1 << 19;
   const double spacing = *std::ranges::min_element(swimmer.radius);
   std::array<int, 3> points{};
   double count = 1;

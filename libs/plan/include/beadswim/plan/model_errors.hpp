@@ -55,10 +55,10 @@ ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b);
 /// accuracy of the products of mobility and forces.
 double velocity_error_of_steps(const MobilitySettings& settings);
 
-/// Returns the expected relative error of a run with a mobility model. It is the sum of the relative
-/// difference between the model and `best`, the uncertainty of `best` and, for the velocity, the errors by
-/// the time step and by the tolerance of mobility products. Throws InputError if beads touch, because no
-/// periodic motion exists then.
+/// Returns the expected relative error of a run with a mobility model. It is the sum of 1.15 times the
+/// relative difference between the model and `best`, the uncertainty of `best` and, for the velocity, the
+/// errors by the time step and by the tolerance of mobility products. Throws InputError if beads touch,
+/// because no periodic motion exists then.
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              const MobilitySettings& settings);
 

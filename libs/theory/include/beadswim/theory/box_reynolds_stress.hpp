@@ -28,9 +28,9 @@
 namespace beadswim {
 
 /// Returns the mean velocities V_j of the beads by the Reynolds stress [length/time]. `force`: complex
-/// amplitudes of the induced forces [mass length/time^2]. The spacing of the mesh is the smallest radius; in
-/// scenes with radii of 0.2 to 0.8 penetration depths the error is below 2 %. Returns nullopt for boxes so
-/// large that the mesh would have more than 2^21 points.
+/// amplitudes of the induced forces [mass length/time^2]. The spacing of the mesh is the smallest radius; for
+/// radii of 0.2 to 0.8 penetration depths the error is below 4 %. Returns nullopt for boxes so
+/// large that the mesh would have more than 2^19 points.
 std::optional<Eigen::Vector3d> reynolds_velocities_in_box(const CollinearSwimmer& swimmer,
                                                           double fluid_density, const BoxPlace& place,
                                                           const Eigen::Vector3cd& force);
