@@ -19,6 +19,10 @@ std::unique_ptr<ModelPlan> plan_of_model(const LayoutDocument& document, const R
   return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
 }
 
+std::string in_percent(double share) {
+  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
+
 /// Sets the expected errors of the run. Adds a warning if they are larger than 10 % or not known.
 void add_expected_errors(ModelPlan& plan, const Layout& layout, const std::string& source) {
   const std::string unknown =
@@ -32,9 +36,11 @@ void add_expected_errors(ModelPlan& plan, const Layout& layout, const std::strin
   if (error.largest() <= tolerated) return;
   plan.warnings.push_back(
       {"expected-error",
-       fmt::format("the velocity is expected to be wrong by {:.2g} % and the arm amplitudes by {:.2g} %; "
-                   "beadswim-run --plan lists runs with smaller errors",
-                   100 * error.velocity, 100 * std::max(error.arm_amplitudes[0], error.arm_amplitudes[1]))});
+       fmt::format(
+           "the velocity is expected to be wrong by {} and the arm amplitudes by {}; beadswim-run --plan "
+           "lists runs with smaller errors",
+           in_percent(error.velocity),
+           in_percent(std::max(error.arm_amplitudes[0], error.arm_amplitudes[1])))});
 }
 
 }  // namespace
