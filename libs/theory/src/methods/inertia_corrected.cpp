@@ -119,6 +119,18 @@ ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing
   return {.change = boxed - open, .uncertainty = mesh * std::abs(boxed)};
 }
 
+/// Returns exact_periodic_motion() of the swimmer. The result for the last swimmer is kept, because a plan asks
+/// for the same swimmer in many boxes.
+const PeriodicMotion& finite_motion(const CollinearSwimmer& swimmer) {
+  struct Known {
+    CollinearSwimmer swimmer;
+    PeriodicMotion motion;
+  };
+  thread_local std::optional<Known> last;
+  if (!last || last->swimmer != swimmer) last = {swimmer, exact_periodic_motion(swimmer)};
+  return last->motion;
+}
+
 /// Motion in the box, to second order in amplitude.
 struct BoxMotion {
   Eigen::Vector2cd arm;
@@ -232,7 +244,7 @@ InertiaCorrected inertia_corrected(const Question& question) {
   const BoxMotion boxed = question.box
                               ? box_motion(question, exact)
                               : BoxMotion{.arm = open.response.arm, .velocity = open.mean.velocity()};
-  const PeriodicMotion finite = exact_periodic_motion(swimmer);
+  const PeriodicMotion& finite = finite_motion(swimmer);
   const SecondOrderMotion& small = question.exact->motion;
   const BoxUncertainty by_pairs = box_uncertainty(question);
 
