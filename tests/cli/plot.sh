@@ -327,7 +327,7 @@ tables >tables
 check "the tables of docs/speed-against-error.md are those of the records" \
   cmp -s tables <(sed -n '/^## The swarm.s cell$/,$p' "$BEADSWIM_SOURCE/docs/speed-against-error.md" | grep '^|')
 same_bytes "jq -rs -L $results --slurpfile reference $results/resolution-reference.json -f $results/resolution.jq $results/resolution.jsonl" \
-  "grep '^|' $BEADSWIM_SOURCE/docs/resolution.md"
+  "sed -n '/^| bead boundary/,/^$/p' $BEADSWIM_SOURCE/docs/resolution.md | grep '^|'"
 
 # --- notes of figures with many runs, predictions and methods: at most 60 words, below the drawing, inside the page
 many() { # DOCUMENT JQ   40 documents, one per line; the edit knows their number as $i

@@ -101,13 +101,16 @@ TEST(Representatives, TakeSlantedSwimmersAlongTheirOwnLine) {
   EXPECT_EQ(across.question.swimmer.amplitude[0], 0);
 }
 
-// With little inertia in a large box: rpy's distance from exact Stokes flow, and no more.
+constexpr double margin = 1.15;  // factor of the difference between model and theory (mobility_error)
+
+// With little inertia in a large box: rpy's distance from exact Stokes flow with the margin, and no more.
 TEST(MobilityError, IsWhatTheModelMisses) {
   const Question question = only_question(single(Vec3(4000, 4000, 4000), 1e6));
   const BestPrediction best = best_prediction(question);
   const double exact = predict(find_method("multipole-ode"), question).velocity;
   const double pairs = predict(find_method("rpy-ode"), question).velocity;
-  EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy, {}).velocity, pairs / exact - 1, 0.01);
+  EXPECT_NEAR(mobility_error(question, best, MobilityModel::rpy, {}).velocity, margin * (pairs / exact - 1),
+              0.01);
   EXPECT_LT(mobility_error(question, best, MobilityModel::rpy_near, {}).velocity, 0.01);
   EXPECT_GT(mobility_error(question, best, MobilityModel::oseen, {}).velocity, 0.2);
 }
@@ -121,10 +124,10 @@ TEST(MobilityError, IsThatOfRunsOnRecord) {
   const ErrorEstimate near = mobility_error(question, best, MobilityModel::rpy_near, {});
   const std::array<double, 2> theory = best.uncertainty.arm_amplitudes;
   constexpr double last_digit = 5e-4;
-  EXPECT_NEAR(pairs.arm_amplitudes[0] - theory[0], 0.029, theory[0] + last_digit);
-  EXPECT_NEAR(pairs.arm_amplitudes[1] - theory[1], 0.042, theory[1] + last_digit);
-  EXPECT_NEAR(near.arm_amplitudes[0] - theory[0], 0.034, theory[0] + last_digit);
-  EXPECT_NEAR(near.arm_amplitudes[1] - theory[1], 0.050, theory[1] + last_digit);
+  EXPECT_NEAR((pairs.arm_amplitudes[0] - theory[0]) / margin, 0.029, theory[0] + last_digit);
+  EXPECT_NEAR((pairs.arm_amplitudes[1] - theory[1]) / margin, 0.042, theory[1] + last_digit);
+  EXPECT_NEAR((near.arm_amplitudes[0] - theory[0]) / margin, 0.034, theory[0] + last_digit);
+  EXPECT_NEAR((near.arm_amplitudes[1] - theory[1]) / margin, 0.050, theory[1] + last_digit);
 }
 
 TEST(MobilityError, GrowsWithInertia) {

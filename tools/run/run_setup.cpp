@@ -20,6 +20,7 @@ std::unique_ptr<ModelPlan> plan_of_model(const LayoutDocument& document, const R
 }
 
 std::string in_percent(double share) {
+  if (share > 10) return "more than 1000 %";
   return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
 }
 

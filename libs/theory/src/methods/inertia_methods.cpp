@@ -160,7 +160,7 @@ Prediction predict_inertia_corrected(const Question& question) {
   prediction.validity = fmt::format(
       "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia; finite amplitude from "
       "exact steady Stokes flow; {}; compressibility and the lattice's own errors are not in it",
-      question.box ? "images in the layout's box as unsteady Faxen pairs" : "no box");
+      question.box ? "images in the layout's box as unsteady Faxen pairs with their Reynolds stress" : "no box");
   prediction.settings.emplace_back("mobility",
                                    question.box ? "exact, box by unsteady Faxen pairs" : "exact, unsteady");
   prediction.settings.emplace_back("velocity_quasi_static", v.quasi_static);
