@@ -18,11 +18,11 @@ def runs($model): [.[].runs[] | select((.flags | split(" ")[1]) as $m | ($model 
 | "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"700\" height=\"480\" font-family=\"sans-serif\" font-size=\"13\">",
   "<rect width=\"700\" height=\"480\" fill=\"white\"/>",
   "<path d=\"M\(left) \(top + size)L\(left + size) \(top)\" stroke=\"black\" stroke-dasharray=\"4 3\"/>",
-  (range(low; high + 1) | (if . >= -2 then "\(pow(10; . + 2) | round)" else "\(pow(10; . + 2) * 100 | round / 100)" end) as $label
+  (range(low; high + 1) | (if . >= -2 then "\(pow(10; . + 2) | round)" else "\(pow(10; . + 2) * 100 | round / 100)" end) as $text
    | (pow(10; .)) as $v
    | "<path d=\"M\($v | x) \(top)v\(size)M\(left) \($v | y)h\(size)\" stroke=\"#dddddd\"/>",
-     "<text x=\"\($v | x)\" y=\"\(top + size + 18)\" text-anchor=\"middle\">\($label)</text>",
-     "<text x=\"\(left - 8)\" y=\"\(($v | y) + 4)\" text-anchor=\"end\">\($label)</text>"),
+     "<text x=\"\($v | x)\" y=\"\(top + size + 18)\" text-anchor=\"middle\">\($text)</text>",
+     "<text x=\"\(left - 8)\" y=\"\(($v | y) + 4)\" text-anchor=\"end\">\($text)</text>"),
   "<rect x=\"\(left)\" y=\"\(top)\" width=\"\(size)\" height=\"\(size)\" fill=\"none\" stroke=\"black\"/>",
   "<text x=\"\(left + size / 2)\" y=\"\(top + size + 42)\" text-anchor=\"middle\">stated uncertainty or expected error [%]</text>",
   "<text transform=\"translate(18 \(top + size / 2)) rotate(-90)\" text-anchor=\"middle\">actual error [%]</text>",

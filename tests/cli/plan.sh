@@ -109,6 +109,9 @@ pasted() { # JQ   runs the command of the plan's proposal through the shell, and
   check "$command makes another layout" holds "$1" smaller.json
 }
 pasted '.swimmers | length == 1'
+beadswim-layout swarm --preset paper-uniform --block-swimmers 1,2,1 | beadswim-layout defect phase --sigma 1 --seed 1 >two.json
+run beadswim-run two.json --plan --model rpy
+err_has '^hard: neighbours also move one another sideways; mobility models lack the part of this motion that inertia causes'
 run beadswim-run slow.json --plan
 check "a lattice is refused in open space" holds '[.runs[] | select(.model == "lbm") | .refused] | length > 0 and all(test("unbounded"))' out
 beadswim-layout swimmer --preset paper-single >large.json
