@@ -25,10 +25,10 @@ def runs($model): [.[].runs[] | select((.flags | split(" ")[1]) as $m | ($model 
      "<text x=\"\(left - 8)\" y=\"\(($v | y) + 4)\" text-anchor=\"end\">\($text)</text>"),
   "<rect x=\"\(left)\" y=\"\(top)\" width=\"\(size)\" height=\"\(size)\" fill=\"none\" stroke=\"black\"/>",
   "<text x=\"\(left + size / 2)\" y=\"\(top + size + 42)\" text-anchor=\"middle\">stated uncertainty or expected error [%]</text>",
-  "<text transform=\"translate(18 \(top + size / 2)) rotate(-90)\" text-anchor=\"middle\">actual error [%]</text>",
+  "<text x=\"0\" y=\"0\" transform=\"translate(18 \(top + size / 2)) rotate(-90)\" text-anchor=\"middle\">actual error [%]</text>",
   ($groups | reverse[] | . as $g | "<g>\([.marks[] | mark($g.shape; $g.colour)] | join(""))</g>"),
   (range($groups | length) | . as $i | $groups[$i]
-   | "<g transform=\"translate(490 \(60 + 24 * $i))\">\(if .shape == "circle" then "<circle r=\"4\" fill=\"\(.colour)\"/>" elif .shape == "square"
+   | "<g transform=\"translate(490 \(60 + 24 * $i))\">\(if .shape == "circle" then "<circle cx=\"0\" cy=\"0\" r=\"4\" fill=\"\(.colour)\"/>" elif .shape == "square"
       then "<rect x=\"-3\" y=\"-3\" width=\"6\" height=\"6\" fill=\"none\" stroke=\"\(.colour)\"/>" else "<path d=\"M0 -4l4 7h-8z\" fill=\"none\" stroke=\"\(.colour)\"/>" end)<text x=\"12\" y=\"4\">\(.name)</text></g>"),
   "<text x=\"482\" y=\"170\">below the dashed line: inside</text>",
   "</svg>"
