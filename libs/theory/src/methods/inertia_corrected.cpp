@@ -119,8 +119,8 @@ ImageStress image_stress(const Question& question, const Eigen::Vector3d& towing
   return {.change = boxed - open, .uncertainty = mesh * std::abs(boxed)};
 }
 
-/// Returns exact_periodic_motion() of the swimmer. The result for the last swimmer is kept, because a plan asks
-/// for the same swimmer in many boxes.
+/// Returns exact_periodic_motion() of the swimmer. The result for the last swimmer is kept, because a plan
+/// asks for the same swimmer in many boxes.
 const PeriodicMotion& finite_motion(const CollinearSwimmer& swimmer) {
   struct Known {
     CollinearSwimmer swimmer;
@@ -195,8 +195,14 @@ InertialVelocity velocity_parts(const Question& question, const ExactMotion& ope
   v.by_box = boxed.velocity - open.mean.velocity();
   const double size = relative_stroke(question, boxed.arm);
   v.by_amplitude = (finite.velocity - v.quasi_static) * size * size;
+  // The law of weakening_by_beads() scatters by `scatter` of the velocity in boxes that change it by a tenth
+  // or more (docs/stated-uncertainty.md).
+  constexpr double scatter = 0.04, tenth = 0.1;
+  const double gross =
+      std::abs(boxed.by_stroke) + std::abs(boxed.by_drift) + std::abs(boxed.by_stress.change);
   v.uncertainty = root_of_squares({by_box.mobility * boxed.by_stroke, by_box.images * boxed.by_drift,
                                    by_box.images * boxed.by_stress.change, boxed.by_stress.uncertainty,
+                                   scatter * std::min(std::abs(v.sum()), gross / tenth),
                                    amplitude_uncertainty(question, open, v.by_amplitude)});
   return v;
 }
