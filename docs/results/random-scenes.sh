@@ -1,7 +1,7 @@
 #!/bin/bash
 # Measures what runs of random scenes give, to be compared with what predictions and plans state.
 #   docs/results/random-scenes.py 60 28 | docs/results/random-scenes.sh > random-scenes.jsonl     (the programs on PATH)
-# One and a half hours on one core. Prints one line per scene: the flags of its layout, and the runs, the reference run first:
+# An hour on one core. Prints one line per scene: the flags of its layout, and the runs, the reference run first:
 # flags, cost, and for each cycle [velocity along the axis relative to the fluid, arm amplitude d1, arm amplitude d2]. A run that
 # stops has no cycles.
 set -euo pipefail
