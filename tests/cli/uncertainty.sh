@@ -40,6 +40,10 @@ run beadswim-run layout.json -o far.h5md --model oseen --cycles 1 --progress non
 has_status 0
 err_has '^beadswim-run: warning: the velocity is expected to be wrong by [0-9.]+ % and the arm amplitudes by [0-9.]+ %; beadswim-run --plan lists runs with smaller errors$'
 check "the record has the warning" holds '.expected_error.velocity > 0.1 and (.warnings | map(.code)) == ["expected-error"]' out
+beadswim-layout swimmer --preset paper-single --unbounded --period 2000 --amplitude 0.2 >open.json
+run beadswim-run open.json -o far.h5md --model auto --tolerance 0.9 --cycles 1 --progress none
+has_status 0
+check "a run that a plan chose within a larger tolerance has none" holds '.expected_error.velocity > 0.1 and .warnings == []' out
 jq '.swimmers[0].axis = [0.8, 0.6, 0] | .types.a.driving.amplitude = [1.5, 1.5]' layout.json >touching.json
 run beadswim-run touching.json -o touching.h5md --cells-per-radius 2 --relaxation-time 1 --cycles 0.01 --progress none
 cp out touching.record

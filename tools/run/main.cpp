@@ -125,6 +125,7 @@ void apply_plan(const LayoutDocument& document, Request& request, const Communic
   const PlannedRun& planned = choose_run(plan, request.options);
   request.options.settings = planned.settings;
   request.options.tolerance.reset();  // the tolerance of the plan; the run does not use it
+  request.options.accepted_error = plan.tolerance;
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   print_to_stderr(fmt::format(
       "{}: starting the cheapest run within --tolerance: {}, with an expected error of {:.2g} % and a cost "

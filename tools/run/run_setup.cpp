@@ -24,7 +24,7 @@ std::string in_percent(double share) {
   return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
 }
 
-/// Sets the expected errors of the run. Adds a warning if they are larger than 10 % or not known.
+/// Sets the expected errors of the run. Adds a warning if they are larger than accepted or not known.
 void add_expected_errors(ModelPlan& plan, const Layout& layout, const std::string& source) {
   const std::string unknown =
       reason_against([&] { plan.expected = expected_errors(layout, plan.options.settings, source); });
@@ -32,9 +32,8 @@ void add_expected_errors(ModelPlan& plan, const Layout& layout, const std::strin
     plan.warnings.push_back({"error-unknown", "the error of this run is not known: " + unknown});
     return;
   }
-  constexpr double tolerated = 0.1;
   const ErrorEstimate& error = plan.expected->total;
-  if (error.largest() <= tolerated) return;
+  if (error.largest() <= plan.options.accepted_error) return;
   plan.warnings.push_back(
       {"expected-error",
        fmt::format(

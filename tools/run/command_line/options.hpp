@@ -30,6 +30,7 @@ struct RunOptions {
   RunSettings settings;              ///< the model is `automatic` until a plan has chosen one
   bool plan = false;                 ///< true: prints the plan and does not run
   std::optional<double> tolerance;   ///< of a plan: largest relative error of velocity and arm amplitudes
+  double accepted_error = 0.1;       ///< largest expected relative error without a warning
   std::string restart;               ///< checkpoint or trajectory; empty: begins at time 0
   std::optional<double> time_limit;  ///< wall time [s]
   ProgressStyle progress = ProgressStyle::automatic;
