@@ -15,8 +15,8 @@ def runs($model): [.[].runs[] | select((.flags | split(" ")[1]) as $m | ($model 
  group("inertia-corrected, arms"; "circle"; "#56B4E9"; [.[].prediction | (1, 2) as $k | {stated: .stated[$k], actual: (.error[$k] | fabs)}]),
  group("lattice runs, v"; "square"; "#D55E00"; runs("lbm")),
  group("mobility runs, v"; "triangle"; "#777777"; runs("mobility"))] as $groups
-| "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"700\" height=\"480\" font-family=\"sans-serif\" font-size=\"13\">",
-  "<rect width=\"700\" height=\"480\" fill=\"white\"/>",
+| "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"700\" height=\"500\" font-family=\"sans-serif\" font-size=\"13\">",
+  "<rect width=\"700\" height=\"500\" fill=\"white\"/>",
   "<path d=\"M\(left) \(top + size)L\(left + size) \(top)\" stroke=\"black\" stroke-dasharray=\"4 3\"/>",
   (range(low; high + 1) | (if . >= -2 then "\(pow(10; . + 2) | round)" else "\(pow(10; . + 2) * 100 | round / 100)" end) as $text
    | (pow(10; .)) as $v
@@ -30,5 +30,5 @@ def runs($model): [.[].runs[] | select((.flags | split(" ")[1]) as $m | ($model 
   (range($groups | length) | . as $i | $groups[$i]
    | "<g transform=\"translate(490 \(60 + 24 * $i))\">\(if .shape == "circle" then "<circle cx=\"0\" cy=\"0\" r=\"4\" fill=\"\(.colour)\"/>" elif .shape == "square"
       then "<rect x=\"-3\" y=\"-3\" width=\"6\" height=\"6\" fill=\"none\" stroke=\"\(.colour)\"/>" else "<path d=\"M0 -4l4 7h-8z\" fill=\"none\" stroke=\"\(.colour)\"/>" end)<text x=\"12\" y=\"4\">\(.name)</text></g>"),
-  "<text x=\"482\" y=\"170\">below the dashed line: inside</text>",
+  "<text x=\"70\" y=\"488\" font-size=\"10\" text-anchor=\"start\">60 random scenes of one swimmer. Below the dashed line the actual error is within the stated one.</text>",
   "</svg>"
