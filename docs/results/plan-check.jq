@@ -1,5 +1,5 @@
 # Prints the table of docs/choosing-a-model.md from plan-check.jsonl:  jq -rs -f plan-check.jq plan-check.jsonl
-# Eight of the scenes; ratios of expected to measured numbers, as geometric means, below the table with ranges of all scenes. Measured errors below 0.3 %, the
+# Ratios of expected to measured numbers, as geometric means, below the table with ranges of all scenes. Measured errors below 0.3 %, the
 # uncertainty of the references, count as 0.3 %.
 def least: 0.003;
 def two: if . >= 9.95 then round | tostring elif . >= 0.995 then . * 10 | round / 10 | tostring else . * 100 | round / 100 | tostring end;
@@ -14,7 +14,6 @@ def mobilities: select(.flags | startswith("--model lbm") | not);
 def made: .runs[] | select(.measured);
 def velocity: ratio(.expected.error.velocity; .measured.error.velocity);
 def arms: ratio(.expected.error.arm_amplitudes | max; .measured.error.arm_amplitudes | max);
-def cost: .expected.core_seconds / .measured.core_seconds;
 # Judges the choice for one tolerance by its measured error and by the cheapest measured run within the tolerance.
 def judged($scene): . as {$tolerance, $choice}
   | [$scene | made | select(.measured.error | largest <= $tolerance)] | min_by(.measured.core_seconds) as $cheapest
@@ -26,15 +25,14 @@ def judged($scene): . as {$tolerance, $choice}
 def words: if .kind == "right" and .error == null then "none chosen: no run within tolerance" elif .kind == "cautious" then "none chosen: too cautious"
   elif .kind == "not measured" then .kind else "\(.error | percent)\(if .kind == "dear" then " (cost ×\(.excess | two))" else "" end)" end;
 map(. as $scene | . + {judged: [.choices[] | judged($scene)]}) as $scenes | $scenes |
-"| scene (l: rest length, λ: bead radius, T: period, A: driving amplitude) | expected/measured error of velocity v, lattice runs | expected/measured error of v, mobility models | expected/measured cost | measured error [%] of the run chosen for tolerance 10 % | error [%] of the run chosen for 3 % | error [%] of the run chosen for 1 % |",
-"|---|---|---|---|---|---|---|",
-(.[] | select(.scene | IN("free-slip walls", "heavy beads", "dashpots", "wide swarm", "l = 3.5 λ", "l = 8 λ", "T = 6000: less inertia", "tight swarm") | not) | "| \(.scene | sub("^two "; "two swimmers ")) | \([made | lattices | velocity] | mean_ratio) | "
-  + "\([made | mobilities | velocity] | mean_ratio) | \([made | cost] | mean_ratio) | "
+"| scene (l: rest length, λ: bead radius, T: period, A: driving amplitude) | expected/measured error of velocity v, lattice runs | expected/measured error of v, mobility models | measured error [%] of the run chosen for tolerance 10 % | error [%] of the run chosen for 3 % | error [%] of the run chosen for 1 % |",
+"|---|---|---|---|---|---|",
+(.[] | "| \(.scene | sub("^two "; "two swimmers ")) | \([made | lattices | velocity] | mean_ratio) | "
+  + "\([made | mobilities | velocity] | mean_ratio) | "
   + "\(.judged | map(words) | join(" | ")) |"),
 "",
 ([$scenes[].judged[].kind] | group_by(.) | map("\(.[0] | {cautious: "too cautious", dear: "more than 3 times as expensive as necessary"}[.] // .): \(length)") | join(", ") | "The plan's choices: \(.)."),
 ([$scenes[] | made | lattices | velocity] | "Expected/measured error of v, lattice runs: \(of_ratios); from 1/2 to 2: \(map(select(. >= 0.5 and . <= 2)) | length) of \(length) runs, below half: \(map(select(. < 0.5)) | length) runs."),
 ([$scenes[] | made | lattices | arms] | "Expected/measured error of strokes, lattice runs: \(of_ratios); from 1/2 to 2: \(map(select(. >= 0.5 and . <= 2)) | length) of \(length) runs, below half: \(map(select(. < 0.5)) | length) runs."),
 ([$scenes[] | made | mobilities | velocity] | "Expected/measured error of v, mobility models: \(of_ratios); below half: \(map(select(. < 0.5)) | length) of \(length) runs."),
-([$scenes[] | made | mobilities | arms] | "Expected/measured error of strokes, mobility models: \(of_ratios); below half: \(map(select(. < 0.5)) | length) of \(length) runs."),
-([$scenes[] | made | cost] | "Expected/measured cost: \(of_ratios).")
+([$scenes[] | made | mobilities | arms] | "Expected/measured error of strokes, mobility models: \(of_ratios); below half: \(map(select(. < 0.5)) | length) of \(length) runs.")

@@ -1,6 +1,6 @@
 #!/bin/bash
-# Compares errors and costs that `beadswim-run --plan` expects with measured errors and costs, in different scenes.
-#   docs/results/plan-check.sh [SCENE...] > plan-check.jsonl     (half an hour on one core; the programs on PATH)
+# Compares errors and costs that `beadswim-run --plan` expects with measured errors and costs, in swarms.
+#   docs/results/plan-check.sh [SCENE...] > plan-check.jsonl     (a quarter of an hour on one core; the programs on PATH)
 # Prints one line per scene: its dimensionless numbers, the runs that were made with expected and measured error and cost, and
 # the plan's choices for tolerances of 10, 3 and 1 %. Measured errors of velocity and arm amplitudes are relative to the run with
 # the smallest expected error below 50 core-seconds; with several swimmers they are root mean squares.
@@ -57,31 +57,12 @@ scene() { # NAME CYCLES   standard input: layout
         box_over_length: $t.box_over_swimmer_length, hard: $plan[0].hard, reference: ($reference[0].resolution | {cells_per_radius, relaxation_time, precision}), runs: $made, choices: $choices}'
 }
 
-single() { # FLAGS...
-  local usual=()
-  [[ " $* " == *" --box "* ]] || usual+=(--box 60,40,40)
-  [[ " $* " == *" --boundary "* ]] || usual+=(--boundary periodic)
-  [[ " $* " == *" --period "* ]] || usual+=(--period 2000)
-  [[ " $* " == *" --amplitude "* ]] || usual+=(--amplitude 0.2)
-  beadswim-layout swimmer --preset paper-single "${usual[@]}" "$@"
-}
 swarm() { # NX,NY,NZ FLAGS...
   local swimmers=$1
   shift
   beadswim-layout swarm --preset paper-uniform --block-swimmers "$swimmers" "$@"
 }
 
-single | scene "the paper's swimmer, l = 5 λ" 3
-single --arm 14 --box 48,40,40 | scene "l = 3.5 λ" 3
-single --arm 32 --box 84,40,40 | scene "l = 8 λ" 3
-single --period 700 | scene "T = 700: much inertia" 4
-single --period 6000 | scene "T = 6000: less inertia" 2
-single --amplitude 0.8 | scene "A = 0.8: beads come near" 3
-single --box 60,20,20 | scene "narrow box" 3
-single --boundary free-slip | scene "free-slip walls" 3
-single --radius 4,5,6 --arm 20,26 --box 80,40,40 | scene "unequal beads and arms" 3
-single --bead-density 5 | scene "heavy beads" 3
-single --damping 1 | scene "dashpots" 3
 swarm 1,1,1 | scene "the paper's uniform swarm" 4
 swarm 1,1,1 --core-gap 48 --block-gap 48 | scene "wide swarm" 3
 swarm 1,1,1 --core-gap 24 --block-gap 24 | scene "tight swarm" 3

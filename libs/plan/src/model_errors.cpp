@@ -75,9 +75,10 @@ ErrorEstimate error_of_cells(double cells_per_radius, BeadScheme scheme) {
 /// cells averages this dependence, an oscillation over less than a cell does not. The formula is a fit to
 /// runs with strokes of 0.15 to 5 cells (docs/resolution.md). `swing`: the smaller arm amplitude [cell].
 double velocity_wander(double cells_per_radius, BeadScheme scheme, double swing, double plane_factor) {
-  // The velocity by psm wanders less, and not more on planes of the lattice.
+  // The velocity by psm wanders less, and not more on planes of the lattice. The factor of cli is that of
+  // random scenes (docs/stated-uncertainty.md); it is 2 for the swimmer of docs/resolution.md.
   const bool is_smooth = scheme == BeadScheme::psm;
-  const double factor = is_smooth ? 0.6 : scheme == BeadScheme::mr ? 1 : scheme == BeadScheme::cli ? 2 : 6;
+  const double factor = is_smooth ? 0.6 : scheme == BeadScheme::mr ? 1 : scheme == BeadScheme::cli ? 4 : 6;
   const double by_swing = std::min(1 / swing, std::pow(swing, -2.5));
   return factor * (is_smooth ? 1 : plane_factor) * 0.1 / (cells_per_radius * cells_per_radius) * by_swing;
 }
