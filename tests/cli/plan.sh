@@ -236,6 +236,18 @@ jq -rs -f "$results/plan-check.jq" "$results/plan-check.jsonl" >table.md
 check "the page has the records' table" cmp -s table.md <(sed -n '/^<!-- from plan-check.jsonl -->$/,/^<!-- end -->$/p' "$page" | sed '1d;$d')
 check "no choice was wrong" test -z "$(grep -c 'wrong:' table.md | grep -v '^0$')"
 check "no estimate was below half" test "$(grep -c 'below half: 0' table.md)" = 4
+# The same of the pages on random scenes and on neighbours, of the figure, of the scenes drawn, and of a run.
+of_page() { sed -n "/$2/,/^\$/p" "$BEADSWIM_SOURCE/docs/$1" | grep '^|'; }
+export -f of_page
+same_bytes "jq -rs -f $results/stated-uncertainty.jq $results/stated-uncertainty.jsonl" "of_page stated-uncertainty.md '^| quantity'"
+same_bytes "jq -rs -f $results/neighbours.jq $results/neighbours.jsonl" "of_page swarms.md '^| distance of the axes'"
+same_bytes "jq -rs -f $results/stated-uncertainty-figure.jq $results/stated-uncertainty.jsonl" "cat $BEADSWIM_SOURCE/docs/images/stated-uncertainty.svg"
+python3 "$results/random-scenes.py" 60 28 >scenes.jsonl
+check "the scenes drawn are those on record" cmp -s <(jq .layout scenes.jsonl) <(jq .layout "$results/random-scenes.jsonl")
+sed -n 6p scenes.jsonl | jq -c '.reference = "--model rpy+near" | .tested = []' | "$results/random-scenes.sh" >again.json
+check "a run is that on record" holds --slurpfile known "$results/random-scenes.jsonl" \
+  '([$known[5].runs[] | select(.flags == "--model rpy+near")][0].cycles[-1]) as $known | [.runs[0].cycles[-1], $known] | transpose
+    | map(.[0] / .[1] - 1 | fabs) | max < 1e-3' again.json
 check "scenes are five" test "$(wc -l <"$results/plan-check.jsonl")" -eq 5
 
 finish
