@@ -44,9 +44,11 @@ beadswim-layout swimmer --preset paper-single --unbounded --period 2000 --amplit
 run beadswim-run open.json -o far.h5md --model auto --tolerance 0.9 --cycles 1 --progress none
 has_status 0
 check "a run that a plan chose within a larger tolerance has none" holds '.expected_error.velocity > 0.1 and .warnings == []' out
-jq '.swimmers[0].axis = [0.8, 0.6, 0] | .types.a.driving.amplitude = [1.5, 1.5]' layout.json >touching.json
-run beadswim-run touching.json -o touching.h5md --cells-per-radius 2 --relaxation-time 1 --cycles 0.01 --progress none
-cp out touching.record
-check "an unknown error is a warning, or a number" holds '(.expected_error == null) == ([.warnings[].code] | index("error-unknown") != null)' touching.record
+beadswim-layout swimmer --preset paper-single --box 60,60,60 --boundary periodic --period 2000 --axis 0,1,0 >across.json
+run beadswim-run across.json -o across.h5md --model rpy --cycles 2 --progress none
+has_status 0
+err_has '^beadswim-run: warning: the error of this run is not known: theory cannot predict the motion: the driving forces are perpendicular'
+check "the record says so" holds '.expected_error == null and (.warnings | map(.code)) == ["error-unknown"]
+  and (.swimmers[0].uncertainty.velocity | .resolution == null and .wander == null and .box == null and .total == null and .transient != null)' out
 
 finish

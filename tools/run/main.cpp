@@ -7,6 +7,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_failure.hpp"
 #include "beadswim/io/xdmf.hpp"
+#include "beadswim/plan/percent.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
@@ -128,9 +129,10 @@ void apply_plan(const LayoutDocument& document, Request& request, const Communic
   request.options.accepted_error = plan.tolerance;
   if (!communicator.is_root() || request.options.progress == ProgressStyle::none) return;
   print_to_stderr(fmt::format(
-      "{}: starting the cheapest run within --tolerance: {}, with an expected error of {:.2g} % and a cost "
-      "of {:.3g} core-seconds\n",
-      program_name, flags_of(planned, request.options), 100 * planned.error.largest(), planned.core_seconds));
+      "{}: starting the cheapest run within --tolerance: {}, with an expected error of {} and a cost of "
+      "{:.3g} core-seconds\n",
+      program_name, flags_of(planned, request.options), in_percent(planned.error.largest()),
+      planned.core_seconds));
 }
 
 /// Executes the program and returns its exit status. Invalid input makes all ranks throw InputError before

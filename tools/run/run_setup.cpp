@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "beadswim/core/version.hpp"
+#include "beadswim/plan/percent.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "models/lattice_model.hpp"
 #include "models/overdamped_model.hpp"
@@ -19,15 +20,9 @@ std::unique_ptr<ModelPlan> plan_of_model(const LayoutDocument& document, const R
   return std::make_unique<LatticePlan>(document.layout, request.options, request.source(), communicator);
 }
 
-std::string in_percent(double share) {
-  if (share > 10) return "more than 1000 %";
-  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
-}
-
 /// Sets the expected errors of the run. Adds a warning if they are larger than accepted or not known.
-void add_expected_errors(ModelPlan& plan, const Layout& layout, const std::string& source) {
-  const std::string unknown =
-      reason_against([&] { plan.expected = expected_errors(layout, plan.options.settings, source); });
+void add_expected_errors(ModelPlan& plan, const Layout& layout) {
+  const std::string unknown = reason_against([&] { plan.expected = plan.expected_errors(layout); });
   if (!plan.expected) {
     plan.warnings.push_back({"error-unknown", "the error of this run is not known: " + unknown});
     return;
@@ -53,7 +48,7 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
         {"few-steps",
          fmt::format("a cycle has only {} time steps, so {} frames per cycle are recorded instead of {}",
                      plan->steps_per_cycle, plan->steps_per_cycle, frames)});
-  if (communicator.is_root()) add_expected_errors(*plan, document.layout, request.source());
+  if (communicator.is_root()) add_expected_errors(*plan, document.layout);
   return plan;
 }
 

@@ -1,6 +1,5 @@
 #include "beadswim/plan/expected_errors.hpp"
 
-#include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "beadswim/plan/velocity_roundoff.hpp"
 #include "planned_scene.hpp"
@@ -22,24 +21,25 @@ ErrorEstimate box_changes(const SceneFacts& facts) {
 
 }  // namespace
 
-ExpectedErrors expected_errors(const Layout& layout, const RunSettings& settings, const std::string& source) {
-  const SceneFacts facts = scene_facts(layout, settings.cycles);
-  ExpectedErrors errors;
-  errors.box = box_changes(facts);
-  if (const auto model = mobility_model(settings.model)) {
-    errors.total = mobility_scene_error(facts, *model, settings.mobility);
-    errors.resolution.velocity = velocity_error_of_steps(settings.mobility);
-    return errors;
-  }
-  const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
+ExpectedErrors expected_errors(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
+                               double cycles) {
+  const SceneFacts facts = scene_facts(layout, cycles);
+  return {.total = mobility_scene_error(facts, model, settings),
+          .resolution = {.velocity = velocity_error_of_steps(settings)},
+          .wander = {},
+          .box = box_changes(facts)};
+}
+
+ExpectedErrors expected_errors(const Layout& layout, const SceneOnLattice& on_lattice, double cycles) {
+  const SceneFacts facts = scene_facts(layout, cycles);
   const long steps_per_cycle = on_lattice.lattice.steps_per_period;
   const double roundoff =
-      velocity_roundoff(on_lattice.scene, steps_per_cycle, total_steps(settings.cycles, steps_per_cycle));
-  const LatticeErrors on_this_lattice = lattice_scene_errors(on_lattice, facts, roundoff);
-  errors.total = on_this_lattice.total();
-  errors.resolution = on_this_lattice.resolution;
-  errors.wander = on_this_lattice.wander;
-  return errors;
+      velocity_roundoff(on_lattice.scene, steps_per_cycle, total_steps(cycles, steps_per_cycle));
+  const LatticeErrors errors = lattice_scene_errors(on_lattice, facts, roundoff);
+  return {.total = errors.total(),
+          .resolution = errors.resolution,
+          .wander = errors.wander,
+          .box = box_changes(facts)};
 }
 
 }  // namespace beadswim

@@ -118,10 +118,10 @@ double lattice_plane_factor(const Vec3& position, const Vec3& axis) {
   return 1 + 4 * closeness;
 }
 
-ErrorEstimate LatticeErrors::total() const {
-  ErrorEstimate sum{.velocity = std::hypot(resolution.velocity, wander.velocity)};
+ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b) {
+  ErrorEstimate sum{.velocity = std::hypot(a.velocity, b.velocity)};
   for (int arm = 0; arm < 2; ++arm)
-    sum.arm_amplitudes[arm] = std::hypot(resolution.arm_amplitudes[arm], wander.arm_amplitudes[arm]);
+    sum.arm_amplitudes[arm] = std::hypot(a.arm_amplitudes[arm], b.arm_amplitudes[arm]);
   return sum;
 }
 
@@ -176,28 +176,31 @@ ErrorEstimate mobility_error(const Question& question, const BestPrediction& bes
   return error;
 }
 
-LatticeErrors lattice_errors(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
-                             const ResolvedRun& run) {
+ErrorEstimate resolution_error(const LatticeLag& lattice, const std::optional<BestPrediction>& best,
+                               const ResolvedRun& run) {
   const LagErrors lag = lattice.errors(run.timing);
-  const double swing =
-      best ? std::min(best->arm_amplitudes[0], best->arm_amplitudes[1]) / run.cell : INFINITY;
   const ErrorEstimate cells = error_of_cells(run.cells_per_radius, run.scheme);
   const ErrorEstimate gaps = error_of_gaps(run.smallest_gap, best ? best->smallest_stroke_gap / run.cell : 0);
   const double cancellation = best ? best->cancellation : 1, compression = run.mach * run.mach;
-  LatticeErrors errors;
+  ErrorEstimate error;
   if (!best || best->is_swimming) {
-    errors.resolution.velocity = std::hypot(
-        lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression, min_validated_error);
-    errors.wander.velocity =
-        cancellation * velocity_wander(run.cells_per_radius, run.scheme, swing, run.plane_factor);
+    error.velocity = std::hypot(lag.velocity + cancellation * (cells.velocity + gaps.velocity) + compression,
+                                min_validated_error);
   }
   for (int arm = 0; arm < 2; ++arm) {
     if (best && best->arm_amplitudes[arm] == 0) continue;  // the arm is at rest
-    errors.resolution.arm_amplitudes[arm] =
+    error.arm_amplitudes[arm] =
         std::hypot(std::abs(lag.arm_amplitudes[arm]) + cells.arm_amplitudes[arm] + gaps.arm_amplitudes[arm],
                    min_validated_error);
   }
-  return errors;
+  return error;
+}
+
+ErrorEstimate wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run) {
+  if (!best || !best->is_swimming) return {};
+  const double swing = std::min(best->arm_amplitudes[0], best->arm_amplitudes[1]) / run.cell;
+  return {.velocity = best->cancellation *
+                      velocity_wander(run.cells_per_radius, run.scheme, swing, run.plane_factor)};
 }
 
 }  // namespace beadswim

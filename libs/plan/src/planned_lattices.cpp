@@ -152,16 +152,18 @@ LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const Scene
                         .timing = {.step = scales.step,
                                    .sound_speed = scales.velocity() / std::numbers::sqrt3,
                                    .corrects_delay = on_lattice.corrects_delay}};
-  const auto errors_of = [&](const SwimmerFacts& swimmer_facts) {
+  const auto by_resolution = [&](const SwimmerFacts& swimmer_facts) {
     if (!swimmer_facts.lag)
       throw InputError(
           "the expected error is unknown, because no method of theory predicts the motion of a swimmer: " +
           swimmer_facts.obstacle);
-    return lattice_errors(*swimmer_facts.lag, swimmer_facts.best, run);
+    return resolution_error(*swimmer_facts.lag, swimmer_facts.best, run);
   };
-  LatticeErrors errors{
-      .resolution = scene_error(facts, [&](const auto& swimmer) { return errors_of(swimmer).resolution; }),
-      .wander = scene_error(facts, [&](const auto& swimmer) { return errors_of(swimmer).wander; })};
+  const auto by_wander = [&](const SwimmerFacts& swimmer_facts) {
+    return wander_error(swimmer_facts.best, run);
+  };
+  LatticeErrors errors{.resolution = scene_error(facts, by_resolution),
+                       .wander = scene_error(facts, by_wander)};
   if (std::isfinite(roundoff) && errors.resolution.velocity > 0) errors.resolution.velocity += roundoff;
   return errors;
 }

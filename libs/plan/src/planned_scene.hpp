@@ -72,8 +72,16 @@ constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
 /// of swimmers and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
 double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_per_cell);
 
+/// Errors of a lattice run of a scene, by cause.
+struct LatticeErrors {
+  ErrorEstimate resolution, wander;  ///< resolution_error(), wander_error()
+
+  ErrorEstimate total() const { return combined(resolution, wander); }
+};
+
 /// Returns the expected errors of a lattice run of the scene. `roundoff`: relative error of the velocity by
-/// roundoff. Throws InputError if theory cannot evaluate errors of a swimmer.
+/// roundoff, which the errors by resolution include. Throws InputError if theory cannot evaluate errors of a
+/// swimmer.
 LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const SceneFacts& facts,
                                    double roundoff);
 

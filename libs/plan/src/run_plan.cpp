@@ -10,6 +10,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/plan/percent.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/plan/sufficient_box.hpp"
 #include "planned_scene.hpp"
@@ -51,10 +52,6 @@ void choose(RunPlan& plan, const Communicator& communicator) {
   MPI_Bcast(found.data(), found.size(), MPI_INT, 0, communicator.get());
   if (choice != none) plan.choice = choice;
   if (best != none) plan.best = best;
-}
-
-std::string in_percent(double share) {
-  return fmt::format("{:.2g} %", 100 * share);
 }
 
 /// Adds the difficulties of predicting the motion of one swimmer to `plan.hard`.
@@ -104,7 +101,8 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
   }
   if (facts.cell.swimmers.size() > 1)
     plan.hard.push_back(
-        "neighbours also move one another sideways; mobility models lack the part of this motion that inertia "
+        "neighbours also move one another sideways; mobility models lack the part of this motion that "
+        "inertia "
         "causes, and error estimates leave it out");
   if (constexpr double much = 1.5; facts.disorder_growth > much)
     plan.hard.push_back(

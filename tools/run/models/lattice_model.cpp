@@ -51,8 +51,6 @@ BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead)
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                          const Communicator& ranks)
     : communicator(ranks), on_lattice(put_on_lattice(layout, requested.settings.lattice, source)) {
-  if (requested.tolerance)
-    throw InputError("--tolerance", "the flag applies to --plan and --model auto only; leave it out");
   refuse_flags(
       requested, {"--sum-tolerance", "--steps-per-cycle"},
       "the flag applies to mobility models only; leave it out, or add --model rpy, rpy+near or oseen");
@@ -86,6 +84,10 @@ std::unique_ptr<Model> LatticePlan::make(long flow_until) const {
         "--precision single, a smaller box, more machines, or a higher limit (ulimit -v)",
         1e-9 * lattice_bytes(on_lattice.scene), communicator.size()));
   }
+}
+
+ExpectedErrors LatticePlan::expected_errors(const Layout& layout) const {
+  return beadswim::expected_errors(layout, on_lattice, options.settings.cycles);
 }
 
 LatticeModel::LatticeModel(const LatticePlan& plan, long flow_until)

@@ -17,6 +17,7 @@ struct LatticePlan : ModelPlan {
               const Communicator& communicator);
 
   std::unique_ptr<Model> make(long flow_until) const override;
+  ExpectedErrors expected_errors(const Layout& layout) const override;
 
   const Communicator& communicator;
   SceneOnLattice on_lattice;

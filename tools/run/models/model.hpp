@@ -119,6 +119,9 @@ struct ModelPlan {
   /// Makes the model in its initial state. `flow_until`: time step until which an earlier run has already
   /// written flow fields. The plan must exist as long as the model. Throws InputError on all ranks.
   virtual std::unique_ptr<Model> make(long flow_until) const = 0;
+  /// Returns the errors that are expected in this run of the layout. Throws InputError with the reason if
+  /// they are not known. Local.
+  virtual ExpectedErrors expected_errors(const Layout& layout) const = 0;
 
   RunOptions options;  ///< options of the command line, completed by the plan
   ModelUnits units;

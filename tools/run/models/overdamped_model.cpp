@@ -49,6 +49,11 @@ std::unique_ptr<Model> OverdampedPlan::make(long) const {
   return std::make_unique<OverdampedModel>(*this);
 }
 
+ExpectedErrors OverdampedPlan::expected_errors(const Layout& layout) const {
+  const RunSettings& settings = options.settings;
+  return beadswim::expected_errors(layout, scene.model, settings.mobility, settings.cycles);
+}
+
 OverdampedModel::OverdampedModel(const OverdampedPlan& plan)
     : plan_(plan), system_(plan.scene, plan.communicator) {}
 

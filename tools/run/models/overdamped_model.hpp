@@ -16,6 +16,7 @@ struct OverdampedPlan : ModelPlan {
                  const Communicator& communicator);
 
   std::unique_ptr<Model> make(long flow_until) const override;
+  ExpectedErrors expected_errors(const Layout& layout) const override;
 
   const Communicator& communicator;
   OverdampedScene scene;

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/plan/percent.hpp"
 #include "planning/lattice_speed_cache.hpp"
 
 namespace beadswim {
@@ -55,7 +56,6 @@ const PlannedRun& choose_run(const RunPlan& plan, const RunOptions& options) {
                                            "run with {} is rejected, because of this fault: {}",
                                            flags(plan.runs.back()), plan.runs.back().refused));
   const PlannedRun& best = plan.runs[*plan.best];
-  const auto in_percent = [](double share) { return fmt::format("{:.2g} %", 100 * share); };
   throw InputError(
       "--tolerance",
       fmt::format("no run has an expected error within {}; the run with the smallest expected error, {}, has "

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <string>
-
+#include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/plan/model_errors.hpp"
-#include "beadswim/plan/run_settings.hpp"
 #include "beadswim/scene/layout.hpp"
 
 namespace beadswim {
@@ -16,8 +14,11 @@ struct ExpectedErrors {
   ErrorEstimate box;         ///< not an error: change by walls and images, compared with open space
 };
 
-/// Returns the expected errors of a run of the layout. `settings`: model and resolution of the run. `source`:
-/// name of the layout in messages. Throws InputError with the reason if they are not known.
-ExpectedErrors expected_errors(const Layout& layout, const RunSettings& settings, const std::string& source);
+/// Return the expected errors of a run of the layout for `cycles` base cycles: with a mobility model, or on
+/// the lattice on which put_on_lattice() has put the layout. Throw InputError with the reason if the errors
+/// are not known.
+ExpectedErrors expected_errors(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
+                               double cycles);
+ExpectedErrors expected_errors(const Layout& layout, const SceneOnLattice& on_lattice, double cycles);
 
 }  // namespace beadswim

@@ -62,16 +62,6 @@ double velocity_error_of_steps(const MobilitySettings& settings);
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              const MobilitySettings& settings);
 
-/// Expected errors of a run with the model lbm, by cause.
-struct LatticeErrors {
-  ErrorEstimate resolution;  ///< by cells and time steps of finite size
-  /// By the place of the beads within cells: the velocity of a cycle wanders while the swimmer moves through
-  /// a cell. Two standard deviations.
-  ErrorEstimate wander;
-
-  ErrorEstimate total() const;  ///< root of the sum of squares
-};
-
 /// Properties of a run with the model lbm that determine its error.
 struct ResolvedRun {
   double cells_per_radius = 0;  ///< cells per radius of the smallest bead
@@ -89,10 +79,17 @@ struct ResolvedRun {
 /// middle bead [cell].
 double lattice_plane_factor(const Vec3& position, const Vec3& axis);
 
-/// Returns the expected relative errors of a run with the model lbm. The error of time steps of finite length
-/// follows from theory (`lag`), and the error of cells of finite size from measurements. If `best` is
-/// nullopt, the estimate assumes that beads touch during the stroke.
-LatticeErrors lattice_errors(const LatticeLag& lag, const std::optional<BestPrediction>& best,
-                             const ResolvedRun& run);
+/// Returns the relative errors of a run with the model lbm by time steps and cells of finite size. The error
+/// of time steps follows from theory (`lag`), and the error of cells from measurements. If `best` is nullopt,
+/// the estimate assumes that beads touch during the stroke.
+ErrorEstimate resolution_error(const LatticeLag& lag, const std::optional<BestPrediction>& best,
+                               const ResolvedRun& run);
+
+/// Returns the relative errors of a run with the model lbm by the place of the beads within cells: the
+/// velocity of a cycle wanders while the swimmer moves through a cell. They are two standard deviations.
+ErrorEstimate wander_error(const std::optional<BestPrediction>& best, const ResolvedRun& run);
+
+/// Returns the root of the sum of squares of two independent errors.
+ErrorEstimate combined(const ErrorEstimate& a, const ErrorEstimate& b);
 
 }  // namespace beadswim
