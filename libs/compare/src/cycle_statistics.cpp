@@ -7,7 +7,6 @@
 #include <numbers>
 #include <vector>
 
-#include "beadswim/compare/stroke_fit.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 
@@ -62,19 +61,21 @@ Vec3 direction(const SwimmerSample& sample) {
   return (sample.bead_positions[2] - sample.bead_positions[0]).normalized();
 }
 
-/// Fits the stroke of one arm: arm 0 joins beads 1 and 2, arm 1 joins beads 2 and 3. The sample times are
-/// also the times in the driving forces, so the fitted phase is relative to the driving. Omits the last
-/// sample, because it has the same phase as the first.
-StrokeFit fit_arm(Samples samples, std::size_t arm, double period) {
+}  // namespace
+
+StrokeFit fit_cycle(Samples samples, double period,
+                    const std::function<double(const SwimmerSample&)>& length) {
   std::vector<double> times, lengths;
   for (const SwimmerSample& sample : samples.first(samples.size() - 1)) {
     times.push_back(sample.time);
-    lengths.push_back((sample.bead_positions[arm + 1] - sample.bead_positions[arm]).norm());
+    lengths.push_back(length(sample));
   }
   return fit_stroke(times, lengths, 2 * std::numbers::pi / period);
 }
 
-}  // namespace
+Vec3 arm_vector(const SwimmerSample& sample, std::size_t arm) {
+  return sample.bead_positions[arm + 1] - sample.bead_positions[arm];
+}
 
 CycleStatistics cycle_statistics(int index, Samples samples, double period) {
   require_one_cycle(index, samples, period);
@@ -85,7 +86,8 @@ CycleStatistics cycle_statistics(int index, Samples samples, double period) {
   cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
   cycle.mean_flow = time_average(samples, period, [](const SwimmerSample& s) { return s.mean_flow; });
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    const StrokeFit fit = fit_arm(samples, arm, period);
+    const StrokeFit fit =
+        fit_cycle(samples, period, [arm](const SwimmerSample& s) { return arm_vector(s, arm).norm(); });
     cycle.arm_amplitudes[arm] = fit.amplitude;
     cycle.arm_phases[arm] = fit.phase;
     cycle.arm_means[arm] = fit.mean;

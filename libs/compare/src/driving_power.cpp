@@ -1,10 +1,8 @@
 #include "beadswim/compare/driving_power.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
-#include <vector>
-
-#include "beadswim/compare/stroke_fit.hpp"
 
 namespace beadswim {
 
@@ -15,13 +13,10 @@ double driving_power(const Driving& driving, const Vec3& initial_axis,
   const std::array<double, 2> force_phase{driving.phase_offset, driving.phase_offset + driving.phase};
   double power = 0;
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    std::vector<double> times, lengths;
-    for (const SwimmerSample& sample : samples.first(samples.size() - 1)) {
-      const Vec3 from_to = sample.bead_positions[arm + 1] - sample.bead_positions[arm];
-      times.push_back(sample.time);
-      lengths.push_back(driving.frame == DrivingFrame::body ? from_to.norm() : direction.dot(from_to));
-    }
-    const StrokeFit fit = fit_stroke(times, lengths, omega);
+    const StrokeFit fit = fit_cycle(samples, driving.period, [&](const SwimmerSample& sample) {
+      const Vec3 vector = arm_vector(sample, arm);
+      return driving.frame == DrivingFrame::body ? vector.norm() : direction.dot(vector);
+    });
     const double work = driving.amplitude[arm] * fit.amplitude * std::cos(fit.phase - force_phase[arm]);
     power += omega / 2 * (arm == 0 ? work : -work);
   }

@@ -18,8 +18,9 @@ namespace beadswim {
 struct RunSwimmer {
   std::string source;  ///< file of the run
   int id = 0;
-  ComparedValues swimming;       ///< contains all compared quantities
-  ComparedValues uncertainties = {};  ///< relative uncertainties of `swimming`; quantities without one are absent
+  ComparedValues swimming;  ///< contains all compared quantities
+  ComparedValues uncertainties =
+      {};  ///< relative uncertainties of `swimming`; quantities without one are absent
 };
 
 /// Quantities of one swimmer that a run is compared with.
@@ -28,7 +29,8 @@ struct Reference {
   std::string method;  ///< method of a prediction, or "run" for another run
   bool usable = true;  ///< false: the comparison is shown but does not affect the verdict
   ComparedValues swimming;
-  ComparedValues uncertainties = {};  ///< relative uncertainties of `swimming`; quantities without one are absent
+  ComparedValues uncertainties =
+      {};  ///< relative uncertainties of `swimming`; quantities without one are absent
 };
 
 /// Quantities, tolerance and reference that determine the verdict.

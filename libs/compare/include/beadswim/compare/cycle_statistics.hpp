@@ -1,9 +1,12 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 
+#include "beadswim/compare/stroke_fit.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
 
@@ -53,13 +56,25 @@ struct CycleStatistics {
   }
 };
 
+/// Returns the vector along an arm [length]: from bead 1 to bead 2 for arm 0, from bead 2 to bead 3 for
+/// arm 1.
+Vec3 arm_vector(const SwimmerSample& sample, std::size_t arm);
+
+/// Fits a length that varies with the period of the driving to the samples of one cycle, in order of time.
+/// The sample times are also the times in the driving forces, so the fitted phase is relative to the driving.
+/// The last sample is omitted, because it has the same phase as the first. Throws InputError as fit_stroke()
+/// does.
+///   period  [time]
+///   length  returns the length in a sample [length]
+StrokeFit fit_cycle(std::span<const SwimmerSample> samples, double period,
+                    const std::function<double(const SwimmerSample&)>& length);
+
 /// Evaluates the statistics of one cycle from its samples.
 ///   index    number of the cycle, 1 for the first
 ///   samples  at least 4, in order of time; the last sample is one period after the first
 ///   period   [time]
-/// Time averages use the trapezoidal rule over all samples. The stroke is fitted without the last sample,
-/// because the first sample has the same phase. Power and efficiency are left empty. Throws InputError if the
-/// samples do not satisfy the conditions.
+/// Time averages use the trapezoidal rule over all samples; fit_cycle() gives the stroke. Power and
+/// efficiency are left empty. Throws InputError if the samples do not satisfy the conditions.
 CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, double period);
 
 }  // namespace beadswim

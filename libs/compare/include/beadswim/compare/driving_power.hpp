@@ -19,7 +19,7 @@ namespace beadswim {
 ///
 ///   samples       as for cycle_statistics()
 ///   initial_axis  axis of the swimmer at the start of the run; used for DrivingFrame::initial_axis
-/// Throws InputError as fit_stroke() does.
+/// Throws InputError as fit_cycle() does.
 double driving_power(const Driving& driving, const Vec3& initial_axis,
                      std::span<const SwimmerSample> samples);
 

@@ -11,11 +11,13 @@ namespace beadswim {
 
 /// Relative uncertainties of one quantity in the last cycle of a run, by cause; nullopt: unknown.
 struct QuantityUncertainty {
-  std::optional<double> resolution;  ///< by cells and time steps, or by the accuracy of mobility products
-  std::optional<double> wander;      ///< by the place of the beads within cells of the lattice
-  std::optional<double> transient;   ///< by the start of the run: remaining_change() of the cycles
-  std::optional<double> total;       ///< root of the sum of squares of the three
-  std::optional<double> box;  ///< not part of `total`: change by walls and images, compared with open space
+  std::optional<double> resolution =
+      {};                                ///< by cells and time steps, or by the accuracy of mobility products
+  std::optional<double> wander = {};     ///< by the place of the beads within cells of the lattice
+  std::optional<double> transient = {};  ///< by the start of the run: remaining_change() of the cycles
+  std::optional<double> total = {};      ///< root of the sum of squares of the three
+  std::optional<double> box =
+      {};  ///< not part of `total`: change by walls and images, compared with open space
 
   static void visit_fields(auto&& visit, auto& uncertainty) {
     visit("resolution", uncertainty.resolution);
@@ -36,7 +38,8 @@ struct SwimmerUncertainty {
   }
 };
 
-/// Returns the total of the known contributions; nullopt if one of the three is unknown.
+/// Returns the root of the sum of squares of resolution, wander and transient; nullopt if one of them is
+/// unknown.
 std::optional<double> total_uncertainty(const QuantityUncertainty& uncertainty);
 
 /// Estimates how far a quantity will still change after the last cycle, relative to its last value. `values`:
