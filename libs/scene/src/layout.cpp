@@ -11,11 +11,14 @@ SwimmerType Layout::resolved_type(const Swimmer& swimmer) const {
   return type;
 }
 
+double smallest_radius(const SwimmerType& type) {
+  return std::ranges::min_element(type.beads, {}, &Bead::radius)->radius;
+}
+
 double smallest_radius(const Layout& layout) {
   double smallest = std::numeric_limits<double>::infinity();
-  for (const Swimmer& swimmer : layout.swimmers) {
-    for (const Bead& bead : layout.types.at(swimmer.type).beads) smallest = std::min(smallest, bead.radius);
-  }
+  for (const Swimmer& swimmer : layout.swimmers)
+    smallest = std::min(smallest, smallest_radius(layout.types.at(swimmer.type)));
   return smallest;
 }
 

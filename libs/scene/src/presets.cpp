@@ -1,15 +1,10 @@
 #include "beadswim/scene/presets.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace beadswim {
 
 namespace {
-
-double smallest_bead_radius(const SwimmerType& type) {
-  return std::ranges::min_element(type.beads, {}, &Bead::radius)->radius;
-}
 
 /// Returns a layout with the parameters that all scenes of the paper share, in lattice units: equal beads and
 /// arms, driving amplitudes A = B, driving phase alpha = pi/2, density 1 of beads and fluid, kinematic
@@ -59,8 +54,7 @@ double straightening_stiffness(const SwimmerType& type) {
 }
 
 Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid) {
-  return {.cells_per_radius = smallest_bead_radius(type),
-          .relaxation_time = 3 * fluid.kinematic_viscosity + 0.5};
+  return {.cells_per_radius = smallest_radius(type), .relaxation_time = 3 * fluid.kinematic_viscosity + 0.5};
 }
 
 Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const Box& box) {
@@ -72,7 +66,7 @@ Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const B
   for (int a = 0; a < 3; ++a) {
     if (box.boundary[a] != Boundary::periodic) shift[a] = 0;
   }
-  return smallest_bead_radius(type) * shift;
+  return smallest_radius(type) * shift;
 }
 
 Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain) {

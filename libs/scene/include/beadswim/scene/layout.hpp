@@ -75,7 +75,8 @@ struct Layout {
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 };
 
-/// Returns the smallest radius of all beads of the layout's swimmers [length].
+/// Return the smallest radius of the three beads, or of all beads of the layout's swimmers [length].
+double smallest_radius(const SwimmerType& type);
 double smallest_radius(const Layout& layout);
 
 /// Returns the period of the swimmers if all have the same period, otherwise the period of the first
