@@ -173,11 +173,12 @@ void add_flags(CLI::App& program, RunOptions& options) {
              "choosing-a-model.md");
 }
 
-/// Uses --tolerance as --sum-tolerance, its name in later versions, if the run has a mobility model and no
-/// plan. Throws InputError if both flags are given, or if the value is invalid for --sum-tolerance.
+/// Without a plan, uses --tolerance of a mobility model as --sum-tolerance, its name in later versions.
+/// Throws InputError if the model is lbm, if both flags are given, or if the value is invalid for
+/// --sum-tolerance.
 void apply_former_tolerance(RunOptions& options) {
-  if (!options.tolerance || options.plan || !mobility_model(options.settings.model)) return;
-  if (options.given.contains("--sum-tolerance"))
+  if (!options.tolerance || options.plan || options.settings.model == RunModel::automatic) return;
+  if (options.settings.model == RunModel::lbm || options.given.contains("--sum-tolerance"))
     throw InputError("--tolerance", "the flag applies to --plan and --model auto only; leave it out");
   if (const std::string why = product_tolerance()(fmt::format("{}", *options.tolerance)); !why.empty())
     throw InputError("--tolerance", why);
