@@ -3,62 +3,70 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "beadswim/plan/velocity_roundoff.hpp"
 
 namespace beadswim {
 namespace {
 
-using Warnings = std::vector<RunWarning>;
+/// A list of warnings that grows by add().
+struct Warnings {
+  std::vector<RunWarning> list;
+
+  void add(const char* code, std::string message) { list.push_back({code, std::move(message)}); }
+};
 
 void warn_of_resolution(Warnings& warnings, const SceneOnLattice& on_lattice) {
-  if (on_lattice.resolution.cells_per_radius < 2) {
-    warnings.push_back(
-        {"beads-unresolved", fmt::format("{:.3g} cells per radius do not resolve a bead; use 3 or more",
-                                         on_lattice.resolution.cells_per_radius)});
+  const double cells_per_radius = on_lattice.resolution.cells_per_radius, gap = on_lattice.smallest_gap;
+  if (cells_per_radius < 2) {
+    warnings.add(
+        "beads-unresolved",
+        fmt::format("{:.3g} cells per radius do not resolve a bead; use 3 or more", cells_per_radius));
   }
   constexpr double close = 2.5;
-  if (on_lattice.smallest_gap < close) {
-    warnings.push_back({"gaps-unresolved", fmt::format("the smallest gap between beads, images or walls is "
-                                                       "{:.2g} cells at the start, too few to resolve "
-                                                       "the flow: strokes may be wrong by tens of per cent; "
-                                                       "use --cells-per-radius {:.2g} for a gap of {} "
-                                                       "cells",
-                                                       on_lattice.smallest_gap,
-                                                       std::ceil(on_lattice.resolution.cells_per_radius *
-                                                                 close / on_lattice.smallest_gap),
-                                                       close)});
+  if (gap < close) {
+    warnings.add(
+        "gaps-unresolved",
+        fmt::format(
+            "the smallest gap between beads, images or walls is {:.2g} cells at the start, too few to "
+            "resolve the flow: strokes may be wrong by tens of per cent; use --cells-per-radius {:.2g} "
+            "for a gap of {} cells",
+            gap, std::ceil(cells_per_radius * close / gap), close));
   }
 }
 
 void warn_of_stability(Warnings& warnings, const SceneOnLattice& on_lattice) {
   if (on_lattice.density_on_lattice() < min_stable_density) {
-    warnings.push_back({"light-beads", fmt::format("the beads' density on the lattice is {:.3g} times the "
-                                                   "fluid's density; below {} times, the explicit "
-                                                   "coupling may become unstable; use --delay-correction on, "
-                                                   "together with a larger --relaxation-time",
-                                                   on_lattice.density_on_lattice(), min_stable_density)});
+    warnings.add(
+        "light-beads",
+        fmt::format("the beads' density on the lattice is {:.3g} times the fluid's density; below {} "
+                    "times, the explicit coupling may become unstable; use --delay-correction on, "
+                    "together with a larger --relaxation-time",
+                    on_lattice.density_on_lattice(), min_stable_density));
   }
   if (on_lattice.lattice.relaxation_time < min_stable_relaxation_time) {
-    warnings.push_back(
-        {"relaxation-time",
-         fmt::format("the relaxation time {:.4g} is so close to 1/2 that viscosity hardly damps unresolved "
-                     "flow: the fluid may become unstable or show unphysical turbulence; use {} or more",
-                     on_lattice.lattice.relaxation_time, min_stable_relaxation_time)});
+    warnings.add(
+        "relaxation-time",
+        fmt::format("the relaxation time {:.4g} is so close to 1/2 that viscosity hardly damps "
+                    "unresolved flow: the fluid may become unstable or show unphysical turbulence; use "
+                    "{} or more",
+                    on_lattice.lattice.relaxation_time, min_stable_relaxation_time));
   }
   if (on_lattice.damps_springs) {
-    warnings.push_back(
-        {"springs-damped",
-         "springs vibrate too fast for the time step, so dashpots are added that damp these vibrations; "
-         "these dashpots delay slower motion by at most half a time step"});
+    warnings.add(
+        "springs-damped",
+        "springs vibrate too fast for the time step, so dashpots are added that damp these vibrations; "
+        "these dashpots delay slower motion by at most half a time step");
   }
   if (on_lattice.angular_softening < 1) {
-    warnings.push_back(
-        {"angular-springs-softened",
-         fmt::format("bending vibrations are too fast for the time step, so angular springs are softened to "
-                     "{:.2g} of the layout's stiffness; to soften them less, reduce the time step by a "
-                     "smaller --relaxation-time or a larger --cells-per-radius",
-                     on_lattice.angular_softening)});
+    warnings.add(
+        "angular-springs-softened",
+        fmt::format("bending vibrations are too fast for the time step, so angular springs are softened "
+                    "to {:.2g} of the layout's stiffness; to soften them less, reduce the time step by "
+                    "a smaller --relaxation-time or a larger --cells-per-radius",
+                    on_lattice.angular_softening));
   }
 }
 
@@ -69,19 +77,19 @@ void warn_of_roundoff(Warnings& warnings, Precision precision, double error) {
           ? fmt::format("{:.2g}", error)
           : "more than 1, because the velocity is zero to second order in the driving amplitude";
   if (precision == Precision::fp32) {
-    warnings.push_back(
-        {"roundoff",
-         fmt::format(
-             "in single precision the relative error of a swimmer's velocity may be {}: roundoff is too "
-             "large if "
-             "a swimmer is slow compared with its beads, or if the run is long; use --precision double",
-             much)});
+    warnings.add(
+        "roundoff",
+        fmt::format("in single precision the relative error of a swimmer's velocity may be {}: roundoff "
+                    "is too large if a swimmer is slow compared with its beads, or if the run is long; "
+                    "use --precision double",
+                    much));
   } else {
-    warnings.push_back(
-        {"roundoff",
-         fmt::format("a swimmer moves so little per cycle that roundoff may cause a relative error of its "
-                     "velocity of {}; increase the driving amplitude, or use the velocity of beadswim-theory",
-                     much)});
+    warnings.add(
+        "roundoff",
+        fmt::format("a swimmer moves so little per cycle that roundoff may cause a relative error of "
+                    "its velocity of {}; increase the driving amplitude, or use the velocity of "
+                    "beadswim-theory",
+                    much));
   }
 }
 
@@ -92,18 +100,21 @@ std::vector<RunWarning> warnings_before(const SceneOnLattice& on_lattice, double
   warn_of_resolution(warnings, on_lattice);
   warn_of_stability(warnings, on_lattice);
   warn_of_roundoff(warnings, on_lattice.scene.precision, roundoff);
-  return warnings;
+  return warnings.list;
 }
 
 std::vector<RunWarning> warnings_after(double mach) {
-  if (mach <= max_incompressible_mach) return {};
-  return {{"compressible",
-           fmt::format(
-               "the fastest bead reached Mach {:.2g} (Mach 1: speed of sound of the lattice), where "
-               "compression changes the density of the fluid by about "
-               "{:.0f} % and affects the motion; reduce the time step by a smaller --relaxation-time or a "
-               "larger --cells-per-radius",
-               mach, 100 * mach * mach)}};
+  Warnings warnings;
+  if (mach > max_incompressible_mach) {
+    warnings.add(
+        "compressible",
+        fmt::format("the fastest bead reached Mach {:.2g} (Mach 1: speed of sound of the lattice), "
+                    "where compression changes the density of the fluid by about {:.0f} % and affects "
+                    "the motion; reduce the time step by a smaller --relaxation-time or a larger "
+                    "--cells-per-radius",
+                    mach, 100 * mach * mach));
+  }
+  return warnings.list;
 }
 
 }  // namespace beadswim

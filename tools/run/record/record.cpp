@@ -42,18 +42,6 @@ void add_conservation(RunRecord& record, const ModelTotals& first, const ModelTo
     record.mass_relative_change = (1 + *last.mass_excess) / (1 + *first.mass_excess) - 1;
 }
 
-/// Returns the uncertainty of a quantity. `values`: in successive cycles.
-QuantityUncertainty uncertainty_of(std::span<const double> values, std::optional<double> resolution,
-                                   std::optional<double> wander, std::optional<double> box) {
-  QuantityUncertainty uncertainty{.resolution = resolution,
-                                  .wander = wander,
-                                  .transient = remaining_change(values),
-                                  .total = {},
-                                  .box = box};
-  uncertainty.total = total_uncertainty(uncertainty);
-  return uncertainty;
-}
-
 SwimmerUncertainty uncertainty_of(const SwimmerRecord& swimmer, const std::optional<Box>& box,
                                   const std::optional<ExpectedErrors>& expected) {
   std::vector<double> velocities;
@@ -62,19 +50,23 @@ SwimmerUncertainty uncertainty_of(const SwimmerRecord& swimmer, const std::optio
     velocities.push_back(velocity_relative_to_fluid(cycle, box));
     for (int arm = 0; arm < 2; ++arm) amplitudes[arm].push_back(cycle.arm_amplitudes[arm]);
   }
-  const auto known = [&](auto&& value) { return expected ? std::optional(value(*expected)) : std::nullopt; };
-  SwimmerUncertainty result;
-  result.velocity = uncertainty_of(velocities, known([](auto& e) { return e.resolution.velocity; }),
-                                   known([](auto& e) { return e.wander.velocity; }),
-                                   known([](auto& e) { return e.box.velocity; }));
-  for (int arm = 0; arm < 2; ++arm) {
-    const QuantityUncertainty one =
-        uncertainty_of(amplitudes[arm], known([=](auto& e) { return e.resolution.arm_amplitudes[arm]; }),
-                       known([=](auto& e) { return e.wander.arm_amplitudes[arm]; }),
-                       known([=](auto& e) { return e.box.arm_amplitudes[arm]; }));
-    if (arm == 0 || one.total > result.arm_amplitudes.total) result.arm_amplitudes = one;
-  }
-  return result;
+  // `values`: the quantity in successive cycles; `of`: its component of an ErrorEstimate.
+  const auto uncertainty = [&](const std::vector<double>& values, const auto& of) {
+    QuantityUncertainty result{.transient = remaining_change(values)};
+    if (expected) {
+      result.resolution = of(expected->resolution);
+      result.wander = of(expected->wander);
+      result.box = of(expected->box);
+    }
+    result.total = total_uncertainty(result);
+    return result;
+  };
+  const auto of_arm = [&](int arm) {
+    return uncertainty(amplitudes[arm], [arm](const ErrorEstimate& e) { return e.arm_amplitudes[arm]; });
+  };
+  const QuantityUncertainty first = of_arm(0), second = of_arm(1);
+  return {.velocity = uncertainty(velocities, [](const ErrorEstimate& e) { return e.velocity; }),
+          .arm_amplitudes = second.total > first.total ? second : first};
 }
 
 /// Adds expected errors, uncertainties and warnings. Rank 0 only.

@@ -51,8 +51,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
     const double period = type.driving.period;
     logs_.push_back({.record = {.id = in_order[s]->id,
                                 .cycles = {},
-                                .period = period == plan.base_period ? std::nullopt : std::optional(period),
-                                .uncertainty = {}},
+                                .period = period == plan.base_period ? std::nullopt : std::optional(period)},
                      .type = type,
                      .initial_axis = in_order[s]->axis,
                      .samples_per_cycle = schedules_.of(plan.swimmers[s].type).per_cycle(),

@@ -95,8 +95,8 @@ BoxUncertainty box_uncertainty(const Question& question) {
   return {.images = closeness * std::max(velocity, mobility), .mobility = 2 * closeness * mobility};
 }
 
-/// Change of the swimmer's velocity because images contribute to the Reynolds stress, and its uncertainty
-/// except by pairs [length/time].
+/// Change of the swimmer's velocity because images contribute to the Reynolds stress, and the part of its
+/// uncertainty that is not due to the approximation by pairs [length/time].
 struct ImageStress {
   double change = 0, uncertainty = 0;
 };
@@ -131,14 +131,14 @@ const PeriodicMotion& finite_motion(const CollinearSwimmer& swimmer) {
   return last->motion;
 }
 
-/// Motion in the box, to second order in amplitude.
+/// Motion in the box, to second order in amplitude, with the changes of the velocity by the box
+/// [length/time].
 struct BoxMotion {
   Eigen::Vector2cd arm;
-  double velocity = 0;   ///< [length/time]
-  double by_stroke = 0;  ///< change of the velocity, because the box changes the stroke [length/time]
-  double by_drift =
-      0;  ///< change of the velocity of this stroke by drift in the flow of images [length/time]
-  ImageStress by_stress = {};  ///< change of the velocity of this stroke by the Reynolds stress of images
+  double velocity = 0;         ///< [length/time]
+  double by_stroke = 0;        ///< because the box changes the stroke
+  double by_drift = 0;         ///< of this stroke, by drift in the flow of images
+  ImageStress by_stress = {};  ///< of this stroke, by the Reynolds stress of images
 };
 
 BoxMotion box_motion(const Question& question, const ExactInertia& exact) {

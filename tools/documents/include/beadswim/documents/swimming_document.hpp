@@ -58,8 +58,8 @@ std::vector<int> swimmers_of(const SwimmingDocument& document);
 ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, const CycleChoice& choice,
                            const std::string& source);
 
-/// Returns the relative uncertainties that the record of a run states for the last cycle of a swimmer.
-/// Returns an empty result if it states none or if other cycles are chosen.
+/// Returns the relative uncertainties that the record of a run states for the last cycle of a swimmer, also
+/// for the mean of the last cycles. Returns an empty result if it states none or if another cycle is chosen.
 ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice& choice);
 
 /// Returns the relative uncertainties that a prediction states.
