@@ -28,7 +28,8 @@ struct QuantityUncertainty {
   }
 };
 
-/// Uncertainties of the last cycle of a swimmer; for the arm amplitudes, the larger of both arms.
+/// Uncertainties of the last cycle of a swimmer; for the arm amplitudes, those of the arm with the larger
+/// total.
 struct SwimmerUncertainty {
   QuantityUncertainty velocity, arm_amplitudes;
 
