@@ -248,6 +248,7 @@ sed -n 6p scenes.jsonl | jq -c '.reference = "--model rpy+near" | .tested = []' 
 check "a run is that on record" holds --slurpfile known "$results/random-scenes.jsonl" \
   '([$known[5].runs[] | select(.flags == "--model rpy+near")][0].cycles[-1]) as $known | [.runs[0].cycles[-1], $known] | transpose
     | map(.[0] / .[1] - 1 | fabs) | max < 1e-3' again.json
+check "the page has the costs on record" grep -qF "$(jq -rs -f "$results/run-costs.jq" "$results/run-costs.jsonl")" "$page"
 check "scenes are five" test "$(wc -l <"$results/plan-check.jsonl")" -eq 5
 
 finish
