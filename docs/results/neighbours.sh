@@ -1,6 +1,7 @@
 #!/bin/bash
 # Measures two swimmers side by side: velocities along and across, by lattice and mobility.
 #   docs/results/neighbours.sh > neighbours.jsonl     (a few minutes; the programs on PATH)
+#   for period in 2000 8000; do docs/results/neighbours-theory.py $period; done >> neighbours.jsonl
 # Prints one line per run: distance of the axes [bead radius], phase offset of the second swimmer [radian], flags, and for the last
 # cycle of each swimmer [velocity along the axis, velocity away from the other swimmer], relative to the velocity of a lone swimmer in
 # the same box by the same flags.
