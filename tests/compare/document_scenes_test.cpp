@@ -4,6 +4,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/scene/presets.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -31,7 +32,7 @@ PredictionDocument older_prediction() {
 
 Layout layout_of_two() {
   Layout layout = paper_single();
-  layout.types["a"].driving.phase = 1.5;
+  change(layout.types["a"].driving, [](ThreeBeadDriving& driving) { driving.phase = 1.5; });
   layout.swimmers.push_back({.id = 7, .type = "a", .position = Vec3(100, 400, 400)});
   layout.swimmers[1].driving = layout.types["a"].driving;
   layout.swimmers[1].driving->period = 2000;

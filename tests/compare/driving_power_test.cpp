@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "beadswim/swimmers/swimmer_forces.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -35,14 +36,17 @@ std::vector<SwimmerSample> cycle(int n, double turn) {
 
 /// Returns the work of driving_forces() along the motion, divided by the period, by the midpoint rule with n
 /// steps.
-double work_over_period(const Driving& driving, const Vec3& initial_axis, double turn, int n) {
+double work_over_period(const ThreeBeadDriving& driving, const Vec3& initial_axis, double turn, int n) {
   const std::vector<SwimmerSample> ends = cycle(n, turn);
+  const SwimmerType type = swimmer_type({.driving = driving});
   double work = 0;
   for (int i = 0; i < n; ++i) {
     const SwimmerSample middle = swimmer_at((ends[i].time + ends[i + 1].time) / 2, turn);
-    const BeadVectors force = driving_forces(driving, middle.time, middle.bead_positions, initial_axis);
+    BeadVectors position(3, 3);
+    for (int b = 0; b < 3; ++b) position.col(b) = middle.bead_positions[b];
+    const BeadVectors force = driving_forces(type, middle.time, position, shortest_turn(initial_axis));
     for (int b = 0; b < 3; ++b)
-      work += force[b].dot(ends[i + 1].bead_positions[b] - ends[i].bead_positions[b]);
+      work += force.col(b).dot(ends[i + 1].bead_positions[b] - ends[i].bead_positions[b]);
   }
   return work / period;
 }
@@ -50,7 +54,7 @@ double work_over_period(const Driving& driving, const Vec3& initial_axis, double
 TEST(DrivingPower, IsTheWorkOfTheDrivingForces) {
   constexpr int steps = 20000;
   const double discretisation = 10 * std::pow(2 * pi / steps, 2);
-  Driving driving{.amplitude = {0.2, 0.35}, .phase = 1.1, .period = period, .phase_offset = 0.4};
+  ThreeBeadDriving driving{.amplitude = {0.2, 0.35}, .phase = 1.1, .period = period, .phase_offset = 0.4};
   const Vec3 initial_axis = Vec3(1, 2, -2) / 3;
   for (const DrivingFrame frame : all_values<DrivingFrame>) {
     driving.frame = frame;
@@ -64,7 +68,7 @@ TEST(DrivingPower, IsTheWorkOfTheDrivingForces) {
 
 // Forces along the arms turn with the swimmer: the power does not change.
 TEST(DrivingPower, OfForcesAlongTheArmsDoesNotDependOnTheTurningOfTheSwimmer) {
-  const Driving driving{
+  const ThreeBeadDriving driving{
       .amplitude = {0.2, 0.35}, .phase = 1.1, .period = period, .frame = DrivingFrame::body};
   const double straight = driving_power(driving, Vec3::UnitX(), cycle(40, 0));
   EXPECT_NEAR(driving_power(driving, Vec3::UnitX(), cycle(40, 0.5)) / straight, 1, 1e-12);

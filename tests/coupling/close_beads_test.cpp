@@ -7,6 +7,7 @@
 
 #include "beadswim/coupling/close_beads.hpp"
 #include "beadswim/coupling/conservation.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -132,12 +133,12 @@ TEST(CloseBeads, ReportADeepOverlap) {
 
 /// Returns a scene of one swimmer in a box. A bead of radius 1 has the mass 4 pi/3.
 CoupledScene swimmer_scene(Boundary across_x, Precision precision) {
-  SwimmerType type;
+  ThreeBeadSwimmer type;
   type.beads.fill({.radius = 1, .density = 1});
   CoupledScene scene;
   scene.boundary[0] = across_x;
   scene.precision = precision;
-  scene.types = {type};
+  scene.types = {swimmer_type(type)};
   scene.swimmers = {{.id = 0, .type = 0}};
   return scene;
 }
@@ -146,7 +147,7 @@ CoupledScene swimmer_scene(Boundary across_x, Precision precision) {
 // before they are in each other by half a cell, a quarter of what stops a run at this radius.
 TEST(NearContactLaw, TurnsBeadsAtTheSpeedLimit) {
   CoupledScene scene = swimmer_scene(Boundary::periodic, Precision::fp64);
-  scene.types[0].beads.fill({.radius = 10, .density = 1});
+  for (Bead& bead : scene.types[0].beads) bead.radius = 10;
   scene.lubrication = false;
   const NearContactLaw law = near_contact_law(scene);
   CloseBead bead{.radius = 10, .mass = mass(scene.types[0].beads[0]), .inertia = 1};

@@ -64,8 +64,8 @@ Stored stored(const CoupledSystem& system) {
                     moment_of_inertia(type.beads[b]) / 2 * bead.angular_velocity.squaredNorm();
   }
   for (int k = 0; k < 2; ++k) {
-    const double extension = arm(swimmer.motion, k).norm() - type.springs[k].rest_length;
-    energy.beads += type.springs[k].stiffness / 2 * extension * extension;
+    const double extension = arm(swimmer.motion, k).norm() - type.bonds[k].rest_length;
+    energy.beads += type.bonds[k].stiffness / 2 * extension * extension;
   }
   for_each_fluid_cell(system, [&](std::ptrdiff_t cell) {
     energy.fluid += cell_moments(system.populations(), cell).momentum.squaredNorm() / 2;
@@ -81,19 +81,19 @@ Energies step(CoupledSystem& system) {
   system.step();
   const SwimmerState& after = system.owned_swimmers()[0];
   Energies energy;
-  BeadVectors middle;
-  for (int b = 0; b < 3; ++b) middle[b] = (before.motion[b].position + after.motion[b].position) / 2;
-  const BeadVectors driving = driving_forces(type.driving, time, middle, after.initial_axis);
+  BeadVectors middle(3, 3);
+  for (int b = 0; b < 3; ++b) middle.col(b) = (before.motion[b].position + after.motion[b].position) / 2;
+  const BeadVectors driving = driving_forces(type, time, middle, shortest_turn(after.initial_axis));
   for (int b = 0; b < 3; ++b) {
     const Vec3 moved = after.motion[b].position - before.motion[b].position;
     const Vec3 turned = (before.motion[b].angular_velocity + after.motion[b].angular_velocity) / 2;
-    energy.driving += driving[b].dot(moved);
+    energy.driving += driving.col(b).dot(moved);
     energy.on_fluid -= (before.last_impulse[b].force + after.last_impulse[b].force).dot(moved) / 2 +
                        (before.last_impulse[b].torque + after.last_impulse[b].torque).dot(turned) / 2;
   }
   for (int k = 0; k < 2; ++k) {
     const double rate = arm(after.motion, k).norm() - arm(before.motion, k).norm();
-    energy.dashpots += type.springs[k].damping * rate * rate;
+    energy.dashpots += type.bonds[k].damping * rate * rate;
   }
   for_each_fluid_cell(system, [&](std::ptrdiff_t cell) {
     energy.dissipation += dissipation(system.populations(), cell, system.scene().relaxation_time);
@@ -120,13 +120,14 @@ TEST_P(EnergyBalance, ClosesOverHalfACycle) {
   const int width = static_cast<int>(6 * radius);
   CoupledScene scene = small_swimmer(Index3(2 * width, width, width),
                                      Vec3(width + 0.15, width / 2 + 0.45, width / 2 + 0.05), Vec3::UnitX());
-  SwimmerType& type = scene.types[0];
-  type.beads.fill({.radius = radius, .density = 2});
   const double scale = radius / 3;
-  type.springs.fill({.stiffness = 0.05 * scale, .rest_length = 3.5 * radius, .damping = 1});
-  type.driving.amplitude = {0.15 * scale * scale, 0.15 * scale * scale};
   const int cycle = static_cast<int>(400 * scale * scale);
-  type.driving.period = cycle;
+  change(scene.types[0], [&, radius = radius](ThreeBeadSwimmer& type) {
+    type.beads.fill({.radius = radius, .density = 2});
+    type.springs.fill({.stiffness = 0.05 * scale, .rest_length = 3.5 * radius, .damping = 1});
+    type.driving.amplitude = {0.15 * scale * scale, 0.15 * scale * scale};
+    type.driving.period = cycle;
+  });
   scene.relaxation_time = 1.5;
   scene.bead_boundary = scheme;
   CoupledSystem system(scene, self);

@@ -9,6 +9,7 @@
 #include "beadswim/coupling/lattice_scales.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -79,14 +80,14 @@ TEST(LatticeScales, AreOneAtThePapersOwnResolution) {
 
 // Dimensionless numbers are the same in both units, and a period is a whole number of steps.
 TEST(LatticeScales, KeepDimensionlessNumbers) {
-  SwimmerType type;
+  ThreeBeadSwimmer type;
   type.beads.fill({.radius = 2.5e-6, .density = 1100});
   type.springs.fill({.stiffness = 3e-6, .rest_length = 14e-6, .damping = 2e-9});
   type.angular_stiffness = 5e-15;
   type.driving = {.amplitude = {4e-12, 5e-12}, .phase = 1, .period = 0.0123, .frame = DrivingFrame::lab};
   const double nu = 1e-6, rho = 998;
   const LatticeChoice choice = choose_lattice(2.5e-6, {5, 0.9}, {rho, nu}, type.driving.period);
-  const SwimmerType lattice = in_lattice_units(type, choice.scales);
+  const ThreeBeadSwimmer lattice = three_beads(in_lattice_units(swimmer_type(type), choice.scales));
   const double nu_lu = lattice_viscosity(choice.relaxation_time);
 
   constexpr double roundoff = 1e-12;

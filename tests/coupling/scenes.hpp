@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "../three_bead_types.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/coupling/scene.hpp"
 
@@ -10,7 +11,7 @@ namespace beadswim::test {
 /// Returns a scene of one small, strongly driven swimmer in a periodic box: bead radius 2 cells, arms 7
 /// cells.
 inline CoupledScene small_swimmer(const Index3& cells, const Vec3& position, const Vec3& axis) {
-  SwimmerType type;
+  ThreeBeadSwimmer type;
   type.beads.fill({.radius = 2.2, .density = 1});
   type.springs.fill({.stiffness = 0.05, .rest_length = 7, .damping = 0});
   type.angular_stiffness = 25;
@@ -21,8 +22,8 @@ inline CoupledScene small_swimmer(const Index3& cells, const Vec3& position, con
   CoupledScene scene;
   scene.cells = cells;
   scene.relaxation_time = 1.2;
-  scene.types = {type};
-  scene.swimmers = {{.id = 0, .type = 0, .position = position, .axis = axis}};
+  scene.types = {swimmer_type(type)};
+  scene.swimmers = {{.id = 0, .type = 0, .position = position, .orientation = shortest_turn(axis)}};
   return scene;
 }
 

@@ -13,9 +13,9 @@ namespace {
 /// across the middle of the box, where ranks meet.
 CoupledScene crossing_scene() {
   CoupledScene scene = small_swimmer(Index3(26, 22, 20), Vec3(0.3, 21.8, 19.6), Vec3(1, 1, 1).normalized());
-  scene.swimmers.push_back({.id = 7, .type = 1, .position = Vec3(13.1, 11, 10), .axis = Vec3::UnitX()});
+  scene.swimmers.push_back({.id = 7, .type = 1, .position = Vec3(13.1, 11, 10)});
   scene.types.push_back(scene.types[0]);
-  scene.types[1].driving.amplitude = {0.4, 0.2};
+  set_amplitude(scene.types[1].driving, {0.4, 0.2});
   return scene;
 }
 
@@ -23,9 +23,9 @@ CoupledScene crossing_scene() {
 /// its own images and the rank that owns it needs cells around the whole box.
 CoupledScene long_arms() {
   CoupledScene scene = small_swimmer(Index3(9, 15, 10), Vec3(4.2, 7, 5.1), Vec3::UnitY());
-  scene.types[0].springs.fill({.stiffness = 0.05, .rest_length = 20, .damping = 0});
-  scene.types[0].angular_stiffness = 200;
-  scene.types[0].driving.amplitude = {0.02, 0.02};
+  set_springs(scene.types[0], {.stiffness = 0.05, .rest_length = 20, .damping = 0});
+  scene.types[0].angles[0].stiffness = 200;
+  set_amplitude(scene.types[0].driving, {0.02, 0.02});
   return scene;
 }
 
@@ -33,7 +33,8 @@ CoupledScene long_arms() {
 /// so that links of both beads end in the same fluid cells.
 CoupledScene side_by_side() {
   CoupledScene scene = small_swimmer(Index3(14, 14, 30), Vec3(7.1, 7.3, 15.2), Vec3::UnitZ());
-  scene.swimmers.push_back({.id = 3, .type = 0, .position = Vec3(12.8, 7.3, 15.2), .axis = Vec3::UnitZ()});
+  scene.swimmers.push_back(
+      {.id = 3, .type = 0, .position = Vec3(12.8, 7.3, 15.2), .orientation = shortest_turn(Vec3::UnitZ())});
   return scene;
 }
 
@@ -41,7 +42,7 @@ CoupledScene side_by_side() {
 /// links wrap around the periodic rows of cells instead.
 CoupledScene cut_across_x() {
   CoupledScene scene = small_swimmer(Index3(44, 8, 8), Vec3(21.9, 4.1, 3.7), Vec3::UnitX());
-  scene.swimmers.push_back({.id = 4, .type = 0, .position = Vec3(43.9, 3.6, 4.4), .axis = Vec3::UnitX()});
+  scene.swimmers.push_back({.id = 4, .type = 0, .position = Vec3(43.9, 3.6, 4.4)});
   return scene;
 }
 
@@ -56,7 +57,7 @@ CoupledScene between_mirrors_along_x() {
 CoupledScene between_walls() {
   CoupledScene scene = small_swimmer(Index3(26, 14, 12), Vec3(13, 3.2, 8.7), Vec3::UnitX());
   scene.boundary = {Boundary::periodic, Boundary::free_slip, Boundary::no_slip};
-  scene.types[0].driving.frame = DrivingFrame::body;
+  change(scene.types[0].driving, [](ThreeBeadDriving& driving) { driving.frame = DrivingFrame::body; });
   return scene;
 }
 
@@ -64,9 +65,9 @@ CoupledScene between_walls() {
 /// collide with beads of the other swimmer and of their own.
 CoupledScene colliding() {
   CoupledScene scene = small_swimmer(Index3(40, 12, 12), Vec3(10.2, 6.3, 5.9), Vec3::UnitX());
-  scene.swimmers.push_back({.id = 2, .type = 0, .position = Vec3(29.9, 6.9, 6.4), .axis = Vec3::UnitX()});
-  scene.types[0].springs.fill({.stiffness = 0.2, .rest_length = 7, .damping = 0});
-  scene.types[0].driving = {.amplitude = {1.6, 1.6}, .phase = 1.2, .period = 160, .frame = DrivingFrame::lab};
+  scene.swimmers.push_back({.id = 2, .type = 0, .position = Vec3(29.9, 6.9, 6.4)});
+  set_springs(scene.types[0], {.stiffness = 0.2, .rest_length = 7, .damping = 0});
+  scene.types[0].driving = drives({.amplitude = {1.6, 1.6}, .phase = 1.2, .period = 160});
   scene.friction = 0.5;
   return scene;
 }
@@ -203,8 +204,8 @@ TEST(Guards, StopAllRanksWhenTheFluidIsUnstable) {
 TEST(Guards, SeeAnUnstableFluidFarFromBeads) {
   const Communicator world(MPI_COMM_WORLD);
   CoupledScene scene = small_swimmer(Index3(40, 14, 30), Vec3(20, 7, 15), Vec3::UnitX());
-  scene.types[0].driving.amplitude = {1e-3, 1e-3};
-  scene.types[0].beads.fill({.radius = 2.2, .density = 1e9});  // as good as held in place
+  set_amplitude(scene.types[0].driving, {1e-3, 1e-3});
+  for (Bead& bead : scene.types[0].beads) bead.density = 1e9;  // as good as held in place
   scene.relaxation_time = 0.45;
   CoupledSystem system(scene, world);
   int steps = 0;
@@ -223,9 +224,11 @@ TEST(Guards, TellTheSameOfTwoFaultsOnAnyRanks) {
   CoupledScene scene = colliding();
   scene.types.push_back(scene.types[0]);
   scene.swimmers[1].type = 1;
-  scene.types[0].beads.fill({.radius = 2.2, .density = 1000});
-  scene.types[0].springs[0].rest_length = scene.types[0].springs[1].rest_length = 3.5;  // in each other
-  scene.types[1].driving = {.amplitude = {0, 1e4}, .phase = 1.5, .period = 160, .frame = DrivingFrame::lab};
+  for (Bead& bead : scene.types[0].beads) bead.density = 1000;
+  change(scene.types[0], [](ThreeBeadSwimmer& type) {
+    for (Spring& spring : type.springs) spring.rest_length = 3.5;  // in each other
+  });
+  scene.types[1].driving = drives({.amplitude = {0, 1e4}, .phase = 1.5, .period = 160});
   const auto on_all = fault_of(scene, world), alone = fault_of(scene, self);
   ASSERT_TRUE(on_all && alone);
   EXPECT_EQ(alone->kind, FaultKind::speed);
@@ -237,8 +240,8 @@ TEST(Guards, TellTheSameOfTwoFaultsOnAnyRanks) {
 TEST(Guards, ReportTheFirstBeadThatIsTooFastOnAllRanks) {
   const Communicator world(MPI_COMM_WORLD);
   CoupledScene scene = small_swimmer(Index3(40, 16, 16), Vec3(20, 8, 8), Vec3::UnitX());
-  scene.types[0].driving.amplitude = {0, 60};
-  scene.types[0].springs.fill({.stiffness = 0, .rest_length = 7, .damping = 0});
+  set_amplitude(scene.types[0].driving, {0, 60});
+  set_springs(scene.types[0], {.stiffness = 0, .rest_length = 7, .damping = 0});
   CoupledSystem system(scene, world);
   EXPECT_FALSE(system.fault());
   int steps = 0;

@@ -13,7 +13,7 @@ constexpr int one_cycle = 120;
 Vec3 displacement(const Vec3& axis, double phase) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3::Constant(box_edge), Vec3::Constant(box_edge / 2.0), axis);
-  scene.types[0].driving.phase = phase;
+  change(scene.types[0].driving, [&](ThreeBeadDriving& driving) { driving.phase = phase; });
   CoupledSystem system(scene, self);
   const auto mean = [&system] {
     const SwimmerMotion& motion = system.owned_swimmers()[0].motion;
@@ -55,11 +55,12 @@ TEST_P(SlowSwimmer, IsNotKickedByTheMassThatBeadsReturn) {
   const auto [radius, relaxation_time] = GetParam();
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3(64, 16, 16), Vec3(32.07, 8, 8), Vec3::UnitX());
-  SwimmerType& type = scene.types[0];
-  type.beads.fill({.radius = radius, .density = 1});
-  type.springs.fill({.stiffness = 0.0347, .rest_length = 20, .damping = 0});
-  type.driving.amplitude = {0.1, 0.1};
-  type.driving.period = 2000;
+  change(scene.types[0], [radius = radius](ThreeBeadSwimmer& type) {
+    type.beads.fill({.radius = radius, .density = 1});
+    type.springs.fill({.stiffness = 0.0347, .rest_length = 20, .damping = 0});
+    type.driving.amplitude = {0.1, 0.1};
+    type.driving.period = 2000;
+  });
   scene.relaxation_time = relaxation_time;
   scene.bead_boundary = BeadScheme::cli;
   CoupledSystem system(scene, self);
@@ -80,7 +81,7 @@ TEST(Swimmer, TakesAFreeSlipWallForItsMirrorImage) {
   CoupledScene mirrored = walled;
   mirrored.boundary.fill(Boundary::periodic);
   mirrored.cells[1] = 24;
-  mirrored.swimmers.push_back({.id = 1, .type = 0, .position = Vec3(13, 24 - 3.4, 6), .axis = Vec3::UnitX()});
+  mirrored.swimmers.push_back({.id = 1, .type = 0, .position = Vec3(13, 24 - 3.4, 6)});
   CoupledSystem beside_wall(walled, self), beside_image(mirrored, self);
   advance(beside_wall, one_cycle);
   advance(beside_image, one_cycle);
@@ -98,8 +99,8 @@ TEST(Walls, StopABeadThatTouchesThem) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3(30, 16, 16), Vec3(19, 8, 8), Vec3::UnitX());
   scene.boundary.fill(Boundary::no_slip);
-  scene.types[0].springs.fill({.stiffness = 0, .rest_length = 7, .damping = 0});
-  scene.types[0].driving = {.amplitude = {0, 0.6}, .phase = 1.57, .period = 1e4, .frame = DrivingFrame::lab};
+  set_springs(scene.types[0], {.stiffness = 0, .rest_length = 7, .damping = 0});
+  scene.types[0].driving = drives({.amplitude = {0, 0.6}, .phase = 1.57, .period = 1e4});
   CoupledSystem system(scene, self);
   advance(system, 1000);
   ASSERT_TRUE(system.fault());
@@ -111,7 +112,7 @@ TEST(Walls, StopABeadThatTouchesThem) {
 TEST(Swimmer, StaysAtRestUndriven) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3::Constant(box_edge), Vec3(11.3, 12.1, 12.9), Vec3::UnitX());
-  scene.types[0].driving.amplitude = {0, 0};
+  set_amplitude(scene.types[0].driving, {0, 0});
   CoupledSystem system(scene, self);
   advance(system, 50);
   EXPECT_EQ(system.owned_swimmers()[0].motion[2].position, Vec3(11.3 + 7, 12.1, 12.9));
@@ -120,7 +121,7 @@ TEST(Swimmer, StaysAtRestUndriven) {
 TEST(Beads, ThatOverlapDeeplyAreAFault) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3::Constant(box_edge), Vec3::Constant(12), Vec3::UnitX());
-  scene.types[0].springs.fill({.stiffness = 1, .rest_length = 3, .damping = 0});
+  set_springs(scene.types[0], {.stiffness = 1, .rest_length = 3, .damping = 0});
   CoupledSystem system(scene, self);
   system.step();
   ASSERT_TRUE(system.fault());
@@ -130,9 +131,8 @@ TEST(Beads, ThatOverlapDeeplyAreAFault) {
 TEST(Arms, ThatAreTornStopTheRun) {
   const Communicator self(MPI_COMM_SELF);
   CoupledScene scene = small_swimmer(Index3(64, 16, 16), Vec3(32, 8, 8), Vec3::UnitX());
-  scene.types[0].springs.fill({.stiffness = 0, .rest_length = 7, .damping = 0});
-  scene.types[0].driving = {{0, 3}, 0, 1e4, DrivingFrame::lab};
-  scene.types[0].driving.phase = 1.57;
+  set_springs(scene.types[0], {.stiffness = 0, .rest_length = 7, .damping = 0});
+  scene.types[0].driving = drives({.amplitude = {0, 3}, .phase = 1.57, .period = 1e4});
   CoupledSystem system(scene, self);
   advance(system, 400);
   ASSERT_TRUE(system.fault());

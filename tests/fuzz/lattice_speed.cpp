@@ -17,7 +17,7 @@ CoupledScene scene_of(int edge, BeadScheme scheme) {
   scene.cells = {edge, edge, edge};
   scene.bead_boundary = scheme;
   scene.types.resize(1);
-  for (Bead& bead : scene.types[0].beads) bead = {.radius = 4, .density = 1};
+  scene.types[0].beads.assign(3, {{.radius = 4, .density = 1}});
   scene.swimmers = {{.id = 0, .type = 0, .position = {9, 9, 9}}};
   return scene;
 }

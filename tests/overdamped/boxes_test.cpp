@@ -31,7 +31,7 @@ TEST(OverdampedSwimmer, HasTheBoxFactorsOnRecord) {
     double factor, printed_digits;
   };
   constexpr int steps = 100;
-  SwimmerType type = paper_swimmer();
+  ThreeBeadSwimmer type = paper_swimmer();
   type.driving.amplitude = {0.01, 0.01};
   OverdampedScene scene = scene_of(type, steps);
   scene.tolerance = 1e-8;  // the swimmer is a thousandth as fast as its beads
@@ -51,8 +51,8 @@ TEST(OverdampedSwimmer, HasTheBoxFactorsOnRecord) {
 TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
   constexpr int steps = 40;
   OverdampedScene one = scene_of(paper_swimmer(), steps);
-  one.types[0].driving.amplitude = {1, 1};
-  one.types[0].springs[0].stiffness = one.types[0].springs[1].stiffness = 0.2;
+  set_amplitude(one.types[0].driving, {1, 1});
+  for (Bond& bond : one.types[0].bonds) bond.stiffness = 0.2;
   one.box = Box{{64, 32, 32}, {}};
   one.swimmers[0].position = {32, 16, 16};
   one.tolerance = 1e-12;
@@ -63,8 +63,7 @@ TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
     eight.swimmers.push_back(
         {.id = id,
          .type = 0,
-         .position = Vec3(32 + 64 * (id & 1), 16 + 32 * (id >> 1 & 1), 16 + 32 * (id >> 2)),
-         .axis = Vec3::UnitX()});
+         .position = Vec3(32 + 64 * (id & 1), 16 + 32 * (id >> 1 & 1), 16 + 32 * (id >> 2))});
   const auto cell = positions_after(one, 10), swarm = positions_after(eight, 10);
   EXPECT_GT(std::abs(cell[0][0] - 12), 0.02);
   for (std::size_t b = 0; b < swarm.size(); ++b) {
@@ -78,16 +77,14 @@ TEST(OverdampedSwarm, OfEightCellsMovesAsOfOne) {
 TEST(OverdampedSwarm, BearsDenseSwarmsWithFewSteps) {
   OverdampedScene scene = scene_of(paper_swimmer(), 50);
   const double period = scene.types[0].driving.period, gap = 10.67;
-  scene.types[0].driving.amplitude = {1, 1};
-  scene.types[0].springs[0].stiffness = scene.types[0].springs[1].stiffness = 0.2;
+  set_amplitude(scene.types[0].driving, {1, 1});
+  for (Bond& bond : scene.types[0].bonds) bond.stiffness = 0.2;
   scene.tolerance = 1e-5;
   scene.box = Box{{64, 4 * gap, 4 * gap}, {}};
   scene.swimmers.clear();
   for (int id = 0; id < 16; ++id)
-    scene.swimmers.push_back({.id = id,
-                              .type = 0,
-                              .position = Vec3(32, gap * (0.5 + id % 4), gap * (0.5 + id / 4)),
-                              .axis = Vec3::UnitX()});
+    scene.swimmers.push_back(
+        {.id = id, .type = 0, .position = Vec3(32, gap * (0.5 + id % 4), gap * (0.5 + id / 4))});
   const auto start = positions_after(scene, 0), few = positions_after(scene, 50);
   for (std::size_t b = 3; b < few.size(); ++b)
     EXPECT_LT((few[b] - start[b] - few[b % 3] + start[b % 3]).norm(), 1e-4) << "bead " << b;

@@ -18,19 +18,17 @@ namespace {
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 using Vector9 = Eigen::Matrix<double, 9, 1>;
 
+/// Returns the forces of springs without drives.
 Vector9 spring_forces_of(const SwimmerType& type, const Vector9& x) {
-  const BeadVectors beads{x.segment<3>(0), x.segment<3>(3), x.segment<3>(6)};
-  const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  const BeadVectors springs = spring_forces(type.springs, beads, at_rest);
-  const BeadVectors bending = angular_spring_forces(type.angular_stiffness, beads);
-  Vector9 forces;
-  for (int b = 0; b < 3; ++b) forces.segment<3>(3 * b) = springs[b] + bending[b];
-  return forces;
+  const BeadVectors beads = x.reshaped(3, 3);
+  const BeadVectors forces =
+      bond_forces(type, 0, beads, BeadVectors::Zero(3, 3)) + angle_forces(type, 0, beads);
+  return forces.reshaped();
 }
 
 /// Returns the stiffness matrix -dF/dx of a swimmer by central differences.
 Matrix9 stiffness_of(const SwimmerType& type, const Vector9& x) {
-  const double step = 1e-5 * type.springs[0].rest_length;
+  const double step = 1e-5 * type.bonds[0].rest_length;
   Matrix9 stiffness;
   for (int c = 0; c < 9; ++c) {
     const Vector9 displacement = step * Vector9::Unit(c);
@@ -82,10 +80,10 @@ class SwarmRates {
     Beads forces(places.size());
     for (std::size_t s = 0; s < scene_.swimmers.size(); ++s) {
       const SwimmerType& type = scene_.type_of(scene_.swimmers[s]);
-      const Vector9 springs = spring_forces_of(type, own(places, s));
-      const BeadVectors driving = driving_forces(
-          type.driving, time, {places[3 * s], places[3 * s + 1], places[3 * s + 2]}, scene_.swimmers[s].axis);
-      for (int b = 0; b < 3; ++b) forces[3 * s + b] = springs.segment<3>(3 * b) + driving[b];
+      const Vector9 x = own(places, s);
+      const BeadVectors driving =
+          driving_forces(type, time, x.reshaped(3, 3), scene_.swimmers[s].orientation);
+      Eigen::Map<Vector9>(forces[3 * s].data()) = spring_forces_of(type, x) + driving.reshaped();
     }
     multiply(places, forces, result);
   }

@@ -85,7 +85,7 @@ TEST(CvodeSwarm, TakesFewProductsHoweverStiffTheSpring) {
   const CvodeSettings settings{.absolute = 1e-4};
   const long products = by_cvode(scene, end, settings).products;
   EXPECT_LT(products, 200);
-  scene.types[0].angular_stiffness *= 10;
+  scene.types[0].angles[0].stiffness *= 10;
   EXPECT_LT(by_cvode(scene, end, settings).products, 1.5 * products);
 }
 

@@ -12,7 +12,7 @@ TEST(OverdampedSwimmer, SwimsAsHarmonicBalanceSaysInOpenSpace) {
   constexpr int steps = 1000;
   constexpr double truncation = 1e-6;
   for (const MobilityModel model : {MobilityModel::rpy, MobilityModel::oseen}) {
-    for (const SwimmerType& type : {paper_swimmer(), odd_swimmer()}) {
+    for (const ThreeBeadSwimmer& type : {paper_swimmer(), odd_swimmer()}) {
       OverdampedScene scene = scene_of(type, steps);
       scene.model = model;
       expect_theory(scene, steps, 8, truncation);
@@ -26,7 +26,7 @@ TEST(OverdampedSwimmer, SwimsAsExactStokesFlowSaysWithNearFields) {
   constexpr int steps = 1000;
   constexpr double truncation = 2e-6;
   for (const double arm : {12.8, 16.0, 20.0, 32.0}) {
-    for (SwimmerType type : {paper_swimmer(), odd_swimmer()}) {
+    for (ThreeBeadSwimmer type : {paper_swimmer(), odd_swimmer()}) {
       type.springs[0].rest_length = arm;
       type.springs[1].rest_length = 1.1 * arm;
       OverdampedScene scene = scene_of(type, steps);
@@ -57,9 +57,9 @@ TEST(OverdampedSwimmer, ConvergesWithTheCubeOfTheStep) {
 // Angular springs that relax within a hundredth of a step are solved for; steps stay as few.
 TEST(OverdampedSwimmer, BearsStiffAngularSprings) {
   OverdampedScene scene = scene_of(paper_swimmer(), 60);
-  scene.swimmers[0].axis = Vec3(3, 1, 0).normalized();  // the driving along x bends it
+  scene.swimmers[0].orientation = shortest_turn(Vec3(3, 1, 0).normalized());  // the driving along x bends it
   const auto soft = positions_after(scene, 120);
-  scene.types[0].angular_stiffness *= 1e4;
+  scene.types[0].angles[0].stiffness *= 1e4;
   const auto stiff = positions_after(scene, 120);
   for (int b = 0; b < 3; ++b) EXPECT_LT((stiff[b] - soft[b]).norm(), 0.1) << "bead " << b + 1;
   const Vec3 first = stiff[1] - stiff[0], second = stiff[2] - stiff[1];
@@ -68,9 +68,10 @@ TEST(OverdampedSwimmer, BearsStiffAngularSprings) {
 
 // The driving would bring beads together: they stay apart, and the run goes on.
 TEST(OverdampedSwimmer, KeepsDrivenBeadsApart) {
-  OverdampedScene scene = scene_of(paper_swimmer(), 200);
-  for (Spring& spring : scene.types[0].springs) spring.rest_length = 14;
-  scene.types[0].driving.amplitude = {0.4, 0.4};
+  ThreeBeadSwimmer type = paper_swimmer();
+  for (Spring& spring : type.springs) spring.rest_length = 14;
+  type.driving.amplitude = {0.4, 0.4};
+  OverdampedScene scene = scene_of(type, 200);
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
   for (int n = 0; n < 600; ++n) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../three_bead_types.hpp"
 #include "beadswim/overdamped/overdamped_system.hpp"
 
 namespace beadswim {
@@ -12,7 +13,7 @@ constexpr double pi = std::numbers::pi;
 
 /// Returns the single swimmer of the paper (Pickl et al. 2017) in lattice units, with T = 4800, A = B = 0.2
 /// and the angular stiffness 10 k l^2.
-inline SwimmerType paper_swimmer() {
+inline ThreeBeadSwimmer paper_swimmer() {
   const Spring spring{.stiffness = 0.0347, .rest_length = 20, .damping = 0};
   const Bead bead{.radius = 4, .density = 1};
   return {.beads = {bead, bead, bead},
@@ -22,8 +23,8 @@ inline SwimmerType paper_swimmer() {
 }
 
 /// Returns a swimmer with dashpots in which all parameters that may differ are different.
-inline SwimmerType odd_swimmer() {
-  SwimmerType type = paper_swimmer();
+inline ThreeBeadSwimmer odd_swimmer() {
+  ThreeBeadSwimmer type = paper_swimmer();
   type.beads[0].radius = 3;
   type.beads[2].radius = 5;
   type.springs[0] = {.stiffness = 0.03, .rest_length = 16, .damping = 20};
@@ -34,11 +35,11 @@ inline SwimmerType odd_swimmer() {
   return type;
 }
 
-inline OverdampedScene scene_of(const SwimmerType& type, int steps_per_cycle) {
+inline OverdampedScene scene_of(const ThreeBeadSwimmer& type, int steps_per_cycle) {
   OverdampedScene scene;
   scene.viscosity = 1.0 / 3;
-  scene.types = {type};
-  scene.swimmers = {{.id = 0, .type = 0, .position = {60, 40, 40}, .axis = Vec3::UnitX()}};
+  scene.types = {swimmer_type(type)};
+  scene.swimmers = {{.id = 0, .type = 0, .position = {60, 40, 40}}};
   scene.step = type.driving.period / steps_per_cycle;
   scene.tolerance = 1e-9;
   return scene;
@@ -49,17 +50,21 @@ inline OverdampedScene scene_of(const SwimmerType& type, int steps_per_cycle) {
 /// cycle.
 inline OverdampedScene turned_swimmers() {
   OverdampedScene scene = scene_of(paper_swimmer(), 1);
-  scene.swimmers[0].axis = Vec3(3, 1, 0).normalized();
-  scene.swimmers.push_back(
-      {.id = 1, .type = 0, .position = {62, 54, 44}, .axis = Vec3(1, 0.5, -0.2).normalized()});
-  scene.swimmers.push_back(
-      {.id = 2, .type = 0, .position = {40, 45, 58}, .axis = Vec3(-0.3, 1, 0.4).normalized()});
+  scene.swimmers[0].orientation = shortest_turn(Vec3(3, 1, 0).normalized());
+  scene.swimmers.push_back({.id = 1,
+                            .type = 0,
+                            .position = {62, 54, 44},
+                            .orientation = shortest_turn(Vec3(1, 0.5, -0.2).normalized())});
+  scene.swimmers.push_back({.id = 2,
+                            .type = 0,
+                            .position = {40, 45, 58},
+                            .orientation = shortest_turn(Vec3(-0.3, 1, 0.4).normalized())});
   return scene;
 }
 
 /// Returns the swimmer of the paper's swarms, as in their presets: radius 6, arms 32, A = B = 2, T = 2000.
-inline SwimmerType swarm_swimmer() {
-  SwimmerType type = paper_swimmer();
+inline ThreeBeadSwimmer swarm_swimmer() {
+  ThreeBeadSwimmer type = paper_swimmer();
   for (Bead& bead : type.beads) bead.radius = 6;
   for (Spring& spring : type.springs) spring = {.stiffness = 0.2, .rest_length = 32, .damping = 0};
   type.angular_stiffness = 10 * 0.2 * 32 * 32;
@@ -78,7 +83,7 @@ inline OverdampedScene lattice_of(std::array<int, 2> rows, double distance, int 
   scene.swimmers.clear();
   for (int id = 0; id < rows[0] * rows[1]; ++id) {
     const Vec3 middle(48, (id % rows[0] + 0.5) * distance, (id / rows[0] + 0.5) * distance);
-    scene.swimmers.push_back({.id = id, .type = 0, .position = middle, .axis = Vec3::UnitX()});
+    scene.swimmers.push_back({.id = id, .type = 0, .position = middle});
   }
   return scene;
 }
@@ -88,7 +93,7 @@ inline OverdampedScene lattice_of(std::array<int, 2> rows, double distance, int 
 inline void disturb(OverdampedScene& scene) {
   for (PlacedSwimmer& swimmer : scene.swimmers) {
     const double s = 1 + swimmer.id;
-    swimmer.axis = Vec3(1, 0.02 * std::sin(2 * s), 0.02 * std::cos(3 * s)).normalized();
+    swimmer.orientation = shortest_turn(Vec3(1, 0.02 * std::sin(2 * s), 0.02 * std::cos(3 * s)).normalized());
     swimmer.position += 0.5 * Vec3(std::sin(5 * s), std::sin(7 * s), std::cos(11 * s));
   }
 }

@@ -87,7 +87,7 @@ Run timed(const Function& function) {
 
 Run by_cvode_at(const OverdampedScene& scene, int cycles, double tolerance, CvodeJacobian jacobian) {
   return timed([&] {
-    const double arm = scene.types[0].springs[0].rest_length;
+    const double arm = scene.types[0].bonds[0].rest_length;
     const CvodeSettings settings{.absolute = tolerance * arm, .jacobian = jacobian};
     const CvodeResult result = by_cvode(scene, cycles * scene.types[0].driving.period, settings);
     const char* how = jacobian == CvodeJacobian::springs ? "mu K" : "differences";

@@ -13,25 +13,24 @@ namespace {
 OverdampedScene three_swimmers(int steps_per_cycle) {
   OverdampedScene scene = turned_swimmers();
   scene.step /= steps_per_cycle;
-  scene.swimmers[0].axis = Vec3::UnitX();
+  scene.swimmers[0].orientation = shortest_turn(Vec3::UnitX());
   scene.swimmers[1].type = 1;
-  scene.types.push_back(odd_swimmer());
-  scene.types[1].springs[0].damping = scene.types[1].springs[1].damping = 0;
-  scene.types[0].angular_stiffness = scene.types[1].angular_stiffness =
-      2;  // bends, and Runge and Kutta bear it
+  scene.types.push_back(swimmer_type(odd_swimmer()));
+  for (Bond& bond : scene.types[1].bonds) bond.damping = 0;
+  for (SwimmerType& type : scene.types) type.angles[0].stiffness = 2;  // bends, and Runge and Kutta bear it
   return scene;
 }
 
 direct::Spheres spheres_of(const OverdampedScene& scene, const direct::Vectors& places, double time) {
   direct::Spheres spheres{places, bead_radii(scene), {}};
-  const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   for (std::size_t s = 0; s < scene.swimmers.size(); ++s) {
     const SwimmerType& type = scene.type_of(scene.swimmers[s]);
-    const BeadVectors beads{places[3 * s], places[3 * s + 1], places[3 * s + 2]};
-    const BeadVectors springs = spring_forces(type.springs, beads, at_rest);
-    const BeadVectors bending = angular_spring_forces(type.angular_stiffness, beads);
-    const BeadVectors driving = driving_forces(type.driving, time, beads, scene.swimmers[s].axis);
-    for (int b = 0; b < 3; ++b) spheres.forces.push_back(springs[b] + bending[b] + driving[b]);
+    BeadVectors beads(3, 3);
+    beads << places[3 * s], places[3 * s + 1], places[3 * s + 2];
+    const BeadVectors forces = bond_forces(type, time, beads, BeadVectors::Zero(3, 3)) +
+                               angle_forces(type, time, beads) +
+                               driving_forces(type, time, beads, scene.swimmers[s].orientation);
+    for (int b = 0; b < 3; ++b) spheres.forces.push_back(forces.col(b));
   }
   return spheres;
 }
@@ -83,12 +82,14 @@ TEST(OverdampedSwarm, MovesAsRungeAndKuttaSayInABoxWithWalls) {
 // Two swimmers that are driven into each other across a seam of the box do as in its middle.
 TEST(OverdampedSwarm, TouchesAcrossSeamsAsWithin) {
   OverdampedScene scene = scene_of(paper_swimmer(), 100);
-  scene.types[0].driving.amplitude = {0.5, 0.5};
+  set_amplitude(scene.types[0].driving, {0.5, 0.5});
   scene.tolerance = 1e-6;
   scene.box = Box{{80, 40, 40}, {}};
   scene.swimmers[0].position = {40, 20, 20};
-  scene.swimmers.push_back(
-      {.id = 1, .type = 0, .position = {52, 28.4, 20}, .axis = Vec3(1, -0.3, 0).normalized()});
+  scene.swimmers.push_back({.id = 1,
+                            .type = 0,
+                            .position = {52, 28.4, 20},
+                            .orientation = shortest_turn(Vec3(1, -0.3, 0).normalized())});
   const auto within = positions_after(scene, 80);
   const std::array<Vec3, 2> shifts{Vec3(37, 16, 19), Vec3(37, 16 - 40, 19)};  // to either side of the box
   for (int s : {0, 1}) scene.swimmers[s].position += shifts[s];
@@ -135,7 +136,7 @@ Vec3 parting(OverdampedScene scene, const Vec3& separation, int steps_per_cycle)
 TEST(OverdampedSwarm, PartsAsTheDipolesFarFieldSays) {
   constexpr int steps = 200;
   OverdampedScene scene = scene_of(paper_swimmer(), steps);
-  scene.types[0].driving.amplitude = {0.3, 0.1};  // by symmetry alike forces have a small dipole only
+  set_amplitude(scene.types[0].driving, {0.3, 0.1});  // by symmetry alike forces have a small dipole only
   const double dipole = mean_dipole(scene, steps), eta = scene.viscosity;
   const auto error = [&](double r) {
     const double in_line = parting(scene, {r, 0, 0}, steps)[0] / (dipole / (2 * pi * eta * r * r));
@@ -154,8 +155,7 @@ TEST(OverdampedSwarm, PartsAsTheDipolesFarFieldSays) {
 // Beads of two swimmers that overlap at the start part, and no step is undone by it; torn arms are told of.
 TEST(OverdampedSwarm, PartsBeadsThatTouch) {
   OverdampedScene scene = scene_of(paper_swimmer(), 200);
-  scene.swimmers.push_back(
-      {.id = 1, .type = 0, .position = scene.swimmers[0].position + Vec3(0, 7.9, 0), .axis = Vec3::UnitX()});
+  scene.swimmers.push_back({.id = 1, .type = 0, .position = scene.swimmers[0].position + Vec3(0, 7.9, 0)});
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
   for (int n = 0; n < 400; ++n) system.step();
@@ -167,7 +167,7 @@ TEST(OverdampedSwarm, PartsBeadsThatTouch) {
 TEST(OverdampedSwarm, StaysBetweenWalls) {
   OverdampedScene scene = scene_of(paper_swimmer(), 800);
   scene.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
-  scene.types[0].driving.amplitude = {0.8, 0.8};
+  set_amplitude(scene.types[0].driving, {0.8, 0.8});
   scene.tolerance = 1e-3;
   const Communicator world(MPI_COMM_WORLD);
   for (const double y : {4.05, 40 - 4.05}) {
@@ -198,14 +198,14 @@ std::pair<double, double> gap_and_speed(OverdampedScene scene, int steps_per_cyc
 // Contacts with a wall and with another swimmer are found where beads end, not where they were expected.
 TEST(OverdampedSwarm, MeetsWallsAndOthersInFewSteps) {
   OverdampedScene wall = scene_of(paper_swimmer(), 50);
-  wall.types[0].driving.amplitude = {0.5, 0.5};
+  set_amplitude(wall.types[0].driving, {0.5, 0.5});
   wall.tolerance = 1e-4;
   wall.box = Box{{60, 40, 40}, {Boundary::free_slip, Boundary::periodic, Boundary::periodic}};
   wall.swimmers[0].position = {26, 20, 20};
   OverdampedScene others = scene_of(paper_swimmer(), 50);
-  others.types[0].driving.amplitude = {0.5, 0.5};
+  set_amplitude(others.types[0].driving, {0.5, 0.5});
   others.tolerance = 1e-6;
-  others.swimmers.push_back({.id = 1, .type = 0, .position = {109.5, 40, 41}, .axis = Vec3::UnitX()});
+  others.swimmers.push_back({.id = 1, .type = 0, .position = {109.5, 40, 41}});
   others.swimmers[0].position = {60, 40, 40};
   for (const OverdampedScene& scene : {wall, others}) {
     const auto [gap, speed] = gap_and_speed(scene, 50);
@@ -219,8 +219,8 @@ TEST(OverdampedSwarm, MeetsWallsAndOthersInFewSteps) {
 // Places of the first step are extrapolated, which the stiffest of forces must not take for stretch.
 TEST(OverdampedSwarm, BeginsGentlyWithStiffSprings) {
   OverdampedScene scene = scene_of(paper_swimmer(), 100);
-  scene.swimmers[0].axis = Vec3(1, 1, 0).normalized();
-  for (Spring& spring : scene.types[0].springs) spring.stiffness *= 1e5;
+  scene.swimmers[0].orientation = shortest_turn(Vec3(1, 1, 0).normalized());
+  for (Bond& bond : scene.types[0].bonds) bond.stiffness *= 1e5;
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
   const double at_rest = system.state().largest_speed;
@@ -232,7 +232,7 @@ TEST(OverdampedSwarm, BeginsGentlyWithStiffSprings) {
 // Numbers that are none are told of, in the first steps too.
 TEST(OverdampedSwarm, StopsAtNumbersThatAreNone) {
   OverdampedScene scene = scene_of(paper_swimmer(), 100);
-  scene.types[0].driving.amplitude = {1e160, 1e160};
+  set_amplitude(scene.types[0].driving, {1e160, 1e160});
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
   for (int n = 0; n < 5; ++n) system.step();
@@ -241,7 +241,7 @@ TEST(OverdampedSwarm, StopsAtNumbersThatAreNone) {
 
 TEST(OverdampedSwarm, StopsAtATornArm) {
   OverdampedScene scene = scene_of(paper_swimmer(), 400);
-  scene.types[0].driving.amplitude = {6, 6};
+  set_amplitude(scene.types[0].driving, {6, 6});
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
   for (int n = 0; n < 400 && !system.fault(); ++n) system.step();

@@ -37,7 +37,8 @@ inline Swimming swimming_of(const OverdampedScene& scene, int steps_per_cycle, i
 }
 
 inline PeriodicMotion theory_of(const OverdampedScene& scene) {
-  const CollinearSwimmer swimmer = collinear_swimmer(scene.types[0], Vec3::UnitX(), scene.viscosity);
+  const CollinearSwimmer swimmer =
+      collinear_swimmer(three_beads(scene.types[0]), Vec3::UnitX(), scene.viscosity);
   if (scene.model == MobilityModel::rpy_near)
     return periodic_motion(swimmer, rest_positions(swimmer),
                            [&](const LinePositions& x) { return exact_mobility(swimmer, x, 1e-9); });

@@ -44,7 +44,7 @@ TEST(LatticeSpeed, AddsTheSurfaceOfBeadsByTheirScheme) {
   const LatticeSpeed speed(1, costs());
   CoupledScene scene = fluid(5);
   scene.types.resize(1);
-  for (Bead& bead : scene.types[0].beads) bead = {.radius = 2, .density = 1};
+  scene.types[0].beads.assign(3, {{.radius = 2, .density = 1}});
   scene.swimmers = {{.id = 0, .type = 0, .position = {2, 2, 2}}};
   for (const BeadScheme scheme : all_values<BeadScheme>) {
     scene.bead_boundary = scheme;

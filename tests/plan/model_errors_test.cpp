@@ -10,6 +10,7 @@
 #include "beadswim/plan/sufficient_box.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/theory/methods.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -55,7 +56,7 @@ TEST(Representatives, KnowDrivingsOfTheirOwn) {
   own.phase_offset = 1;
   layout.swimmers[1].driving = own;
   EXPECT_EQ(representatives(layout).size(), 1u);
-  own.amplitude = {0, 0};
+  set_amplitude(own, {0, 0});
   layout.swimmers[0].driving = own;
   const std::vector<Representative> found = representatives(layout);
   ASSERT_EQ(found.size(), 2u);
@@ -67,7 +68,7 @@ TEST(Representatives, OfManyDrivingsAreTheExtremes) {
   Layout layout = swarm(20);
   for (int i = 0; i < 20; ++i) {
     Driving own = layout.types.begin()->second.driving;
-    own.amplitude[0] = 1 + (7 * i % 20) / 20.0;
+    change(own, [&](ThreeBeadDriving& driving) { driving.amplitude[0] = 1 + (7 * i % 20) / 20.0; });
     own.period = 2000 + (3 * i % 20);
     layout.swimmers[i].driving = own;
   }

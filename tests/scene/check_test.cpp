@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "beadswim/scene/presets.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -70,7 +71,9 @@ TEST(NormaliseAxes, RoundsToUnitLengthAndLeavesUnitVectorsBitwise) {
 
 TEST(CheckLayout, RefusesAnArmShorterThanItsBeads) {
   Layout layout = small_scene();
-  layout.types["a"].springs[1].rest_length = 8;  // the sum of the radii: touching
+  change(layout.types["a"], [](ThreeBeadSwimmer& type) {
+    type.springs[1].rest_length = 8;  // the sum of the radii: touching
+  });
   EXPECT_THAT(faults(layout),
               HasSubstr("/types/a/springs/1/rest_length: with the rest length 8, beads 2 and 3 overlap"));
 }

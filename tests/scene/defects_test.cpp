@@ -13,6 +13,7 @@
 #include "beadswim/core/keyed_random.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/check.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "swarm_scene.hpp"
 
 namespace beadswim {
@@ -197,7 +198,7 @@ TEST(Driving, IsDisorderedSwimmerBySwimmer) {
   disorder_frequencies(layout, all, 0.05, 3);
   std::vector<double> offsets, strengths, frequencies;
   for (const Swimmer& swimmer : layout.swimmers) {
-    const Driving driving = layout.resolved_type(swimmer).driving;
+    const ThreeBeadDriving driving = three_beads(layout.resolved_type(swimmer)).driving;
     EXPECT_EQ(driving.phase, std::numbers::pi / 2);
     EXPECT_EQ(driving.amplitude[0], driving.amplitude[1]);
     offsets.push_back(driving.phase_offset);

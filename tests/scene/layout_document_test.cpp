@@ -10,6 +10,7 @@
 #include "beadswim/io/schema.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/units.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -33,12 +34,14 @@ LayoutDocument full_document() {
   layout.units = {.lattice = false, .length = {"um", 1e-6}, .time = {"tick", 2.5e-7}, .mass = {"pg", 1e-15}};
   layout.domain->boundary = {Boundary::periodic, Boundary::free_slip, Boundary::no_slip};
   SwimmerType& type = layout.types["b"] = layout.types["a"];
-  type.beads[1] = {.radius = 3.25, .density = 1.1};
-  type.springs[1].damping = 0.1;
-  type.driving.frame = DrivingFrame::body;
+  change(type, [](ThreeBeadSwimmer& three) {
+    three.beads[1] = {.radius = 3.25, .density = 1.1};
+    three.springs[1].damping = 0.1;
+    three.driving.frame = DrivingFrame::body;
+  });
   Swimmer second{.id = 12, .type = "b", .position = Vec3(200, 100, 300.1), .axis = Vec3(0, 0.6, 0.8)};
   second.driving = type.driving;
-  second.driving->phase = -0.3;
+  change(*second.driving, [](ThreeBeadDriving& driving) { driving.phase = -0.3; });
   layout.swimmers.push_back(second);
   return document;
 }
@@ -55,7 +58,7 @@ TEST(LayoutDocument, KeepsTheValuesOfAllParts) {
   EXPECT_EQ(layout.units.time.si_factor, 2.5e-7);
   EXPECT_EQ(layout.domain->boundary[2], Boundary::no_slip);
   EXPECT_EQ(layout.types.at("b").beads[1].radius, 3.25);
-  EXPECT_EQ(layout.types.at("b").springs[1].damping, 0.1);
+  EXPECT_EQ(layout.types.at("b").bonds[1].damping, 0.1);
   EXPECT_EQ(layout.types.at("b").driving.frame, DrivingFrame::body);
   EXPECT_EQ(layout.swimmers[1].axis, Vec3(0, 0.6, 0.8));
   EXPECT_EQ(layout.resolution->relaxation_time, 1.5);
@@ -65,7 +68,7 @@ TEST(LayoutDocument, ASwimmersDrivingChangesOnlyWhatItNames) {
   const Json json = layout_to_json(full_document());
   EXPECT_EQ(json["swimmers"][1]["driving"], (Json{{"phase", -0.3}}));
   const Layout layout = read_back(json).layout;
-  const Driving driving = layout.resolved_type(layout.swimmers[1]).driving;
+  const ThreeBeadDriving driving = three_beads(layout.resolved_type(layout.swimmers[1])).driving;
   EXPECT_EQ(driving.phase, -0.3);
   EXPECT_EQ(driving.period, 4800);
   EXPECT_EQ(driving.frame, DrivingFrame::body);

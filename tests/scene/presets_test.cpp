@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "beadswim/swimmers/swimmer_forces.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -14,7 +15,7 @@ constexpr double relative_roundoff = 1e-12;
 // The paper, section 4.
 TEST(PaperSingle, HasThePapersNumbers) {
   const Layout layout = paper_single();
-  const SwimmerType& type = layout.types.at("a");
+  const ThreeBeadSwimmer type = three_beads(layout.types.at("a"));
   for (const Bead& bead : type.beads) EXPECT_EQ(bead.radius, 4);
   for (const Spring& spring : type.springs) {
     EXPECT_EQ(spring.rest_length, 20);
@@ -42,11 +43,14 @@ TEST(UnitResolution, GivesCellAndStepOfOne) {
 TEST(StraighteningStiffness, ResistsTenTimesMoreSideways) {
   const SwimmerType type = paper_single().types.at("a");
   const double small = 1e-4;
-  const BeadVectors still{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  const BeadVectors bent{Vec3(-20, 0, 0), Vec3(0, 0, 0), Vec3(20, small, 0)};
-  const BeadVectors stretched{Vec3(-20, 0, 0), Vec3(0, 0, 0), Vec3(20 + small, 0, 0)};
-  const double sideways = -angular_spring_forces(type.angular_stiffness, bent)[2].y();
-  const double along = -spring_forces(type.springs, stretched, still)[2].x();
+  const auto with_bead_3_at = [](double x, double y) {
+    BeadVectors beads = BeadVectors::Zero(3, 3);
+    beads.col(0) = Vec3(-20, 0, 0);
+    beads.col(2) = Vec3(x, y, 0);
+    return beads;
+  };
+  const double sideways = -angle_forces(type, 0, with_bead_3_at(20, small))(1, 2);
+  const double along = -bond_forces(type, 0, with_bead_3_at(20 + small, 0), BeadVectors::Zero(3, 3))(0, 2);
   const double truncation = 1e-6;  // second order in small/arm, and cancellation in the arm's change
   EXPECT_NEAR(sideways / along, 10, 10 * truncation);
 }
@@ -55,8 +59,10 @@ TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddleOffLatticePlanes
   SwimmerType type = paper_single().types.at("a");
   type.beads[0].radius = 3;
   type.beads[2].radius = 5;
-  type.springs[0].rest_length = 18;
-  type.springs[1].rest_length = 27;
+  change(type, [](ThreeBeadSwimmer& three) {
+    three.springs[0].rest_length = 18;
+    three.springs[1].rest_length = 27;
+  });
   const Box box{.lengths = Vec3(100, 60, 40), .boundary = {}};
   const Vec3 axis(0, 0.6, 0.8);
   const Vec3 bead_2 = centred_position(type, axis, box);

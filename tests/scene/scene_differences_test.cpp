@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "beadswim/scene/presets.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -36,6 +37,11 @@ SwimmerType& type(Layout& layout) {
   return layout.types.at("a");
 }
 
+/// Returns names_after() of an edit of the type.
+std::string names_after_change(const std::function<void(ThreeBeadSwimmer&)>& edit) {
+  return names_after([&](Layout& layout) { change(type(layout), edit); });
+}
+
 void move_all(Layout& layout, const Vec3& shift) {
   for (Swimmer& swimmer : layout.swimmers) swimmer.position += shift;
 }
@@ -46,16 +52,16 @@ TEST(SceneDifferences, ACopyHasNone) {
 
 // Each property alone. Would catch a property that is not compared, or that is taken for another.
 TEST(SceneDifferences, EachPropertyHasItsName) {
-  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.period = 4000; }), "period");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.amplitude[1] = 0.3; }), "amplitude");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.phase = 0; }), "phase");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.frame = DrivingFrame::body; }), "frame");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).beads[2].radius = 5; }), "radius");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).beads[1].density = 2; }), "bead_density");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).springs[1].rest_length = 21; }), "arm");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).springs[0].stiffness = 0.1; }), "stiffness");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).springs[1].damping = 0.1; }), "damping");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).angular_stiffness = 0; }), "angular_stiffness");
+  EXPECT_EQ(names_after_change([](auto& three) { three.driving.period = 4000; }), "period");
+  EXPECT_EQ(names_after_change([](auto& three) { three.driving.amplitude[1] = 0.3; }), "amplitude");
+  EXPECT_EQ(names_after_change([](auto& three) { three.driving.phase = 0; }), "phase");
+  EXPECT_EQ(names_after_change([](auto& three) { three.driving.frame = DrivingFrame::body; }), "frame");
+  EXPECT_EQ(names_after_change([](auto& three) { three.beads[2].radius = 5; }), "radius");
+  EXPECT_EQ(names_after_change([](auto& three) { three.beads[1].density = 2; }), "bead_density");
+  EXPECT_EQ(names_after_change([](auto& three) { three.springs[1].rest_length = 21; }), "arm");
+  EXPECT_EQ(names_after_change([](auto& three) { three.springs[0].stiffness = 0.1; }), "stiffness");
+  EXPECT_EQ(names_after_change([](auto& three) { three.springs[1].damping = 0.1; }), "damping");
+  EXPECT_EQ(names_after_change([](auto& three) { three.angular_stiffness = 0; }), "angular_stiffness");
   EXPECT_EQ(names_after([](Layout& l) { l.fluid.density = 1.1; }), "fluid");
   EXPECT_EQ(names_after([](Layout& l) { l.fluid.kinematic_viscosity = 0.3; }), "fluid");
   EXPECT_EQ(names_after([](Layout& l) { l.domain->lengths[1] = 900; }), "domain");
@@ -65,15 +71,17 @@ TEST(SceneDifferences, EachPropertyHasItsName) {
   EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].id = 2; }), "swimmers");
   EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].position[0] += 1e-3; }), "placing");
   EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].axis = Vec3(0.6, 0.8, 0); }), "placing");
-  EXPECT_EQ(names_after([](Layout& l) { type(l).driving.phase_offset = 1; }), "placing");
+  EXPECT_EQ(names_after_change([](auto& three) { three.driving.phase_offset = 1; }), "placing");
 }
 
 TEST(SceneDifferences, AreSortedAndStateBothValues) {
   const auto differences = after([](Layout& layout) {
     layout.domain.reset();
     layout.swimmers[1].driving = type(layout).driving;
-    layout.swimmers[1].driving->amplitude = {0.2, 0.3};
-    layout.swimmers[1].driving->phase = std::numbers::pi;
+    change(*layout.swimmers[1].driving, [](ThreeBeadDriving& driving) {
+      driving.amplitude = {0.2, 0.3};
+      driving.phase = std::numbers::pi;
+    });
   });
   const std::vector<SceneDifference> expected{
       {SceneProperty::amplitude, "swimmer 3: 0.2", "swimmer 3: 0.2, 0.3"},

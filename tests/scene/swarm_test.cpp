@@ -7,8 +7,9 @@
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/reduce.hpp"
-#include "beadswim/swimmers/rest_positions.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "swarm_scene.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -28,8 +29,10 @@ TEST(Swarm, KeepsTheGapsOfThePlan) {
                        .core_gap = Vec3(20, 25, 30),
                        .block_gap = Vec3(40, 50, 60)};
   SwimmerType type = paper_swarm().types.at("a");
-  type.springs[0].rest_length = 30;
-  type.springs[1].rest_length = 34;
+  change(type, [](ThreeBeadSwimmer& three) {
+    three.springs[0].rest_length = 30;
+    three.springs[1].rest_length = 34;
+  });
   const Layout layout = swarm_of(plan, type);
   ASSERT_EQ(layout.swimmers.size(), 36);
   EXPECT_TRUE(check_layout(layout).empty());
@@ -54,7 +57,7 @@ TEST(Swarm, KeepsTheGapsOfThePlan) {
   EXPECT_EQ(gaps_along(2), (std::vector<double>{60, 60, 60}));
   // Half an outer gap at the box's faces.
   const Swimmer& first = layout.swimmers.front();
-  EXPECT_EQ(rest_positions(type, first.position, first.axis)[0][0], 20);
+  EXPECT_EQ(rest_positions(type, first.position, first.orientation())[0][0], 20);
   // Block by block: the six of a block are in its sixth of the box.
   const Vec3 block = block_lengths(plan, type);
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {

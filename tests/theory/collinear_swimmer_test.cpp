@@ -8,8 +8,8 @@
 namespace beadswim {
 namespace {
 
-SwimmerType type_of_frame(DrivingFrame frame) {
-  SwimmerType type;
+ThreeBeadSwimmer type_of_frame(DrivingFrame frame) {
+  ThreeBeadSwimmer type;
   type.beads = {Bead{4, 1}, Bead{3, 1.5}, Bead{5, 0.8}};
   type.springs = {Spring{0.03, 20, 1}, Spring{0.05, 26, 2}};
   type.driving = {.amplitude = {0.2, 0.1}, .phase = 1, .period = 3000, .frame = frame};
@@ -59,7 +59,7 @@ TEST(CollinearSwimmer, SeparationIsTheNearestPairsOverItsMeanRadius) {
 }
 
 TEST(CollinearSwimmer, RefusesASpringWithoutStiffness) {
-  SwimmerType type = type_of_frame(DrivingFrame::lab);
+  ThreeBeadSwimmer type = type_of_frame(DrivingFrame::lab);
   type.springs[1].stiffness = 0;
   EXPECT_THROW(collinear_swimmer(type, Vec3::UnitX(), 0.25), InputError);
 }

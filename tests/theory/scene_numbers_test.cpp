@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "beadswim/scene/presets.hpp"
+#include "three_bead_types.hpp"
 
 namespace beadswim {
 namespace {
@@ -45,9 +46,10 @@ TEST(SceneNumbers, ArmAmplitudesTendToThePapersForLongArms) {
   for (const double arm : {400.0, 4000.0}) {
     Layout layout = paper_single();
     layout.domain.reset();
-    SwimmerType& type = layout.types["a"];
-    type.springs[0].rest_length = type.springs[1].rest_length = arm;
-    type.driving = {.amplitude = {A, B}, .phase = alpha, .period = T};
+    change(layout.types["a"], [&](ThreeBeadSwimmer& type) {
+      for (Spring& spring : type.springs) spring.rest_length = arm;
+      type.driving = {.amplitude = {A, B}, .phase = alpha, .period = T};
+    });
     const auto amplitude = scene_numbers(layout).types.at("a").arm_amplitude;
     const double truncation = 4 / arm;  // first order in lambda/l, factor about 1
     EXPECT_NEAR(amplitude[0] / expected[0], 1, truncation);
@@ -59,10 +61,11 @@ TEST(SceneNumbers, ArmAmplitudesTendToThePapersForLongArms) {
 // Stokes flow; Rotne-Prager differs by some per cent at l = 5.3 lambda).
 TEST(SceneNumbers, OfTheSwarmsSwimmer) {
   Layout layout = paper_single();
-  SwimmerType& type = layout.types["a"];
-  for (Bead& bead : type.beads) bead.radius = 6;
-  for (Spring& spring : type.springs) spring = {.stiffness = 0.2, .rest_length = 32, .damping = 0};
-  type.driving = {.amplitude = {2, 2}, .phase = std::numbers::pi / 2, .period = 2000};
+  change(layout.types["a"], [](ThreeBeadSwimmer& type) {
+    for (Bead& bead : type.beads) bead.radius = 6;
+    type.springs.fill({.stiffness = 0.2, .rest_length = 32, .damping = 0});
+    type.driving = {.amplitude = {2, 2}, .phase = std::numbers::pi / 2, .period = 2000};
+  });
   const TypeNumbers numbers = scene_numbers(layout).types.at("a");
   EXPECT_NEAR(numbers.reynolds, 0.8, 0.1);
   EXPECT_NEAR(numbers.arm_amplitude[0], 7.4, 0.05 * 7.4);
@@ -78,14 +81,15 @@ TEST(SceneNumbers, AreTheSameInAnyUnits) {
   after.fluid.kinematic_viscosity *= length * length / time;
   after.domain->lengths *= length;
   after.swimmers[0].position *= length;
-  SwimmerType& type = after.types["a"];
-  for (Bead& bead : type.beads) bead.radius *= length;
-  for (Spring& spring : type.springs) {
-    spring.stiffness *= mass / (time * time);
-    spring.rest_length *= length;
-  }
-  for (double& amplitude : type.driving.amplitude) amplitude *= mass * length / (time * time);
-  type.driving.period *= time;
+  change(after.types["a"], [&](ThreeBeadSwimmer& type) {
+    for (Bead& bead : type.beads) bead.radius *= length;
+    for (Spring& spring : type.springs) {
+      spring.stiffness *= mass / (time * time);
+      spring.rest_length *= length;
+    }
+    for (double& amplitude : type.driving.amplitude) amplitude *= mass * length / (time * time);
+    type.driving.period *= time;
+  });
 
   const TypeNumbers a = scene_numbers(before).types.at("a");
   const TypeNumbers b = scene_numbers(after).types.at("a");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -12,7 +13,7 @@ constexpr double stiffness = 0.2, amplitude = 2, period = 2000, swarm_relaxation
 
 /// Returns the swimmer of the paper's swarm with all lengths multiplied by `scale`.
 SwimmerType make_swimmer_type(double scale) {
-  SwimmerType type;
+  ThreeBeadSwimmer type;
   type.beads.fill({.radius = radius * scale, .density = 1});
   type.springs.fill({.stiffness = stiffness, .rest_length = arm * scale, .damping = 0});
   type.angular_stiffness = 10 * stiffness * arm * arm;
@@ -20,7 +21,7 @@ SwimmerType make_swimmer_type(double scale) {
                   .phase = std::numbers::pi / 2,
                   .period = period,
                   .frame = DrivingFrame::lab};
-  return type;
+  return swimmer_type(type);
 }
 
 }  // namespace

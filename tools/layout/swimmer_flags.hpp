@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beadswim/scene/layout.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 
@@ -40,9 +41,9 @@ class SwimmerFlags {
 
   void require_complete(const std::vector<std::string>& other_missing_flags) const;
   Layout preset_layout() const;
-  void apply_beads(SwimmerType& type, double default_density) const;
-  void apply_springs(SwimmerType& type) const;
-  void apply_driving(Driving& driving) const;
+  void apply_beads(ThreeBeadSwimmer& type, double default_density) const;
+  void apply_springs(ThreeBeadSwimmer& type) const;
+  void apply_driving(ThreeBeadDriving& driving) const;
   void apply_fluid(Fluid& fluid) const;
   Units units() const;
 

@@ -62,7 +62,7 @@ Layout SwimmerFlags::preset_layout() const {
                                    "; some presets belong to the other command, swimmer or swarm");
 }
 
-void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const {
+void SwimmerFlags::apply_beads(ThreeBeadSwimmer& type, double default_density) const {
   if (!radius_.empty()) {
     const auto radii = parse_entries(radius_, 3);
     for (int i = 0; i < 3; ++i) type.beads[i].radius = radii[i];
@@ -73,7 +73,7 @@ void SwimmerFlags::apply_beads(SwimmerType& type, double default_density) const 
   }
 }
 
-void SwimmerFlags::apply_springs(SwimmerType& type) const {
+void SwimmerFlags::apply_springs(ThreeBeadSwimmer& type) const {
   const auto apply = [&type](const std::string& text, double Spring::*member) {
     if (text.empty()) return;
     const auto values = parse_entries(text, 2);
@@ -86,7 +86,7 @@ void SwimmerFlags::apply_springs(SwimmerType& type) const {
       angular_stiffness_.empty() ? straightening_stiffness(type) : parse_numbers(angular_stiffness_)[0];
 }
 
-void SwimmerFlags::apply_driving(Driving& driving) const {
+void SwimmerFlags::apply_driving(ThreeBeadDriving& driving) const {
   if (!amplitude_.empty()) {
     const auto amplitudes = parse_entries(amplitude_, 2);
     driving.amplitude = {amplitudes[0], amplitudes[1]};
@@ -128,10 +128,11 @@ Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags)
   Layout layout = preset_.empty() ? Layout{} : preset_layout();
   layout.units = units();
   apply_fluid(layout.fluid);
-  SwimmerType& type = layout.types["a"];
-  apply_beads(type, layout.fluid.density);
-  apply_springs(type);
-  apply_driving(type.driving);
+  ThreeBeadSwimmer swimmer = preset_.empty() ? ThreeBeadSwimmer{} : three_beads(layout.types["a"]);
+  apply_beads(swimmer, layout.fluid.density);
+  apply_springs(swimmer);
+  apply_driving(swimmer.driving);
+  const SwimmerType& type = layout.types["a"] = swimmer_type(swimmer);
   if (layout.resolution) layout.resolution = unit_resolution(type, layout.fluid);
   return layout;
 }

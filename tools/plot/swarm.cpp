@@ -8,6 +8,7 @@
 #include "beadswim/scene/layers.hpp"
 #include "beadswim/scene/swimmer_parameters.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
@@ -157,11 +158,11 @@ std::string summarise_types(const Layout& layout) {
   std::vector<double> radii, lengths, stiffnesses, amplitudes, periods;
   for (const auto& [name, type] : layout.types) {
     for (const auto& bead : type.beads) radii.push_back(bead.radius);
-    for (const auto& spring : type.springs) {
-      lengths.push_back(spring.rest_length);
-      stiffnesses.push_back(spring.stiffness);
+    for (const Bond& bond : type.bonds) {
+      lengths.push_back(bond.rest_length);
+      stiffnesses.push_back(bond.stiffness);
     }
-    for (const double amplitude : type.driving.amplitude) amplitudes.push_back(amplitude);
+    for (const double amplitude : three_beads(type).driving.amplitude) amplitudes.push_back(amplitude);
     periods.push_back(type.driving.period);
   }
   const std::size_t types = layout.types.size();

@@ -8,7 +8,7 @@
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/documents/trajectory_file.hpp"
-#include "beadswim/swimmers/rest_positions.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -61,8 +61,12 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
   for (const Swimmer& swimmer : scene.layout.swimmers) {
     const SwimmerType& type = scene.layout.types.at(swimmer.type);
     scene.in_layout.push_back(scene.in_layout.size());
-    PicturedSwimmer pictured{.beads = rest_positions(type, swimmer.position, swimmer.axis)};
-    for (std::size_t b = 0; b < 3; ++b) pictured.radii[b] = type.beads[b].radius;
+    const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation());
+    PicturedSwimmer pictured;
+    for (std::size_t b = 0; b < 3; ++b) {
+      pictured.beads[b] = places[b];
+      pictured.radii[b] = type.beads[b].radius;
+    }
     scene.swimmers.push_back(pictured);
   }
   return scene;

@@ -12,6 +12,7 @@
 #include "beadswim/figure/swimmer_sketch.hpp"
 #include "beadswim/scene/swimmer_parameters.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "flags.hpp"
 #include "kinds.hpp"
 #include "plot_labels.hpp"
@@ -45,7 +46,7 @@ std::array<std::string, Count> labels(const std::string& symbol, const std::arra
 
 /// Returns the formulas of the driving forces on the three beads: equation (2.1) of the paper (Pickl et al.
 /// 2017), with the phase offset φ.
-std::array<std::string, 3> force_labels(const Driving& driving) {
+std::array<std::string, 3> force_labels(const ThreeBeadDriving& driving) {
   const std::string offset = driving.phase_offset == 0 ? "" : " + φ";
   const std::string first = offset.empty() ? "A sin ωt" : fmt::format("A sin(ωt{})", offset);
   return {"F₁ = " + first, "F₂ = −F₁ − F₃", fmt::format("F₃ = B sin(ωt + α{})", offset)};
@@ -53,13 +54,13 @@ std::array<std::string, 3> force_labels(const Driving& driving) {
 
 /// Returns the angle between the swimmer's axis and the driving forces [rad]. It differs from 0 only in the
 /// lab frame, in which the forces are along the x axis.
-double force_angle(const Swimmer& swimmer, const Driving& driving) {
+double force_angle(const Swimmer& swimmer, const ThreeBeadDriving& driving) {
   if (driving.frame != DrivingFrame::lab) return 0;
   return std::acos(std::clamp(swimmer.axis.x(), -1.0, 1.0));
 }
 
 /// Returns a text with the parameters of beads and springs that the labels of the sketch do not show.
-std::string unlabelled_parameters(const SwimmerType& type) {
+std::string unlabelled_parameters(const ThreeBeadSwimmer& type) {
   std::vector<double> densities;
   for (const auto& bead : type.beads) densities.push_back(bead.density);
   return fmt::format("Bead density {}, KA = {:.4g}", range_text(densities, 4), type.angular_stiffness);
@@ -80,7 +81,7 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
         fmt::format("{} files are given; a swimmer is drawn from one layout; give one file", files.size()));
   const Layout layout = read_layout(files.front()).layout;
   const Swimmer& swimmer = find_swimmer(layout, id, source_name(files.front()));
-  const SwimmerType type = layout.resolved_type(swimmer);
+  const ThreeBeadSwimmer type = three_beads(layout.resolved_type(swimmer));
   const Units& units = layout.units;
   const std::string length = units.lattice ? "" : " " + units.length.name;
   const std::string friction = units.lattice ? "" : fmt::format(" {}/{}", units.mass.name, units.time.name);
@@ -99,7 +100,7 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
   for (std::size_t arm = 0; arm < 2; ++arm)
     if (type.springs[arm].damping == 0) sketch.dashpot_labels[arm].clear();
   sketch.notes = {{.text = unlabelled_parameters(type)},
-                  {.text = driving_parameters(type.driving) + "; ω = 2π/T"},
+                  {.text = driving_parameters(drives(type.driving)) + "; ω = 2π/T"},
                   {.text = fluid_text(layout)},
                   {.text = "At rest, to scale, in " + unit_names(units)},
                   {.text = "Arm 1 trails, arm 2 leads."}};

@@ -9,6 +9,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/theory/surroundings.hpp"
 
@@ -21,7 +22,8 @@ constexpr const char* all_methods = "all";
 /// message, if a spring has no stiffness or if the beads would leave their common line.
 CollinearSwimmer collinear(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
   try {
-    return collinear_swimmer(layout.resolved_type(swimmer), swimmer.axis, layout.fluid.dynamic_viscosity());
+    return collinear_swimmer(three_beads(layout.resolved_type(swimmer)), swimmer.axis,
+                             layout.fluid.dynamic_viscosity());
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: swimmer {}", source, swimmer.id), error.what());
   }

@@ -6,7 +6,7 @@
 
 namespace beadswim {
 
-double driving_power(const Driving& driving, const Vec3& initial_axis,
+double driving_power(const ThreeBeadDriving& driving, const Vec3& initial_axis,
                      std::span<const SwimmerSample> samples) {
   const double omega = 2 * std::numbers::pi / driving.period;
   const Vec3 direction = driving.frame == DrivingFrame::lab ? Vec3::UnitX() : initial_axis;

@@ -1,18 +1,23 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include "beadswim/overdamped/overdamped_scene.hpp"
 #include "swimmer_response.hpp"
 
-// Functions that view lists of bead vectors as Eigen vectors, without a copy.
+// Views of lists of vectors per bead.
 
 namespace beadswim {
 
-/// Returns a view of the nine components x, y, z of the beads 1, 2, 3 of the swimmer with index `swimmer`.
-inline auto swimmer_vector(const Beads& beads, std::size_t swimmer) {
-  return Eigen::Map<const Vector9>(beads[3 * swimmer].data());
+/// Returns a view of the components x, y, z of the beads of one swimmer.
+template <int Size>
+auto swimmer_vector(const Beads& beads, const BeadRange& swimmer) {
+  return Eigen::Map<const SwimmerVector<Size>>(beads[swimmer.first].data(),
+                                               3 * (swimmer.last - swimmer.first));
 }
-inline auto swimmer_vector(Beads& beads, std::size_t swimmer) {
-  return Eigen::Map<Vector9>(beads[3 * swimmer].data());
+template <int Size>
+auto swimmer_vector(Beads& beads, const BeadRange& swimmer) {
+  return Eigen::Map<SwimmerVector<Size>>(beads[swimmer.first].data(), 3 * (swimmer.last - swimmer.first));
 }
 /// Returns a view of the components x, y, z of all beads as one vector.
 inline auto flat(const Beads& beads) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "beadswim/core/cell_list.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {
 namespace {
@@ -56,8 +57,8 @@ ContactScale::ContactScale(const OverdampedScene& scene)
     : largest_radius(beadswim::largest_radius(scene.types)) {
   double spring = 0;
   for (const SwimmerType& type : scene.types) {
-    strength = std::max(strength, type.driving.amplitude[0] + type.driving.amplitude[1]);
-    spring = std::max({spring, type.springs[0].stiffness, type.springs[1].stiffness});
+    strength = std::max(strength, largest_driving_force(type));
+    for (const Bond& bond : type.bonds) spring = std::max(spring, bond.stiffness);
   }
   if (strength == 0) strength = spring * largest_radius;
 }

@@ -13,8 +13,9 @@ Beads zero_vectors(std::size_t count) {
   return Beads(count, Vec3::Zero());
 }
 
-bool is_within_swimmer(const Contact& c) {
-  return c.first / 3 == c.second / 3 && !c.is_image;
+/// Returns the index of the swimmer that a bead belongs to.
+std::size_t swimmer_of(std::span<const BeadRange> bead_ranges, std::size_t bead) {
+  return std::ranges::upper_bound(bead_ranges, bead, {}, &BeadRange::first) - bead_ranges.begin() - 1;
 }
 
 /// Returns the change of the gap of a contact that displacements of the beads cause. The mirror image of a
@@ -33,47 +34,77 @@ void add_contact_force(const Contact& c, double force, Beads& forces) {
 
 ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start,
                                  const Beads& history, const Beads& expansion_point, const Beads& distant)
-    : communicator_(step.communicator), rule_(rule), history_(history), expansion_point_(expansion_point) {
+    : communicator_(step.communicator),
+      rule_(rule),
+      history_(history),
+      expansion_point_(expansion_point),
+      bead_ranges_(step.bead_ranges) {
   const auto& scene = step.scene;
   std::tie(first_, last_) =
       rank_share(std::ssize(scene.swimmers), communicator_.rank(), communicator_.size());
   Beads places = start;
   flat(places) += flat(expansion_point);
+  const auto is_within_swimmer = [&](const Contact& c) {
+    return swimmer_of(bead_ranges_, c.first) == swimmer_of(bead_ranges_, c.second) && !c.is_image;
+  };
   for (const Contact& contact : find_contacts(step.contact_scale, scene.box, step.radii, places))
     (is_within_swimmer(contact) ? internal_contacts_ : external_contacts_).push_back(contact);
   Beads external_forces = zero_vectors(start.size());
-  std::vector<Matrix9> stiffness(last_ - first_, Matrix9::Zero());
+  std::vector<Eigen::MatrixXd> stiffness(last_ - first_);  // empty without contacts
   for (const Contact& c : external_contacts_) {
     add_contact_force(c, c.law.force, external_forces);
     // Each bead of a contact gets twice its stiffness in the matrix of its swimmer. This assumes that the
     // other bead, or the mirror image, moves opposite to it by the same distance. If a bead is in contact
     // with its own image, the loop reaches it twice and adds the stiffness once each time.
     const double share = c.first == c.second ? 1 : 2;
-    for (const int bead : {c.first, c.second})
-      if (const std::size_t s = bead / 3; s >= first_ && s < last_)
-        stiffness[s - first_].block<3, 3>(3 * (bead % 3), 3 * (bead % 3)) +=
-            share * c.law.stiffness * c.normal * c.normal.transpose();
+    for (const int bead : {c.first, c.second}) {
+      const std::size_t s = swimmer_of(bead_ranges_, bead);
+      if (s < first_ || s >= last_) continue;
+      const auto [begin, end] = bead_ranges_[s];
+      Eigen::MatrixXd& block = stiffness[s - first_];
+      if (block.size() == 0) block = Eigen::MatrixXd::Zero(3 * (end - begin), 3 * (end - begin));
+      block.block<3, 3>(3 * (bead - begin), 3 * (bead - begin)) +=
+          share * c.law.stiffness * c.normal * c.normal.transpose();
+    }
   }
   parts_.reserve(last_ - first_);
-  for (std::size_t s = first_; s < last_; ++s)
-    parts_.push_back(implicit_swimmer(rule, {.type = scene.type_of(scene.swimmers[s]),
-                                             .initial_axis = scene.swimmers[s].axis,
-                                             .start = swimmer_vector(start, s),
-                                             .history = swimmer_vector(history, s),
-                                             .expansion_point = swimmer_vector(expansion_point, s),
-                                             .distant = swimmer_vector(distant, s),
-                                             .external_forces = swimmer_vector(external_forces, s),
-                                             .external_stiffness = stiffness[s - first_],
-                                             .viscosity = scene.viscosity,
-                                             .scale = step.contact_scale}));
+  const auto add_part = [&]<int Size>(std::integral_constant<int, Size>, std::size_t s) {
+    const BeadRange& range = bead_ranges_[s];
+    parts_.push_back(
+        implicit_swimmer<Size>(rule, {.type = scene.type_of(scene.swimmers[s]),
+                                      .initial_orientation = scene.swimmers[s].orientation,
+                                      .start = swimmer_vector<Size>(start, range),
+                                      .history = swimmer_vector<Size>(history, range),
+                                      .expansion_point = swimmer_vector<Size>(expansion_point, range),
+                                      .distant = swimmer_vector<Size>(distant, range),
+                                      .external_forces = swimmer_vector<Size>(external_forces, range),
+                                      .external_stiffness = stiffness[s - first_],
+                                      .viscosity = scene.viscosity,
+                                      .scale = step.contact_scale}));
+  };
+  for (std::size_t s = first_; s < last_; ++s) {
+    if (bead_ranges_[s].last - bead_ranges_[s].first == 3) {
+      add_part(std::integral_constant<int, size_of_three_beads>{}, s);
+    } else {
+      add_part(std::integral_constant<int, Eigen::Dynamic>{}, s);
+    }
+  }
 }
 
-/// Evaluates value(swimmer, part) for each swimmer of this rank, where `part` is its linear system. Returns
+/// Evaluates value(range, part) for each swimmer of this rank, where `range` are its beads and `part` is its
+/// linear system. Returns
 /// the values of the swimmers of all ranks. Collective.
 template <class Value>
 Beads ImplicitBalance::gather(const Value& value) const {
   Beads beads(history_.size());
-  for (std::size_t s = first_; s < last_; ++s) swimmer_vector(beads, s) = value(s, parts_[s - first_]);
+  for (std::size_t s = first_; s < last_; ++s) {
+    const BeadRange& range = bead_ranges_[s];
+    std::visit(
+        [&]<int Size>(const ImplicitSwimmer<Size>& part) {
+          swimmer_vector<Size>(beads, range) = value(range, part);
+        },
+        parts_[s - first_]);
+  }
   share(beads);
   return beads;
 }
@@ -83,20 +114,22 @@ void ImplicitBalance::share(Beads& beads) const {
   if (ranks == 1) return;
   std::vector<int> counts, starts;
   for (int r = 0; r < ranks; ++r) {
-    const auto [first, last] = rank_share(std::ssize(beads) / 3, r, ranks);
-    counts.push_back(static_cast<int>(9 * (last - first)));
-    starts.push_back(static_cast<int>(9 * first));
+    const auto [first, last] = rank_share(std::ssize(bead_ranges_), r, ranks);
+    const std::size_t begin = first < std::ssize(bead_ranges_) ? bead_ranges_[first].first : beads.size();
+    const std::size_t end = first < last ? bead_ranges_[last - 1].last : begin;
+    counts.push_back(static_cast<int>(3 * (end - begin)));
+    starts.push_back(static_cast<int>(3 * begin));
   }
   MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, beads[0].data(), counts.data(), starts.data(),
                  MPI_DOUBLE, communicator_.get());
 }
 
 Beads ImplicitBalance::initial_displacements() const {
-  return gather([&](std::size_t, const ImplicitSwimmer& part) { return part.end; });
+  return gather([&](const BeadRange&, const auto& part) { return part.end; });
 }
 
 Beads ImplicitBalance::initial_forces() const {
-  return gather([&](std::size_t, const ImplicitSwimmer& part) { return part.forces; });
+  return gather([&](const BeadRange&, const auto& part) { return part.forces; });
 }
 
 Beads ImplicitBalance::displacements(const Beads& velocities) const {
@@ -118,9 +151,10 @@ Beads ImplicitBalance::residual(const Beads& forces, const Beads& velocities) co
   Beads contacts = zero_vectors(forces.size());
   for (const Contact& c : external_contacts_)
     add_contact_force(c, c.law.force - c.law.stiffness * gap_change(c, beyond), contacts);
-  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
-    return part.drive + swimmer_vector(contacts, s) - part.resistance * swimmer_vector(velocities, s) -
-           swimmer_vector(forces, s);
+  return gather([&]<int Size>(const BeadRange& range,
+                              const ImplicitSwimmer<Size>& part) -> SwimmerVector<Size> {
+    return part.drive + swimmer_vector<Size>(contacts, range) -
+           part.resistance * swimmer_vector<Size>(velocities, range) - swimmer_vector<Size>(forces, range);
   });
 }
 
@@ -129,22 +163,25 @@ Beads ImplicitBalance::left_hand_side(const Beads& forces, const Beads& velociti
   const double compliance = rule_.span / rule_.weight;
   for (const Contact& c : external_contacts_)
     add_contact_force(c, compliance * c.law.stiffness * gap_change(c, velocities), contacts);
-  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
-    return swimmer_vector(forces, s) + part.resistance * swimmer_vector(velocities, s) +
-           swimmer_vector(contacts, s);
+  return gather([&]<int Size>(const BeadRange& range,
+                              const ImplicitSwimmer<Size>& part) -> SwimmerVector<Size> {
+    return swimmer_vector<Size>(forces, range) + part.resistance * swimmer_vector<Size>(velocities, range) +
+           swimmer_vector<Size>(contacts, range);
   });
 }
 
 Beads ImplicitBalance::own_forces(const Beads& residual) const {
-  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
-    return part.balance.solve(swimmer_vector(residual, s));
-  });
+  return gather(
+      [&]<int Size>(const BeadRange& range, const ImplicitSwimmer<Size>& part) -> SwimmerVector<Size> {
+        return part.balance.solve(swimmer_vector<Size>(residual, range));
+      });
 }
 
 Beads ImplicitBalance::own_velocities(const Beads& forces) const {
-  return gather([&](std::size_t s, const ImplicitSwimmer& part) -> Vector9 {
-    return part.mobility * swimmer_vector(forces, s);
-  });
+  return gather(
+      [&]<int Size>(const BeadRange& range, const ImplicitSwimmer<Size>& part) -> SwimmerVector<Size> {
+        return part.mobility * swimmer_vector<Size>(forces, range);
+      });
 }
 
 double ImplicitBalance::smallest_gap(const Beads& velocities) const {

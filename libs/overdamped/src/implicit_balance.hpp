@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <variant>
 #include <vector>
 
 #include "bead_vectors.hpp"
@@ -16,6 +17,7 @@ struct StepScene {
   const OverdampedScene& scene;
   std::span<const double> radii;  ///< radius of each bead [length]
   const ContactScale& contact_scale;
+  std::span<const BeadRange> bead_ranges;  ///< of each swimmer
   const Communicator& communicator;
 };
 
@@ -49,6 +51,8 @@ class ImplicitBalance {
   double smallest_gap(const Beads& velocities) const;
 
  private:
+  using Part = std::variant<ImplicitSwimmer<size_of_three_beads>, ImplicitSwimmer<Eigen::Dynamic>>;
+
   template <class Value>
   Beads gather(const Value& value) const;
   void share(Beads& beads) const;
@@ -58,7 +62,8 @@ class ImplicitBalance {
   StepRule rule_;
   const Beads &history_, &expansion_point_;
   std::size_t first_ = 0, last_ = 0;  ///< this rank has the swimmers [first_, last_)
-  std::vector<ImplicitSwimmer> parts_;
+  std::span<const BeadRange> bead_ranges_;
+  std::vector<Part> parts_;
   std::vector<Contact> internal_contacts_, external_contacts_;  ///< within one swimmer; all others
 };
 

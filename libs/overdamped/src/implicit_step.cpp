@@ -36,10 +36,11 @@ ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double>
       radii_(radii),
       mobility_(mobility),
       communicator_(communicator),
+      bead_ranges_(bead_ranges(scene)),
       contact_scale_(scene),
       smallest_radius_(*std::ranges::min_element(radii)) {
   for (const SwimmerType& type : scene.types)
-    for (const Spring& spring : type.springs) shortest_arm_ = std::min(shortest_arm_, spring.rest_length);
+    for (const Bond& bond : type.bonds) shortest_arm_ = std::min(shortest_arm_, bond.rest_length);
 }
 
 /// Returns the largest distance of one bead between the lists `from` and `to`, divided by the smallest
@@ -57,8 +58,11 @@ double ImplicitStep::largest_move(const Beads& from, const Beads& to) const {
 
 ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start, const Beads& from,
                                        const Beads& guess, const Beads& distant) const {
-  const StepScene scene{
-      .scene = scene_, .radii = radii_, .contact_scale = contact_scale_, .communicator = communicator_};
+  const StepScene scene{.scene = scene_,
+                        .radii = radii_,
+                        .contact_scale = contact_scale_,
+                        .bead_ranges = bead_ranges_,
+                        .communicator = communicator_};
   Beads expansion_point = guess;
   ImplicitStepResult result;
   result.distant = distant;

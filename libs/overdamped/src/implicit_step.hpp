@@ -70,6 +70,7 @@ class ImplicitStep {
   std::span<const double> radii_;
   const MobilityProduct& mobility_;
   const Communicator& communicator_;
+  std::vector<BeadRange> bead_ranges_;
   ContactScale contact_scale_;
   double smallest_radius_;                                         ///< radius of the smallest bead [length]
   double shortest_arm_ = std::numeric_limits<double>::infinity();  ///< smallest rest length [length]

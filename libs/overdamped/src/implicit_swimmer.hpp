@@ -29,33 +29,40 @@ struct StepRule {
   double time = 0;    ///< time at the end of the step [time]
 };
 
-/// A swimmer and all quantities that act on it. Vectors contain x, y, z of beads 1, 2, 3. An external contact
-/// is a contact with another swimmer or with an image.
+/// A swimmer and all quantities that act on it. Vectors contain x, y, z of bead 1, of bead 2, ... An external
+/// contact is a contact with another swimmer or with an image.
+template <int Size>
 struct SwimmerSurroundings {
+  using Vector = SwimmerVector<Size>;
+
   const SwimmerType& type;
-  Vec3 initial_axis;                 ///< axis at the start of the run
-  Vector9 start;                     ///< positions of the beads at the start of the step [length]
-  Vector9 history, expansion_point;  ///< history r, expansion point u* of the displacements [length]
-  Vector9 distant;                   ///< d, velocities in the flow of all other swimmers [length/time]
-  Vector9 external_forces;           ///< forces of the external contacts at u* [force]
-  Matrix9 external_stiffness;        ///< stiffness of the external contacts [mass/time^2]
-  double viscosity = 0;              ///< dynamic viscosity eta [mass/(length time)]
+  const Eigen::Matrix3d& initial_orientation;  ///< orientation at the start of the run
+  Vector start;                                ///< positions of the beads at the start of the step [length]
+  Vector history, expansion_point;  ///< history r, expansion point u* of the displacements [length]
+  Vector distant;                   ///< d, velocities in the flow of all other swimmers [length/time]
+  Vector external_forces;           ///< forces of the external contacts at u* [force]
+  const Eigen::MatrixXd& external_stiffness;  ///< of the external contacts [mass/time^2]; empty: no contacts
+  double viscosity = 0;                       ///< dynamic viscosity eta [mass/(length time)]
   const ContactScale& scale;
 };
 
 /// Linear system (1 + D mu_own) F = drive - D d of a swimmer, and its solution for the given d. An external
 /// contact is a contact with another swimmer or with an image.
+template <int Size>
 struct ImplicitSwimmer {
-  Vector9 drive;                         ///< drive without external contacts [force]
-  Matrix9 resistance;                    ///< D without external contacts [mass/time]
-  Matrix9 mobility;                      ///< mu_own, mobility of the swimmer in open space [time/mass]
-  Eigen::PartialPivLU<Matrix9> balance;  ///< 1 + D mu_own, where D includes external contacts
-  Vector9 forces;                        ///< F, forces on the beads [force]
-  Vector9 end;                           ///< u, displacements of the beads at the end of the step [length]
+  static constexpr int size = Size;  ///< number of vector components, or Eigen::Dynamic
+
+  SwimmerVector<Size> drive;       ///< drive without external contacts [force]
+  SwimmerMatrix<Size> resistance;  ///< D without external contacts [mass/time]
+  SwimmerMatrix<Size> mobility;    ///< mu_own, mobility of the swimmer in open space [time/mass]
+  Eigen::PartialPivLU<SwimmerMatrix<Size>> balance{};  ///< 1 + D mu_own, where D includes external contacts
+  SwimmerVector<Size> forces;                          ///< F, forces on the beads [force]
+  SwimmerVector<Size> end;  ///< u, displacements of the beads at the end of the step [length]
 };
 
 /// Evaluates the linear system of a swimmer in one time step and solves it, with given velocities d in the
 /// flow of all other swimmers.
-ImplicitSwimmer implicit_swimmer(const StepRule& rule, const SwimmerSurroundings& surroundings);
+template <int Size>
+ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurroundings<Size>& surroundings);
 
 }  // namespace beadswim

@@ -141,30 +141,37 @@ void OverdampedSystem::step() {
 /// the same fault.
 void OverdampedSystem::check_faults() {
   const auto& [now, before, earlier] = state_.positions;
-  const auto record_fault = [&, &before = before](OverdampedFaultKind kind, std::size_t bead, int number,
-                                                  double value) {
+  const auto record_fault = [&, &before = before](OverdampedFaultKind kind, const PlacedSwimmer& swimmer,
+                                                  std::size_t bead, int number, double value) {
     if (!fault_)
       fault_ = {.kind = kind,
                 .step = state_.steps_done,
-                .swimmer = scene_.swimmers[bead / 3].id,
+                .swimmer = swimmer.id,
                 .bead = number,
                 .position = before[bead],
                 .value = value};
   };
-  for (std::size_t b = 0; b < now.size(); ++b) {
-    const double moved = (now[b] - before[b]).norm() / radii_[b];
-    const int number = static_cast<int>(b % 3) + 1;
-    if (!std::isfinite(moved)) record_fault(OverdampedFaultKind::not_finite, b, number, moved);
-    if (moved > 1) record_fault(OverdampedFaultKind::speed, b, number, moved);
-    for (int a = 0; a < 3 && scene_.box; ++a) {
-      const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
-      if (scene_.box->has_mirrors(a) && beyond > 0)
-        record_fault(OverdampedFaultKind::wall, b, number, beyond);
+  std::size_t first = 0;  // bead of the swimmer
+  for (const PlacedSwimmer& swimmer : scene_.swimmers) {
+    const SwimmerType& type = scene_.type_of(swimmer);
+    for (std::size_t b = first; b < first + type.beads.size(); ++b) {
+      const double moved = (now[b] - before[b]).norm() / radii_[b];
+      const int number = static_cast<int>(b - first) + 1;
+      if (!std::isfinite(moved)) record_fault(OverdampedFaultKind::not_finite, swimmer, b, number, moved);
+      if (moved > 1) record_fault(OverdampedFaultKind::speed, swimmer, b, number, moved);
+      for (int a = 0; a < 3 && scene_.box; ++a) {
+        const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
+        if (scene_.box->has_mirrors(a) && beyond > 0)
+          record_fault(OverdampedFaultKind::wall, swimmer, b, number, beyond);
+      }
     }
-    if (number == 3) continue;
-    const double length =
-        (now[b + 1] - now[b]).norm() / scene_.type_of(scene_.swimmers[b / 3]).springs[number - 1].rest_length;
-    if (length > 2) record_fault(OverdampedFaultKind::torn_arm, b, number, length);
+    for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+      const auto [i, j] = type.bonds[k].beads;
+      const double length = (now[first + j] - now[first + i]).norm() / type.bonds[k].rest_length;
+      if (length > 2)
+        record_fault(OverdampedFaultKind::torn_arm, swimmer, first + i, static_cast<int>(k) + 1, length);
+    }
+    first += type.beads.size();
   }
 }
 

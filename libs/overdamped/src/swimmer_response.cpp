@@ -5,65 +5,128 @@
 namespace beadswim {
 namespace {
 
-const BeadVectors at_rest{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+template <int Size>
+SwimmerMatrix<Size> zero_matrix(const SwimmerType& type) {
+  const auto size = 3 * std::ssize(type.beads);
+  return SwimmerMatrix<Size>::Zero(size, size);
+}
+
+BeadVectors at_rest(const SwimmerType& type) {
+  return BeadVectors::Zero(3, std::ssize(type.beads));
+}
+
+/// Adds the stiffness of an angular spring with the rest angle 0: K_A B^T B, where B is the derivative of u_2
+/// - u_1 by the positions, with the unit vectors u_1 and u_2 along the two sides.
+template <int Size>
+void add_straight_angle(const Angle& angle, const BeadVectors& positions, SwimmerMatrix<Size>& stiffness) {
+  Eigen::Matrix<double, 3, Size> bend = Eigen::Matrix<double, 3, Size>::Zero(3, stiffness.cols());
+  for (int side = 0; side < 2; ++side) {
+    const int i = angle.beads[side], j = angle.beads[side + 1];
+    const Vec3 along = positions.col(j) - positions.col(i);
+    const double length = along.norm();
+    const Eigen::Matrix3d dyad = along * along.transpose() / (length * length);
+    const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - dyad;
+    const double sign = side == 0 ? -1 : 1;
+    bend.template block<3, 3>(0, 3 * j) += sign / length * across;
+    bend.template block<3, 3>(0, 3 * i) -= sign / length * across;
+  }
+  stiffness += angle.stiffness * bend.transpose() * bend;
+}
+
+/// Adds the stiffness K_A g g^T of an angular spring with another rest angle, where g is the gradient of the
+/// angle by the positions of its beads; none where the beads are in line.
+template <int Size>
+void add_bent_angle(const Angle& angle, const BeadVectors& positions, SwimmerMatrix<Size>& stiffness) {
+  const auto [i, j, l] = angle.beads;
+  const Vec3 arm_1 = positions.col(j) - positions.col(i), arm_2 = positions.col(l) - positions.col(j);
+  const Vec3 u_1 = arm_1.normalized(), u_2 = arm_2.normalized();
+  const double cosine = u_1.dot(u_2), sine = u_1.cross(u_2).norm();
+  constexpr double smallest_sine = 1e-12;
+  if (sine < smallest_sine) return;
+  const Vec3 by_1 = -(u_2 - cosine * u_1) / (sine * arm_1.norm()),
+             by_2 = -(u_1 - cosine * u_2) / (sine * arm_2.norm());
+  const std::array<Vec3, 3> gradient{-by_1, by_1 - by_2, by_2};
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b)
+      stiffness.template block<3, 3>(3 * angle.beads[a], 3 * angle.beads[b]) +=
+          angle.stiffness * gradient[a] * gradient[b].transpose();
+}
 
 }  // namespace
 
-Vector9 own_forces(const SwimmerType& type, const BeadVectors& positions) {
-  const BeadVectors spring = spring_forces(type.springs, positions, at_rest);
-  const BeadVectors bending = angular_spring_forces(type.angular_stiffness, positions);
-  return as_vector(spring) + as_vector(bending);
+template <int Size>
+SwimmerVector<Size> own_forces(const SwimmerType& type, double time, const BeadVectors& positions) {
+  const BeadVectors bonds = bond_forces(type, time, positions, at_rest(type));
+  const BeadVectors angles = angle_forces(type, time, positions);
+  return as_vector<Size>(bonds) + as_vector<Size>(angles);
 }
 
-Matrix9 own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity) {
-  Matrix9 mobility = Matrix9::Zero();
-  for (int i = 0; i < 3; ++i) {
-    mobility.block<3, 3>(3 * i, 3 * i).diagonal().setConstant(self_mobility(type.beads[i].radius, viscosity));
+template <int Size>
+SwimmerMatrix<Size> own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity) {
+  SwimmerMatrix<Size> mobility = zero_matrix<Size>(type);
+  for (int i = 0; i < std::ssize(type.beads); ++i) {
+    mobility.template block<3, 3>(3 * i, 3 * i)
+        .diagonal()
+        .setConstant(self_mobility(type.beads[i].radius, viscosity));
     for (int j = 0; j < i; ++j) {
-      const Vec3 d = positions[i] - positions[j];
+      const Vec3 d = positions.col(i) - positions.col(j);
       const PairTensor tensor =
           rotne_prager_tensor(type.beads[i].radius, type.beads[j].radius, d.norm(), viscosity);
       Eigen::Matrix3d block = tensor.axial / d.squaredNorm() * d * d.transpose();
       block.diagonal().array() += tensor.isotropic;
-      mobility.block<3, 3>(3 * i, 3 * j) = mobility.block<3, 3>(3 * j, 3 * i) = block;
+      mobility.template block<3, 3>(3 * i, 3 * j) = mobility.template block<3, 3>(3 * j, 3 * i) = block;
     }
   }
   return mobility;
 }
 
-Matrix9 own_stiffness(const SwimmerType& type, const BeadVectors& positions) {
-  Matrix9 stiffness = Matrix9::Zero();
-  Eigen::Matrix<double, 3, 9> bend =
-      Eigen::Matrix<double, 3, 9>::Zero();  // d(u_2 - u_1)/dx, u: arm directions
-  for (int arm = 0; arm < 2; ++arm) {
-    const Vec3 along = positions[arm + 1] - positions[arm];
+template <int Size>
+SwimmerMatrix<Size> own_stiffness(const SwimmerType& type, double time, const BeadVectors& positions) {
+  SwimmerMatrix<Size> stiffness = zero_matrix<Size>(type);
+  for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+    const Bond& bond = type.bonds[k];
+    const auto [i, j] = bond.beads;
+    const Vec3 along = positions.col(j) - positions.col(i);
     const double length = along.norm();
     const Eigen::Matrix3d dyad = along * along.transpose() / (length * length);
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - dyad;
-    const Spring& spring = type.springs[arm];
     const Eigen::Matrix3d block =
-        spring.stiffness * dyad + spring.stiffness * (1 - spring.rest_length / length) * across;
-    const int one = 3 * arm, other = 3 * arm + 3;
-    stiffness.block<3, 3>(one, one) += block;
-    stiffness.block<3, 3>(other, other) += block;
-    stiffness.block<3, 3>(one, other) -= block;
-    stiffness.block<3, 3>(other, one) -= block;
-    const double sign = arm == 0 ? -1 : 1;
-    bend.block<3, 3>(0, other) += sign / length * across;
-    bend.block<3, 3>(0, one) -= sign / length * across;
+        bond.stiffness * dyad + bond.stiffness * (1 - rest_length(type, k, time) / length) * across;
+    stiffness.template block<3, 3>(3 * i, 3 * i) += block;
+    stiffness.template block<3, 3>(3 * j, 3 * j) += block;
+    stiffness.template block<3, 3>(3 * i, 3 * j) -= block;
+    stiffness.template block<3, 3>(3 * j, 3 * i) -= block;
   }
-  return stiffness + type.angular_stiffness * bend.transpose() * bend;
+  for (std::size_t k = 0; k < type.angles.size(); ++k) {
+    if (rest_angle(type, k, time) == 0) {
+      add_straight_angle(type.angles[k], positions, stiffness);
+    } else {
+      add_bent_angle(type.angles[k], positions, stiffness);
+    }
+  }
+  return stiffness;
 }
 
-Matrix9 own_damping(const SwimmerType& type, const BeadVectors& positions) {
-  const Vector9 without = as_vector(spring_forces(type.springs, positions, at_rest));
-  Matrix9 damping;
-  for (int c = 0; c < 9; ++c) {
-    BeadVectors velocity = at_rest;
-    velocity[c / 3][c % 3] = 1;
-    damping.col(c) = without - as_vector(spring_forces(type.springs, positions, velocity));
+template <int Size>
+SwimmerMatrix<Size> own_damping(const SwimmerType& type, const BeadVectors& positions) {
+  SwimmerMatrix<Size> damping = zero_matrix<Size>(type);
+  const BeadVectors still = bond_forces(type, 0, positions, at_rest(type));
+  for (int c = 0; c < damping.cols(); ++c) {
+    BeadVectors velocity = at_rest(type);
+    velocity(c % 3, c / 3) = 1;
+    const BeadVectors moving = bond_forces(type, 0, positions, velocity);
+    damping.col(c) = as_vector<Size>(still) - as_vector<Size>(moving);
   }
   return damping;
 }
+
+#define BEADSWIM_INSTANTIATE(Size)                                                                  \
+  template SwimmerVector<Size> own_forces<Size>(const SwimmerType&, double, const BeadVectors&);    \
+  template SwimmerMatrix<Size> own_mobility<Size>(const SwimmerType&, const BeadVectors&, double);  \
+  template SwimmerMatrix<Size> own_stiffness<Size>(const SwimmerType&, double, const BeadVectors&); \
+  template SwimmerMatrix<Size> own_damping<Size>(const SwimmerType&, const BeadVectors&);
+BEADSWIM_INSTANTIATE(size_of_three_beads)
+BEADSWIM_INSTANTIATE(Eigen::Dynamic)
+#undef BEADSWIM_INSTANTIATE
 
 }  // namespace beadswim

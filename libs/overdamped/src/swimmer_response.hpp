@@ -5,32 +5,42 @@
 
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
-// Mobility, stiffness and damping of the three beads of one swimmer, as 9 x 9 matrices. Rows and columns are
-// the components x, y, z of beads 1, 2, 3.
+// Mobility, stiffness and damping of the beads of one swimmer, as matrices. Rows and columns are the
+// components x, y, z of bead 1, then of bead 2, and so on. Size: number of these components, 9 for three
+// beads, where a size known to the compiler is faster, or Eigen::Dynamic.
 
 namespace beadswim {
 
-using Matrix9 = Eigen::Matrix<double, 9, 9>;
-using Vector9 = Eigen::Matrix<double, 9, 1>;
+template <int Size>
+using SwimmerMatrix = Eigen::Matrix<double, Size, Size>;
+template <int Size>
+using SwimmerVector = Eigen::Matrix<double, Size, 1>;
 
-inline Vector9 as_vector(std::span<const Vec3> beads) {
-  return Eigen::Map<const Vector9>(beads[0].data());
+constexpr int size_of_three_beads = 9;
+
+template <int Size>
+auto as_vector(const BeadVectors& beads) {
+  return Eigen::Map<const SwimmerVector<Size>>(beads.data(), beads.size());
 }
 
 /// Returns the Rotne-Prager mobility of a swimmer alone in open space [time/mass]. viscosity: dynamic
 /// viscosity of the fluid [mass/(length time)].
-Matrix9 own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity);
+template <int Size>
+SwimmerMatrix<Size> own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity);
 
-/// Returns the forces on the beads of the springs (without dashpots) and of the angular spring.
-Vector9 own_forces(const SwimmerType& type, const BeadVectors& positions);
+/// Returns the forces on the beads of the springs (without dashpots) and of the angular springs at `time`.
+template <int Size>
+SwimmerVector<Size> own_forces(const SwimmerType& type, double time, const BeadVectors& positions);
 
-/// Returns the stiffness -dF/dx of own_forces() [mass/time^2]. The contribution of the springs is exact. The
-/// contribution of the angular spring uses the approximation U = K_A |u_2 - u_1|^2/2, where u_1 and u_2 are
-/// the unit vectors along the arms. Second derivatives of u_1 and u_2 are neglected. The approximation
-/// matters only for strong bending.
-Matrix9 own_stiffness(const SwimmerType& type, const BeadVectors& positions);
+/// Returns the stiffness -dF/dx of own_forces() [mass/time^2]. The contribution of the springs is exact. That
+/// of an angular spring neglects second derivatives: of the unit vectors u_1 and u_2 along its sides, in U =
+/// K_A |u_2 - u_1|^2/2, if its rest angle is 0; otherwise of its angle theta, in U = K_A (theta - rest)^2/2.
+/// This matters only far from the rest angle.
+template <int Size>
+SwimmerMatrix<Size> own_stiffness(const SwimmerType& type, double time, const BeadVectors& positions);
 
 /// Returns the damping -dF/dv of the dashpots [mass/time].
-Matrix9 own_damping(const SwimmerType& type, const BeadVectors& positions);
+template <int Size>
+SwimmerMatrix<Size> own_damping(const SwimmerType& type, const BeadVectors& positions);
 
 }  // namespace beadswim

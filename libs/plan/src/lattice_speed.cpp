@@ -9,6 +9,7 @@
 #include "beadswim/core/median.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -31,12 +32,12 @@ CoupledScene fluid_scene(int edge, Precision precision, int ranks) {
 CoupledScene scene_with_beads(Precision precision, BeadScheme scheme, int ranks) {
   CoupledScene scene = fluid_scene(64, precision, ranks);
   scene.bead_boundary = scheme;
-  SwimmerType type;
+  ThreeBeadSwimmer type;
   type.beads.fill({.radius = 4, .density = 1});
   type.springs.fill({.stiffness = 0.05, .rest_length = 21, .damping = 0});
   type.angular_stiffness = 200;
   type.driving = {.amplitude = {0, 0}, .phase = 0, .period = 2000, .frame = DrivingFrame::lab};
-  scene.types = {type};
+  scene.types = {swimmer_type(type)};
   for (int z = 0; z < 3 * ranks; ++z) {
     for (int y = 0; y < 3; ++y) {
       const Vec3 place(32.3, 21.3 * y + 10.1, 21.3 * z + 10.2);

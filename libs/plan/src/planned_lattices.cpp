@@ -95,7 +95,7 @@ double largest_speed(const SceneFacts& facts) {
 double largest_plane_factor(const CoupledScene& scene) {
   double factor = 1;
   for (const PlacedSwimmer& swimmer : scene.swimmers)
-    factor = std::max(factor, lattice_plane_factor(swimmer.position, swimmer.axis));
+    factor = std::max(factor, lattice_plane_factor(swimmer.position, swimmer.orientation.col(0)));
   return factor;
 }
 

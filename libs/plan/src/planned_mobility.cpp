@@ -50,7 +50,7 @@ std::string mobility_obstacle(const SceneFacts& facts) {
 /// other work of each step, memory and disk space (docs/method/mobility-swarms.md, docs/performance.md).
 void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
   const bool has_dashpots = std::ranges::any_of(setup.scene.types, [](const SwimmerType& type) {
-    return type.springs[0].damping > 0 || type.springs[1].damping > 0;
+    return std::ranges::any_of(type.bonds, [](const Bond& bond) { return bond.damping > 0; });
   });
   const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.box;
   const double products_per_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;

@@ -54,7 +54,7 @@ double growth_of_disorder(const CollinearSwimmer& swimmer, double cycles) {
 ///
 /// a: bead radius, l: arm length [length]. eta: dynamic viscosity [mass/(length time)]. T: period [time]. In
 /// the other half period, the forces extend the swimmer and the tilt decreases again.
-double growth_of_tilt(const SwimmerType& type, double viscosity) {
+double growth_of_tilt(const ThreeBeadSwimmer& type, double viscosity) {
   if (type.driving.frame == DrivingFrame::body) return 1;
   constexpr double pi = std::numbers::pi;
   const double force = std::max(std::abs(type.driving.amplitude[0]), std::abs(type.driving.amplitude[1]));

@@ -32,14 +32,14 @@ BoxPlace share_of(const Box& box, std::size_t swimmers, const CollinearSwimmer& 
 }
 
 /// Returns the type, driven only by the component of its forces along the swimmer's axis.
-SwimmerType driven_along_its_line(SwimmerType type, const Vec3& axis) {
+ThreeBeadSwimmer driven_along_its_line(ThreeBeadSwimmer type, const Vec3& axis) {
   for (double& amplitude : type.driving.amplitude) amplitude *= axis.x();
   type.driving.frame = DrivingFrame::body;
   return type;
 }
 
 /// Returns true if the driving forces have a component perpendicular to the axis.
-bool is_driven_across(const SwimmerType& type, const Vec3& axis) {
+bool is_driven_across(const ThreeBeadSwimmer& type, const Vec3& axis) {
   constexpr double largest_sine = 1e-9;
   return type.driving.frame == DrivingFrame::lab && axis.cross(Vec3::UnitX()).norm() > largest_sine;
 }
@@ -47,9 +47,10 @@ bool is_driven_across(const SwimmerType& type, const Vec3& axis) {
 Representative representative(const Layout& cell, const Swimmer& swimmer) {
   Representative result;
   result.swimmer = swimmer.id;
-  result.type = cell.resolved_type(swimmer);
+  result.type = three_beads(cell.resolved_type(swimmer));
   const bool across = result.is_slanted = is_driven_across(result.type, swimmer.axis);
-  const SwimmerType collinear_type = across ? driven_along_its_line(result.type, swimmer.axis) : result.type;
+  const ThreeBeadSwimmer collinear_type =
+      across ? driven_along_its_line(result.type, swimmer.axis) : result.type;
   const Surroundings surroundings = surroundings_of(cell, swimmer);
   Question& question = result.question;
   question.swimmer = collinear_swimmer(collinear_type, across ? Vec3::UnitX() : swimmer.axis,
@@ -75,7 +76,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
 using Kind = std::tuple<std::string, DrivingFrame, double, double, double, double>;
 
 Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
-  const Driving driving = cell.resolved_type(swimmer).driving;
+  const ThreeBeadDriving driving = three_beads(cell.resolved_type(swimmer)).driving;
   return {swimmer.type,         driving.frame, driving.amplitude[0],
           driving.amplitude[1], driving.phase, driving.period};
 }
@@ -84,7 +85,7 @@ Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
 /// longest and the shortest period. A swimmer with several of these properties is returned once.
 std::vector<const Swimmer*> extremes(const Layout& cell, const std::vector<const Swimmer*>& all) {
   const auto force = [&](const Swimmer* swimmer) {
-    const auto& [a, b] = cell.resolved_type(*swimmer).driving.amplitude;
+    const auto& [a, b] = three_beads(cell.resolved_type(*swimmer)).driving.amplitude;
     return std::abs(a) + std::abs(b);
   };
   const auto period = [&](const Swimmer* swimmer) { return cell.resolved_type(*swimmer).driving.period; };

@@ -6,6 +6,7 @@
 
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
 
@@ -28,7 +29,7 @@ struct Speeds {
 
 /// Returns the speeds of a swimmer of this type with the driving along its axis.
 Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
-  const CollinearSwimmer swimmer = collinear_swimmer(type, Vec3::UnitX(), viscosity);
+  const CollinearSwimmer swimmer = collinear_swimmer(three_beads(type), Vec3::UnitX(), viscosity);
   const CollinearMobility mobility = rest_mobility(swimmer, rotne_prager);
   const Eigen::Vector3cd displacement = linear_response(swimmer, mobility.value).displacement;
   return {.bead = swimmer.angular_frequency() * displacement.cwiseAbs().maxCoeff(),

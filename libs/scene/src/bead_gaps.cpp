@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "beadswim/core/cell_list.hpp"
-#include "beadswim/swimmers/rest_positions.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -42,11 +42,10 @@ double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Box& domain
 
 std::vector<PlacedBead> placed_beads(const Layout& layout) {
   std::vector<PlacedBead> beads;
-  beads.reserve(3 * layout.swimmers.size());
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     const SwimmerType& type = layout.types.at(layout.swimmers[s].type);
-    const auto centres = rest_positions(type, layout.swimmers[s].position, layout.swimmers[s].axis);
-    for (int i = 0; i < 3; ++i)
+    const auto centres = rest_positions(type, layout.swimmers[s].position, layout.swimmers[s].orientation());
+    for (int i = 0; i < std::ssize(centres); ++i)
       beads.push_back({.centre = centres[i], .radius = type.beads[i].radius, .swimmer = s, .bead = i});
   }
   return beads;

@@ -10,6 +10,7 @@
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -46,14 +47,16 @@ void check_units(const Units& units, Faults& faults) {
 
 void check_types(const std::map<std::string, SwimmerType>& types, Faults& faults) {
   for (const auto& [name, type] : types) {
-    for (int arm = 0; arm < 2; ++arm) {
-      const double length = type.springs[arm].rest_length;
-      const double contact = type.beads[arm].radius + type.beads[arm + 1].radius;
+    const char* key = three_bead_form(type) ? "springs" : "bonds";
+    for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+      const auto [i, j] = type.bonds[k].beads;
+      const double length = type.bonds[k].rest_length;
+      const double contact = type.beads[i].radius + type.beads[j].radius;
       if (length > contact) continue;
-      faults.push_back({fmt::format("/types/{}/springs/{}/rest_length", name, arm),
+      faults.push_back({fmt::format("/types/{}/{}/{}/rest_length", name, key, k),
                         fmt::format("with the rest length {}, beads {} and {} overlap; the rest length must "
                                     "be greater than {}, the sum of their radii",
-                                    length, arm + 1, arm + 2, contact)});
+                                    length, i + 1, j + 1, contact)});
     }
   }
 }

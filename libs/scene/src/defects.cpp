@@ -13,7 +13,7 @@
 #include "beadswim/core/keyed_random.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
-#include "beadswim/swimmers/rest_positions.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -97,6 +97,25 @@ class Push {
   int bead_pushes_ = 0;
 };
 
+/// Multiplies all forces, tensions, and changes of rest lengths and rest angles by `factor`.
+void scale_amplitudes(Driving& driving, double factor) {
+  const auto scale = [factor](auto& drives) {
+    for (auto& drive : drives)
+      for (Harmonic& harmonic : drive.harmonics) harmonic.amplitude *= factor;
+  };
+  scale(driving.forces);
+  scale(driving.bonds);
+  scale(driving.angles);
+  for (ForceDrive& drive : driving.forces) drive.constant *= factor;
+}
+
+/// Turns a swimmer with a turn of its own by the shortest turn of its axis `before` onto its present axis.
+void turn_with_axis(Swimmer& swimmer, const Vec3& before) {
+  if (!swimmer.turn) return;
+  const auto change = Eigen::Quaterniond::FromTwoVectors(before, swimmer.axis);
+  swimmer.turn = (change * *swimmer.turn).normalized();
+}
+
 /// Calls change(swimmer, driving, random) for each chosen swimmer, and stores the changed `driving` as the
 /// swimmer's own driving. `random` yields random numbers that depend on the seed, on `purpose` and on the id
 /// of the swimmer.
@@ -173,9 +192,10 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
     bool found = false;
     for (int trial = 0; trial < max_trials && !found; ++trial) {
       for (int a = 0; a < 3; ++a) added.position[a] = domain.lengths[a] * random.uniform();
-      const auto centres = rest_positions(type, added.position, added.axis);
-      found = is_free(centres[0], type.beads[0].radius) && is_free(centres[1], type.beads[1].radius) &&
-              is_free(centres[2], type.beads[2].radius);
+      const auto centres = rest_positions(type, added.position, added.orientation());
+      found = true;
+      for (std::size_t b = 0; b < centres.size() && found; ++b)
+        found = is_free(centres[b], type.beads[b].radius);
     }
     if (!found) {
       throw InputError(
@@ -184,8 +204,8 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
               "no free place for swimmer {} was found in {} trials; the box is too full: add fewer swimmers",
               added.id, max_trials));
     }
-    const auto centres = rest_positions(type, added.position, added.axis);
-    for (int b = 0; b < 3; ++b)
+    const auto centres = rest_positions(type, added.position, added.orientation());
+    for (int b = 0; b < std::ssize(centres); ++b)
       beads.push_back({.centre = centres[b],
                        .radius = type.beads[b].radius,
                        .swimmer = layout.swimmers.size(),
@@ -212,14 +232,16 @@ void rotate(Layout& layout, const std::vector<std::size_t>& chosen, std::optiona
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
     KeyedRandom random = swimmer_random(swimmer, seed, Purpose::turn);
+    const Vec3 before = swimmer.axis;
     if (!sigma) {
       swimmer.axis = random.direction();
-      continue;
+    } else {
+      Vec3 across = random.direction().cross(swimmer.axis);
+      while (across.norm() < 1e-3) across = random.direction().cross(swimmer.axis);
+      const double angle = *sigma * random.normal();
+      swimmer.axis = (std::cos(angle) * swimmer.axis + std::sin(angle) * across.normalized()).normalized();
     }
-    Vec3 across = random.direction().cross(swimmer.axis);
-    while (across.norm() < 1e-3) across = random.direction().cross(swimmer.axis);
-    const double angle = *sigma * random.normal();
-    swimmer.axis = (std::cos(angle) * swimmer.axis + std::sin(angle) * across.normalized()).normalized();
+    turn_with_axis(swimmer, before);
   }
 }
 
@@ -240,7 +262,9 @@ void add_domains(Layout& layout, std::int64_t domains, std::uint64_t seed) {
       if (distance < nearest_distance) nearest = d;
       nearest_distance = std::min(nearest_distance, distance);
     }
+    const Vec3 before = swimmer.axis;
     swimmer.axis = directions[nearest];
+    turn_with_axis(swimmer, before);
   }
 }
 
@@ -259,7 +283,7 @@ void disorder_amplitudes(Layout& layout, const std::vector<std::size_t>& chosen,
   change_driving(layout, chosen, seed, Purpose::strength,
                  [&](const Swimmer& swimmer, Driving& driving, KeyedRandom& random) {
                    const double factor = positive_factor(swimmer, 1 + sigma * random.normal(), "amplitudes");
-                   for (double& amplitude : driving.amplitude) amplitude *= factor;
+                   scale_amplitudes(driving, factor);
                  });
 }
 

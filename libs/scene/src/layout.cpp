@@ -5,6 +5,12 @@
 
 namespace beadswim {
 
+Eigen::Matrix3d Swimmer::orientation() const {
+  Eigen::Matrix3d orientation = turn ? turn->toRotationMatrix() : shortest_turn(axis);
+  orientation.col(0) = axis;
+  return orientation;
+}
+
 SwimmerType Layout::resolved_type(const Swimmer& swimmer) const {
   SwimmerType type = types.at(swimmer.type);
   if (swimmer.driving) type.driving = *swimmer.driving;

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "beadswim/swimmers/rest_positions.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 
@@ -16,16 +16,27 @@ Swarm placed_swimmers(const Layout& layout) {
     if (!swimmer.driving) type = shared_types.try_emplace(swimmer.type, type).first->second;
     if (type == std::ssize(swarm.types)) swarm.types.push_back(layout.resolved_type(swimmer));
     swarm.swimmers.push_back(
-        {.id = swimmer.id, .type = type, .position = swimmer.position, .axis = swimmer.axis});
+        {.id = swimmer.id, .type = type, .position = swimmer.position, .orientation = swimmer.orientation()});
   }
   std::ranges::sort(swarm.swimmers, {}, &PlacedSwimmer::id);
   return swarm;
 }
 
+std::vector<BeadRange> bead_ranges(const Swarm& swarm) {
+  std::vector<BeadRange> ranges;
+  std::size_t first = 0;
+  for (const PlacedSwimmer& swimmer : swarm.swimmers) {
+    const std::size_t last = first + swarm.type_of(swimmer).beads.size();
+    ranges.push_back({first, last});
+    first = last;
+  }
+  return ranges;
+}
+
 std::vector<Vec3> rest_positions(const Swarm& swarm) {
   std::vector<Vec3> positions;
   for (const PlacedSwimmer& swimmer : swarm.swimmers) {
-    for (const Vec3& bead : rest_positions(swarm.type_of(swimmer), swimmer.position, swimmer.axis))
+    for (const Vec3& bead : rest_positions(swarm.type_of(swimmer), swimmer.position, swimmer.orientation))
       positions.push_back(bead);
   }
   return positions;

@@ -1,5 +1,6 @@
 #include "beadswim/scene/presets.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace beadswim {
@@ -12,9 +13,12 @@ namespace {
 Layout paper_scene(double radius, double arm, double stiffness, double amplitude, double period) {
   const Bead bead{.radius = radius, .density = 1};
   const Spring spring{.stiffness = stiffness, .rest_length = arm, .damping = 0};
-  const Driving driving{.amplitude = {amplitude, amplitude}, .phase = std::numbers::pi / 2, .period = period};
-  SwimmerType type{.beads = {bead, bead, bead}, .springs = {spring, spring}, .driving = driving};
-  type.angular_stiffness = straightening_stiffness(type);
+  ThreeBeadSwimmer swimmer{
+      .beads = {bead, bead, bead},
+      .springs = {spring, spring},
+      .driving = {.amplitude = {amplitude, amplitude}, .phase = std::numbers::pi / 2, .period = period}};
+  swimmer.angular_stiffness = straightening_stiffness(swimmer);
+  const SwimmerType type = swimmer_type(swimmer);
 
   Layout layout;
   layout.fluid = {.density = 1, .kinematic_viscosity = 1.0 / 3};
@@ -46,7 +50,7 @@ SwarmPlan paper_defect_plan() {
   return {.core_gap = Vec3::Constant(37), .block_gap = Vec3(56, 46, 46)};
 }
 
-double straightening_stiffness(const SwimmerType& type) {
+double straightening_stiffness(const ThreeBeadSwimmer& type) {
   constexpr double sideways_over_along = 10;
   const double stiffness = (type.springs[0].stiffness + type.springs[1].stiffness) / 2;
   const double length = (type.springs[0].rest_length + type.springs[1].rest_length) / 2;
@@ -71,9 +75,17 @@ Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const B
 
 Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain) {
   if (!domain) return Vec3::Zero();
-  const double ahead = type.springs[1].rest_length + type.beads[2].radius;
-  const double behind = type.springs[0].rest_length + type.beads[0].radius;
-  return domain->lengths / 2 - (ahead - behind) / 2 * axis + shift_off_lattice_planes(type, axis, *domain);
+  const Eigen::Matrix3d orientation = shortest_turn(axis);
+  Vec3 position = domain->lengths / 2;
+  for (int a = 0; a < 3; ++a) {
+    double ahead = 0, behind = 0;
+    for (const BeadAtRest& bead : type.beads) {
+      ahead = std::max(ahead, bead.at[a] + bead.radius);
+      behind = std::max(behind, bead.radius - bead.at[a]);
+    }
+    if (ahead != behind) position -= (ahead - behind) / 2 * orientation.col(a);
+  }
+  return position + shift_off_lattice_planes(type, axis, *domain);
 }
 
 }  // namespace beadswim

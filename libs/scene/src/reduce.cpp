@@ -46,7 +46,7 @@ class SwimmerFinder {
   bool are_alike(std::size_t a, std::size_t b) const {
     constexpr double same_axis = 1e-9;
     const Swimmer &one = layout_.swimmers[a], &other = layout_.swimmers[b];
-    if (one.type != other.type || (one.axis - other.axis).norm() > same_axis) return false;
+    if (one.type != other.type || (one.orientation() - other.orientation()).norm() > same_axis) return false;
     if (!one.driving && !other.driving) return true;
     return layout_.resolved_type(one).driving == layout_.resolved_type(other).driving;
   }

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -21,6 +24,7 @@ bool agree(const PropertyValue& a, const PropertyValue& b) {
 
 /// Returns "4" for equal numbers, otherwise "4, 5, 4". The digits suffice to read the same numbers back.
 std::string joined(const std::vector<double>& numbers) {
+  if (numbers.empty()) return "none";
   if (std::ranges::count(numbers, numbers.front()) == std::ssize(numbers))
     return fmt::format("{}", numbers.front());
   return fmt::format("{}", fmt::join(numbers, ", "));
@@ -91,13 +95,24 @@ std::optional<SceneDifference> placing_difference(const Layout& run, const Layou
     if (distance.norm() > largest_distance)
       return difference(pair, "at", vector_text(pair.run.position),
                         vector_text(pair.run.position + distance));
-    if ((pair.run.axis - pair.reference.axis).norm() > tolerance)
+    if ((pair.run.orientation() - pair.reference.orientation()).norm() > tolerance)
       return difference(pair, "with axis", vector_text(pair.run.axis), vector_text(pair.reference.axis));
     const double offset = run.resolved_type(pair.run).driving.phase_offset;
     const double other = reference.resolved_type(pair.reference).driving.phase_offset;
     if (!agree(offset, other)) return difference(pair, "with phase offset", offset, other);
   }
   return std::nullopt;
+}
+
+std::vector<Harmonic> all_harmonics(const Driving& driving) {
+  std::vector<Harmonic> all;
+  const auto add = [&all](const auto& drives) {
+    for (const auto& drive : drives) all.insert(all.end(), drive.harmonics.begin(), drive.harmonics.end());
+  };
+  add(driving.forces);
+  add(driving.bonds);
+  add(driving.angles);
+  return all;
 }
 
 }  // namespace
@@ -136,21 +151,31 @@ SceneProperties common_properties(const Layout& layout) {
 }
 
 SceneProperties swimmer_properties(const SwimmerType& type) {
-  const auto& [one, two, three] = type.beads;
-  const auto& [first, second] = type.springs;
-  const Driving& driving = type.driving;
-  return {
-      {SceneProperty::period, numbers_value({driving.period})},
-      {SceneProperty::amplitude, numbers_value({driving.amplitude[0], driving.amplitude[1]})},
-      {SceneProperty::phase, numbers_value({driving.phase})},
-      {SceneProperty::frame, {{static_cast<double>(driving.frame)}, to_text(driving.frame)}},
-      {SceneProperty::radius, numbers_value({one.radius, two.radius, three.radius})},
-      {SceneProperty::bead_density, numbers_value({one.density, two.density, three.density})},
-      {SceneProperty::arm, numbers_value({first.rest_length, second.rest_length})},
-      {SceneProperty::stiffness, numbers_value({first.stiffness, second.stiffness})},
-      {SceneProperty::damping, numbers_value({first.damping, second.damping})},
-      {SceneProperty::angular_stiffness, numbers_value({type.angular_stiffness})},
+  const auto numbers = [](const auto& parts, auto number) {
+    std::vector<double> all;
+    for (const auto& part : parts) all.push_back(std::invoke(number, part));
+    return numbers_value(all);
   };
+  const Driving& driving = type.driving;
+  SceneProperties properties{
+      {SceneProperty::period, numbers_value({driving.period})},
+      {SceneProperty::frame, {{static_cast<double>(driving.frame)}, to_text(driving.frame)}},
+      {SceneProperty::radius, numbers(type.beads, &Bead::radius)},
+      {SceneProperty::bead_density, numbers(type.beads, &Bead::density)},
+      {SceneProperty::arm, numbers(type.bonds, &Spring::rest_length)},
+      {SceneProperty::stiffness, numbers(type.bonds, &Spring::stiffness)},
+      {SceneProperty::damping, numbers(type.bonds, &Spring::damping)},
+      {SceneProperty::angular_stiffness, numbers(type.angles, &Angle::stiffness)},
+  };
+  if (const auto three = three_bead_form(driving)) {
+    properties[SceneProperty::amplitude] = numbers_value({three->amplitude[0], three->amplitude[1]});
+    properties[SceneProperty::phase] = numbers_value({three->phase});
+  } else {
+    const std::vector<Harmonic> harmonics = all_harmonics(driving);
+    properties[SceneProperty::amplitude] = numbers(harmonics, &Harmonic::amplitude);
+    properties[SceneProperty::phase] = numbers(harmonics, &Harmonic::phase);
+  }
+  return properties;
 }
 
 void add_differences(std::vector<SceneDifference>& differences, const SceneProperties& run,

@@ -1,12 +1,29 @@
 #include "beadswim/scene/swarm.hpp"
 
+#include <algorithm>
+
 namespace beadswim {
 namespace {
 
-/// Returns the distances along x, y and z between the middle beads of neighbouring swimmers in one block
-/// [length].
+/// Return the distances along x from the origin of the type's frame to the last and to the first bead centre,
+/// and the sum of both [length].
+double ahead(const SwimmerType& type) {
+  double farthest = 0;
+  for (const BeadAtRest& bead : type.beads) farthest = std::max(farthest, bead.at.x());
+  return farthest;
+}
+double behind(const SwimmerType& type) {
+  double farthest = 0;
+  for (const BeadAtRest& bead : type.beads) farthest = std::max(farthest, -bead.at.x());
+  return farthest;
+}
+double length_between_centres(const SwimmerType& type) {
+  return behind(type) + ahead(type);
+}
+
+/// Returns the distances along x, y and z between the origins of neighbouring swimmers in one block [length].
 Vec3 pitch(const SwarmPlan& plan, const SwimmerType& type) {
-  return plan.core_gap + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX();
+  return plan.core_gap + length_between_centres(type) * Vec3::UnitX();
 }
 
 /// Calls visit(Vec3(i, j, k)) for each cell of a grid, i fastest.
@@ -24,7 +41,7 @@ void for_each_place(const Index3& grid, Visit&& visit) {
 Vec3 block_lengths(const SwarmPlan& plan, const SwimmerType& type) {
   // Along each axis, n swimmers have n - 1 distances within the block, and one distance to the next block.
   const Vec3 last = (plan.block_swimmers - 1).cast<double>().matrix().cwiseProduct(pitch(plan, type));
-  return last + (type.springs[0].rest_length + type.springs[1].rest_length) * Vec3::UnitX() + plan.block_gap;
+  return last + length_between_centres(type) * Vec3::UnitX() + plan.block_gap;
 }
 
 Box swarm_box(const SwarmPlan& plan, const SwimmerType& type) {
@@ -35,7 +52,7 @@ Box swarm_box(const SwarmPlan& plan, const SwimmerType& type) {
 std::vector<Swimmer> swarm_swimmers(const SwarmPlan& plan, const SwimmerType& type,
                                     const std::string& type_name) {
   const Vec3 block = block_lengths(plan, type), apart = pitch(plan, type);
-  const Vec3 first = plan.block_gap / 2 + type.springs[0].rest_length * Vec3::UnitX();
+  const Vec3 first = plan.block_gap / 2 + behind(type) * Vec3::UnitX();
   std::vector<Swimmer> swimmers;
   for_each_place(plan.blocks, [&](const Vec3& in_swarm) {
     for_each_place(plan.block_swimmers, [&](const Vec3& in_block) {

@@ -4,18 +4,28 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <functional>
+
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
 
 constexpr std::size_t max_notes = 4;  // lines that fit on a figure
 
-/// Returns "4" for equal numbers, "4, 5, 4" otherwise.
-std::string values(const std::vector<double>& numbers) {
+/// Returns one number of each part as text: "4" for equal numbers, "4, 5, 4" otherwise, or "4 to 6" for more
+/// than three.
+std::string values(const auto& parts, auto number) {
+  std::vector<double> numbers;
   std::vector<std::string> texts;
-  for (const double number : numbers) texts.push_back(fmt::format("{:.4g}", number));
-  if (std::ranges::count(texts, texts.front()) == static_cast<long>(texts.size())) return texts.front();
-  return fmt::format("{}", fmt::join(texts, ", "));
+  for (const auto& part : parts) {
+    numbers.push_back(std::invoke(number, part));
+    texts.push_back(fmt::format("{:.4g}", numbers.back()));
+  }
+  if (std::ranges::count(texts, texts.front()) == std::ssize(texts)) return texts.front();
+  if (texts.size() <= 3) return fmt::format("{}", fmt::join(texts, ", "));
+  const auto [least, most] = std::ranges::minmax(numbers);
+  return fmt::format("{:.4g} to {:.4g}", least, most);
 }
 
 std::string direction(DrivingFrame frame) {
@@ -33,21 +43,28 @@ std::string direction(DrivingFrame frame) {
 }  // namespace
 
 std::string body_parameters(const SwimmerType& type) {
-  const auto& [one, two, three] = type.beads;
-  const auto& [first, second] = type.springs;
-  std::string text = fmt::format(
-      "λ = {}, bead density {}, l = {}, k = {}", values({one.radius, two.radius, three.radius}),
-      values({one.density, two.density, three.density}), values({first.rest_length, second.rest_length}),
-      values({first.stiffness, second.stiffness}));
-  if (first.damping != 0 || second.damping != 0)
-    text += fmt::format(", c = {}", values({first.damping, second.damping}));
-  return text + fmt::format(", KA = {:.4g}", type.angular_stiffness);
+  std::string text = fmt::format("λ = {}, bead density {}", values(type.beads, &Bead::radius),
+                                 values(type.beads, &Bead::density));
+  if (!type.bonds.empty()) {
+    text += fmt::format(", l = {}, k = {}", values(type.bonds, &Spring::rest_length),
+                        values(type.bonds, &Spring::stiffness));
+    if (std::ranges::any_of(type.bonds, [](const Bond& bond) { return bond.damping != 0; }))
+      text += fmt::format(", c = {}", values(type.bonds, &Spring::damping));
+  }
+  if (!type.angles.empty()) text += fmt::format(", KA = {}", values(type.angles, &Angle::stiffness));
+  return text;
 }
 
 std::string driving_parameters(const Driving& driving) {
-  const auto& [a, b] = driving.amplitude;
-  std::string text = a == b ? fmt::format("A = B = {:.4g}", a) : fmt::format("A = {:.4g}, B = {:.4g}", a, b);
-  text += fmt::format(", α = {:.4g} rad, T = {:.6g}", driving.phase, driving.period);
+  std::string text;
+  if (const auto three = three_bead_form(driving)) {
+    const auto& [a, b] = three->amplitude;
+    text = a == b ? fmt::format("A = B = {:.4g}", a) : fmt::format("A = {:.4g}, B = {:.4g}", a, b);
+    text += fmt::format(", α = {:.4g} rad", three->phase);
+  } else {
+    text = fmt::format("{} drives", driving.forces.size() + driving.bonds.size() + driving.angles.size());
+  }
+  text += fmt::format(", T = {:.6g}", driving.period);
   if (driving.phase_offset != 0) text += fmt::format(", φ = {:.4g} rad", driving.phase_offset);
   return text + ", " + direction(driving.frame);
 }

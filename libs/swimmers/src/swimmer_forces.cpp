@@ -1,61 +1,131 @@
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace beadswim {
+namespace {
 
-BeadVectors spring_forces(const std::array<Spring, 2>& springs, const BeadVectors& position,
-                          const BeadVectors& velocity) {
-  BeadVectors force{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  for (int arm = 0; arm < 2; ++arm) {
-    const Spring& spring = springs[arm];
-    const Vec3 separation = position[arm + 1] - position[arm];
+BeadVectors zero_vectors(const SwimmerType& type) {
+  return BeadVectors::Zero(3, std::ssize(type.beads));
+}
+
+/// Returns theta - rest divided by sin(theta), where `sine` and `cosine` are those of the angle theta. A
+/// swimmer with the rest angle 0 has the limit 1 at theta = 0.
+double bending_over_sine(double sine, double cosine, double rest) {
+  constexpr double smallest_sine = 1e-12;
+  if (sine > smallest_sine) return (std::atan2(sine, cosine) - rest) / sine;
+  if (rest == 0 && cosine > 0) return 1;
+  return 0;
+}
+
+}  // namespace
+
+double value_of(std::span<const Harmonic> harmonics, const Driving& driving, double time) {
+  const double omega_t = 2 * std::numbers::pi * (time / driving.period) + driving.phase_offset;
+  double sum = 0;
+  for (const Harmonic& harmonic : harmonics)
+    sum += harmonic.amplitude * std::sin(harmonic.multiple * omega_t + harmonic.phase);
+  return sum;
+}
+
+double rest_length(const SwimmerType& type, std::size_t bond, double time) {
+  double length = type.bonds[bond].rest_length;
+  for (const BondDrive& drive : type.driving.bonds) {
+    if (drive.quantity == BondQuantity::rest_length && drive.bond == static_cast<int>(bond))
+      length += value_of(drive.harmonics, type.driving, time);
+  }
+  return length;
+}
+
+double rest_angle(const SwimmerType& type, std::size_t angle, double time) {
+  double rest = type.angles[angle].rest;
+  for (const AngleDrive& drive : type.driving.angles) {
+    if (drive.angle == static_cast<int>(angle)) rest += value_of(drive.harmonics, type.driving, time);
+  }
+  return rest;
+}
+
+BeadVectors bond_forces(const SwimmerType& type, double time, const BeadVectors& position,
+                        const BeadVectors& velocity) {
+  BeadVectors force = zero_vectors(type);
+  for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+    const Bond& bond = type.bonds[k];
+    const auto [i, j] = bond.beads;
+    const Vec3 separation = position.col(j) - position.col(i);
     const double length = separation.norm();
     const Vec3 direction = separation / length;
-    const double rate = direction.dot(velocity[arm + 1] - velocity[arm]);
-    const double tension = spring.stiffness * (length - spring.rest_length) + spring.damping * rate;
-    force[arm] += tension * direction;
-    force[arm + 1] -= tension * direction;
+    const double rate = direction.dot(velocity.col(j) - velocity.col(i));
+    const double tension = bond.stiffness * (length - rest_length(type, k, time)) + bond.damping * rate;
+    force.col(i) += tension * direction;
+    force.col(j) -= tension * direction;
   }
   return force;
 }
 
-BeadVectors angular_spring_forces(double angular_stiffness, const BeadVectors& position) {
-  const Vec3 arm_1 = position[1] - position[0];
-  const Vec3 arm_2 = position[2] - position[1];
-  const double length_1 = arm_1.norm();
-  const double length_2 = arm_2.norm();
-  const Vec3 direction_1 = arm_1 / length_1;
-  const Vec3 direction_2 = arm_2 / length_2;
-  const double cosine = direction_1.dot(direction_2);
-  const double sine = direction_1.cross(direction_2).norm();
-  // theta/sin(theta) is 1 for parallel arms. For antiparallel arms the force has no defined direction and is
-  // set to 0.
-  constexpr double smallest_sine = 1e-12;
-  const double theta_over_sine =
-      sine > smallest_sine ? std::atan2(sine, cosine) / sine : (cosine > 0 ? 1 : 0);
-  // Gradients of the bending energy U = K_A theta^2/2 with respect to arm_1 and arm_2.
-  const Vec3 gradient_1 =
-      -angular_stiffness * theta_over_sine / length_1 * (direction_2 - cosine * direction_1);
-  const Vec3 gradient_2 =
-      -angular_stiffness * theta_over_sine / length_2 * (direction_1 - cosine * direction_2);
-  return {gradient_1, gradient_2 - gradient_1, -gradient_2};
+BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors& position) {
+  BeadVectors force = zero_vectors(type);
+  for (std::size_t k = 0; k < type.angles.size(); ++k) {
+    const Angle& angle = type.angles[k];
+    const auto [i, j, l] = angle.beads;
+    const Vec3 arm_1 = position.col(j) - position.col(i);
+    const Vec3 arm_2 = position.col(l) - position.col(j);
+    const double length_1 = arm_1.norm();
+    const double length_2 = arm_2.norm();
+    const Vec3 direction_1 = arm_1 / length_1;
+    const Vec3 direction_2 = arm_2 / length_2;
+    const double cosine = direction_1.dot(direction_2);
+    const double sine = direction_1.cross(direction_2).norm();
+    // Gradients of the bending energy U = K_A (theta - rest)^2/2 with respect to arm_1 and arm_2.
+    const double ratio = bending_over_sine(sine, cosine, rest_angle(type, k, time));
+    const Vec3 gradient_1 = -angle.stiffness * ratio / length_1 * (direction_2 - cosine * direction_1);
+    const Vec3 gradient_2 = -angle.stiffness * ratio / length_2 * (direction_1 - cosine * direction_2);
+    force.col(i) += gradient_1;
+    force.col(j) += gradient_2 - gradient_1;
+    force.col(l) += -gradient_2;
+  }
+  return force;
 }
 
-BeadVectors driving_forces(const Driving& driving, double time, const BeadVectors& position,
-                           const Vec3& initial_axis) {
-  const double omega_t = 2 * std::numbers::pi * (time / driving.period) + driving.phase_offset;
-  const double force_1 = driving.amplitude[0] * std::sin(omega_t);
-  const double force_3 = driving.amplitude[1] * std::sin(omega_t + driving.phase);
-
-  if (driving.frame == DrivingFrame::body) {
-    const Vec3 along_1 = force_1 * (position[1] - position[0]).normalized();
-    const Vec3 along_2 = force_3 * (position[2] - position[1]).normalized();
-    return {along_1, -along_1 - along_2, along_2};
+double largest_driving_force(const SwimmerType& type) {
+  const auto sum_of_amplitudes = [](const std::vector<Harmonic>& harmonics) {
+    double sum = 0;
+    for (const Harmonic& harmonic : harmonics) sum += std::abs(harmonic.amplitude);
+    return sum;
+  };
+  std::vector<double> force(type.beads.size());
+  for (const ForceDrive& drive : type.driving.forces)
+    force[drive.bead] += std::abs(drive.constant) + sum_of_amplitudes(drive.harmonics);
+  for (const BondDrive& drive : type.driving.bonds) {
+    if (drive.quantity != BondQuantity::tension) continue;
+    for (const int bead : type.bonds[drive.bond].beads) force[bead] += sum_of_amplitudes(drive.harmonics);
   }
-  const Vec3 direction = driving.frame == DrivingFrame::lab ? Vec3::UnitX() : initial_axis;
-  return {force_1 * direction, -(force_1 + force_3) * direction, force_3 * direction};
+  return *std::ranges::max_element(force);
+}
+
+BeadVectors driving_forces(const SwimmerType& type, double time, const BeadVectors& position,
+                           const Eigen::Matrix3d& initial_orientation) {
+  const Driving& driving = type.driving;
+  BeadVectors force = zero_vectors(type);
+  if (!driving.forces.empty()) {
+    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
+    if (driving.frame == DrivingFrame::initial_axis) frame = initial_orientation;
+    if (driving.frame == DrivingFrame::body) frame = fitted_orientation(type, position, initial_orientation);
+    for (const ForceDrive& drive : driving.forces)
+      force.col(drive.bead) +=
+          (drive.constant + value_of(drive.harmonics, driving, time)) * (frame * drive.direction);
+  }
+  for (const BondDrive& drive : driving.bonds) {
+    if (drive.quantity != BondQuantity::tension) continue;
+    const auto [i, j] = type.bonds[drive.bond].beads;
+    const Vec3 along =
+        value_of(drive.harmonics, driving, time) * (position.col(j) - position.col(i)).normalized();
+    force.col(i) += along;
+    force.col(j) -= along;
+  }
+  return force;
 }
 
 }  // namespace beadswim

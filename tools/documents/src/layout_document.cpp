@@ -6,6 +6,7 @@
 #include "beadswim/io/schema.hpp"
 #include "beadswim/scene/check.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -40,7 +41,7 @@ Json json_of(const Units& units) {
 // --- driving
 
 /// Returns a copy of `driving` in which the members that `json` contains are replaced.
-Driving override_driving(Driving driving, const Json& json) {
+ThreeBeadDriving override_driving(ThreeBeadDriving driving, const Json& json) {
   visit_fields(
       [&](const char* name, auto& field, auto...) {
         if (json.contains(name)) json[name].get_to(field);
@@ -50,7 +51,7 @@ Driving override_driving(Driving driving, const Json& json) {
 }
 
 /// Returns the members of a swimmer's driving that differ from `of_type`, the driving of the swimmer's type.
-Json difference(const Driving& driving, const Driving& of_type) {
+Json difference(const ThreeBeadDriving& driving, const ThreeBeadDriving& of_type) {
   Json json = driving;
   const Json ordinary = of_type;
   for (const auto& [key, value] : ordinary.items()) {
@@ -65,7 +66,7 @@ Json difference(const Driving& driving, const Driving& of_type) {
 /// Converts JSON to a swimmer type. Driving parameters that the JSON omits keep their default values.
 SwimmerType type_from(Json json) {
   json["driving"] = override_driving({}, json["driving"]);
-  return json.get<SwimmerType>();
+  return swimmer_type(json.get<ThreeBeadSwimmer>());
 }
 
 // --- swimmers
@@ -77,7 +78,7 @@ Swimmer swimmer_from(const Json& json, const std::map<std::string, SwimmerType>&
                   .axis = json["axis"].get<Vec3>()};
   const auto type = types.find(swimmer.type);  // check_layout reports unknown types
   if (json.contains("driving") && type != types.end()) {
-    swimmer.driving = override_driving(type->second.driving, json["driving"]);
+    swimmer.driving = drives(override_driving(three_beads(type->second).driving, json["driving"]));
   }
   return swimmer;
 }
@@ -86,7 +87,7 @@ Json json_of(const Swimmer& swimmer, const SwimmerType& type) {
   Json json{
       {"id", swimmer.id}, {"type", swimmer.type}, {"position", swimmer.position}, {"axis", swimmer.axis}};
   if (swimmer.driving) {
-    Json own = difference(*swimmer.driving, type.driving);
+    Json own = difference(*three_bead_form(*swimmer.driving), three_beads(type).driving);
     if (!own.empty()) json["driving"] = std::move(own);
   }
   return json;
@@ -98,7 +99,7 @@ void add_scene(Json& json, const Layout& layout) {
   json["domain"] = layout.domain;
   json["types"] = Json::object();
   json["swimmers"] = Json::array();
-  for (const auto& [name, type] : layout.types) json["types"][name] = type;
+  for (const auto& [name, type] : layout.types) json["types"][name] = three_beads(type);
   for (const Swimmer& swimmer : layout.swimmers)
     json["swimmers"].push_back(json_of(swimmer, layout.types.at(swimmer.type)));
 }

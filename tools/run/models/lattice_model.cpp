@@ -64,9 +64,9 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, cons
   time_step = lattice.scales.step;
   steps_per_cycle = lattice.steps_per_period;
   for (const SwimmerType& type : on_lattice.scene.types) {
-    const auto& [first, second, third] = type.beads;
     periods.push_back(type.driving.period);
-    radii.push_back({first.radius * units.length, second.radius * units.length, third.radius * units.length});
+    std::array<double, 3>& of_type = radii.emplace_back();
+    for (std::size_t b = 0; b < 3; ++b) of_type[b] = type.beads[b].radius * units.length;
   }
   swimmers = on_lattice.scene.swimmers;
   cells = on_lattice.scene.cells.cast<double>().prod();

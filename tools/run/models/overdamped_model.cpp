@@ -30,9 +30,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
   steps_per_cycle = setup.steps_per_cycle;
   time_step = scene.step;
   for (const SwimmerType& type : scene.types) {
-    const auto& [first, second, third] = type.beads;
     periods.push_back(type.driving.period / time_step);
-    radii.push_back({first.radius, second.radius, third.radius});
+    radii.push_back({type.beads[0].radius, type.beads[1].radius, type.beads[2].radius});
   }
   if (requested.tolerance)
     warnings.push_back(
@@ -89,7 +88,8 @@ std::vector<SwimmerPose> OverdampedModel::gather_swimmers(double ahead) const {
   std::vector<SwimmerPose> poses;
   if (!plan_.communicator.is_root()) return poses;
   for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
-    SwimmerPose pose{.id = plan_.swimmers[s].id, .initial_axis = plan_.swimmers[s].axis, .motion = {}};
+    SwimmerPose pose{
+        .id = plan_.swimmers[s].id, .initial_axis = plan_.swimmers[s].orientation.col(0), .motion = {}};
     for (int b = 0; b < 3; ++b) pose.motion[b] = motion_of(3 * s + b, ahead);
     poses.push_back(pose);
   }

@@ -9,6 +9,7 @@
 
 #include "beadswim/compare/run_uncertainty.hpp"
 #include "beadswim/compare/swimming.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -24,9 +25,9 @@ std::int64_t peak_memory_bytes(const Communicator& communicator) {
 
 /// Returns the driving for the run record. Omits amplitudes and phase if they differ between swimmers.
 DrivingRecord driving_of(const Layout& layout, double base_period) {
-  const Driving first = layout.resolved_type(layout.swimmers.front()).driving;
+  const ThreeBeadDriving first = three_beads(layout.resolved_type(layout.swimmers.front())).driving;
   for (const Swimmer& swimmer : layout.swimmers) {
-    const Driving other = layout.resolved_type(swimmer).driving;
+    const ThreeBeadDriving other = three_beads(layout.resolved_type(swimmer)).driving;
     if (other.amplitude != first.amplitude || other.phase != first.phase)
       return {.period = base_period, .amplitude = std::nullopt, .phase = std::nullopt};
   }

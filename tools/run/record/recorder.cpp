@@ -47,7 +47,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
   for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
   std::ranges::sort(in_order, {}, &Swimmer::id);
   for (std::size_t s = 0; s < in_order.size(); ++s) {
-    const SwimmerType type = layout.resolved_type(*in_order[s]);
+    const ThreeBeadSwimmer type = three_beads(layout.resolved_type(*in_order[s]));
     const double period = type.driving.period;
     logs_.push_back({.record = {.id = in_order[s]->id,
                                 .cycles = {},
@@ -132,7 +132,7 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
 }
 
 CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const {
-  const Driving& driving = log.type.driving;
+  const ThreeBeadDriving& driving = log.type.driving;
   CycleStatistics cycle = cycle_statistics(index, log.samples, driving.period);
   cycle.power = driving_power(driving, log.initial_axis, log.samples);
   if (logs_.size() > max_swimmers_listed) return cycle;

@@ -6,6 +6,7 @@
 #include "beadswim/core/message.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "models/model.hpp"
 #include "record/sampling_schedule.hpp"
@@ -68,7 +69,7 @@ class Recorder {
   /// Data that rank 0 stores for one swimmer.
   struct SwimmerLog {
     SwimmerRecord record;
-    SwimmerType type;  ///< in units of the layout, with the swimmer's own driving
+    ThreeBeadSwimmer type;  ///< in units of the layout, with the swimmer's own driving
     Vec3 initial_axis = Vec3::UnitX();
     int samples_per_cycle = 1;
     std::vector<SwimmerSample> samples;  ///< samples of the current cycle

@@ -19,18 +19,28 @@ LatticeChoice choose_lattice(double radius, const Resolution& resolution, const 
 
 SwimmerType in_lattice_units(const SwimmerType& type, const LatticeScales& scales) {
   SwimmerType lattice = type;
-  for (Bead& bead : lattice.beads) {
+  for (BeadAtRest& bead : lattice.beads) {
     bead.radius /= scales.cell;
     bead.density /= scales.density;
+    bead.at /= scales.cell;
   }
-  for (Spring& spring : lattice.springs) {
-    spring.stiffness /= scales.stiffness();
-    spring.rest_length /= scales.cell;
-    spring.damping /= scales.damping();
+  for (Bond& bond : lattice.bonds) {
+    bond.stiffness /= scales.stiffness();
+    bond.rest_length /= scales.cell;
+    bond.damping /= scales.damping();
   }
-  lattice.angular_stiffness /= scales.energy();
-  for (double& amplitude : lattice.driving.amplitude) amplitude /= scales.force();
-  lattice.driving.period /= scales.step;
+  for (Angle& angle : lattice.angles) angle.stiffness /= scales.energy();
+  Driving& driving = lattice.driving;
+  const auto divide = [](std::vector<Harmonic>& harmonics, double unit) {
+    for (Harmonic& harmonic : harmonics) harmonic.amplitude /= unit;
+  };
+  for (ForceDrive& drive : driving.forces) {
+    drive.constant /= scales.force();
+    divide(drive.harmonics, scales.force());
+  }
+  for (BondDrive& drive : driving.bonds)
+    divide(drive.harmonics, drive.quantity == BondQuantity::tension ? scales.force() : scales.cell);
+  driving.period /= scales.step;
   return lattice;
 }
 

@@ -15,7 +15,7 @@
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
-#include "beadswim/swimmers/rest_positions.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -40,8 +40,8 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     const Swimmer& swimmer = layout.swimmers[s];
     const SwimmerType& type = layout.types.at(swimmer.type);
-    const std::array<Vec3, 3> beads = rest_positions(type, swimmer.position, swimmer.axis);
-    for (int b = 0; b < 3; ++b) {
+    const std::vector<Vec3> beads = rest_positions(type, swimmer.position, swimmer.orientation());
+    for (std::size_t b = 0; b < beads.size(); ++b) {
       for (int a = 0; a < 3; ++a) {
         if (layout.domain->is_periodic(a)) continue;
         const double to_wall = std::min(beads[b][a], layout.domain->lengths[a] - beads[b][a]);
@@ -184,11 +184,12 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   add_swimmers(scene, layout, result.lattice, settings.delay_correction);
   for (SwimmerType& type : scene.types) {
     const SwimmerType steady = with_resolved_vibrations(type, 1);
-    for (int arm = 0; arm < 2; ++arm)
-      result.damps_springs |= steady.springs[arm].damping != type.springs[arm].damping;
-    if (steady.angular_stiffness < type.angular_stiffness)
-      result.angular_softening =
-          std::min(result.angular_softening, steady.angular_stiffness / type.angular_stiffness);
+    for (std::size_t k = 0; k < type.bonds.size(); ++k)
+      result.damps_springs |= steady.bonds[k].damping != type.bonds[k].damping;
+    for (std::size_t k = 0; k < type.angles.size(); ++k) {
+      const double with = steady.angles[k].stiffness, without = type.angles[k].stiffness;
+      if (with < without) result.angular_softening = std::min(result.angular_softening, with / without);
+    }
     type = steady;
   }
   result.corrects_delay = settings.delay_correction;

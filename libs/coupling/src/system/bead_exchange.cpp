@@ -18,10 +18,11 @@ constexpr int publish_tag = 11, collect_tag = 12;  // Halo uses the tags 0 and 1
 double max_touched_distance(const CoupledScene& scene) {
   double farthest = 0;
   for (const SwimmerType& type : scene.types) {
-    for (int arm = 0; arm < 2; ++arm) {
+    for (const Bond& bond : type.bonds) {
+      const auto [i, j] = bond.beads;
       const double radius =
-          std::max(scene.radius_on_lattice(type.beads[2 * arm]), scene.radius_on_lattice(type.beads[1]));
-      farthest = std::max(farthest, max_stretch * type.springs[arm].rest_length + radius);
+          std::max(scene.radius_on_lattice(type.beads[i]), scene.radius_on_lattice(type.beads[j]));
+      farthest = std::max(farthest, max_stretch * bond.rest_length + radius);
     }
   }
   return farthest + margin + 1;
@@ -72,14 +73,15 @@ int BeadExchange::owner_of(const Vec3& position) const {
 
 std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) const {
   const SwimmerType& type = types_[swimmer.type];
-  for (int arm = 0; arm < 2; ++arm) {
-    const double stretch = (swimmer.motion[arm + 1].position - swimmer.motion[arm].position).norm() /
-                           type.springs[arm].rest_length;
+  for (const Bond& bond : type.bonds) {
+    const auto [i, j] = bond.beads;
+    const double stretch =
+        (swimmer.motion[j].position - swimmer.motion[i].position).norm() / bond.rest_length;
     if (stretch <= max_stretch) continue;
     return Fault{.kind = FaultKind::torn_arm,
-                 .bead = {swimmer.id, arm},
-                 .other = {swimmer.id, arm + 1},
-                 .position = swimmer.motion[arm].position,
+                 .bead = {swimmer.id, i},
+                 .other = {swimmer.id, j},
+                 .position = swimmer.motion[i].position,
                  .value = stretch};
   }
   for (int b = 0; b < 3; ++b) {

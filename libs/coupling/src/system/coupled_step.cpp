@@ -117,8 +117,8 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       loads[b].torque += close[b].torque;
     }
     const SwimmerMotion before = swimmer.motion;
-    advance_swimmer(swimmer.motion, type, swimmer.initial_axis, loads, static_cast<double>(steps_done_ - 1),
-                    1, substeps_[swimmer.type]);
+    advance_swimmer(swimmer.motion, type, shortest_turn(swimmer.initial_axis), loads,
+                    static_cast<double>(steps_done_ - 1), 1, substeps_[swimmer.type]);
     if (std::optional<Fault> fault = fault_of(swimmer)) {
       record_fault(*fault);
       swimmer.motion = before;  // keeps positions valid until all ranks stop, some steps later

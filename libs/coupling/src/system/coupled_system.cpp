@@ -1,6 +1,6 @@
 #include "beadswim/coupling/coupled_system.hpp"
 
-#include "beadswim/swimmers/rest_positions.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,11 @@ SwimmerState at_rest(const CoupledScene& scene, const PlacedSwimmer& swimmer) {
   const SwimmerType& type = scene.type_of(swimmer);
   SwimmerState state{.id = swimmer.id,
                      .type = swimmer.type,
-                     .initial_axis = swimmer.axis,
+                     .initial_axis = swimmer.orientation.col(0),
                      .motion = {},
                      .last_impulse = {},
                      .inner_momentum = {}};
-  const std::array<Vec3, 3> places = rest_positions(type, swimmer.position, swimmer.axis);
+  const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation);
   for (int b = 0; b < 3; ++b) state.motion[b].position = places[b];
   return state;
 }
@@ -54,7 +54,7 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
 }
 
 std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
-  const std::array<Bead, 3>& bodies = scene_.types[swimmer.type].beads;
+  const std::vector<BeadAtRest>& bodies = scene_.types[swimmer.type].beads;
   for (int b = 0; b < 3; ++b) {
     const BeadMotion& motion = swimmer.motion[b];
     const double speed = motion.velocity.norm() + bodies[b].radius * motion.angular_velocity.norm();

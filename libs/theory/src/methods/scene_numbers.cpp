@@ -7,23 +7,24 @@
 
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
 
 namespace beadswim {
 namespace {
 
 /// Returns the collinear swimmer of a type, with the driving forces along the axis of the swimmer.
-CollinearSwimmer along_own_axis(const SwimmerType& type, const Fluid& fluid) {
+CollinearSwimmer along_own_axis(const ThreeBeadSwimmer& type, const Fluid& fluid) {
   return collinear_swimmer(type, Vec3::UnitX(), fluid.dynamic_viscosity());
 }
 
-std::array<double, 3> box_over_length(const Box& domain, const SwimmerType& type) {
+std::array<double, 3> box_over_length(const Box& domain, const ThreeBeadSwimmer& type) {
   const double length =
       type.beads[0].radius + type.springs[0].rest_length + type.springs[1].rest_length + type.beads[2].radius;
   return {domain.lengths[0] / length, domain.lengths[1] / length, domain.lengths[2] / length};
 }
 
-TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
+TypeNumbers type_numbers(const ThreeBeadSwimmer& type, const Layout& layout) {
   const CollinearSwimmer swimmer = along_own_axis(type, layout.fluid);
   const double nu = layout.fluid.kinematic_viscosity;
   const double omega = swimmer.angular_frequency();
@@ -57,7 +58,7 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
   const double sound_speed = numbers.cell / numbers.time_step / std::numbers::sqrt3;
   for (const auto& [name, type] : layout.types) {
     numbers.steps_per_period[name] = type.driving.period / numbers.time_step;
-    for (const double speed : bead_speeds(along_own_axis(type, layout.fluid))) {
+    for (const double speed : bead_speeds(along_own_axis(three_beads(type), layout.fluid))) {
       numbers.mach = std::max(numbers.mach, speed / sound_speed);
     }
   }
@@ -76,7 +77,7 @@ std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
 
 SceneNumbers scene_numbers(const Layout& layout) {
   SceneNumbers numbers;
-  for (const auto& [name, type] : layout.types) numbers.types[name] = type_numbers(type, layout);
+  for (const auto& [name, type] : layout.types) numbers.types[name] = type_numbers(three_beads(type), layout);
   numbers.smallest_gap = smallest_gap(placed_beads(layout), layout.domain);
   if (layout.resolution) numbers.resolution = resolution_numbers(layout);
   return numbers;

@@ -27,7 +27,7 @@ double driving_direction(DrivingFrame frame, const Vec3& axis) {
   return axis.x() > 0 ? 1 : -1;
 }
 
-void check_stiffness(const SwimmerType& type) {
+void check_stiffness(const ThreeBeadSwimmer& type) {
   for (int arm = 0; arm < 2; ++arm) {
     if (!(type.springs[arm].stiffness > 0)) {
       throw InputError(fmt::format("springs/{}/stiffness", arm),
@@ -44,7 +44,7 @@ double CollinearSwimmer::angular_frequency() const {
   return 2 * std::numbers::pi / period;
 }
 
-CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, double viscosity) {
+CollinearSwimmer collinear_swimmer(const ThreeBeadSwimmer& type, const Vec3& axis, double viscosity) {
   check_stiffness(type);
   const double direction = driving_direction(type.driving.frame, axis);
   CollinearSwimmer swimmer;

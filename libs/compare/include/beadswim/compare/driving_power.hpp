@@ -4,7 +4,7 @@
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/swimmers/swimmer_type.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 
@@ -20,7 +20,7 @@ namespace beadswim {
 ///   samples       as for cycle_statistics()
 ///   initial_axis  axis of the swimmer at the start of the run; used for DrivingFrame::initial_axis
 /// Throws InputError as fit_cycle() does.
-double driving_power(const Driving& driving, const Vec3& initial_axis,
+double driving_power(const ThreeBeadDriving& driving, const Vec3& initial_axis,
                      std::span<const SwimmerSample> samples);
 
 }  // namespace beadswim

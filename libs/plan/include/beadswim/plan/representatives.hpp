@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "beadswim/scene/layout.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/question.hpp"
 
 namespace beadswim {
 
 /// A swimmer that represents all swimmers of the same type and driving, and the input of theory for it.
 struct Representative {
-  int swimmer = 0;   ///< id of the swimmer
-  SwimmerType type;  ///< type of the swimmer, with the driving of the swimmer
+  int swimmer = 0;        ///< id of the swimmer
+  ThreeBeadSwimmer type;  ///< type of the swimmer, with the driving of the swimmer
   Question question;
   /// States how `question` approximates the neighbours, the box or the driving; empty if it does not.
   std::string approximation;

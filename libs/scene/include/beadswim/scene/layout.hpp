@@ -8,6 +8,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
 // A scene in one coherent unit system: fluid, box, types and swimmers. Layout has the content of layout.json
@@ -46,9 +47,15 @@ struct Fluid {
 struct Swimmer {
   int id = 0;
   std::string type;
-  Vec3 position = Vec3::Zero();  ///< centre of bead 2, unwrapped [length]
-  Vec3 axis = Vec3::UnitX();     ///< unit vector from bead 1 to bead 3
+  Vec3 position = Vec3::Zero();  ///< origin of the type's frame (bead 2 of three), unwrapped [length]
+  Vec3 axis = Vec3::UnitX();     ///< unit vector, direction of the x axis of the type's frame
   std::optional<Driving> driving{};
+  /// Turns the frame of the type to that of the box, with the x axis onto `axis`. Without it, the shortest
+  /// turn of the x axis onto `axis` does.
+  std::optional<Eigen::Quaterniond> turn{};
+
+  /// Returns the orientation; its first column is `axis`.
+  Eigen::Matrix3d orientation() const;
 };
 
 /// Proposed discretisation of a resolved run. Programs may choose another one.
@@ -75,7 +82,7 @@ struct Layout {
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 };
 
-/// Return the smallest radius of the three beads, or of all beads of the layout's swimmers [length].
+/// Return the smallest radius of the beads, or of all beads of the layout's swimmers [length].
 double smallest_radius(const SwimmerType& type);
 double smallest_radius(const Layout& layout);
 

@@ -16,8 +16,8 @@ namespace beadswim {
 struct PlacedSwimmer {
   int id = 0;
   int type = 0;                  ///< index into Swarm::types
-  Vec3 position = Vec3::Zero();  ///< centre of bead 2, unwrapped [length]
-  Vec3 axis = Vec3::UnitX();     ///< unit vector from bead 1 to bead 3
+  Vec3 position = Vec3::Zero();  ///< origin of the type's frame, unwrapped [length]
+  Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();
 };
 
 /// Swimmers and the types that they share.
@@ -32,7 +32,15 @@ struct Swarm {
 /// result.
 Swarm placed_swimmers(const Layout& layout);
 
-/// Returns the centres of all beads at rest [length], three per swimmer, in order of the swimmers.
+/// Beads [first, last) of one swimmer in a list of all beads.
+struct BeadRange {
+  std::size_t first = 0, last = 0;
+};
+
+/// Returns the beads of each swimmer in lists of all beads in order of the swimmers.
+std::vector<BeadRange> bead_ranges(const Swarm& swarm);
+
+/// Returns the centres of all beads at rest [length], in order of the swimmers.
 std::vector<Vec3> rest_positions(const Swarm& swarm);
 
 /// Returns the radii of all beads [length], in the order of rest_positions.

@@ -2,6 +2,7 @@
 
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/scene/swarm.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 // Scenes of the paper (Pickl et al. 2017), and rules that derive parameters of a scene from others.
 
@@ -30,7 +31,7 @@ SwarmPlan paper_defect_plan();
 /// Returns the angular stiffness that keeps a swimmer nearly straight: K_A = 10 k l^2, where k is the mean
 /// stiffness and l the mean rest length of its arms. A sideways displacement of an end bead then requires ten
 /// times the force of an equal displacement along its arm.
-double straightening_stiffness(const SwimmerType& type);
+double straightening_stiffness(const ThreeBeadSwimmer& swimmer);
 
 /// Returns the resolution at which the cell and the time step are the units of length and time, as in the
 /// paper. The number of cells per radius is then the smallest bead radius. The relaxation time tau follows
@@ -43,9 +44,10 @@ Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid);
 /// on none of these planes at 2 to 8 cells per radius (docs/resolution.md).
 Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const Box& box);
 
-/// Returns the position of bead 2 [length] for a swimmer in the middle of the box, with the shift off lattice
-/// planes. The middle of the swimmer is the midpoint between the outer ends of beads 1 and 3. Returns the
-/// origin in open space.
+/// Returns the position [length] of a swimmer in the middle of the box, with the shift off lattice planes.
+/// The middle of the swimmer is that of the smallest cuboid along the axes of its frame that contains its
+/// beads: the midpoint between the outer ends of beads 1 and 3 of a three-bead swimmer. Returns the origin in
+/// open space.
 Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain);
 
 }  // namespace beadswim

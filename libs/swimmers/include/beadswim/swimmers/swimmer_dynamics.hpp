@@ -1,12 +1,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
 
-// Newton's equations of motion for the three beads of one swimmer, in any coherent unit system.
+// Newton's equations of motion for the beads of one swimmer, in any coherent unit system.
 
 namespace beadswim {
 
@@ -40,7 +41,7 @@ using SwimmerLoads = std::array<Load, 3>;
 double mass(const Bead& bead);               ///< returns 4/3 pi R^3 rho, R: radius, rho: density [mass]
 double moment_of_inertia(const Bead& bead);  ///< returns 2/5 m R^2, m: mass, R: radius [mass length^2]
 
-/// Returns the number of substeps of `step` that resolve the fastest vibration of the swimmer with arms at
+/// Returns the number of substeps of `step` that resolve the fastest vibration of the swimmer with bonds at
 /// rest length. The substep is so short that the largest |eigenvalue| of the equations of motion [1/time],
 /// with springs, dashpots and angular spring, times the substep is at most 1/4. This is about a tenth of the
 /// stability limit of the integrator. Throws InputError if more than 10000 substeps are needed.
@@ -50,9 +51,10 @@ int substeps_for(const SwimmerType& type, double step);
 /// down. Reason: the loads (forces of the fluid) are constant during a step and respond to a vibration one
 /// step late. They would amplify an unresolved vibration.
 /// - A spring with omega step > 1/2 gets a dashpot of at least k step/2, but at most half of the critical
-///   damping. Here omega^2 = 3/2 k (1/m + 1/m'), k is the stiffness, and m and m' are the masses of the two
-///   beads. The factor 3/2 accounts for the vibration of both arms together. In a slower motion at angular
-///   frequency w, the dashpot delays the length of the spring by a phase of at most w step/2.
+///   damping. Here omega^2 = n k (1/m + 1/m'), k is the stiffness, m and m' are the masses of the two beads,
+///   and n is the mean number of bonds of these beads: 3/2 for three beads in a line. The factor n accounts
+///   for the vibration of adjacent bonds together. In a slower motion at angular frequency w, the dashpot
+///   delays the length of the spring by a phase of at most w step/2.
 /// - An angular spring with omega step > 3/4, where omega is the angular frequency of bending, is softened
 ///   until omega step = 3/4. Under a load that would accelerate the beads by a, the swimmer then bends by a
 ///   displacement of about 2 a step^2, which is more than with the original angular spring. Damping cannot
@@ -61,9 +63,11 @@ int substeps_for(const SwimmerType& type, double step);
 SwimmerType with_resolved_vibrations(SwimmerType type, double step);
 
 /// Advances the beads from `time` to `time + step` under internal forces, driving forces and `loads`. The
-/// loads are constant during the step. initial_axis: unit vector from bead 1 to bead 3 at the start of the
-/// run. Uses the classical Runge-Kutta method with `substeps` substeps. The error is O(substep^4).
-void advance_swimmer(SwimmerMotion& motion, const SwimmerType& type, const Vec3& initial_axis,
-                     const SwimmerLoads& loads, double time, double step, int substeps);
+/// loads, one per bead, are constant during the step. initial_orientation: orientation of the swimmer at the
+/// start of the run. Uses the classical Runge-Kutta method with `substeps` substeps. The error is
+/// O(substep^4).
+void advance_swimmer(std::span<BeadMotion> motion, const SwimmerType& type,
+                     const Eigen::Matrix3d& initial_orientation, std::span<const Load> loads, double time,
+                     double step, int substeps);
 
 }  // namespace beadswim

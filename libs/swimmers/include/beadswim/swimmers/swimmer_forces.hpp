@@ -1,31 +1,41 @@
 #pragma once
 
-#include <array>
+#include <span>
 
+#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/swimmers/swimmer_type.hpp"
-#include "beadswim/core/vec3.hpp"
 
-// Forces inside one swimmer: springs and dashpots, equation (2.2) of the paper (Pickl et al. 2017), angular
-// spring, and driving, equation (2.1). All functions are pure. Bead positions are unwrapped. The sum of the
-// forces on the three beads vanishes to roundoff. See docs/method/springs.md and driving.md.
+// Forces inside one swimmer: bonds, equation (2.2) of the paper (Pickl et al. 2017), angular springs and
+// drives. All functions are pure. Bead positions are unwrapped. The forces of bonds, angles and tensions are
+// free of total force and torque to roundoff. See docs/method/springs.md and driving.md.
 
 namespace beadswim {
 
-using BeadVectors = std::array<Vec3, 3>;
+/// Returns the sum A_i sin(n_i (w t + phi) + phase_i) of the harmonics of a drive at `time`.
+double value_of(std::span<const Harmonic> harmonics, const Driving& driving, double time);
 
-/// Returns the forces of the springs and of the dashpots parallel to them on beads 1, 2, 3, equation (2.2) of
-/// the paper. The tension of an arm of length L is k (L - l) + c dL/dt, with stiffness k, rest length l and
-/// damping c.
-BeadVectors spring_forces(const std::array<Spring, 2>& springs, const BeadVectors& position,
-                          const BeadVectors& velocity);
+/// Return the rest length of a bond and the rest angle of an angular spring, with their drives, at `time`.
+double rest_length(const SwimmerType& type, std::size_t bond, double time);
+double rest_angle(const SwimmerType& type, std::size_t angle, double time);
 
-/// Returns the forces -grad U on beads 1, 2, 3 for the bending energy U = K_A theta^2/2. K_A is the angular
-/// stiffness. theta in [0, pi] is the angle between the directions of the two arms.
-BeadVectors angular_spring_forces(double angular_stiffness, const BeadVectors& position);
+/// Returns the forces of the springs and of the dashpots parallel to them, equation (2.2) of the paper. The
+/// tension of a bond of length L is k (L - l) + c dL/dt, with stiffness k, rest length l (with its drives)
+/// and damping c.
+BeadVectors bond_forces(const SwimmerType& type, double time, const BeadVectors& position,
+                        const BeadVectors& velocity);
 
-/// Returns the driving forces on beads 1, 2, 3 at `time`, equation (2.1) of the paper. initial_axis: unit
-/// vector from bead 1 to bead 3 at the start of the run.
-BeadVectors driving_forces(const Driving& driving, double time, const BeadVectors& position,
-                           const Vec3& initial_axis);
+/// Returns the forces -grad U of the angular springs for the bending energies U (Angle). Where the three
+/// beads of an angle are in line, the force of a rest angle other than 0 or pi has no direction and is set to
+/// 0.
+BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors& position);
+
+/// Returns an upper bound of the force that the drives of forces and tensions exert on a bead: the largest
+/// sum of the amplitudes on one bead.
+double largest_driving_force(const SwimmerType& type);
+
+/// Returns the driving forces, equation (2.1) of the paper for three beads, and those of driven tensions.
+/// initial_orientation: orientation of the swimmer at the start of the run.
+BeadVectors driving_forces(const SwimmerType& type, double time, const BeadVectors& position,
+                           const Eigen::Matrix3d& initial_orientation);
 
 }  // namespace beadswim

@@ -1,29 +1,25 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/names.hpp"
+#include "beadswim/core/vec3.hpp"
 
-// Parameters of a three-bead swimmer, section 2 of the paper (Pickl et al. 2017). Quantities are in any
+// Parameters of a swimmer of any shape: a graph of beads, bonds, angles and drives. Quantities are in any
 // coherent unit system: the units of the layout in layouts and theory, lattice units inside a resolved run.
+// Beads, bonds and angles are numbered from 0, in documents and messages from 1.
 
 namespace beadswim {
 
-/// Direction of the driving forces, equation (2.1) of the paper.
-enum class DrivingFrame {
-  lab,           ///< direction x of the external field, for every orientation of the swimmer
-  initial_axis,  ///< axis of each swimmer at the start of the run
-  body,          ///< along the present directions of the arms; total force and total torque vanish
-};
-
-template <>
-inline constexpr auto name_table<DrivingFrame> = std::to_array<NamedValue<DrivingFrame>>(
-    {{DrivingFrame::lab, "lab"}, {DrivingFrame::initial_axis, "initial-axis"}, {DrivingFrame::body, "body"}});
+constexpr int max_beads = 64;  ///< largest number of beads of a swimmer
 
 struct Bead {
   double radius = 0;   ///< [length]
   double density = 0;  ///< [mass/length^3]
+
+  bool operator==(const Bead&) const = default;
 
   static void visit_fields(auto&& visit, auto& bead) {
     visit("radius", bead.radius);
@@ -31,10 +27,18 @@ struct Bead {
   }
 };
 
+struct BeadAtRest : Bead {
+  Vec3 at = Vec3::Zero();  ///< centre at rest, in the frame of the type [length]
+
+  bool operator==(const BeadAtRest&) const = default;
+};
+
 struct Spring {
   double stiffness = 0;    ///< k [mass/time^2]
   double rest_length = 0;  ///< l, distance of the bead centres [length]
   double damping = 0;      ///< c of the dashpot parallel to the spring [mass/time]; 0: no dashpot
+
+  bool operator==(const Spring&) const = default;
 
   static void visit_fields(auto&& visit, auto& spring) {
     visit("stiffness", spring.stiffness);
@@ -43,43 +47,94 @@ struct Spring {
   }
 };
 
-/// Driving forces on beads 1, 2, 3, equation (2.1) of the paper:
-///   F1 = A sin(w t + phi)
-///   F2 = -(F1 + F3)
-///   F3 = B sin(w t + alpha + phi)
-/// t is the time and w the angular frequency. phi is 0 in the paper. In a swarm, phi can differ between
-/// swimmers.
-struct Driving {
-  std::array<double, 2> amplitude{};  ///< A on bead 1, B on bead 3 [mass length/time^2]
-  double phase = 0;                   ///< alpha [radian]
-  double period = 0;                  ///< T = 2 pi / w [time]
-  DrivingFrame frame = DrivingFrame::lab;
-  double phase_offset = 0;  ///< phi [radian]
+/// Spring between two beads.
+struct Bond : Spring {
+  std::array<int, 2> beads{};
 
-  bool operator==(const Driving&) const = default;
-
-  static void visit_fields(auto&& visit, auto& driving) {
-    visit("amplitude", driving.amplitude);
-    visit("phase", driving.phase);
-    visit("period", driving.period);
-    visit("frame", driving.frame);
-    visit("phase_offset", driving.phase_offset, omitted_if_zero);
-  }
+  bool operator==(const Bond&) const = default;
 };
 
-/// Beads 1, 2, 3 in a line. springs[0] joins beads 1 and 2, and springs[1] joins beads 2 and 3.
-struct SwimmerType {
-  std::array<Bead, 3> beads;
-  std::array<Spring, 2> springs;
-  double angular_stiffness = 0;  ///< K_A of U = K_A theta^2/2, theta: angle between the arms [energy]
-  Driving driving;
+/// Angular spring with the energy U = K_A (theta - rest)^2/2. theta in [0, pi] is the angle between the
+/// directions from the first bead to the second and from the second to the third; 0 for three beads in line.
+struct Angle {
+  std::array<int, 3> beads{};
+  double stiffness = 0;  ///< K_A [energy]
+  double rest = 0;       ///< [radian]
 
-  static void visit_fields(auto&& visit, auto& type) {
-    visit("beads", type.beads);
-    visit("springs", type.springs);
-    visit("angular_stiffness", type.angular_stiffness);
-    visit("driving", type.driving);
-  }
+  bool operator==(const Angle&) const = default;
+};
+
+/// A sin(n (w t + phi) + phase): amplitude A, multiple n of the angular frequency w, phase offset phi of the
+/// driving.
+struct Harmonic {
+  double amplitude = 0;
+  double phase = 0;  ///< [radian]
+  int multiple = 1;
+
+  bool operator==(const Harmonic&) const = default;
+};
+
+/// Force on a bead along a direction: a constant and harmonics [mass length/time^2].
+struct ForceDrive {
+  int bead = 0;
+  Vec3 direction = Vec3::UnitX();  ///< unit vector in the frame of the driving (DrivingFrame)
+  double constant = 0;
+  std::vector<Harmonic> harmonics{};
+
+  bool operator==(const ForceDrive&) const = default;
+};
+
+/// Quantity of a bond that a drive adds to.
+enum class BondQuantity {
+  tension,      ///< [mass length/time^2]; a positive tension pulls the two beads together
+  rest_length,  ///< [length]
+};
+
+struct BondDrive {
+  int bond = 0;
+  BondQuantity quantity = BondQuantity::tension;
+  std::vector<Harmonic> harmonics{};
+
+  bool operator==(const BondDrive&) const = default;
+};
+
+/// Change of the rest angle of an angular spring [radian].
+struct AngleDrive {
+  int angle = 0;
+  std::vector<Harmonic> harmonics{};
+
+  bool operator==(const AngleDrive&) const = default;
+};
+
+/// Frame in which the directions of driving forces are constant.
+enum class DrivingFrame {
+  lab,           ///< the frame of the box, for every orientation of the swimmer
+  initial_axis,  ///< the frame of each swimmer at the start of the run
+  body,          ///< the present frame of the swimmer
+};
+
+template <>
+inline constexpr auto name_table<DrivingFrame> = std::to_array<NamedValue<DrivingFrame>>(
+    {{DrivingFrame::lab, "lab"}, {DrivingFrame::initial_axis, "initial-axis"}, {DrivingFrame::body, "body"}});
+
+/// Drives with a common period. Forces, tensions, rest lengths and rest angles are functions of time alone.
+struct Driving {
+  double period = 0;        ///< T = 2 pi/w [time]
+  double phase_offset = 0;  ///< phi [radian]; in a swarm, phi can differ between swimmers
+  DrivingFrame frame = DrivingFrame::lab;
+  std::vector<ForceDrive> forces{};
+  std::vector<BondDrive> bonds{};
+  std::vector<AngleDrive> angles{};
+  bool net_force_allowed = false;  ///< false: the forces sum to zero at all times
+
+  bool operator==(const Driving&) const = default;
+};
+
+struct SwimmerType {
+  std::vector<BeadAtRest> beads;
+  std::vector<Bond> bonds;
+  std::vector<Angle> angles;
+  Driving driving;
 };
 
 }  // namespace beadswim

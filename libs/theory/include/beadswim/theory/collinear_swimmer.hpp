@@ -5,7 +5,7 @@
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/collinear_mobility.hpp"
-#include "beadswim/swimmers/swimmer_type.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 
@@ -37,7 +37,7 @@ struct CollinearSwimmer {
 ///
 /// Throws InputError if the driving frame is `lab` and the axis is not parallel to x: the beads would leave
 /// the line. Throws InputError if a spring has no stiffness: the mean arm length would be undetermined.
-CollinearSwimmer collinear_swimmer(const SwimmerType& type, const Vec3& axis, double viscosity);
+CollinearSwimmer collinear_swimmer(const ThreeBeadSwimmer& type, const Vec3& axis, double viscosity);
 
 /// Returns alpha = sqrt(i omega rho/eta) with Re alpha > 0 [1/length], where rho is `fluid_density`, and
 /// omega and eta are the angular frequency and the dynamic viscosity of `swimmer`. Vorticity decays as

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
+
+// Orientations and bead positions of a swimmer. An orientation is the rotation matrix from the frame of the
+// type to the frame of the box; its first column is the axis of the swimmer.
+
+namespace beadswim {
+
+/// Vectors of the beads of one swimmer, one column per bead. Needs no memory of the heap.
+using BeadVectors = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, max_beads>;
+
+/// Returns the shortest rotation of the x axis onto the unit vector `axis`. The first column is `axis`, bit
+/// by bit. For the axis -x it is the rotation by pi about z.
+Eigen::Matrix3d shortest_turn(const Vec3& axis);
+
+/// Returns the centres of the beads at rest. origin: position of the origin of the type's frame. For beads on
+/// the x axis of the type the result is origin + x axis, without further rounding.
+std::vector<Vec3> rest_positions(const SwimmerType& type, const Vec3& origin,
+                                 const Eigen::Matrix3d& orientation);
+
+/// Returns the orientation that fits the beads at rest best to `positions` after a translation, in the sense
+/// of least squares, with equal weights (Kabsch, Acta Cryst. A 32 (1976) 922). Where the beads leave it open,
+/// as the rotation of a straight swimmer about its axis, the result is as near as possible to `near`.
+Eigen::Matrix3d fitted_orientation(const SwimmerType& type, const BeadVectors& positions,
+                                   const Eigen::Matrix3d& near);
+
+}  // namespace beadswim
