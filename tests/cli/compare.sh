@@ -148,8 +148,8 @@ edited run.json '.status = "stopped-time"' >stopped.json
 judged 0 beadswim-compare stopped.json prediction.json
 edited run.json '.swimmers[0].cycles = []' >short.json
 refuses 'short.json: the run record contains no complete cycle' beadswim-compare short.json prediction.json
-edited run.json '.swimmers[0].cycles[0].velocty = 1' >typo.json
-refuses 'typo.json:/swimmers/0/cycles/0/velocty: unknown key; did you mean "velocity"' \
+edited run.json '.swimmers[0].cycles[0].mean_flwo = 1' >typo.json
+refuses 'typo.json:/swimmers/0/cycles/0/mean_flwo: unknown key; did you mean "mean_flow"' \
   beadswim-compare typo.json prediction.json
 refuses 'does not contain cycle 4, only cycles 1 to 3' beadswim-compare run.json prediction.json --cycle 4
 refuses '--cycle: "frist"' beadswim-compare run.json prediction.json --cycle frist

@@ -6,6 +6,8 @@
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "tolerances.hpp"
 
 namespace beadswim {
@@ -32,6 +34,14 @@ SwimmerSample swimmer_at(double time) {
           Vec3(1e-6, 2e-6, 0) * (1 + std::cos(angle))};
 }
 
+/// Returns cycle_statistics() of a three-bead swimmer with this driving period.
+CycleStatistics statistics_of(int index, std::span<const SwimmerSample> samples, double driving_period) {
+  ThreeBeadSwimmer swimmer;
+  swimmer.springs = {Spring{1, rest_lengths[0], 0}, Spring{1, rest_lengths[1], 0}};
+  swimmer.driving.period = driving_period;
+  return cycle_statistics(index, samples, swimmer_type(swimmer), Eigen::Matrix3d::Identity());
+}
+
 std::vector<SwimmerSample> cycle(int n, double start) {
   std::vector<SwimmerSample> samples;
   for (int i = 0; i <= n; ++i) samples.push_back(swimmer_at(start + period * i / n));
@@ -41,7 +51,7 @@ std::vector<SwimmerSample> cycle(int n, double start) {
 // Would catch a velocity of bead 2 alone over less than a period, and a period of n-1 intervals.
 TEST(CycleStatistics, VelocityIsTheDriftWhateverTheStroke) {
   for (const double start : {0.0, 0.37 * period, 3 * period}) {
-    const CycleStatistics statistics = cycle_statistics(1, cycle(40, start), period);
+    const CycleStatistics statistics = statistics_of(1, cycle(40, start), period);
     EXPECT_NEAR((statistics.velocity - drift * tilted_axis).norm(), 0, tolerance / period);
     EXPECT_NEAR(statistics.speed_along_axis, drift, tolerance / period);
     EXPECT_NEAR((statistics.axis - tilted_axis).norm(), 0, tolerance);
@@ -54,20 +64,20 @@ TEST(CycleStatistics, VelocityIsThatOfTheMeanBeadPosition) {
     std::vector<SwimmerSample> samples = cycle(40, 0);
     samples.back().bead_positions[bead] += Vec3(0, 3, 0);
     const Vec3 expected = drift * tilted_axis + Vec3(0, 1, 0) / period;
-    EXPECT_NEAR((cycle_statistics(1, samples, period).velocity - expected).norm(), 0, tolerance / period);
+    EXPECT_NEAR((statistics_of(1, samples, period).velocity - expected).norm(), 0, tolerance / period);
   }
 }
 
 TEST(CycleStatistics, AxisPointsFromBead1ToBead3) {
   std::vector<SwimmerSample> samples = cycle(40, 0);
   for (SwimmerSample& sample : samples) std::swap(sample.bead_positions[0], sample.bead_positions[2]);
-  const CycleStatistics statistics = cycle_statistics(1, samples, period);
+  const CycleStatistics statistics = statistics_of(1, samples, period);
   EXPECT_NEAR((statistics.axis + tilted_axis).norm(), 0, tolerance);
   EXPECT_NEAR(statistics.speed_along_axis, -drift, tolerance / period);
 }
 
 TEST(CycleStatistics, RecoversBothArmsStrokes) {
-  const CycleStatistics statistics = cycle_statistics(3, cycle(40, 2 * period), period);
+  const CycleStatistics statistics = statistics_of(3, cycle(40, 2 * period), period);
   EXPECT_EQ(statistics.index, 3);
   for (int arm = 0; arm < 2; ++arm) {
     EXPECT_NEAR(statistics.arm_means[arm], rest_lengths[arm], tolerance);
@@ -83,26 +93,64 @@ TEST(CycleStatistics, StrokeIsBlindToTheSecondHarmonic) {
   for (SwimmerSample& sample : samples) {
     sample.bead_positions[2] += 0.8 * std::cos(4 * pi * sample.time / period) * tilted_axis;
   }
-  const CycleStatistics statistics = cycle_statistics(1, samples, period);
+  const CycleStatistics statistics = statistics_of(1, samples, period);
   EXPECT_NEAR(statistics.arm_amplitudes[1], amplitudes[1], tolerance);
   EXPECT_NEAR(statistics.arm_phases[1], phases[1], tolerance);
 }
 
 TEST(CycleStatistics, MeanFlowIsItsTimeAverage) {
-  const CycleStatistics statistics = cycle_statistics(1, cycle(40, 0), period);
+  const CycleStatistics statistics = statistics_of(1, cycle(40, 0), period);
   EXPECT_NEAR((statistics.mean_flow - Vec3(1e-6, 2e-6, 0)).norm(), 0, 1e-6 * roundoff(50));
+}
+
+// A triangle that turns at a constant rate about a tilted axis, from an orientation of its own, with four
+// arms of a graph that is no chain.
+TEST(CycleStatistics, OfATurningTriangleHaveItsAngularVelocity) {
+  SwimmerType type;
+  for (const Vec3& at : {Vec3(-8, -4, 0), Vec3(8, -4, 0), Vec3(0, 9, 0), Vec3(0, 30, 0)})
+    type.beads.push_back({{.radius = 4, .density = 1}, at});
+  for (const std::array<int, 2>& beads : {std::array{0, 1}, {1, 2}, {2, 0}, {2, 3}})
+    type.bonds.push_back({{1, 16, 0}, beads});
+  type.driving.period = period;
+  const Eigen::Matrix3d start = Eigen::AngleAxisd(2.0, Vec3(1, 2, 2) / 3).toRotationMatrix();
+  const Vec3 rate = 1e-3 * tilted_axis;
+  std::vector<SwimmerSample> samples;
+  for (int n = 0; n <= 40; ++n) {
+    const double time = period * n / 40;
+    const Eigen::Matrix3d turned = Eigen::AngleAxisd(rate.norm() * time, tilted_axis) * start;
+    samples.push_back({time, rest_positions(type, Vec3(50, 60, 70) + drift * time * tilted_axis, turned)});
+  }
+  const CycleStatistics statistics = cycle_statistics(1, samples, type, start);
+  EXPECT_NEAR((*statistics.angular_velocity - rate).norm(), 0, tolerance / period);
+  const auto& [w, x, y, z] = *statistics.orientation;
+  const Eigen::Matrix3d end = Eigen::AngleAxisd(rate.norm() * period, tilted_axis) * start;
+  EXPECT_NEAR((Eigen::Quaterniond(w, x, y, z).toRotationMatrix() - end).norm(), 0, tolerance);
+  EXPECT_EQ(statistics.arm_means.size(), 4u);
+  EXPECT_NEAR(statistics.arm_means[3], 21, tolerance);
+}
+
+// A straight swimmer that turns sideways does not turn about its axis.
+TEST(CycleStatistics, OfAStraightSwimmerTurnByTheShortestWay) {
+  std::vector<SwimmerSample> samples = cycle(40, 0);
+  const Vec3 rate(0, 0, 2e-4);
+  for (SwimmerSample& sample : samples)
+    for (Vec3& bead : sample.bead_positions)
+      bead = Eigen::AngleAxisd(rate.norm() * sample.time, Vec3::UnitZ()) *
+             (Vec3(bead.x(), 0, 0) / tilted_axis.x());
+  const CycleStatistics statistics = statistics_of(1, samples, period);
+  EXPECT_NEAR((*statistics.angular_velocity - rate).norm(), 0, tolerance / period);
 }
 
 TEST(CycleStatistics, RefusesSamplesThatAreNotOneCycle) {
   const std::vector<SwimmerSample> whole = cycle(40, 0);
   const std::span all(whole);
-  EXPECT_THROW(cycle_statistics(1, all.first(40), period), InputError);
-  EXPECT_THROW(cycle_statistics(1, all, 2 * period), InputError);
-  EXPECT_THROW(cycle_statistics(1, {}, period), InputError);
-  EXPECT_THROW(cycle_statistics(1, cycle(2, 0), period), InputError);
+  EXPECT_THROW(statistics_of(1, all.first(40), period), InputError);
+  EXPECT_THROW(statistics_of(1, all, 2 * period), InputError);
+  EXPECT_THROW(statistics_of(1, {}, period), InputError);
+  EXPECT_THROW(statistics_of(1, cycle(2, 0), period), InputError);
   std::vector<SwimmerSample> repeated = whole;
   repeated[5].time = repeated[4].time;
-  EXPECT_THROW(cycle_statistics(1, repeated, period), InputError);
+  EXPECT_THROW(statistics_of(1, repeated, period), InputError);
 }
 
 }  // namespace

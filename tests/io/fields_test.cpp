@@ -44,6 +44,7 @@ class AddedField : public testing::Test {
  protected:
   AddedField() {
     cycle_.velocity = Vec3(1, 2, 3);
+    cycle_.arm_amplitudes = cycle_.arm_phases = cycle_.arm_means = {1, 2};
     cycle_.energy = 0.375;
     std::filesystem::create_directories(folder_);
   }
@@ -115,7 +116,9 @@ TEST_F(AddedField, IsAColumnOfTrajectories) {
     writer.finish();
   }
   const std::vector<TrajectoryCycle> cycles = TrajectoryReader(path).cycles(columns_of<Cycle>({}));
-  EXPECT_EQ(records_of<Cycle>(cycles.at(0).columns, 1)[0].energy, 0.375);
+  const Cycle read = records_of<Cycle>(cycles.at(0).columns, 1)[0];
+  EXPECT_EQ(read.energy, 0.375);
+  EXPECT_EQ(read.arm_means, (std::vector{1.0, 2.0}));
 }
 
 /// Catches keys in another order, null for what should be missing, and the reverse.

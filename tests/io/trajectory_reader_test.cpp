@@ -264,7 +264,7 @@ TEST(TrajectoryReader, RefusesSwimmersThatAreNotWholeAndNumbersThatAreNone) {
   TrajectoryHeader header = two_swimmers();
   header.swimmer[4] = 4;
   write(path, 1, header);
-  EXPECT_THAT(fault_of(path), HasSubstr("species: the numbers of the beads must be 1, 2, 3 for the three "
+  EXPECT_THAT(fault_of(path), HasSubstr("species: the numbers of the beads must be 1, 2, 3, ... for the "
                                         "consecutive beads of each swimmer"));
   write(path, 2, two_swimmers(),
         [](TrajectoryFrame& frame) { frame.velocities[3].x() = std::numeric_limits<double>::quiet_NaN(); });

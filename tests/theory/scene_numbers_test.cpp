@@ -20,7 +20,7 @@ TEST(SceneNumbers, OfThePapersSwimmer) {
   EXPECT_NEAR(type.penetration_depth, std::sqrt(2.0 / 3 / omega), 1e-10);
   EXPECT_NEAR(type.arm_over_radius[0], 5, roundoff);
   EXPECT_NEAR(type.drag_over_spring[0], 6 * std::numbers::pi / 3 * 4 * omega / 0.0347, roundoff);
-  EXPECT_EQ(type.arm_gap, (std::array{12.0, 12.0}));
+  EXPECT_EQ(type.arm_gap, (std::vector{12.0, 12.0}));
   EXPECT_EQ(numbers.smallest_gap, 12);
   EXPECT_NEAR((*type.box_over_length)[0], 1200.0 / 48, roundoff);
   EXPECT_NEAR(numbers.resolution->cell, 1, roundoff);
@@ -67,7 +67,7 @@ TEST(SceneNumbers, OfTheSwarmsSwimmer) {
     type.driving = {.amplitude = {2, 2}, .phase = std::numbers::pi / 2, .period = 2000};
   });
   const TypeNumbers numbers = scene_numbers(layout).types.at("a");
-  EXPECT_NEAR(numbers.reynolds, 0.8, 0.1);
+  EXPECT_NEAR(numbers.reynolds.value(), 0.8, 0.1);
   EXPECT_NEAR(numbers.arm_amplitude[0], 7.4, 0.05 * 7.4);
   EXPECT_NEAR(numbers.arm_amplitude[1], 10.3, 0.05 * 10.3);
 }
@@ -93,7 +93,7 @@ TEST(SceneNumbers, AreTheSameInAnyUnits) {
 
   const TypeNumbers a = scene_numbers(before).types.at("a");
   const TypeNumbers b = scene_numbers(after).types.at("a");
-  EXPECT_NEAR(b.reynolds / a.reynolds, 1, roundoff);
+  EXPECT_NEAR(b.reynolds.value() / a.reynolds.value(), 1, roundoff);
   EXPECT_NEAR(b.radius_over_penetration_depth / a.radius_over_penetration_depth, 1, roundoff);
   EXPECT_NEAR(b.drag_over_spring[1] / a.drag_over_spring[1], 1, roundoff);
   EXPECT_NEAR(b.arm_amplitude[0] / (a.arm_amplitude[0] * length), 1, roundoff);

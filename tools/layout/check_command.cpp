@@ -3,6 +3,9 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <span>
+
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
@@ -11,9 +14,11 @@
 namespace beadswim {
 namespace {
 
-template <std::size_t n>
-std::string joined(const std::array<double, n>& values) {
-  return fmt::format("{:.4g}", fmt::join(values, ", "));
+std::string joined(std::span<const double> values) {
+  constexpr std::size_t max_values = 6;
+  if (values.size() <= max_values) return fmt::format("{:.4g}", fmt::join(values, ", "));
+  const auto [least, most] = std::ranges::minmax(values);
+  return fmt::format("{:.4g} to {:.4g}", least, most);
 }
 
 std::string row(const std::string& name, const std::string& value) {
@@ -26,14 +31,18 @@ std::string row(const std::string& name, double value) {
 
 std::string table_of(const std::string& name, const TypeNumbers& numbers) {
   std::string text = fmt::format("type {}\n", name);
-  text += row("driving phase alpha [rad]", numbers.phase);
-  text += row("Re = 2 lambda v/nu, fastest bead", numbers.reynolds);
+  if (numbers.phase) text += row("driving phase alpha [rad]", *numbers.phase);
+  if (numbers.reynolds) text += row("Re = 2 lambda v/nu, fastest bead", *numbers.reynolds);
   text += row("penetration depth delta = sqrt(2 nu/omega)", numbers.penetration_depth);
   text += row("lambda/delta", numbers.radius_over_penetration_depth);
-  text += row("l/lambda, arms 1, 2", joined(numbers.arm_over_radius));
-  text += row("gamma omega/k, arms 1, 2", joined(numbers.drag_over_spring));
-  text += row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", joined(numbers.arm_amplitude));
-  text += row("gaps between an arm's beads at rest", joined(numbers.arm_gap));
+  if (!numbers.arm_gap.empty()) {
+    const char* arms = numbers.arm_gap.size() == 2 ? "arms 1, 2" : "bonds";
+    text += row(fmt::format("l/lambda, {}", arms), joined(numbers.arm_over_radius));
+    text += row(fmt::format("gamma omega/k, {}", arms), joined(numbers.drag_over_spring));
+  }
+  if (!numbers.arm_amplitude.empty())
+    text += row("predicted arm amplitudes d1, d2 (first order, Rotne-Prager)", joined(numbers.arm_amplitude));
+  if (!numbers.arm_gap.empty()) text += row("gaps between an arm's beads at rest", joined(numbers.arm_gap));
   if (numbers.box_over_length) text += row("box/swimmer length, x, y, z", joined(*numbers.box_over_length));
   return text;
 }
@@ -46,7 +55,7 @@ std::string table_of(const ResolutionNumbers& numbers) {
     text += row(fmt::format("steps a period, type {}", name), steps);
   }
   if (numbers.cells_in_box) text += row("cells in the box", *numbers.cells_in_box);
-  text += row("Mach number of the fastest bead", numbers.mach);
+  if (numbers.mach) text += row("Mach number of the fastest bead", *numbers.mach);
   return text;
 }
 
@@ -73,7 +82,7 @@ Json json_of(const Layout& layout, const SceneNumbers& numbers) {
 /// Beads with such an amplitude would collide, but the first-order prediction does not include collisions.
 void warn_of_collisions(const SceneNumbers& numbers) {
   for (const auto& [name, type] : numbers.types) {
-    for (int arm = 0; arm < 2; ++arm) {
+    for (std::size_t arm = 0; arm < type.arm_amplitude.size(); ++arm) {
       if (type.arm_amplitude[arm] < type.arm_gap[arm]) continue;
       fmt::print(stderr,
                  "beadswim-layout: warning: /types/{}: the predicted amplitude {:.4g} of arm {} exceeds the "

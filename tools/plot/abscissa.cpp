@@ -21,6 +21,8 @@ double separation_of(const PlottedRun& run, const SwimmerRecord& swimmer, const 
   const auto cycles = select_cycles(swimmer.cycles, choice, run.source);
   std::array<double, 2> arms{};
   for (const CycleStatistics& cycle : cycles) {
+    if (cycle.arm_means.size() != 2)
+      throw InputError(run.source, "the swimmer does not have two arms; leave this file out");
     for (std::size_t arm = 0; arm < 2; ++arm) arms[arm] += cycle.arm_means[arm];
   }
   const double radius = resolution->cells_per_radius * resolution->cell_size;

@@ -24,7 +24,13 @@ struct StrokeNumber {
   std::string symbol;
   int colour;
 
-  double in(const ComparedValues& swimming) const { return swimming.at(quantity)[position]; }
+  double in(const ComparedValues& swimming) const {
+    const auto numbers = swimming.find(quantity);
+    if (numbers != swimming.end() && position < numbers->second.size()) return numbers->second[position];
+    throw InputError("stroke",
+                     "a swimmer has fewer than two bonds, but this figure shows the strokes of two arms; "
+                     "leave its file out");
+  }
   std::string label(const std::string& source) const { return fmt::format("{}, {}", symbol, source); }
 };
 

@@ -32,6 +32,7 @@ std::size_t select_frame(const TrajectoryFile& file, std::optional<std::size_t> 
 }
 
 SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
+  require_three_beads(file.layout, "beadswim-plot swarm draws", file.source);
   const TrajectoryHeader& header = file.reader.header();
   const TrajectoryFrame frame = file.reader.frame(select_frame(file, wanted));
   SwarmScene scene{.source = file.source,
@@ -58,6 +59,7 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
                    .layout = std::move(layout),
                    .in_layout = {},
                    .swimmers = {}};
+  require_three_beads(scene.layout, "beadswim-plot swarm draws", source);
   for (const Swimmer& swimmer : scene.layout.swimmers) {
     const SwimmerType& type = scene.layout.types.at(swimmer.type);
     scene.in_layout.push_back(scene.in_layout.size());

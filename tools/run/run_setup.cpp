@@ -56,15 +56,15 @@ TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan
   TrajectoryHeader header;
   header.box = document.layout.domain;
   for (const PlacedSwimmer& swimmer : plan.swimmers) {
-    for (int b = 0; b < 3; ++b) {
+    for (std::size_t b = 0; b < plan.radii[swimmer.type].size(); ++b) {
       header.swimmer.push_back(swimmer.id);
-      header.bead.push_back(b + 1);
+      header.bead.push_back(static_cast<int>(b) + 1);
       header.radius.push_back(plan.radii[swimmer.type][b]);
     }
   }
   header.creator_version = version() + " (" + revision() + ")";
   header.parameters["layout"] = dump_json(layout_to_json(document));
-  header.cycle_columns = columns_of<CycleStatistics>({});
+  header.cycle_columns = columns_of<CycleStatistics>({}, widest_cycle(document.layout));
   return header;
 }
 

@@ -38,10 +38,17 @@ MeasuredStroke read_measured_stroke(const std::string& path, std::optional<int> 
                      fmt::format("swimmer {} has not finished a cycle; run at least one cycle", record.id));
   }
   const CycleStatistics& last = record.cycles.back();
+  if (last.arm_amplitudes.size() != 2)
+    throw InputError(
+        "--stroke-from " + path,
+        fmt::format("swimmer {} has {} bonds, but the methods need the stroke of two arms; give a "
+                    "run of the paper's three-bead swimmer",
+                    record.id, last.arm_amplitudes.size()));
   return {.source = path,
           .units = run.units,
           .period = record.period.value_or(run.driving.period),
-          .stroke = {.amplitude = last.arm_amplitudes, .phase = last.arm_phases}};
+          .stroke = {.amplitude = {last.arm_amplitudes[0], last.arm_amplitudes[1]},
+                     .phase = {last.arm_phases[0], last.arm_phases[1]}}};
 }
 
 }  // namespace beadswim

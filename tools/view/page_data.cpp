@@ -144,6 +144,7 @@ std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every) {
 }
 
 std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
+  require_three_beads(file.layout, "beadswim-view shows", file.source);
   const std::vector<std::size_t> frames = select_frames(file.reader.frames(), options.every);
   const std::vector<TrajectoryCycle> cycles = file.reader.cycles(columns_of<CycleStatistics>({}));
   const TrajectoryHeader& header = file.reader.header();

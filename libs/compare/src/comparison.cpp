@@ -37,7 +37,8 @@ ComparisonRow labelled_row(const RunSwimmer& run, const Reference& reference, Co
 
 std::optional<double> value_of(const ComparedValues& values, ComparedQuantity quantity, std::size_t i) {
   const auto found = values.find(quantity);
-  return found != values.end() ? std::optional(found->second[i]) : std::nullopt;
+  if (found == values.end() || i >= found->second.size()) return std::nullopt;
+  return found->second[i];
 }
 
 /// Returns the row for number i of a quantity. Arm amplitudes have one number per arm, and i + 1 is the
@@ -89,13 +90,15 @@ std::vector<ComparisonRow> compare_swimmer(const RunSwimmer& run, std::span<cons
   std::vector<ComparisonRow> rows;
   const auto compare = [&](ComparedQuantity quantity, std::size_t i) {
     for (std::size_t r = 0; r < references.size(); ++r) {
-      if (!references[r].swimming.contains(quantity)) continue;
+      if (!value_of(references[r].swimming, quantity, i)) continue;
       rows.push_back(compare_number(run, references[r], quantity, i, criterion.tolerance));
       rows.back().decides = references[r].usable && r == criterion.deciding;
     }
   };
   for (const ComparedQuantity quantity : criterion.quantities) {
-    for (std::size_t i = 0; i < run.swimming.at(quantity).size(); ++i) compare(quantity, i);
+    const auto numbers = run.swimming.find(quantity);
+    if (numbers == run.swimming.end()) continue;
+    for (std::size_t i = 0; i < numbers->second.size(); ++i) compare(quantity, i);
   }
   return rows;
 }

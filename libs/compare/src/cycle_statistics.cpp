@@ -9,6 +9,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
@@ -53,12 +54,14 @@ Vec3 time_average(Samples samples, double period, Value value) {
 }
 
 Vec3 mean_bead_position(const SwimmerSample& sample) {
-  const auto& [x1, x2, x3] = sample.bead_positions;
-  return (x1 + x2 + x3) / 3;
+  Vec3 sum = sample.bead_positions.front();
+  for (std::size_t b = 1; b < sample.bead_positions.size(); ++b) sum += sample.bead_positions[b];
+  return sum / static_cast<double>(sample.bead_positions.size());
 }
 
-Vec3 direction(const SwimmerSample& sample) {
-  return (sample.bead_positions[2] - sample.bead_positions[0]).normalized();
+Eigen::Matrix3d orientation_of(const SwimmerSample& sample, const SwimmerType& type,
+                               const Eigen::Matrix3d& near) {
+  return fitted_orientation(type, columns_of_beads(sample.bead_positions), near);
 }
 
 }  // namespace
@@ -73,24 +76,35 @@ StrokeFit fit_cycle(Samples samples, double period,
   return fit_stroke(times, lengths, 2 * std::numbers::pi / period);
 }
 
-Vec3 arm_vector(const SwimmerSample& sample, std::size_t arm) {
-  return sample.bead_positions[arm + 1] - sample.bead_positions[arm];
+Vec3 bond_vector(const SwimmerSample& sample, const Bond& bond) {
+  return sample.bead_positions[bond.beads[1]] - sample.bead_positions[bond.beads[0]];
 }
 
-CycleStatistics cycle_statistics(int index, Samples samples, double period) {
+CycleStatistics cycle_statistics(int index, Samples samples, const SwimmerType& type,
+                                 const Eigen::Matrix3d& initial_orientation) {
+  const double period = type.driving.period;
+  const auto axis = [&](const SwimmerSample& sample) {
+    return axis_of(type, sample.bead_positions, initial_orientation);
+  };
   require_one_cycle(index, samples, period);
   CycleStatistics cycle;
   cycle.index = index;
   cycle.velocity = (mean_bead_position(samples.back()) - mean_bead_position(samples.front())) / period;
-  cycle.axis = time_average(samples, period, direction).normalized();
+  cycle.axis = time_average(samples, period, axis).normalized();
   cycle.speed_along_axis = cycle.velocity.dot(cycle.axis);
   cycle.mean_flow = time_average(samples, period, [](const SwimmerSample& s) { return s.mean_flow; });
-  for (std::size_t arm = 0; arm < 2; ++arm) {
+  const Eigen::Matrix3d start = orientation_of(samples.front(), type, initial_orientation);
+  const Eigen::Matrix3d end = orientation_of(samples.back(), type, start);
+  const Eigen::Quaterniond q(end);
+  cycle.orientation = {q.w(), q.x(), q.y(), q.z()};
+  const Eigen::AngleAxisd turn(end * start.transpose());
+  cycle.angular_velocity = turn.angle() / period * turn.axis();
+  for (const Bond& bond : type.bonds) {
     const StrokeFit fit =
-        fit_cycle(samples, period, [arm](const SwimmerSample& s) { return arm_vector(s, arm).norm(); });
-    cycle.arm_amplitudes[arm] = fit.amplitude;
-    cycle.arm_phases[arm] = fit.phase;
-    cycle.arm_means[arm] = fit.mean;
+        fit_cycle(samples, period, [&](const SwimmerSample& s) { return bond_vector(s, bond).norm(); });
+    cycle.arm_amplitudes.push_back(fit.amplitude);
+    cycle.arm_phases.push_back(fit.phase);
+    cycle.arm_means.push_back(fit.mean);
   }
   return cycle;
 }

@@ -1,24 +1,61 @@
 #include "beadswim/compare/driving_power.hpp"
 
-#include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
-namespace beadswim {
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
-double driving_power(const ThreeBeadDriving& driving, const Vec3& initial_axis,
-                     std::span<const SwimmerSample> samples) {
-  const double omega = 2 * std::numbers::pi / driving.period;
-  const Vec3 direction = driving.frame == DrivingFrame::lab ? Vec3::UnitX() : initial_axis;
-  const std::array<double, 2> force_phase{driving.phase_offset, driving.phase_offset + driving.phase};
+namespace beadswim {
+namespace {
+
+/// Coordinate of a swimmer that a drive acts on.
+using Coordinate = std::function<double(const SwimmerSample&)>;
+
+/// Returns the sum of -n w/2 A d cos(delta - psi) over the harmonics of a drive.
+double power_of(const std::vector<Harmonic>& harmonics, const Driving& driving,
+                std::span<const SwimmerSample> samples, const Coordinate& coordinate) {
   double power = 0;
-  for (std::size_t arm = 0; arm < 2; ++arm) {
-    const StrokeFit fit = fit_cycle(samples, driving.period, [&](const SwimmerSample& sample) {
-      const Vec3 vector = arm_vector(sample, arm);
-      return driving.frame == DrivingFrame::body ? vector.norm() : direction.dot(vector);
+  for (const Harmonic& harmonic : harmonics) {
+    const double omega = 2 * std::numbers::pi * harmonic.multiple / driving.period;
+    const double psi = harmonic.multiple * driving.phase_offset + harmonic.phase;
+    const StrokeFit fit = fit_cycle(samples, driving.period / harmonic.multiple, coordinate);
+    power -= omega / 2 * harmonic.amplitude * fit.amplitude * std::cos(fit.phase - psi);
+  }
+  return power;
+}
+
+}  // namespace
+
+std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix3d& initial_orientation,
+                                    std::span<const SwimmerSample> samples) {
+  const Driving& driving = type.driving;
+  if (driving.frame == DrivingFrame::body && !driving.forces.empty()) return std::nullopt;
+  const SwimmerSample &first = samples.front(), &last = samples.back();
+  double power = 0;
+  for (const ForceDrive& drive : driving.forces) {
+    const Vec3 direction =
+        driving.frame == DrivingFrame::lab ? drive.direction : Vec3(initial_orientation * drive.direction);
+    const Vec3 velocity =
+        (last.bead_positions[drive.bead] - first.bead_positions[drive.bead]) / (last.time - first.time);
+    const auto periodic_part = [&](const SwimmerSample& sample) {
+      return direction.dot(sample.bead_positions[drive.bead] - velocity * (sample.time - first.time));
+    };
+    power +=
+        drive.constant * direction.dot(velocity) + power_of(drive.harmonics, driving, samples, periodic_part);
+  }
+  for (const BondDrive& drive : driving.bonds) {
+    const Bond& bond = type.bonds[drive.bond];
+    const double on_length = power_of(drive.harmonics, driving, samples, [&](const SwimmerSample& sample) {
+      return bond_vector(sample, bond).norm();
     });
-    const double work = driving.amplitude[arm] * fit.amplitude * std::cos(fit.phase - force_phase[arm]);
-    power += omega / 2 * (arm == 0 ? work : -work);
+    power += drive.quantity == BondQuantity::tension ? -on_length : bond.stiffness * on_length;
+  }
+  for (const AngleDrive& drive : driving.angles) {
+    const Angle& angle = type.angles[drive.angle];
+    power += angle.stiffness * power_of(drive.harmonics, driving, samples, [&](const SwimmerSample& sample) {
+               return angle_between(angle, sample.bead_positions);
+             });
   }
   return power;
 }

@@ -78,10 +78,14 @@ SwarmSwimming swimming_of(const Cycles& cycles) {
   swimming.velocity_deviation = deviations(velocity);
   swimming.speed_along_axis = spread_over(cycles, [](auto* cycle) { return cycle->speed_along_axis; });
   swimming.mean_flow = means(spreads_over(cycles, [](auto* cycle) { return cycle->mean_flow; }));
-  for (std::size_t arm = 0; arm < 2; ++arm) {
-    swimming.arm_amplitudes[arm] = spread_over(cycles, [=](auto* c) { return c->arm_amplitudes[arm]; });
-    swimming.arm_means[arm] = spread_over(cycles, [=](auto* c) { return c->arm_means[arm]; });
-    swimming.arm_phase_order[arm] = phase_order(cycles, arm);
+  for (std::size_t arm = 0;; ++arm) {
+    Cycles with_arm;
+    std::ranges::copy_if(cycles, std::back_inserter(with_arm),
+                         [=](auto* cycle) { return arm < cycle->arm_means.size(); });
+    if (with_arm.empty()) break;
+    swimming.arm_amplitudes.push_back(spread_over(with_arm, [=](auto* c) { return c->arm_amplitudes[arm]; }));
+    swimming.arm_means.push_back(spread_over(with_arm, [=](auto* c) { return c->arm_means[arm]; }));
+    swimming.arm_phase_order.push_back(phase_order(with_arm, arm));
   }
   if (std::ranges::all_of(cycles, [](auto* cycle) { return cycle->power.has_value(); }))
     swimming.power = spread_over(cycles, [](auto* cycle) { return *cycle->power; });

@@ -13,11 +13,11 @@ double velocity_relative_to_fluid(const CycleStatistics& cycle, const std::optio
 }
 
 ComparedValues evaluate_compared_values(const CycleStatistics& cycle, const std::optional<Box>& box) {
-  const auto& [d1, d2] = cycle.arm_amplitudes;
-  const auto& [delta1, delta2] = cycle.arm_phases;
-  return {{ComparedQuantity::velocity, {velocity_relative_to_fluid(cycle, box)}},
-          {ComparedQuantity::arm_amplitudes, {d1, d2}},
-          {ComparedQuantity::sin_phase_shift, {std::sin(delta1 - delta2)}}};
+  ComparedValues values{{ComparedQuantity::velocity, {velocity_relative_to_fluid(cycle, box)}},
+                        {ComparedQuantity::arm_amplitudes, cycle.arm_amplitudes}};
+  if (cycle.arm_phases.size() >= 2)
+    values[ComparedQuantity::sin_phase_shift] = {std::sin(cycle.arm_phases[0] - cycle.arm_phases[1])};
+  return values;
 }
 
 ComparedValues average_compared_values(std::span<const ComparedValues> cycles) {

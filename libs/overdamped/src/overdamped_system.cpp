@@ -65,6 +65,17 @@ void OverdampedSystem::solve_initial_velocities() {
   state_.distant[0] = std::move(result.distant);
 }
 
+/// Returns true if a bead moves by more than its radius from one list of displacements to the other.
+/// Velocities that move beads so far in a step are those of stiff bonds off their rest length, and relax
+/// within it. All ranks use the value of rank 0, because roundoff may differ between processors.
+bool OverdampedSystem::moves_far(const Beads& from, const Beads& to) const {
+  int is_far = 0;
+  for (std::size_t b = 0; b < from.size(); ++b)
+    if ((to[b] - from[b]).norm() > radii_[b]) is_far = 1;
+  MPI_Bcast(&is_far, 1, MPI_INT, 0, communicator_.get());
+  return is_far == 1;
+}
+
 /// Takes one step of length h as `parts` implicit Euler substeps: u_k = u_{k-1} + (h/parts) v_k.
 OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
   const double span = scene_.step / parts;
@@ -73,7 +84,8 @@ OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
             .distant = state_.distant[0]};
   for (int k = 1; k <= parts; ++k) {
     const StepRule rule{.weight = 1, .span = span, .time = time() + k * span};
-    const Beads guess = weighted_sum({{1, &step.displacements}, {span, &step.velocities}});
+    Beads guess = weighted_sum({{1, &step.displacements}, {span, &step.velocities}});
+    if (moves_far(step.displacements, guess)) guess = step.displacements;
     ImplicitStepResult result = solve_step(rule, step.displacements, guess, step.distant);
     step = {.displacements = std::move(result.displacements),
             .velocities = std::move(result.velocities),

@@ -7,8 +7,10 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/setting.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/scene/reduce.hpp"
+#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -66,6 +68,14 @@ double growth_of_tilt(const ThreeBeadSwimmer& type, double viscosity) {
 }  // namespace
 
 SceneFacts scene_facts(const Layout& layout, double cycles) {
+  for (const auto& [name, type] : layout.types) {
+    if (!three_bead_form(type))
+      throw InputError(
+          fmt::format("errors are estimated for the paper's three-bead swimmers only, not for the type "
+                      "\"{}\"; name the model "
+                      "with {}, and compare runs with different resolutions",
+                      name, Setting::model));
+  }
   SceneFacts facts;
   if (layout.domain) {
     constexpr double off_place = 1e-6;  // relative to the smallest radius, as in beadswim-layout reduce

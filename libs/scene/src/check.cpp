@@ -2,8 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
+#include <map>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -45,19 +48,176 @@ void check_units(const Units& units, Faults& faults) {
   check_unit(Quantity::mass, units.mass, "/units/mass", faults);
 }
 
+void check_graph(const std::string& place, const SwimmerType& type, Faults& faults) {
+  const auto add = [&](const std::string& key, const std::string& message) {
+    faults.push_back({place + "/" + key, message});
+  };
+  const auto check_beads = [&](const std::string& key, const auto& beads) {
+    for (std::size_t n = 0; n < beads.size(); ++n) {
+      if (beads[n] >= std::ssize(type.beads))
+        add(fmt::format("{}/beads/{}", key, n),
+            fmt::format("there is no bead {}; the type has {} beads, numbered from 1", beads[n] + 1,
+                        type.beads.size()));
+      if (std::ranges::count(beads, beads[n]) > 1)
+        add(key + "/beads", fmt::format("bead {} is named twice; name different beads", beads[n] + 1));
+    }
+  };
+  std::map<std::pair<int, int>, std::size_t> bond_between;
+  for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+    const std::string key = fmt::format("bonds/{}", k);
+    check_beads(key, type.bonds[k].beads);
+    const auto [entry, is_new] =
+        bond_between.try_emplace(std::minmax({type.bonds[k].beads[0], type.bonds[k].beads[1]}), k);
+    if (!is_new)
+      add(key + "/beads",
+          fmt::format("beads {} and {} are already joined by bond {}; give each pair one bond",
+                      type.bonds[k].beads[0] + 1, type.bonds[k].beads[1] + 1, entry->second + 1));
+  }
+  for (std::size_t k = 0; k < type.angles.size(); ++k)
+    check_beads(fmt::format("angles/{}", k), type.angles[k].beads);
+}
+
+/// Reports beads that no chain of bonds joins to bead 1.
+void check_connections(const std::string& place, const SwimmerType& type, Faults& faults) {
+  std::vector<bool> reached(type.beads.size());
+  std::vector<int> next{0};
+  reached[0] = true;
+  while (!next.empty()) {
+    const int bead = next.back();
+    next.pop_back();
+    for (const Bond& bond : type.bonds) {
+      for (int end = 0; end < 2; ++end) {
+        const int other = bond.beads[1 - end];
+        if (bond.beads[end] != bead || reached[other]) continue;
+        reached[other] = true;
+        next.push_back(other);
+      }
+    }
+  }
+  for (std::size_t b = 0; b < reached.size(); ++b) {
+    if (reached[b]) continue;
+    faults.push_back(
+        {fmt::format("{}/beads/{}", place, b),
+         fmt::format("no chain of bonds joins bead {} to bead 1; join the pieces, or make a type "
+                     "of each",
+                     b + 1)});
+    return;
+  }
+}
+
+void check_beads_at_rest(const std::string& place, const SwimmerType& type, Faults& faults) {
+  for (std::size_t i = 0; i < type.beads.size(); ++i) {
+    for (std::size_t j = i + 1; j < type.beads.size(); ++j) {
+      const double distance = (type.beads[j].at - type.beads[i].at).norm();
+      const double contact = type.beads[i].radius + type.beads[j].radius;
+      if (distance > contact) continue;
+      faults.push_back(
+          {fmt::format("{}/beads/{}/at", place, j),
+           fmt::format("beads {} and {} overlap at rest: their centres are {:.6g} apart, but must "
+                       "be more than {} apart, the sum of their radii",
+                       i + 1, j + 1, distance, contact)});
+    }
+  }
+}
+
+void check_bond_lengths(const std::string& place, const SwimmerType& type, Faults& faults) {
+  for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+    const auto [i, j] = type.bonds[k].beads;
+    const double length = type.bonds[k].rest_length;
+    const double contact = type.beads[i].radius + type.beads[j].radius;
+    if (length > contact) continue;
+    faults.push_back({fmt::format("{}/{}/rest_length", place, k),
+                      fmt::format("with the rest length {}, beads {} and {} overlap; the rest length must "
+                                  "be greater than {}, the sum of their radii",
+                                  length, i + 1, j + 1, contact)});
+  }
+}
+
+/// Reports angular springs whose force has no direction, because the beads are in line at rest although the
+/// rest angle is another or is driven.
+void check_angles(const std::string& place, const SwimmerType& type, Faults& faults) {
+  constexpr double smallest_sine = 1e-6;
+  for (std::size_t k = 0; k < type.angles.size(); ++k) {
+    const double theta = angle_at_rest(type, type.angles[k]);
+    const auto drive = std::ranges::find(type.driving.angles, static_cast<int>(k), &AngleDrive::angle);
+    const bool is_driven = drive != type.driving.angles.end();
+    if (std::sin(theta) > smallest_sine || (!is_driven && type.angles[k].rest == theta)) continue;
+    faults.push_back({is_driven
+                          ? fmt::format("{}/driving/angles/{}", place, drive - type.driving.angles.begin())
+                          : fmt::format("{}/angles/{}/rest", place, k),
+                      "the three beads are in line at rest, so that the force of another rest angle has no "
+                      "direction; place the beads of this angle off a line"});
+  }
+}
+
+/// Reports drives of beads, bonds and angles that do not exist, directions that are no unit vectors, and
+/// forces that do not sum to zero.
+void check_driving(const std::string& place, const SwimmerType& type, Faults& faults) {
+  const Driving& driving = type.driving;
+  const auto check_number = [&](const std::string& key, int number, std::size_t count, const char* what) {
+    if (number < static_cast<int>(count)) return;
+    faults.push_back({fmt::format("{}/{}", place, key),
+                      fmt::format("there is no {} {}; the type has {} {}s, numbered from 1", what, number + 1,
+                                  count, what)});
+  };
+  std::map<int, std::pair<Eigen::Vector3cd, double>> sums;  // by multiple: sum of forces, of their sizes
+  for (std::size_t n = 0; n < driving.forces.size(); ++n) {
+    const ForceDrive& drive = driving.forces[n];
+    check_number(fmt::format("forces/{}/bead", n), drive.bead, type.beads.size(), "bead");
+    const double length = drive.direction.norm();
+    if (std::abs(length - 1) > axis_tolerance)
+      faults.push_back({fmt::format("{}/forces/{}/direction", place, n),
+                        fmt::format("the direction {} has the length {:.9g}, but must be a unit vector",
+                                    in_words(drive.direction), length)});
+    const auto add = [&](int multiple, std::complex<double> amplitude) {
+      auto& [sum, size] = sums.try_emplace(multiple, Eigen::Vector3cd::Zero(), 0.0).first->second;
+      sum += amplitude * drive.direction.cast<std::complex<double>>();
+      size += std::abs(amplitude);
+    };
+    add(0, drive.constant);
+    for (const Harmonic& harmonic : drive.harmonics)
+      add(harmonic.multiple, std::polar(1.0, harmonic.phase) * harmonic.amplitude);
+  }
+  for (std::size_t n = 0; n < driving.bonds.size(); ++n)
+    check_number(fmt::format("bonds/{}/bond", n), driving.bonds[n].bond, type.bonds.size(), "bond");
+  for (std::size_t n = 0; n < driving.angles.size(); ++n)
+    check_number(fmt::format("angles/{}/angle", n), driving.angles[n].angle, type.angles.size(), "angle");
+  constexpr double roundoff = 1e-9;
+  for (const auto& [multiple, sum_and_size] : sums) {
+    const auto& [sum, size] = sum_and_size;
+    if (driving.net_force_allowed || sum.norm() <= roundoff * size) continue;
+    faults.push_back(
+        {place + "/forces",
+         fmt::format("the {} do not sum to zero; the sum has the size {:.6g}: give the other beads "
+                     "the opposite force, or set \"net_force\": \"allowed\" to tow the swimmer",
+                     multiple == 0 ? "constant forces" : fmt::format("forces with the multiple {}", multiple),
+                     sum.norm())});
+  }
+}
+
 void check_types(const std::map<std::string, SwimmerType>& types, Faults& faults) {
   for (const auto& [name, type] : types) {
-    const char* key = three_bead_form(type) ? "springs" : "bonds";
-    for (std::size_t k = 0; k < type.bonds.size(); ++k) {
-      const auto [i, j] = type.bonds[k].beads;
-      const double length = type.bonds[k].rest_length;
-      const double contact = type.beads[i].radius + type.beads[j].radius;
-      if (length > contact) continue;
-      faults.push_back({fmt::format("/types/{}/{}/{}/rest_length", name, key, k),
-                        fmt::format("with the rest length {}, beads {} and {} overlap; the rest length must "
-                                    "be greater than {}, the sum of their radii",
-                                    length, i + 1, j + 1, contact)});
-    }
+    const std::string place = "/types/" + name;
+    const bool is_three_beads = three_bead_form(type).has_value();
+    const std::size_t before = faults.size();
+    check_graph(place, type, faults);
+    if (faults.size() > before) continue;
+    check_bond_lengths(place + (is_three_beads ? "/springs" : "/bonds"), type, faults);
+    if (is_three_beads) continue;
+    check_connections(place, type, faults);
+    check_beads_at_rest(place, type, faults);
+    check_driving(place + "/driving", type, faults);
+    if (faults.size() == before) check_angles(place, type, faults);
+  }
+}
+
+/// Checks the drives of swimmers that have their own.
+void check_own_driving(const Layout& layout, Faults& faults) {
+  for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
+    const Swimmer& swimmer = layout.swimmers[i];
+    if (!swimmer.driving || !layout.types.contains(swimmer.type) || three_bead_form(*swimmer.driving))
+      continue;
+    check_driving(swimmer_place(i, "driving"), layout.resolved_type(swimmer), faults);
   }
 }
 
@@ -86,6 +246,13 @@ void check_ids(const std::vector<Swimmer>& swimmers, Faults& faults) {
 
 void check_axes(const std::vector<Swimmer>& swimmers, Faults& faults) {
   for (std::size_t i = 0; i < swimmers.size(); ++i) {
+    if (swimmers[i].turn) {
+      const double size = swimmers[i].turn->norm();
+      if (std::abs(size - 1) > axis_tolerance)
+        faults.push_back({swimmer_place(i, "orientation"),
+                          fmt::format("the quaternion has the norm {:.9g}, but must have the norm 1", size)});
+      continue;
+    }
     const double length = swimmers[i].axis.norm();
     if (std::abs(length - 1) <= axis_tolerance) continue;
     const std::string remedy =
@@ -159,6 +326,7 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   Faults faults;
   check_units(layout.units, faults);
   check_types(layout.types, faults);
+  if (faults.empty()) check_own_driving(layout, faults);
   check_type_names(layout, faults);
   check_ids(layout.swimmers, faults);
   check_axes(layout.swimmers, faults);
@@ -177,6 +345,12 @@ void normalise_axes(Layout& layout) {
   // change of bits.
   constexpr double roundoff = 4 * std::numeric_limits<double>::epsilon();
   for (Swimmer& swimmer : layout.swimmers) {
+    if (swimmer.turn) {
+      const double norm_excess = std::abs(swimmer.turn->norm() - 1);
+      if (norm_excess > roundoff && norm_excess <= axis_tolerance) swimmer.turn->normalize();
+      swimmer.axis = swimmer.turn->toRotationMatrix().col(0);
+      continue;
+    }
     const double excess = std::abs(swimmer.axis.norm() - 1);
     if (excess > roundoff && excess <= axis_tolerance) swimmer.axis.normalize();
   }

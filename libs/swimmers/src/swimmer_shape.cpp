@@ -2,9 +2,26 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
-#include <limits>
+#include <algorithm>
+#include <optional>
 
 namespace beadswim {
+namespace {
+
+/// Returns the direction of the line on which all beads are, or nothing if there is none. at: centres at
+/// rest, relative to their mean.
+std::optional<Vec3> common_line(const BeadVectors& at) {
+  Eigen::Index farthest = 0;
+  const double reach = at.colwise().norm().maxCoeff(&farthest);
+  if (reach == 0) return std::nullopt;
+  const Vec3 direction = at.col(farthest) / reach;
+  constexpr double roundoff = 1e-9;
+  for (const auto& place : at.colwise())
+    if (direction.cross(Vec3(place)).norm() > roundoff * reach) return std::nullopt;
+  return direction;
+}
+
+}  // namespace
 
 Eigen::Matrix3d shortest_turn(const Vec3& axis) {
   // Rotation about n = x cross axis, with cosine c = axis.x: 1 + [n] + [n]^2/(1 + c).
@@ -35,21 +52,43 @@ std::vector<Vec3> rest_positions(const SwimmerType& type, const Vec3& origin,
   return positions;
 }
 
+double angle_between(const Angle& angle, std::span<const Vec3> positions) {
+  const auto [i, j, l] = angle.beads;
+  const Vec3 first = positions[j] - positions[i], second = positions[l] - positions[j];
+  return std::atan2(first.cross(second).norm(), first.dot(second));
+}
+
+double angle_at_rest(const SwimmerType& type, const Angle& angle) {
+  return angle_between(angle, rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity()));
+}
+
 Eigen::Matrix3d fitted_orientation(const SwimmerType& type, const BeadVectors& positions,
                                    const Eigen::Matrix3d& near) {
   const auto n = std::ssize(type.beads);
-  Vec3 mean_at = Vec3::Zero();
-  for (const BeadAtRest& bead : type.beads) mean_at += bead.at / static_cast<double>(n);
-  const Vec3 mean_position = positions.rowwise().mean();
-  Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
-  for (int b = 0; b < n; ++b)
-    moment += (positions.col(b) - mean_position) * (type.beads[b].at - mean_at).transpose();
-  constexpr double weight_of_near = 1e-12;
-  moment += (weight_of_near * moment.norm() + std::numeric_limits<double>::min()) * near;
+  BeadVectors at(3, n);
+  for (int b = 0; b < n; ++b) at.col(b) = type.beads[b].at;
+  at.colwise() -= Vec3(at.rowwise().mean());
+  const Eigen::Matrix3d moment = (positions.colwise() - Vec3(positions.rowwise().mean())) * at.transpose();
+  if (const std::optional<Vec3> line = common_line(at)) {
+    const Vec3 direction = (moment * *line).normalized();
+    return Eigen::Quaterniond::FromTwoVectors(near * *line, direction).toRotationMatrix() * near;
+  }
+  if (n == 1) return near;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moment, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Eigen::Matrix3d left = svd.matrixU();
   if ((left * svd.matrixV().transpose()).determinant() < 0) left.col(2) *= -1;
   return left * svd.matrixV().transpose();
+}
+
+Vec3 axis_of(const SwimmerType& type, std::span<const Vec3> positions,
+             const Eigen::Matrix3d& initial_orientation) {
+  const auto on_axis = [](const BeadAtRest& bead) { return bead.at.y() == 0 && bead.at.z() == 0; };
+  if (type.beads.size() > 1 && std::ranges::all_of(type.beads, on_axis)) {
+    const auto x = [](const BeadAtRest& bead) { return bead.at.x(); };
+    const auto [first, last] = std::ranges::minmax_element(type.beads, {}, x);
+    return (positions[last - type.beads.begin()] - positions[first - type.beads.begin()]).normalized();
+  }
+  return fitted_orientation(type, columns_of_beads(positions), initial_orientation).col(0);
 }
 
 }  // namespace beadswim

@@ -1,14 +1,36 @@
 #include "beadswim/documents/run_record_document.hpp"
 
+#include <fmt/core.h>
+
+#include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"
 #include "units_json.hpp"
 
 namespace beadswim {
+namespace {
+
+/// Throws InputError if the cycles of a swimmer have different numbers of arms.
+void require_equal_arms(const SwimmerRecord& swimmer, std::size_t index, const std::string& source) {
+  for (std::size_t c = 0; c < swimmer.cycles.size(); ++c) {
+    const CycleStatistics& cycle = swimmer.cycles[c];
+    const std::size_t arms = swimmer.cycles.front().arm_amplitudes.size();
+    if (cycle.arm_amplitudes.size() == arms && cycle.arm_phases.size() == arms &&
+        cycle.arm_means.size() == arms)
+      continue;
+    throw InputError(
+        fmt::format("{}:/swimmers/{}/cycles/{}", source, index, c),
+        "the lists arm_amplitudes, arm_phases and arm_means must have the same length in all cycles "
+        "of a swimmer; the file was edited: give the record as beadswim-run wrote it");
+  }
+}
+
+}  // namespace
 RunRecord run_record_from_json(const Json& document, const std::string& source) {
   validate_json(document, "run", source);
   RunRecord record = document.get<RunRecord>();
+  for (std::size_t s = 0; s < record.swimmers.size(); ++s) require_equal_arms(record.swimmers[s], s, source);
   if (document.contains("scene")) record.scene = scene_from_json(document["scene"], record.units, source);
   return record;
 }

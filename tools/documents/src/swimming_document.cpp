@@ -125,7 +125,9 @@ ComparedValues uncertainties_of(const SwimmerRecord& swimmer, const CycleChoice&
   if (choice.kind != CycleChoice::Kind::last || !swimmer.uncertainty) return uncertainties;
   const auto& [velocity, arms] = *swimmer.uncertainty;
   if (velocity.total) uncertainties[ComparedQuantity::velocity] = {*velocity.total};
-  if (arms.total) uncertainties[ComparedQuantity::arm_amplitudes] = {*arms.total, *arms.total};
+  if (arms.total && !swimmer.cycles.empty())
+    uncertainties[ComparedQuantity::arm_amplitudes] =
+        std::vector<double>(swimmer.cycles.back().arm_amplitudes.size(), *arms.total);
   return uncertainties;
 }
 

@@ -26,13 +26,13 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
                      "give a trajectory file as beadswim-run wrote it");
   }
   Layout layout = layout_from_json(parse_json(found->second, place), place).layout;
-  if (layout.swimmers.size() * 3 != reader.header().swimmer.size()) {
+  if (layout.swimmers.size() != reader.header().swimmers()) {
     throw InputError(
         place,
         fmt::format(
             "the layout in the file has {} swimmers, but the file contains the positions of {} swimmers; the "
             "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
-            layout.swimmers.size(), reader.header().swimmer.size() / 3));
+            layout.swimmers.size(), reader.header().swimmers()));
   }
   if (!have_equal_lengths(reader.header().box, layout.domain)) {
     throw InputError(
@@ -50,7 +50,7 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) index_of[layout.swimmers[s].id] = s;
   std::vector<std::size_t> indices;
   const std::vector<int>& of_bead = reader.header().swimmer;
-  for (std::size_t bead = 0; bead < of_bead.size(); bead += 3) {
+  for (const std::size_t bead : reader.header().first_beads()) {
     const auto found = index_of.find(of_bead[bead]);
     if (found == index_of.end()) {
       throw InputError(
@@ -62,6 +62,18 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
     }
     indices.push_back(found->second);
     index_of.erase(found);
+  }
+  std::size_t beads = 0;
+  for (std::size_t s = 0; s < indices.size(); ++s) {
+    const std::size_t first = beads;
+    beads += layout.types.at(layout.swimmers[indices[s]].type).beads.size();
+    if (beads > of_bead.size() || of_bead[beads - 1] != of_bead[first] ||
+        (beads < of_bead.size() && of_bead[beads] == of_bead[first]))
+      throw InputError(
+          path + ":/particles/beads/species",
+          fmt::format("swimmer {} has another number of beads than in the layout that the file contains; the "
+                      "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
+                      of_bead[first]));
   }
   return indices;
 }
@@ -75,8 +87,18 @@ double TrajectoryFile::period() const {
 std::vector<int> TrajectoryFile::swimmers() const {
   const std::vector<int>& of_bead = reader.header().swimmer;
   std::vector<int> ids;
-  for (std::size_t bead = 0; bead < of_bead.size(); bead += 3) ids.push_back(of_bead[bead]);
+  for (const std::size_t bead : reader.header().first_beads()) ids.push_back(of_bead[bead]);
   return ids;
+}
+
+void require_three_beads(const Layout& layout, const std::string& what, const std::string& source) {
+  for (const auto& [name, type] : layout.types) {
+    if (type.beads.size() == 3) continue;
+    throw InputError(source,
+                     fmt::format("swimmers of type \"{}\" have {} beads, but {} swimmers of three beads; "
+                                 "open the trajectory (.h5md) in ParaView, OVITO or MDAnalysis",
+                                 name, type.beads.size(), what));
+  }
 }
 
 TrajectoryFile open_trajectory(const std::string& path) {

@@ -65,8 +65,8 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, cons
   steps_per_cycle = lattice.steps_per_period;
   for (const SwimmerType& type : on_lattice.scene.types) {
     periods.push_back(type.driving.period);
-    std::array<double, 3>& of_type = radii.emplace_back();
-    for (std::size_t b = 0; b < 3; ++b) of_type[b] = type.beads[b].radius * units.length;
+    std::vector<double>& of_type = radii.emplace_back();
+    for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
   }
   swimmers = on_lattice.scene.swimmers;
   cells = on_lattice.scene.cells.cast<double>().prod();
@@ -103,11 +103,11 @@ SwimmerIdentity LatticeModel::own_swimmer(int number) const {
   return {.id = swimmer.id, .type = swimmer.type};
 }
 
-std::array<Vec3, 3> LatticeModel::bead_positions(int number, double ahead) const {
+std::vector<Vec3> LatticeModel::bead_positions(int number, double ahead) const {
   const SwimmerState& swimmer = system_.owned_swimmers()[number];
-  std::array<Vec3, 3> positions;
-  for (int b = 0; b < 3; ++b)
-    positions[b] = extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead).position;
+  std::vector<Vec3> positions;
+  for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
+    positions.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead).position);
   return positions;
 }
 
@@ -115,8 +115,9 @@ std::vector<SwimmerPose> LatticeModel::gather_swimmers(double ahead) const {
   std::vector<SwimmerPose> poses;
   for (const SwimmerState& swimmer : system_.gather_swimmers()) {
     SwimmerPose& pose = poses.emplace_back();
-    pose = {.id = swimmer.id, .initial_axis = swimmer.initial_axis, .motion = swimmer.motion};
-    for (int b = 0; b < 3; ++b) pose.motion[b] = extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead);
+    pose = {.id = swimmer.id, .initial_orientation = shortest_turn(swimmer.initial_axis), .motion = {}};
+    for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
+      pose.motion.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead));
   }
   return poses;
 }

@@ -33,7 +33,7 @@ class LatticeModel : public Model {
 
   int own_swimmers() const override { return static_cast<int>(system_.owned_swimmers().size()); }
   SwimmerIdentity own_swimmer(int number) const override;
-  std::array<Vec3, 3> bead_positions(int number, double ahead) const override;
+  std::vector<Vec3> bead_positions(int number, double ahead) const override;
   std::vector<SwimmerPose> gather_swimmers(double ahead) const override;
 
   ModelTotals first_totals() const override { return in_layout_units(first_totals_); }

@@ -38,11 +38,11 @@ struct SwimmerIdentity {
   int type = 0;  ///< index into ModelPlan::periods and ModelPlan::radii
 };
 
-/// Positions and velocities of the beads of a swimmer, with its axis at time 0.
+/// Positions and velocities of the beads of a swimmer, with its orientation at time 0.
 struct SwimmerPose {
   int id = 0;
-  Vec3 initial_axis = Vec3::UnitX();
-  SwimmerMotion motion;  ///< [ModelUnits]
+  Eigen::Matrix3d initial_orientation = Eigen::Matrix3d::Identity();
+  std::vector<BeadMotion> motion;  ///< [ModelUnits]
 };
 
 /// Momentum, mean flow and mass of the scene.
@@ -81,7 +81,7 @@ class Model {
   /// Returns the bead positions of a swimmer that this rank owns at the present time plus `ahead` time steps
   /// [ModelUnits]. `number`: index from 0 to own_swimmers() - 1. `ahead`: a fraction, positive or negative.
   /// The error is proportional to ahead^3. Local.
-  virtual std::array<Vec3, 3> bead_positions(int number, double ahead) const = 0;
+  virtual std::vector<Vec3> bead_positions(int number, double ahead) const = 0;
   /// Returns the beads of all swimmers, in the order of their ids, on rank 0, and an empty list on other
   /// ranks. Positions and velocities are those at the present time plus `ahead` time steps, as above.
   virtual std::vector<SwimmerPose> gather_swimmers(double ahead) const = 0;
@@ -125,16 +125,16 @@ struct ModelPlan {
 
   RunOptions options;  ///< options of the command line, completed by the plan
   ModelUnits units;
-  double base_period = 0;                    ///< duration of one cycle of the run [time]
-  double time_step = 0;                      ///< [time]
-  long steps_per_cycle = 0;                  ///< time steps per base cycle
-  std::vector<double> periods;               ///< driving period of each type [step]
-  std::vector<std::array<double, 3>> radii;  ///< radii of beads 1, 2, 3 of each type [length]
-  std::vector<PlacedSwimmer> swimmers;       ///< in the order of their ids [ModelUnits]
-  std::optional<double> cells;               ///< number of lattice cells; nullopt: no lattice
-  std::string announcement;                  ///< description of the run, one line
-  std::optional<ExpectedErrors> expected;    ///< on rank 0; nullopt: unknown
-  std::vector<RunWarning> warnings;          ///< warnings that are known before the run
+  double base_period = 0;                  ///< duration of one cycle of the run [time]
+  double time_step = 0;                    ///< [time]
+  long steps_per_cycle = 0;                ///< time steps per base cycle
+  std::vector<double> periods;             ///< driving period of each type [step]
+  std::vector<std::vector<double>> radii;  ///< radii of the beads of each type [length]
+  std::vector<PlacedSwimmer> swimmers;     ///< in the order of their ids [ModelUnits]
+  std::optional<double> cells;             ///< number of lattice cells; nullopt: no lattice
+  std::string announcement;                ///< description of the run, one line
+  std::optional<ExpectedErrors> expected;  ///< on rank 0; nullopt: unknown
+  std::vector<RunWarning> warnings;        ///< warnings that are known before the run
 };
 
 }  // namespace beadswim

@@ -31,7 +31,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
   time_step = scene.step;
   for (const SwimmerType& type : scene.types) {
     periods.push_back(type.driving.period / time_step);
-    radii.push_back({type.beads[0].radius, type.beads[1].radius, type.beads[2].radius});
+    std::vector<double>& of_type = radii.emplace_back();
+    for (const Bead& bead : type.beads) of_type.push_back(bead.radius);
   }
   if (requested.tolerance)
     warnings.push_back(
@@ -54,7 +55,7 @@ ExpectedErrors OverdampedPlan::expected_errors(const Layout& layout) const {
 }
 
 OverdampedModel::OverdampedModel(const OverdampedPlan& plan)
-    : plan_(plan), system_(plan.scene, plan.communicator) {}
+    : plan_(plan), bead_ranges_(beadswim::bead_ranges(plan.scene)), system_(plan.scene, plan.communicator) {}
 
 int OverdampedModel::own_swimmers() const {
   const auto [first, last] = system_.own_swimmers();
@@ -77,10 +78,10 @@ BeadMotion OverdampedModel::motion_of(std::size_t bead, double ahead) const {
   return motion;
 }
 
-std::array<Vec3, 3> OverdampedModel::bead_positions(int number, double ahead) const {
-  const std::size_t first = 3 * (system_.own_swimmers().first + number);
-  std::array<Vec3, 3> positions;
-  for (int b = 0; b < 3; ++b) positions[b] = motion_of(first + b, ahead).position;
+std::vector<Vec3> OverdampedModel::bead_positions(int number, double ahead) const {
+  const auto [first, last] = bead_ranges_[system_.own_swimmers().first + number];
+  std::vector<Vec3> positions;
+  for (std::size_t b = first; b < last; ++b) positions.push_back(motion_of(b, ahead).position);
   return positions;
 }
 
@@ -89,8 +90,9 @@ std::vector<SwimmerPose> OverdampedModel::gather_swimmers(double ahead) const {
   if (!plan_.communicator.is_root()) return poses;
   for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
     SwimmerPose pose{
-        .id = plan_.swimmers[s].id, .initial_axis = plan_.swimmers[s].orientation.col(0), .motion = {}};
-    for (int b = 0; b < 3; ++b) pose.motion[b] = motion_of(3 * s + b, ahead);
+        .id = plan_.swimmers[s].id, .initial_orientation = plan_.swimmers[s].orientation, .motion = {}};
+    for (std::size_t b = bead_ranges_[s].first; b < bead_ranges_[s].last; ++b)
+      pose.motion.push_back(motion_of(b, ahead));
     poses.push_back(pose);
   }
   return poses;

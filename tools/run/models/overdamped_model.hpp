@@ -33,7 +33,7 @@ class OverdampedModel : public Model {
 
   int own_swimmers() const override;
   SwimmerIdentity own_swimmer(int number) const override;
-  std::array<Vec3, 3> bead_positions(int number, double ahead) const override;
+  std::vector<Vec3> bead_positions(int number, double ahead) const override;
   std::vector<SwimmerPose> gather_swimmers(double ahead) const override;
 
   ModelTotals first_totals() const override { return {}; }
@@ -53,6 +53,7 @@ class OverdampedModel : public Model {
   std::string message_of(const OverdampedFault& fault) const;
 
   const OverdampedPlan& plan_;
+  std::vector<BeadRange> bead_ranges_;
   OverdampedSystem system_;
 };
 

@@ -25,13 +25,17 @@ std::int64_t peak_memory_bytes(const Communicator& communicator) {
 
 /// Returns the driving for the run record. Omits amplitudes and phase if they differ between swimmers.
 DrivingRecord driving_of(const Layout& layout, double base_period) {
-  const ThreeBeadDriving first = three_beads(layout.resolved_type(layout.swimmers.front())).driving;
-  for (const Swimmer& swimmer : layout.swimmers) {
-    const ThreeBeadDriving other = three_beads(layout.resolved_type(swimmer)).driving;
-    if (other.amplitude != first.amplitude || other.phase != first.phase)
-      return {.period = base_period, .amplitude = std::nullopt, .phase = std::nullopt};
-  }
-  return {.period = base_period, .amplitude = first.amplitude, .phase = first.phase};
+  const auto driving = [&](const Swimmer& swimmer) {
+    return three_bead_form(layout.resolved_type(swimmer).driving);
+  };
+  const std::optional<ThreeBeadDriving> first = driving(layout.swimmers.front());
+  const bool is_common =
+      first && std::ranges::all_of(layout.swimmers, [&](const Swimmer& swimmer) {
+        const std::optional<ThreeBeadDriving> other = driving(swimmer);
+        return other && other->amplitude == first->amplitude && other->phase == first->phase;
+      });
+  if (!is_common) return {.period = base_period, .amplitude = std::nullopt, .phase = std::nullopt};
+  return {.period = base_period, .amplitude = first->amplitude, .phase = first->phase};
 }
 
 /// Adds momentum and relative mass change to the record if the model evaluates them. `first`, `last`: totals
@@ -46,10 +50,11 @@ void add_conservation(RunRecord& record, const ModelTotals& first, const ModelTo
 SwimmerUncertainty uncertainty_of(const SwimmerRecord& swimmer, const std::optional<Box>& box,
                                   const std::optional<ExpectedErrors>& expected) {
   std::vector<double> velocities;
-  std::array<std::vector<double>, 2> amplitudes;
+  const std::size_t arms = swimmer.cycles.front().arm_amplitudes.size();
+  std::vector<std::vector<double>> amplitudes(arms);
   for (const CycleStatistics& cycle : swimmer.cycles) {
     velocities.push_back(velocity_relative_to_fluid(cycle, box));
-    for (int arm = 0; arm < 2; ++arm) amplitudes[arm].push_back(cycle.arm_amplitudes[arm]);
+    for (std::size_t arm = 0; arm < arms; ++arm) amplitudes[arm].push_back(cycle.arm_amplitudes[arm]);
   }
   // `values`: the quantity in successive cycles; `of`: its component of an ErrorEstimate.
   const auto uncertainty = [&](const std::vector<double>& values, const auto& of) {
@@ -62,12 +67,14 @@ SwimmerUncertainty uncertainty_of(const SwimmerRecord& swimmer, const std::optio
     result.total = total_uncertainty(result);
     return result;
   };
-  const auto of_arm = [&](int arm) {
-    return uncertainty(amplitudes[arm], [arm](const ErrorEstimate& e) { return e.arm_amplitudes[arm]; });
-  };
-  const QuantityUncertainty first = of_arm(0), second = of_arm(1);
-  return {.velocity = uncertainty(velocities, [](const ErrorEstimate& e) { return e.velocity; }),
-          .arm_amplitudes = second.total > first.total ? second : first};
+  SwimmerUncertainty result;
+  result.velocity = uncertainty(velocities, [](const ErrorEstimate& e) { return e.velocity; });
+  for (std::size_t arm = 0; arm < arms; ++arm) {
+    const QuantityUncertainty of_arm = uncertainty(
+        amplitudes[arm], [arm](const ErrorEstimate& e) { return e.arm_amplitudes[arm < 2 ? arm : 1]; });
+    if (arm == 0 || of_arm.total > result.arm_amplitudes.total) result.arm_amplitudes = of_arm;
+  }
+  return result;
 }
 
 /// Adds expected errors, uncertainties and warnings. Rank 0 only.

@@ -29,6 +29,15 @@ const Method& towing_method(RunModel model) {
 
 }  // namespace
 
+CycleStatistics widest_cycle(const Layout& layout) {
+  std::size_t arms = 1;
+  for (const auto& [name, type] : layout.types) arms = std::max(arms, type.bonds.size());
+  CycleStatistics cycle;
+  for (std::vector<double>* column : {&cycle.arm_amplitudes, &cycle.arm_phases, &cycle.arm_means})
+    column->resize(arms);
+  return cycle;
+}
+
 Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
                    const Communicator& communicator)
     : units_(plan.units),
@@ -41,19 +50,20 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       dynamic_viscosity_(layout.fluid.dynamic_viscosity()),
       towing_method_(towing_method(plan.options.settings.model)),
       trajectory_(trajectory),
-      schedules_(plan.periods, frames_per_cycle_) {
+      schedules_(plan.periods, frames_per_cycle_),
+      widest_cycle_(widest_cycle(layout)) {
   if (!communicator.is_root()) return;
   std::vector<const Swimmer*> in_order;
   for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
   std::ranges::sort(in_order, {}, &Swimmer::id);
   for (std::size_t s = 0; s < in_order.size(); ++s) {
-    const ThreeBeadSwimmer type = three_beads(layout.resolved_type(*in_order[s]));
+    const SwimmerType type = layout.resolved_type(*in_order[s]);
     const double period = type.driving.period;
     logs_.push_back({.record = {.id = in_order[s]->id,
                                 .cycles = {},
                                 .period = period == plan.base_period ? std::nullopt : std::optional(period)},
                      .type = type,
-                     .initial_axis = in_order[s]->axis,
+                     .initial_orientation = in_order[s]->orientation(),
                      .samples_per_cycle = schedules_.of(plan.swimmers[s].type).per_cycle(),
                      .samples = {}});
   }
@@ -120,7 +130,8 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
   SwimmerSample sample{.time = time,
                        .bead_positions = {},
                        .mean_flow = interpolate(part, last_frame_.mean_flow, now.mean_flow)};
-  for (int b = 0; b < 3; ++b) sample.bead_positions[b] = position_sample.positions[b] * units_.length;
+  for (const Vec3& position : position_sample.positions)
+    sample.bead_positions.push_back(position * units_.length);
   log.samples.push_back(sample);
   if (position_sample.number == 0 || position_sample.number % log.samples_per_cycle != 0) return;
   const int index = static_cast<int>(position_sample.number / log.samples_per_cycle);
@@ -132,14 +143,14 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
 }
 
 CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const {
-  const ThreeBeadDriving& driving = log.type.driving;
-  CycleStatistics cycle = cycle_statistics(index, log.samples, driving.period);
-  cycle.power = driving_power(driving, log.initial_axis, log.samples);
-  if (logs_.size() > max_swimmers_listed) return cycle;
-  const auto& [first, second, third] = log.type.beads;
+  CycleStatistics cycle = cycle_statistics(index, log.samples, log.type, log.initial_orientation);
+  cycle.power = driving_power(log.type, log.initial_orientation, log.samples);
+  const std::optional<ThreeBeadSwimmer> three = three_bead_form(log.type);
+  if (!three || !cycle.power || logs_.size() > max_swimmers_listed) return cycle;
+  const auto& [first, second, third] = three->beads;
   const CollinearSwimmer swimmer{.radius = {first.radius, second.radius, third.radius},
                                  .viscosity = dynamic_viscosity_};
-  if (const auto drag = towing_drag(towing_method_, swimmer, cycle.arm_means))
+  if (const auto drag = towing_drag(towing_method_, swimmer, {cycle.arm_means[0], cycle.arm_means[1]}))
     cycle.efficiency = lighthill_efficiency(*drag, velocity_relative_to_fluid(cycle, box_), *cycle.power);
   return cycle;
 }
@@ -178,23 +189,22 @@ void Recorder::append_cycles(long step, double time) {
     const std::vector<CycleStatistics>& cycles = log.record.cycles;
     last.push_back(cycles.empty() ? record_of_nan<CycleStatistics>() : cycles.back());
   }
-  trajectory_.append({.step = step, .time = time, .columns = columns_of(std::move(last))});
+  trajectory_.append({.step = step, .time = time, .columns = columns_of(std::move(last), widest_cycle_)});
 }
 
 void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum) {
-  const auto axis = [](const SwimmerMotion& motion) -> Vec3 {
-    return (motion[2].position - motion[0].position).normalized();
-  };
   std::vector<SwarmMember> members;
   for (std::size_t s = 0; s < swimmers.size(); ++s) {
-    const SwimmerMotion& motion = swimmers[s].motion;
+    const std::vector<BeadMotion>& motion = swimmers[s].motion;
+    std::vector<Vec3> positions;
+    for (const BeadMotion& bead : motion) positions.push_back(bead.position);
     const SwimmerLog& log = logs_[s];
     SwarmMember& member = members.emplace_back();
-    member.axis = axis(motion);
-    member.initial_axis = swimmers[s].initial_axis;
+    member.axis = axis_of(log.type, positions, swimmers[s].initial_orientation);
+    member.initial_axis = swimmers[s].initial_orientation.col(0);
     if (!log.record.cycles.empty()) member.last_cycle = log.record.cycles.back();
-    for (int b = 0; b < 3; ++b) {
-      member.centre += motion[b].position * units_.length / 3;
+    for (std::size_t b = 0; b < motion.size(); ++b) {
+      member.centre += motion[b].position * units_.length / static_cast<double>(motion.size());
       const double speed = motion[b].velocity.norm() * units_.velocity();
       const double spin = motion[b].angular_velocity.norm() / units_.time;
       member.kinetic_energy += 0.5 * mass(log.type.beads[b]) * speed * speed +
@@ -221,10 +231,22 @@ std::vector<char> Recorder::state() {
 bool Recorder::is_consistent_with(long steps_done) const {
   const bool is_next =
       next_frame_ > 0 && next_frame_ <= steps_done + 1 && step_of_frame(next_frame_) > steps_done;
-  return is_next && std::ranges::all_of(gathered_, [this](const PositionSample& position_sample) {
-           return position_sample.number >= 0 &&
-                  std::ranges::binary_search(logs_, position_sample.id, {},
-                                             [](const SwimmerLog& log) { return log.record.id; });
+  const auto has_all_beads = [](const SwimmerLog& log, const std::vector<Vec3>& positions) {
+    return positions.size() == log.type.beads.size();
+  };
+  return is_next &&
+         std::ranges::all_of(gathered_,
+                             [&](const PositionSample& position_sample) {
+                               const auto log =
+                                   std::ranges::find(logs_, position_sample.id,
+                                                     [](const SwimmerLog& each) { return each.record.id; });
+                               return position_sample.number >= 0 && log != logs_.end() &&
+                                      has_all_beads(*log, position_sample.positions);
+                             }) &&
+         std::ranges::all_of(logs_, [&](const SwimmerLog& log) {
+           return std::ranges::all_of(log.samples, [&](const SwimmerSample& sample) {
+             return has_all_beads(log, sample.bead_positions);
+           });
          });
 }
 

@@ -6,7 +6,6 @@
 #include "beadswim/core/message.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/h5md.hpp"
-#include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "models/model.hpp"
 #include "record/sampling_schedule.hpp"
@@ -17,6 +16,10 @@ namespace beadswim {
 /// written to the trajectory. A sample contains the bead positions of one swimmer; rank 0 computes the
 /// statistics of each cycle from the samples. Frames are taken at equal phases of each base period. Samples
 /// are taken at equal phases of each driving period of the swimmer.
+/// Returns cycle statistics with as many arms as any type of the layout has, at least one. A trajectory has
+/// so many columns; swimmers with fewer arms have NaN in the others.
+CycleStatistics widest_cycle(const Layout& layout);
+
 class Recorder {
  public:
   Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,
@@ -55,9 +58,9 @@ class Recorder {
   /// Bead positions of one swimmer at one sampling time, sent to rank 0.
   struct PositionSample {
     int id = 0;
-    long number = 0;                ///< number of the sample since the start of the run
-    double time = 0;                ///< [step]
-    std::array<Vec3, 3> positions;  ///< [ModelUnits]
+    long number = 0;              ///< number of the sample since the start of the run
+    double time = 0;              ///< [step]
+    std::vector<Vec3> positions;  ///< [ModelUnits]
 
     static void visit_fields(auto&& visit, auto& position_sample) {
       visit("id", position_sample.id);
@@ -69,8 +72,8 @@ class Recorder {
   /// Data that rank 0 stores for one swimmer.
   struct SwimmerLog {
     SwimmerRecord record;
-    ThreeBeadSwimmer type;  ///< in units of the layout, with the swimmer's own driving
-    Vec3 initial_axis = Vec3::UnitX();
+    SwimmerType type;  ///< in units of the layout, with the swimmer's own driving
+    Eigen::Matrix3d initial_orientation = Eigen::Matrix3d::Identity();
     int samples_per_cycle = 1;
     std::vector<SwimmerSample> samples;  ///< samples of the current cycle
   };
@@ -112,6 +115,7 @@ class Recorder {
   std::vector<PositionSample> gathered_;  ///< samples of all ranks since the last frame
   FlowSample last_frame_;
   std::vector<SwimmerLog> logs_;   ///< one per swimmer, in the order of ids
+  CycleStatistics widest_cycle_;   ///< with as many arms as any swimmer has
   std::vector<SwarmCycle> swarm_;  ///< one per base cycle; empty for a single swimmer
 };
 

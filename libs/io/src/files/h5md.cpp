@@ -117,7 +117,7 @@ TrajectoryWriter::TrajectoryWriter(const std::string& path, const TrajectoryHead
       lock_(lock_output(path, communicator)),
       file_(open_file(path, lock_.descriptor, checkpoint, communicator)) {
   if (!continues_checkpoint_) create_groups(header);
-  const hsize_t swimmers = beads_ / 3;
+  const hsize_t swimmers = header.swimmers();
   add_element(frames_, "particles/beads/box/edges", H5T_NATIVE_DOUBLE, {3, 3});
   add_element(frames_, "particles/beads/position", H5T_NATIVE_FLOAT, {beads_, 3});
   add_element(frames_, "particles/beads/image", H5T_NATIVE_INT, {beads_, 3});
@@ -171,7 +171,7 @@ H5Handle TrajectoryWriter::create_series(const std::string& name, hid_t type,
   std::vector<hsize_t> extents{0}, max_extents{H5S_UNLIMITED};
   hsize_t bytes = H5Tget_size(type);
   for (const hsize_t n : row) bytes *= n;
-  std::vector<hsize_t> chunk{std::max<hsize_t>(1, chunk_bytes / bytes)};
+  std::vector<hsize_t> chunk{std::max<hsize_t>(1, chunk_bytes / std::max<hsize_t>(1, bytes))};
   for (auto* shape : {&extents, &max_extents, &chunk}) shape->insert(shape->end(), row.begin(), row.end());
 
   const H5Handle space(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), max_extents.data()),

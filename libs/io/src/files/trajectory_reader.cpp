@@ -179,8 +179,9 @@ TrajectoryReader::Table TrajectoryReader::open_table(const std::string& name,
                                     "this part of the HDF5 file is missing or cannot be read");
   Table table{.place = place, .dataset = std::move(dataset), .extents = {}};
   table.extents = extents_of(table.dataset, place);
+  const auto fits = [](hsize_t wanted, hsize_t found) { return wanted == found || wanted == any_width; };
   if (table.extents.size() != row.size() + 1 ||
-      !std::equal(row.begin(), row.end(), table.extents.begin() + 1)) {
+      !std::equal(row.begin(), row.end(), table.extents.begin() + 1, fits)) {
     throw_content_error(place, "the dataset does not have the shape given in docs/formats/h5md.md");
   }
   require_storage(table.dataset, table.extents, place);
@@ -314,15 +315,15 @@ void TrajectoryReader::read_header() {
 }
 
 void TrajectoryReader::require_complete_swimmers() const {
-  bool is_complete = beads_ % 3 == 0;
-  for (std::size_t b = 0; is_complete && b < beads_; ++b) {
-    is_complete =
-        header_.bead[b] == static_cast<int>(b % 3) + 1 && header_.swimmer[b] == header_.swimmer[b - b % 3];
+  for (std::size_t b = 0; b < beads_; ++b) {
+    if (header_.bead[b] == 1) continue;
+    const bool follows =
+        b > 0 && header_.bead[b] == header_.bead[b - 1] + 1 && header_.swimmer[b] == header_.swimmer[b - 1];
+    if (!follows)
+      throw_content_error(path_ + ":/particles/beads/species",
+                          "the numbers of the beads must be 1, 2, 3, ... for the consecutive beads of each "
+                          "swimmer");
   }
-  if (!is_complete)
-    throw_content_error(
-        path_ + ":/particles/beads/species",
-        "the numbers of the beads must be 1, 2, 3 for the three consecutive beads of each swimmer");
 }
 
 std::vector<double> TrajectoryReader::times() const {
@@ -357,7 +358,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
   hsize_t count = std::min(step.extents[0], time.extents[0]);
   std::vector<Table> tables;
   for (const Column& column : columns) {
-    std::vector<hsize_t> row{beads_ / 3};
+    std::vector<hsize_t> row{header_.swimmers()};
     row.insert(row.end(), column.shape.begin(), column.shape.end());
     tables.push_back(open_table("swimmers/" + column.name + "/value", row));
     count = std::min(count, tables.back().extents[0]);  // a killed run may have extended only some tables
@@ -368,6 +369,7 @@ std::vector<TrajectoryCycle> TrajectoryReader::cycles(const std::vector<Column>&
                                             .time = read_rows<double>(time, c, 1)[0],
                                             .columns = columns});
     for (std::size_t i = 0; i < tables.size(); ++i) {
+      cycle.columns[i].shape.assign(tables[i].extents.begin() + 2, tables[i].extents.end());
       std::vector<double>& numbers = cycle.columns[i].numbers = read_raw_rows<double>(tables[i], c, 1);
       const auto is_infinite = [](double number) { return std::isinf(number); };
       if (std::ranges::any_of(numbers, is_infinite))

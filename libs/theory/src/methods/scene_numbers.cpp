@@ -18,35 +18,43 @@ CollinearSwimmer along_own_axis(const ThreeBeadSwimmer& type, const Fluid& fluid
   return collinear_swimmer(type, Vec3::UnitX(), fluid.dynamic_viscosity());
 }
 
-std::array<double, 3> box_over_length(const Box& domain, const ThreeBeadSwimmer& type) {
-  const double length =
-      type.beads[0].radius + type.springs[0].rest_length + type.springs[1].rest_length + type.beads[2].radius;
+/// Returns the box edges, divided by the length of the swimmer along its axis.
+std::array<double, 3> box_over_length(const Box& domain, const SwimmerType& type) {
+  double ahead = 0, behind = 0;
+  for (const BeadAtRest& bead : type.beads) {
+    ahead = std::max(ahead, bead.at.x() + bead.radius);
+    behind = std::max(behind, bead.radius - bead.at.x());
+  }
+  const double length = ahead + behind;
   return {domain.lengths[0] / length, domain.lengths[1] / length, domain.lengths[2] / length};
 }
 
-TypeNumbers type_numbers(const ThreeBeadSwimmer& type, const Layout& layout) {
-  const CollinearSwimmer swimmer = along_own_axis(type, layout.fluid);
+TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
   const double nu = layout.fluid.kinematic_viscosity;
-  const double omega = swimmer.angular_frequency();
-  const std::array<double, 3> speed = bead_speeds(swimmer);
-
+  const double omega = 2 * std::numbers::pi / type.driving.period;
   TypeNumbers numbers;
-  numbers.phase = type.driving.phase;
-  for (int i = 0; i < 3; ++i) {
-    numbers.reynolds = std::max(numbers.reynolds, 2 * type.beads[i].radius * speed[i] / nu);
-  }
   numbers.penetration_depth = std::sqrt(2 * nu / omega);
   numbers.radius_over_penetration_depth =
-      *std::max_element(swimmer.radius.begin(), swimmer.radius.end()) / numbers.penetration_depth;
-  numbers.arm_amplitude = first_order_stroke(swimmer, rotne_prager).amplitude;
-  for (int arm = 0; arm < 2; ++arm) {
-    const double radius = (swimmer.radius[arm] + swimmer.radius[arm + 1]) / 2;
-    const double drag = 6 * std::numbers::pi * swimmer.viscosity * radius;
-    numbers.arm_over_radius[arm] = swimmer.arm[arm] / radius;
-    numbers.drag_over_spring[arm] = drag * omega / swimmer.stiffness[arm];
-    numbers.arm_gap[arm] = swimmer.arm[arm] - 2 * radius;
+      std::ranges::max(type.beads, {}, &Bead::radius).radius / numbers.penetration_depth;
+  for (const Bond& bond : type.bonds) {
+    const auto [i, j] = bond.beads;
+    const double radius = (type.beads[i].radius + type.beads[j].radius) / 2;
+    const double drag = 6 * std::numbers::pi * layout.fluid.dynamic_viscosity() * radius;
+    numbers.arm_over_radius.push_back(bond.rest_length / radius);
+    numbers.drag_over_spring.push_back(drag * omega / bond.stiffness);
+    numbers.arm_gap.push_back(bond.rest_length - 2 * radius);
   }
   if (layout.domain) numbers.box_over_length = box_over_length(*layout.domain, type);
+  const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
+  if (!three) return numbers;
+  const CollinearSwimmer swimmer = along_own_axis(*three, layout.fluid);
+  const std::array<double, 3> speed = bead_speeds(swimmer);
+  numbers.phase = three->driving.phase;
+  numbers.reynolds = 0;
+  for (int i = 0; i < 3; ++i)
+    numbers.reynolds = std::max(*numbers.reynolds, 2 * type.beads[i].radius * speed[i] / nu);
+  const Stroke stroke = first_order_stroke(swimmer, rotne_prager);
+  numbers.arm_amplitude = {stroke.amplitude.begin(), stroke.amplitude.end()};
   return numbers;
 }
 
@@ -56,12 +64,19 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
   numbers.time_step = (layout.resolution->relaxation_time - 0.5) / 3 * numbers.cell * numbers.cell /
                       layout.fluid.kinematic_viscosity;
   const double sound_speed = numbers.cell / numbers.time_step / std::numbers::sqrt3;
+  double fastest = 0;
+  bool is_known = true;
   for (const auto& [name, type] : layout.types) {
     numbers.steps_per_period[name] = type.driving.period / numbers.time_step;
-    for (const double speed : bead_speeds(along_own_axis(three_beads(type), layout.fluid))) {
-      numbers.mach = std::max(numbers.mach, speed / sound_speed);
+    const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
+    if (!three) {
+      is_known = false;
+      continue;
     }
+    for (const double speed : bead_speeds(along_own_axis(*three, layout.fluid)))
+      fastest = std::max(fastest, speed);
   }
+  if (is_known) numbers.mach = fastest / sound_speed;
   if (layout.domain) numbers.cells_in_box = layout.domain->lengths.prod() / std::pow(numbers.cell, 3);
   return numbers;
 }
@@ -77,7 +92,7 @@ std::array<double, 3> bead_speeds(const CollinearSwimmer& swimmer) {
 
 SceneNumbers scene_numbers(const Layout& layout) {
   SceneNumbers numbers;
-  for (const auto& [name, type] : layout.types) numbers.types[name] = type_numbers(three_beads(type), layout);
+  for (const auto& [name, type] : layout.types) numbers.types[name] = type_numbers(type, layout);
   numbers.smallest_gap = smallest_gap(placed_beads(layout), layout.domain);
   if (layout.resolution) numbers.resolution = resolution_numbers(layout);
   return numbers;

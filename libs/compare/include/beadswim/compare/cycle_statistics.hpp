@@ -5,21 +5,24 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "beadswim/compare/stroke_fit.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 
-// Motion of one swimmer in one cycle of its driving. The arm lengths are L_i(t) = mean + d_i cos(w t +
-// delta_i), w = 2 pi/T, equation (4.1) of the paper (Pickl et al. 2017). See docs/method/stroke-fit.md.
+// Motion of one swimmer in one cycle of its driving. The arms are the bonds of the swimmer, in order. Their
+// lengths are L_i(t) = mean + d_i cos(w t + delta_i), w = 2 pi/T, equation (4.1) of the paper (Pickl et al.
+// 2017). See docs/method/stroke-fit.md.
 
 namespace beadswim {
 
 /// State of one swimmer at one time.
 struct SwimmerSample {
-  double time = 0;                     ///< [time]
-  std::array<Vec3, 3> bead_positions;  ///< centres of beads 1, 2, 3, unwrapped [length]
-  Vec3 mean_flow = Vec3::Zero();       ///< volume average of the velocity of fluid and beads [length/time]
+  double time = 0;                   ///< [time]
+  std::vector<Vec3> bead_positions;  ///< centres of the beads, unwrapped [length]
+  Vec3 mean_flow = Vec3::Zero();     ///< volume average of the velocity of fluid and beads [length/time]
 
   static void visit_fields(auto&& visit, auto& sample) {
     visit("time", sample.time);
@@ -33,14 +36,19 @@ struct CycleStatistics {
   int index = 0;  ///< number of the cycle, 1 for the first
   Vec3 velocity =
       Vec3::Zero();           ///< displacement of the mean bead position, divided by the period [length/time]
-  Vec3 axis = Vec3::UnitX();  ///< unit vector of the time average of the direction from bead 1 to bead 3
-  double speed_along_axis = 0;             ///< component of `velocity` along `axis` [length/time]
-  Vec3 mean_flow = Vec3::Zero();           ///< mean flow, averaged over the period [length/time]
-  std::array<double, 2> arm_amplitudes{};  ///< d1, d2 of equation (4.1) of the paper [length]
-  std::array<double, 2> arm_phases{};      ///< delta1, delta2 of equation (4.1), in (-pi, pi] [rad]
-  std::array<double, 2> arm_means{};       ///< mean arm lengths [length]
-  std::optional<double> power;             ///< mean power of the driving [mass length^2/time^3]
-  std::optional<double> efficiency;  ///< Lighthill efficiency: drag of the towed swimmer x v^2/power [1]
+  Vec3 axis = Vec3::UnitX();  ///< unit vector of the time average of the swimmer's axis (axis_of())
+  /// Orientation at the end of the period as a unit quaternion w, x, y, z (swimmers/swimmer_shape.hpp), and
+  /// the rotation vector from the orientation at its start to this one, divided by the period [radian/time];
+  /// nullopt in older records
+  std::optional<std::array<double, 4>> orientation{};
+  std::optional<Vec3> angular_velocity{};
+  double speed_along_axis = 0;         ///< component of `velocity` along `axis` [length/time]
+  Vec3 mean_flow = Vec3::Zero();       ///< mean flow, averaged over the period [length/time]
+  std::vector<double> arm_amplitudes;  ///< d1, d2, ... of equation (4.1) of the paper [length]
+  std::vector<double> arm_phases;      ///< delta1, delta2, ... of equation (4.1), in (-pi, pi] [rad]
+  std::vector<double> arm_means;       ///< mean arm lengths [length]
+  std::optional<double> power;         ///< mean power of the driving [mass length^2/time^3]
+  std::optional<double> efficiency;    ///< Lighthill efficiency: drag of the towed swimmer x v^2/power [1]
 
   static void visit_fields(auto&& visit, auto& cycle) {
     visit("index", cycle.index, not_a_column);
@@ -48,6 +56,8 @@ struct CycleStatistics {
     visit("axis", cycle.axis);
     visit("speed_along_axis", cycle.speed_along_axis, not_a_column);
     visit("mean_flow", cycle.mean_flow);
+    visit("orientation", cycle.orientation, omitted_if_none, not_a_column);
+    visit("angular_velocity", cycle.angular_velocity, omitted_if_none, not_a_column);
     visit("arm_amplitudes", cycle.arm_amplitudes);
     visit("arm_phases", cycle.arm_phases);
     visit("arm_means", cycle.arm_means);
@@ -56,9 +66,8 @@ struct CycleStatistics {
   }
 };
 
-/// Returns the vector along an arm [length]: from bead 1 to bead 2 for arm 0, from bead 2 to bead 3 for
-/// arm 1.
-Vec3 arm_vector(const SwimmerSample& sample, std::size_t arm);
+/// Returns the vector along a bond [length], from its first to its second bead.
+Vec3 bond_vector(const SwimmerSample& sample, const Bond& bond);
 
 /// Fits a length that varies with the period of the driving to the samples of one cycle, in order of time.
 /// The sample times are also the times in the driving forces, so the fitted phase is relative to the driving.
@@ -72,9 +81,11 @@ StrokeFit fit_cycle(std::span<const SwimmerSample> samples, double period,
 /// Evaluates the statistics of one cycle from its samples.
 ///   index    number of the cycle, 1 for the first
 ///   samples  at least 4, in order of time; the last sample is one period after the first
-///   period   [time]
+///   type     type of the swimmer, with its own driving
+///   initial_orientation  at the start of the run (swimmers/swimmer_shape.hpp)
 /// Time averages use the trapezoidal rule over all samples; fit_cycle() gives the stroke. Power and
 /// efficiency are left empty. Throws InputError if the samples do not satisfy the conditions.
-CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, double period);
+CycleStatistics cycle_statistics(int index, std::span<const SwimmerSample> samples, const SwimmerType& type,
+                                 const Eigen::Matrix3d& initial_orientation);
 
 }  // namespace beadswim

@@ -1,26 +1,30 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "beadswim/compare/cycle_statistics.hpp"
-#include "beadswim/core/vec3.hpp"
-#include "beadswim/swimmers/three_bead_swimmer.hpp"
+#include "beadswim/swimmers/swimmer_type.hpp"
 
 namespace beadswim {
 
-/// Returns the mean power P of the driving forces in one cycle [mass length^2/time^3].
+/// Returns the mean power P of the drives in one cycle [mass length^2/time^3]: the work of forces and
+/// tensions on the beads, and of driven rest lengths and rest angles on their springs.
 ///
-/// The sum of the forces is zero, so that P = <-F_1 dq_1/dt + F_3 dq_2/dt>. For forces along a fixed
-/// direction e, q_1 = e (x_2 - x_1) and q_2 = e (x_3 - x_2); for forces along the arms, q_1 and q_2 are the
-/// arm lengths. F_1 = A sin(w t + phi) and F_3 = B sin(w t + alpha + phi) are pure sines, so that only the
-/// part d_i cos(w t + delta_i) of q_i contributes, at any amplitude:
+/// Each harmonic of a drive, A sin(n w t + psi) with psi = n phi + phase, acts on one coordinate q: a force
+/// on the coordinate of its bead along the force, the drives of a bond on its length L, that of an angle on
+/// the angle theta. Only the part d cos(n w t + delta) of q contributes, at any amplitude:
 ///
-///   P = w/2 [A d_1 cos(delta_1 - phi) - B d_2 cos(delta_2 - alpha - phi)]
+///   P_force   = -n w/2 A d cos(delta - psi),     P_tension = n w/2 A d cos(delta - psi)
+///   P_rest    = -k n w/2 A d cos(delta - psi)    k: stiffness of the bond, or angular stiffness
 ///
-///   samples       as for cycle_statistics()
-///   initial_axis  axis of the swimmer at the start of the run; used for DrivingFrame::initial_axis
-/// Throws InputError as fit_cycle() does.
-double driving_power(const ThreeBeadDriving& driving, const Vec3& initial_axis,
-                     std::span<const SwimmerSample> samples);
+/// A constant force F does the power F times the mean velocity of its bead along the force.
+///
+///   samples              as for cycle_statistics()
+///   initial_orientation  of the swimmer at the start of the run
+/// Returns nothing if forces turn with the swimmer (DrivingFrame::body): their coordinate is not that of a
+/// bead. Throws InputError as fit_cycle() does.
+std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix3d& initial_orientation,
+                                    std::span<const SwimmerSample> samples);
 
 }  // namespace beadswim

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "beadswim/compare/cycle_statistics.hpp"
 #include "beadswim/core/box.hpp"
@@ -44,10 +44,11 @@ struct SwarmSwimming {
   Vec3 velocity_deviation = Vec3::Zero();  ///< standard deviation of each velocity component [length/time]
   Spread speed_along_axis;                 ///< velocity of each swimmer along its own axis [length/time]
   Vec3 mean_flow = Vec3::Zero();           ///< mean of CycleStatistics::mean_flow over swimmers [length/time]
-  std::array<Spread, 2> arm_amplitudes{};  ///< d1, d2 of equation (4.1) of the paper [length]
-  std::array<Spread, 2> arm_means{};       ///< mean arm lengths [length]
-  std::optional<Spread> power;  ///< mean power of the driving [mass length^2/time^3]; empty if not known
-  std::array<double, 2> arm_phase_order{};  ///< Kuramoto |<exp(i delta)>| of delta1, delta2; 1: equal phases
+  /// d1, d2, ... of equation (4.1) of the paper [length]; each over the swimmers that have this arm
+  std::vector<Spread> arm_amplitudes;
+  std::vector<Spread> arm_means;  ///< mean arm lengths [length]
+  std::optional<Spread> power;    ///< mean power of the driving [mass length^2/time^3]; empty if not known
+  std::vector<double> arm_phase_order;  ///< Kuramoto |<exp(i delta)>| of each arm; 1: equal phases
 
   static void visit_fields(auto&& visit, auto& swimming) {
     visit("swimmers", swimming.swimmers);

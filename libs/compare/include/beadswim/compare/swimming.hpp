@@ -23,7 +23,7 @@ inline constexpr auto name_table<ComparedQuantity> =
 
 /// Compared quantities of one swimmer, from a run or a prediction. A source may provide only some of them.
 ///   velocity         { v }         along the swimmer's axis, relative to the mean flow [length/time]
-///   arm_amplitudes   { d1, d2 }    of equation (4.1) of the paper (Pickl et al. 2017) [length]
+///   arm_amplitudes   { d1, d2, ... }  of equation (4.1) of the paper (Pickl et al. 2017) [length]
 ///   sin_phase_shift  { sin beta }  beta = delta1 - delta2, the phase of arm 1 ahead of arm 2
 using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
 

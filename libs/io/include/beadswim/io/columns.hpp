@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <limits>
 #include <span>
 #include <string>
@@ -13,10 +14,13 @@
 #include "beadswim/core/vec3.hpp"
 
 // Conversion between records (structs that list their fields in visit_fields, core/fields.hpp) and columns of
-// numbers. A field that becomes a column is a double, a Vec3 or an array of doubles. Other fields must have
-// the mark not_a_column.
+// numbers. A field that becomes a column is a double, a Vec3, or an array or a vector of doubles. Other
+// fields must have the mark not_a_column. Vectors may have different lengths in different records: the
+// columns are as wide as those of an example, and NaN stands where a record has no number.
 
 namespace beadswim {
+
+constexpr hsize_t any_width = 0;  ///< of a column that is to be read, see Column::shape
 
 /// Values of one field of several records.
 struct Column {
@@ -36,6 +40,9 @@ std::span<double> numbers_of(std::array<double, size>& numbers) {
 inline std::span<double> numbers_of(Vec3& vector) {
   return {vector.data(), 3};
 }
+inline std::span<double> numbers_of(std::vector<double>& numbers) {
+  return numbers;
+}
 
 /// Calls handle(name, numbers) for each field of the record that becomes a column. `numbers` refers to the
 /// values of the field in this record.
@@ -48,23 +55,37 @@ void visit_columns(auto&& handle, Record& record) {
       record);
 }
 
-/// Converts records to columns. If there are no records, the columns contain no numbers.
+/// Converts records to columns that are as wide as the fields of `example` and of all records. If there are
+/// no records, the columns contain no numbers.
 template <HasFields Record>
-std::vector<Column> columns_of(std::vector<Record> records) {
+std::vector<Column> columns_of(std::vector<Record> records, Record example = {}) {
   std::vector<Column> columns;
-  Record any;
-  visit_columns(
-      [&](const char* name, std::span<double> numbers) {
-        Column& column = columns.emplace_back();
-        column.name = name;
-        if (numbers.size() > 1) column.shape = {numbers.size()};
+  visit_fields(
+      [&]<class Field, class... Marks>(const char* name, Field& field, Marks...) {
+        if constexpr (!has_mark<NotAColumn, Marks...>) {
+          Column& column = columns.emplace_back();
+          column.name = name;
+          if (!std::same_as<Field, double>) column.shape = {numbers_of(field).size()};
+        }
       },
-      any);
+      example);
   for (Record& record : records) {
     auto column = columns.begin();
     visit_columns(
         [&](const char*, std::span<double> numbers) {
+          if (!column->shape.empty()) column->shape[0] = std::max<hsize_t>(column->shape[0], numbers.size());
+          ++column;
+        },
+        record);
+  }
+  for (Record& record : records) {
+    auto column = columns.begin();
+    visit_columns(
+        [&](const char*, std::span<double> numbers) {
+          const std::size_t width = column->shape.empty() ? 1 : column->shape[0];
           column->numbers.insert(column->numbers.end(), numbers.begin(), numbers.end());
+          column->numbers.resize(column->numbers.size() + width - numbers.size(),
+                                 std::numeric_limits<double>::quiet_NaN());
           ++column;
         },
         record);
@@ -72,10 +93,21 @@ std::vector<Column> columns_of(std::vector<Record> records) {
   return columns;
 }
 
-/// Converts columns to `count` records. Fields with the mark not_a_column keep their default values.
+/// Converts columns to `count` records. Vectors are as wide as their column. Fields with the mark
+/// not_a_column keep their default values.
 template <HasFields Record>
 std::vector<Record> records_of(const std::vector<Column>& columns, std::size_t count) {
-  std::vector<Record> records(count);
+  Record example;
+  auto shape = columns.begin();
+  visit_fields(
+      [&]<class Field, class... Marks>(const char*, Field& field, Marks...) {
+        if constexpr (!has_mark<NotAColumn, Marks...>) {
+          if constexpr (std::same_as<Field, std::vector<double>>) field.resize(shape->shape[0]);
+          ++shape;
+        }
+      },
+      example);
+  std::vector<Record> records(count, example);
   for (std::size_t i = 0; i < count; ++i) {
     auto column = columns.begin();
     visit_columns(

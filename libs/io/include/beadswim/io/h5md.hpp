@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <map>
@@ -25,12 +26,22 @@ namespace beadswim {
 struct TrajectoryHeader {
   std::optional<Box> box{};    ///< empty in open space
   std::vector<int> swimmer;    ///< id of the swimmer of each bead
-  std::vector<int> bead;       ///< number of each bead in its swimmer: 1, 2 or 3
+  std::vector<int> bead;       ///< number of each bead in its swimmer: 1, 2, ...
   std::vector<double> radius;  ///< radius of each bead [length]
   std::string creator_version;
   std::map<std::string, std::string> parameters;  ///< texts of the group /parameters: layout, units, ...
   std::vector<Column>
       cycle_columns{};  ///< names and shapes of the columns of TrajectoryCycle, without numbers
+
+  /// Returns the number of swimmers.
+  std::size_t swimmers() const { return std::ranges::count(bead, 1); }
+  /// Returns the indices of the first beads of all swimmers.
+  std::vector<std::size_t> first_beads() const {
+    std::vector<std::size_t> first;
+    for (std::size_t b = 0; b < bead.size(); ++b)
+      if (bead[b] == 1) first.push_back(b);
+    return first;
+  }
 };
 
 /// One frame of a trajectory, with the beads in the order of the header. Positions and velocities are

@@ -128,6 +128,7 @@ class OverdampedSystem {
   ImplicitStepResult solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
                                 const Beads& distant);
   void solve_initial_velocities();
+  bool moves_far(const Beads& from, const Beads& to) const;
   Step take_euler_steps(int parts);
   void take_first_step();
   void take_bdf_step();

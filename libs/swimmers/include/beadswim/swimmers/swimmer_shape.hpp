@@ -15,6 +15,11 @@ namespace beadswim {
 /// Vectors of the beads of one swimmer, one column per bead. Needs no memory of the heap.
 using BeadVectors = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::ColMajor, 3, max_beads>;
 
+/// Returns a list of vectors of the beads as columns.
+inline BeadVectors columns_of_beads(std::span<const Vec3> beads) {
+  return Eigen::Map<const Eigen::Matrix3Xd>(beads[0].data(), 3, std::ssize(beads));
+}
+
 /// Returns the shortest rotation of the x axis onto the unit vector `axis`. The first column is `axis`, bit
 /// by bit. For the axis -x it is the rotation by pi about z.
 Eigen::Matrix3d shortest_turn(const Vec3& axis);
@@ -24,10 +29,23 @@ Eigen::Matrix3d shortest_turn(const Vec3& axis);
 std::vector<Vec3> rest_positions(const SwimmerType& type, const Vec3& origin,
                                  const Eigen::Matrix3d& orientation);
 
+/// Returns the angle theta of an angular spring between beads at `positions`, in [0, pi] [radian].
+double angle_between(const Angle& angle, std::span<const Vec3> positions);
+
+/// Returns the angle of an angular spring between the beads at rest; exactly 0 for beads on the x axis in
+/// this order.
+double angle_at_rest(const SwimmerType& type, const Angle& angle);
+
 /// Returns the orientation that fits the beads at rest best to `positions` after a translation, in the sense
 /// of least squares, with equal weights (Kabsch, Acta Cryst. A 32 (1976) 922). Where the beads leave it open,
 /// as the rotation of a straight swimmer about its axis, the result is as near as possible to `near`.
 Eigen::Matrix3d fitted_orientation(const SwimmerType& type, const BeadVectors& positions,
                                    const Eigen::Matrix3d& near);
+
+/// Returns the axis of a swimmer, a unit vector: along the line of the beads if they are on the x axis of the
+/// type, from the bead with the smallest to that with the largest x; otherwise the first column of the fitted
+/// orientation.
+Vec3 axis_of(const SwimmerType& type, std::span<const Vec3> positions,
+             const Eigen::Matrix3d& initial_orientation);
 
 }  // namespace beadswim

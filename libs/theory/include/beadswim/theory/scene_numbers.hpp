@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "beadswim/scene/layout.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
@@ -12,26 +13,27 @@
 
 namespace beadswim {
 
-/// Numbers of one swimmer type, evaluated with the driving of the type.
+/// Numbers of one swimmer type, evaluated with the driving of the type. The arms are its bonds. Numbers of
+/// the motion are known for the paper's three-bead swimmer only.
 struct TypeNumbers {
-  double phase = 0;                          ///< driving phase alpha, bead 3 ahead of bead 1 [radian]
-  double reynolds = 0;                       ///< largest 2 lambda v / nu of the beads, v: velocity amplitude
+  std::optional<double> phase;               ///< driving phase alpha, bead 3 ahead of bead 1 [radian]
+  std::optional<double> reynolds;            ///< largest 2 lambda v / nu of the beads, v: velocity amplitude
   double penetration_depth = 0;              ///< delta = sqrt(2 nu / omega) [length]
   double radius_over_penetration_depth = 0;  ///< lambda / delta with the largest radius lambda
-  std::array<double, 2> arm_over_radius{};   ///< l_i / lambda with the mean radius lambda of the arm's beads
-  std::array<double, 2> drag_over_spring{};  ///< gamma omega / k_i with gamma = 6 pi eta lambda
-  std::array<double, 2> arm_amplitude{};     ///< d_i to first order with Rotne-Prager mobility [length]
-  std::array<double, 2> arm_gap{};           ///< distance of the surfaces of the arm's beads at rest [length]
+  std::vector<double> arm_over_radius;       ///< l_i / lambda with the mean radius lambda of the arm's beads
+  std::vector<double> drag_over_spring;      ///< gamma omega / k_i with gamma = 6 pi eta lambda
+  std::vector<double> arm_amplitude;         ///< d_i to first order with Rotne-Prager mobility [length]
+  std::vector<double> arm_gap;               ///< distance of the surfaces of the arm's beads at rest [length]
   std::optional<std::array<double, 3>> box_over_length;  ///< box edges / swimmer length
 
   static void visit_fields(auto&& visit, auto& numbers) {
-    visit("phase", numbers.phase);
-    visit("reynolds_bead", numbers.reynolds);
+    visit("phase", numbers.phase, omitted_if_none);
+    visit("reynolds_bead", numbers.reynolds, omitted_if_none);
     visit("penetration_depth", numbers.penetration_depth);
     visit("radius_over_penetration_depth", numbers.radius_over_penetration_depth);
     visit("arm_over_radius", numbers.arm_over_radius);
     visit("drag_over_spring", numbers.drag_over_spring);
-    visit("arm_amplitudes", numbers.arm_amplitude);
+    visit("arm_amplitudes", numbers.arm_amplitude, omitted_if_none);
     visit("arm_gaps", numbers.arm_gap);
     visit("box_over_swimmer_length", numbers.box_over_length, omitted_if_none);
   }
@@ -44,12 +46,14 @@ struct ResolutionNumbers {
   double time_step = 0;                            ///< (tau - 1/2)/3 cell^2/nu [time]
   std::map<std::string, double> steps_per_period;  ///< for each type
   std::optional<double> cells_in_box;
-  double mach = 0;  ///< sqrt(3) v time_step / cell, v: speed of the fastest bead of all types
+  /// sqrt(3) v time_step / cell, v: speed of the fastest bead of all types; nullopt where a type's is not
+  /// known
+  std::optional<double> mach;
 
   static void visit_fields(auto&& visit, auto& numbers) {
     visit("cell", numbers.cell);
     visit("time_step", numbers.time_step);
-    visit("mach", numbers.mach);
+    visit("mach", numbers.mach, omitted_if_none);
     visit("steps_per_period", numbers.steps_per_period);
     visit("cells_in_box", numbers.cells_in_box, omitted_if_none);
   }

@@ -1,0 +1,104 @@
+#!/bin/bash
+# Tests layouts of version 2: swimmers of any shape, run by mobility models.
+source "$(dirname "$0")/harness.sh"
+
+# Writes a layout of the paper's swimmers in the terms of version 2.
+as_shape='.schema = "beadswim/layout/2" | .types[] |= (.driving as {amplitude: [$a, $b], $phase, $period, $frame} | .springs as $s | {
+    beads: [.beads, [-$s[0].rest_length, 0, $s[1].rest_length]] | transpose | map(.[0] + {at: [.[1], 0, 0]}),
+    bonds: [$s[0] + {beads: [1, 2]}, $s[1] + {beads: [2, 3]}], angles: [{beads: [1, 2, 3], stiffness: .angular_stiffness}],
+    driving: ({$period, $frame} + if $frame == "body" then {bonds: [{bond: 1, tension: [{amplitude: $a}]},
+        {bond: 2, tension: [{amplitude: (-$b), $phase}]}]} else {forces: [
+        {bead: 1, direction: [1, 0, 0], harmonics: [{amplitude: $a}]}, {bead: 3, direction: [1, 0, 0], harmonics: [{amplitude: $b, $phase}]},
+        {bead: 2, direction: [1, 0, 0], harmonics: [{amplitude: (-$a)}, {amplitude: (-$b), $phase}]}]} end)})'
+
+# --- both versions of a layout end in the same bits, and filters write the shorter one
+for frame in lab initial-axis body; do
+  beadswim-layout swimmer --preset paper-single --unbounded --period 700 --amplitude 0.2,0.3 --phase 1.1 --axis 3,1,0 --frame $frame >one.json
+  jq "$as_shape | .types[].driving.forces |= (if . then sort_by(.bead) else empty end)" one.json >two.json
+  accepts beadswim-layout check two.json
+  for model in rpy oseen rpy+near; do
+    for version in one two; do
+      beadswim-run $version.json -o $version.h5md --model $model --cycles 1 --progress none --no-provenance >$version.rec 2>/dev/null
+    done
+    check "$frame, $model: version 2 gives the same record" cmp -s one.rec two.rec
+  done
+  run beadswim-layout reduce --box 100,60,60 two.json
+  has_status 0
+  check "$frame: a filter writes version 1 where it can" holds '.schema == "beadswim/layout/1"' out
+done
+
+# --- a triangle whose sides change their lengths in turn: it rotates, alone and in a swarm of others, on any ranks, across a restart
+jq -n '[[-8, -5, 0], [8, -5, 0], [0, 9, 0]] as $at | {schema: "beadswim/layout/2", units: "lattice",
+  fluid: {density: 1, kinematic_viscosity: 0.3333333333333333}, domain: {lengths: [100, 90, 80], boundary: ["periodic", "periodic", "free-slip"]},
+  types: {triangle: {beads: $at | map({radius: 4, density: 1, at: .}),
+    bonds: [[1, 2], [2, 3], [3, 1]] | map({beads: ., stiffness: 1}),
+    driving: {period: 1000, bonds: [range(3) as $k | {bond: ($k + 1), rest_length: [{amplitude: 2, phase: (-2.0943951023931953 * $k)}]}]}}},
+  swimmers: [{id: 0, type: "triangle", position: [30, 40, 40], axis: [1, 0, 0]},
+             {id: 1, type: "triangle", position: [70, 40, 40], orientation: [0.8, 0, 0.6, 0], driving: {phase_offset: 1}}]}' >triangle.json
+accepts beadswim-layout check triangle.json
+run beadswim-layout check triangle.json
+check "the table knows bonds" grep -q 'l/lambda, bonds  *4, ' out
+run beadswim-run triangle.json -o whole.h5md --model rpy --cycles 2 --progress none --no-provenance
+has_status 0
+err_has '^beadswim-run: warning: the error of this run is not known: '
+cp out whole.json
+check "it has three arms and rotates" holds '.swimmers | all(.cycles[-1] | (.arm_means | length) == 3 and (.orientation | length) == 4
+  and (.angular_velocity | map(. * .) | add | sqrt * 1000 > 0.01) and .power > 0)' whole.json
+run mpirun -n 2 beadswim-run triangle.json -o two-ranks.h5md --model rpy --cycles 2 --progress none --no-provenance
+check "two ranks give the same to the accuracy of the sum" holds --slurpfile one whole.json \
+  '[.swimmers[].cycles[-1].arm_means[], ($one[0].swimmers[].cycles[-1].arm_means[] | -.)] | (.[:6] as $a | .[6:] as $b | [$a, $b] | transpose | map(add | fabs) | max < 1e-3)' out
+run beadswim-run triangle.json -o part.h5md --model rpy --cycles 1 --checkpoint-every 1 --progress none
+has_status 0
+run beadswim-run triangle.json -o again.h5md --model rpy --cycles 2 --restart part.h5md.ckpt.0 --progress none --no-provenance
+cp out again.json
+check "a restart gives the same state" holds --slurpfile whole whole.json '.state_sha256 == $whole[0].state_sha256' again.json
+run beadswim-compare whole.json again.json
+has_status 0
+beadswim-layout defect jitter --sigma 0.5 --seed 1 triangle.json | beadswim-layout defect rotation --random --seed 2 |
+  beadswim-layout defect amplitude --sigma 0.1 --seed 3 >disordered.json
+accepts beadswim-layout check disordered.json
+check "a filter keeps version 2" holds '.schema == "beadswim/layout/2" and (.swimmers[1] | has("orientation")) and .swimmers[0].driving.bonds[0].rest_length[0].amplitude != 2' disordered.json
+run beadswim-plot trajectories whole.h5md --beads 3 -o trajectories.svg
+has_status 0
+
+# --- what cannot treat the shape says what can
+refuses 'triangle.json:/types/triangle: --model lbm moves .* use --model rpy, rpy\+near or oseen' beadswim-run triangle.json -o lattice.h5md
+refuses "triangle.json: swimmer 0: the swimmer is not the paper's" beadswim-theory triangle.json
+refuses 'errors are estimated for the paper.s three-bead swimmers only, not for the type "triangle"; name the model' beadswim-run triangle.json --plan
+jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json
+beadswim-run four.json -o four.h5md --model rpy --cycles 0.1 --progress none >/dev/null 2>&1
+refuses 'four.h5md: swimmers of type "triangle" have 4 beads, but beadswim-plot swarm draws swimmers of three' beadswim-plot swarm four.h5md -o four.svg
+refuses 'four.h5md: swimmers of type "triangle" have 4 beads, but beadswim-view shows swimmers of three' beadswim-view four.h5md -o four.html
+
+# --- bad input
+bad() { # NAME JQ-FILTER REGEX
+  jq "$2" triangle.json >bad.json
+  refuses "bad.json:$3" beadswim-layout check bad.json
+}
+bad 'a bond to a bead that is not there' '.types[].bonds[0].beads = [1, 4]' '/types/triangle/bonds/0/beads/1: there is no bead 4; the type has 3 beads'
+bad 'a bond of a bead with itself' '.types[].bonds[1].beads = [2, 2]' '/types/triangle/bonds/1/beads: bead 2 is named twice'
+bad 'two bonds of the same beads' '.types[].bonds[2].beads = [2, 1]' '/types/triangle/bonds/2/beads: beads 2 and 1 are already joined by bond 1'
+bad 'an angle at a bead that is not there' '.types[].angles = [{beads: [1, 2, 5], stiffness: 1}]' '/types/triangle/angles/0/beads/2: there is no bead 5'
+bad 'an angle with a bead twice' '.types[].angles = [{beads: [1, 2, 1], stiffness: 1}]' '/types/triangle/angles/0/beads: bead 1 is named twice'
+bad 'two pieces' '.types[].bonds |= .[:1] | .types[].driving.bonds |= .[:1]' '/types/triangle/beads/2: no chain of bonds joins bead 3 to bead 1'
+bad 'beads that overlap at rest' '.types[].beads[2].at = [-8, 0, 0] | .types[].bonds[].rest_length = 16' '/types/triangle/beads/2/at: beads 1 and 3 overlap at rest'
+bad 'a drive of no bond' '.types[].driving.bonds[0].bond = 4' '/types/triangle/driving/bonds/0/bond: there is no bond 4; the type has 3 bonds'
+bad 'a drive of no angle' '.types[].driving.angles = [{angle: 1, rest: [{amplitude: 0.1}]}]' '/types/triangle/driving/angles/0/angle: there is no angle 1; the type has 0 angles'
+bad 'a drive of no bead' '.types[].driving.forces = [{bead: 9, direction: [1, 0, 0]}]' '/types/triangle/driving/forces/0/bead: there is no bead 9'
+bad 'a force along no direction' '.types[].driving.forces = [{bead: 1, direction: [0, 0, 0]}]' '/types/triangle/driving/forces/0/direction: the direction \(0, 0, 0\) has the length 0'
+bad 'forces that do not sum to zero' '.types[].driving.forces = [{bead: 1, direction: [1, 0, 0], harmonics: [{amplitude: 1}]}]' \
+  '/types/triangle/driving/forces: the forces with the multiple 1 do not sum to zero; the sum has the size 1: .*"net_force": "allowed"'
+bad 'constant forces that do not' '.types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 2}]' '/types/triangle/driving/forces: the constant forces do not sum to zero'
+bad 'own forces that do not' '.swimmers[1].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 2}]' '/swimmers/1/driving/forces: the constant forces'
+bad 'an orientation of no length' '.swimmers[1].orientation = [0, 0, 0, 0]' '/swimmers/1/orientation: the quaternion has the norm 0, but must have the norm 1'
+bad 'an axis and an orientation' '.swimmers[1].axis = [1, 0, 0]' '/swimmers/1/orientation: the swimmer has an axis and an orientation'
+bad 'a drive of a bond that changes nothing' 'del(.types[].driving.bonds[0].rest_length)' '/types/triangle/driving/bonds/0: a drive of a bond needs exactly one'
+bad 'too many beads' '.types[].beads = [range(65) | {radius: 1, density: 1, at: [(. * 3), 0, 0]}]' '/types/triangle/beads: the array has 65 elements'
+bad 'a driven angle of beads in line' '.types.rod = {beads: [range(3) | {radius: 4, density: 1, at: [(. * 16), 0, 0]}],
+  bonds: [{beads: [1, 2], stiffness: 1}, {beads: [2, 3], stiffness: 1}], angles: [{beads: [1, 2, 3], stiffness: 9}],
+  driving: {period: 1000, angles: [{angle: 1, rest: [{amplitude: 0.1}]}]}}' '/types/rod/driving/angles/0: the three beads are in line at rest'
+bad 'a version to come' '.schema = "beadswim/layout/3"' '/schema: .*newer than this program, which reads version 2'
+bad 'a key of version 1' '.types[].springs = []' '/types/triangle/springs: unknown key'
+accepts bash -c "jq '.types[].driving.net_force = \"allowed\" | .types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 0.01}]' triangle.json | beadswim-layout check -"
+
+finish

@@ -1,0 +1,218 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "beadswim/compare/cycle_statistics.hpp"
+#include "scenes.hpp"
+
+// Swimmers of other shapes than the paper's, moved without inertia, against symmetries and known formulas.
+
+namespace beadswim {
+namespace {
+
+constexpr double period = 1000, omega = 2 * pi / period;
+
+OverdampedScene lone(const SwimmerType& type, int steps_per_cycle) {
+  OverdampedScene scene;
+  scene.viscosity = 1.0 / 3;
+  scene.types = {type};
+  scene.swimmers = {{.id = 0, .type = 0, .position = {30, 40, 50}}};
+  scene.step = type.driving.period / steps_per_cycle;
+  scene.tolerance = 1e-12;
+  return scene;
+}
+
+/// Returns the statistics of the last of `cycles` cycles.
+CycleStatistics last_cycle(const OverdampedScene& scene, int cycles) {
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  const SwimmerType& type = scene.types[0];
+  const int steps = static_cast<int>(std::lround(type.driving.period / scene.step));
+  for (int n = 0; n < (cycles - 1) * steps; ++n) system.step();
+  std::vector<SwimmerSample> samples;
+  for (int n = 0;; ++n) {
+    samples.push_back({system.time(), {system.positions().begin(), system.positions().end()}});
+    if (n == steps) break;
+    system.step();
+  }
+  EXPECT_FALSE(system.fault());
+  return cycle_statistics(cycles, samples, type, scene.swimmers[0].orientation);
+}
+
+SwimmerType beads_at(const std::vector<Vec3>& places, double radius) {
+  SwimmerType type;
+  for (const Vec3& at : places) type.beads.push_back({{.radius = radius, .density = 1}, at});
+  type.driving.period = period;
+  return type;
+}
+
+void add_bond(SwimmerType& type, int i, int j, double stiffness) {
+  type.bonds.push_back({{stiffness, (type.beads[j].at - type.beads[i].at).norm(), 0}, {i, j}});
+}
+
+/// Adds a harmonic to the rest length of a bond.
+void drive_length(SwimmerType& type, int bond, double amplitude, double phase) {
+  type.driving.bonds.push_back({.bond = bond,
+                                .quantity = BondQuantity::rest_length,
+                                .harmonics = {{.amplitude = amplitude, .phase = phase}}});
+}
+
+// Without inertia, one degree of freedom does not swim (Purcell 1977), whatever drives it.
+TEST(Dumbbell, DoesNotSwim) {
+  SwimmerType type = beads_at({Vec3(0, 0, 0), Vec3(16, 0, 0)}, 4);
+  type.beads[1].radius = 2.5;
+  add_bond(type, 0, 1, 0.05);
+  type.driving.bonds = {{.bond = 0,
+                         .quantity = BondQuantity::tension,
+                         .harmonics = {{.amplitude = 0.1}, {.amplitude = 0.05, .phase = 1, .multiple = 2}}}};
+  const CycleStatistics cycle = last_cycle(lone(type, 4000), 8);
+  EXPECT_GT(cycle.arm_amplitudes[0], 1);
+  EXPECT_LT(cycle.velocity.norm(), 1e-10 * 4 * omega);
+}
+
+/// Returns three equal beads at the corners of a triangle; each side is driven a phase `shift` behind the
+/// last.
+SwimmerType triangle(double shift) {
+  SwimmerType type = beads_at({Vec3(-8, -4.6188, 0), Vec3(8, -4.6188, 0), Vec3(0, 9.2376, 0)}, 4);
+  for (int k = 0; k < 3; ++k) {
+    add_bond(type, k, (k + 1) % 3, 1);
+    type.bonds.back().rest_length = 16;
+    drive_length(type, k, 2, -k * shift);
+  }
+  return type;
+}
+
+TEST(Triangle, RotatesIfItsSidesMoveInTurnAndDoesNotTranslate) {
+  const CycleStatistics in_turn = last_cycle(lone(triangle(2 * pi / 3), 600), 6);
+  const double turn = in_turn.angular_velocity->z() * period;
+  EXPECT_GT(std::abs(turn), 1e-3);
+  EXPECT_LT(in_turn.angular_velocity->head<2>().norm() * period, 1e-9);
+  // From cycle to cycle the displacement turns as the triangle does: its path is a closed circle.
+  const CycleStatistics next = last_cycle(lone(triangle(2 * pi / 3), 600), 7);
+  const Vec3 turned = Eigen::AngleAxisd(turn, Vec3::UnitZ()) * in_turn.velocity;
+  EXPECT_LT((next.velocity - turned).norm(), 1e-6 * in_turn.velocity.norm());
+  const CycleStatistics backwards = last_cycle(lone(triangle(-2 * pi / 3), 600), 6);
+  EXPECT_NEAR(backwards.angular_velocity->z() * period, -turn, 1e-5 * std::abs(turn));
+}
+
+TEST(Triangle, NeitherRotatesNorTranslatesIfItsSidesMoveTogether) {
+  const CycleStatistics together = last_cycle(lone(triangle(0), 100), 4);
+  EXPECT_LT(together.angular_velocity->norm() * period, 1e-4);  // the corners are those of the text above
+  EXPECT_LT(together.velocity.norm() * period, 1e-4);
+}
+
+/// Returns five beads without symmetry, in a loop with a tail, driven by lengths, tensions, an angle and
+/// forces that turn with the swimmer.
+SwimmerType odd_shape() {
+  SwimmerType type =
+      beads_at({Vec3(0, 0, 0), Vec3(14, 3, -2), Vec3(10, 16, 4), Vec3(-4, 13, -3), Vec3(20, -8, 6)}, 3);
+  type.beads[2].radius = 4;
+  for (const auto& [i, j] : {std::pair{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 4}, {0, 4}, {1, 3}, {3, 4}})
+    add_bond(type, i, j, 0.3);
+  type.angles = {{.beads = {0, 1, 4}, .stiffness = 20}};
+  type.angles[0].rest = angle_at_rest(type, type.angles[0]);
+  drive_length(type, 0, 1.5, 0.3);
+  drive_length(type, 2, 2, 1.7);
+  type.driving.bonds.push_back({.bond = 5, .harmonics = {{.amplitude = 0.2, .phase = 2.5, .multiple = 2}}});
+  type.driving.angles = {{.angle = 0, .harmonics = {{.amplitude = 0.2, .phase = -1}}}};
+  type.driving.frame = DrivingFrame::body;
+  type.driving.forces = {{.bead = 0, .direction = Vec3::UnitY(), .harmonics = {{.amplitude = 0.1}}},
+                         {.bead = 2, .direction = -Vec3::UnitY(), .harmonics = {{.amplitude = 0.1}}}};
+  return type;
+}
+
+TEST(Shapes, ThatAreTurnedMoveAlikeInTheirNewOrientation) {
+  const CycleStatistics plain = last_cycle(lone(odd_shape(), 100), 3);
+  OverdampedScene turned_scene = lone(odd_shape(), 100);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(2, Vec3(2, -1, 2) / 3).toRotationMatrix();
+  turned_scene.swimmers[0].orientation = turn;
+  const CycleStatistics turned = last_cycle(turned_scene, 3);
+  EXPECT_GT(plain.velocity.norm() * period, 1e-2);
+  EXPECT_LT((turned.velocity - turn * plain.velocity).norm(), 1e-9 * plain.velocity.norm());
+  EXPECT_LT((*turned.angular_velocity - turn * *plain.angular_velocity).norm(),
+            1e-9 * plain.angular_velocity->norm());
+}
+
+TEST(Shapes, ThatAreMirroredMoveAsInTheMirror) {
+  const CycleStatistics plain = last_cycle(lone(odd_shape(), 100), 3);
+  SwimmerType type = odd_shape();
+  const Vec3 mirror(1, 1, -1);
+  for (BeadAtRest& bead : type.beads) bead.at = bead.at.cwiseProduct(mirror);
+  const CycleStatistics mirrored = last_cycle(lone(type, 100), 3);
+  EXPECT_LT((mirrored.velocity - plain.velocity.cwiseProduct(mirror)).norm(), 1e-9 * plain.velocity.norm());
+  EXPECT_LT((*mirrored.angular_velocity + plain.angular_velocity->cwiseProduct(mirror)).norm(),
+            1e-9 * plain.angular_velocity->norm());
+}
+
+/// Returns three equal beads in a line whose arms follow prescribed lengths: stiff bonds with driven rest
+/// lengths of amplitude d. gamma omega/k = `softness`.
+SwimmerType prescribed(double arm, double amplitude, double phase, double softness) {
+  SwimmerType type = beads_at({Vec3(-arm, 0, 0), Vec3(0, 0, 0), Vec3(arm, 0, 0)}, 1);
+  const double drag = 6 * pi / 3;
+  for (int k = 0; k < 2; ++k) add_bond(type, k, k + 1, drag * omega / softness);
+  drive_length(type, 0, amplitude, 0);
+  drive_length(type, 1, amplitude, phase);
+  return type;
+}
+
+// Far apart and at small amplitude, v = 7/24 a d^2 omega sin(phase)/l^2 (Golestanian and Ajdari, Phys. Rev. E
+// 77 (2008) 036308); the first correction is of order a/l.
+TEST(PrescribedStroke, TendsToTheFarFieldFormula) {
+  constexpr double softness = 1e-5, phase = 1.2;
+  std::vector<double> differences;
+  for (const double arm : {20.0, 40.0, 80.0}) {
+    const double amplitude = 0.01 * arm;
+    const CycleStatistics cycle = last_cycle(lone(prescribed(arm, amplitude, phase, softness), 400), 3);
+    EXPECT_NEAR(cycle.arm_amplitudes[0] / amplitude, 1, 1e-4);
+    const double formula = 7.0 / 24 * amplitude * amplitude * omega * std::sin(phase) / (arm * arm);
+    differences.push_back(std::abs(cycle.velocity.x()) / formula - 1);
+  }
+  EXPECT_LT(std::abs(differences[2]), 0.05);
+  for (int fine = 1; fine < 3; ++fine) EXPECT_NEAR(differences[fine - 1] / differences[fine], 2, 0.25);
+}
+
+// Reversed in time, a stroke without inertia reverses the velocity.
+TEST(PrescribedStroke, ReversedInTimeReversesTheVelocity) {
+  const double forwards = last_cycle(lone(prescribed(6, 1.5, 1.2, 1e-5), 400), 3).velocity.x();
+  const double backwards = last_cycle(lone(prescribed(6, 1.5, -1.2, 1e-5), 400), 3).velocity.x();
+  EXPECT_GT(std::abs(forwards), 1e-4 * omega);
+  EXPECT_NEAR(backwards, -forwards, 1e-4 * std::abs(forwards));
+}
+
+// A rod of twelve beads is towed by equal constant forces: its velocity is that of a rigid body with the
+// Rotne-Prager mobility of its beads, along and across; slender bodies resist up to twice as much across.
+TEST(TowedChain, MovesAsARigidRod) {
+  std::vector<Vec3> places;
+  for (int b = 0; b < 12; ++b) places.push_back(Vec3(2.2 * b, 0, 0));
+  SwimmerType type = beads_at(places, 1);
+  for (int b = 0; b < 11; ++b) add_bond(type, b, b + 1, 1e3);
+  for (int b = 0; b < 10; ++b) type.angles.push_back({.beads = {b, b + 1, b + 2}, .stiffness = 1e5});
+  type.driving.net_force_allowed = true;
+  constexpr double force = 0.01;
+  std::array<double, 2> resistance{};
+  for (const int axis : {0, 1}) {
+    type.driving.forces.clear();
+    for (int b = 0; b < 12; ++b)
+      type.driving.forces.push_back({.bead = b, .direction = Vec3::Unit(axis), .constant = force});
+    const CycleStatistics cycle = last_cycle(lone(type, 20), 2);
+    resistance[axis] = 12 * force / cycle.velocity[axis];
+    // Sum of the inverse of the matrix of mobilities along the axis: 1/(6 pi eta a), and for two beads at
+    // distance r  (1/(8 pi eta r)) (1 + 1/3 (2 a^2)/r^2 ... along: 2 - 4/3 a^2/r^2 ..., across: 1 + 2/3
+    // a^2/r^2.
+    Eigen::MatrixXd mobility = Eigen::MatrixXd::Identity(12, 12) / (2 * pi);
+    for (int i = 0; i < 12; ++i) {
+      for (int j = 0; j < 12; ++j) {
+        if (i == j) continue;
+        const double r = 2.2 * std::abs(i - j);
+        const double of_axis = axis == 0 ? 2 - 4 / (3 * r * r) : 1 + 2 / (3 * r * r);
+        mobility(i, j) = 3 / (8 * pi * r) * of_axis;
+      }
+    }
+    EXPECT_NEAR(resistance[axis] / mobility.inverse().sum(), 1, 1e-5);
+  }
+  EXPECT_GT(resistance[1] / resistance[0], 1.3);
+  EXPECT_LT(resistance[1] / resistance[0], 2);
+}
+
+}  // namespace
+}  // namespace beadswim
