@@ -83,7 +83,7 @@ Energies step(CoupledSystem& system) {
   Energies energy;
   BeadVectors middle(3, 3);
   for (int b = 0; b < 3; ++b) middle.col(b) = (before.motion[b].position + after.motion[b].position) / 2;
-  const BeadVectors driving = driving_forces(type, time, middle, shortest_turn(after.initial_axis));
+  const BeadVectors driving = driving_forces(type, time, middle, after.orientation_at_start());
   for (int b = 0; b < 3; ++b) {
     const Vec3 moved = after.motion[b].position - before.motion[b].position;
     const Vec3 turned = (before.motion[b].angular_velocity + after.motion[b].angular_velocity) / 2;

@@ -230,7 +230,7 @@ TEST(NearContact, OfManyPairsAtOnceDoesNotOvershoot) {
 // Three beads in a row, pressed together by a force on either end: films that each know of the other let the
 // ends approach with F/(their resistance), however thin they are. Catches a middle bead that yields to one
 // neighbour after the other.
-TEST(ChainContact, OfThreeBeadsIsSolvedAsAWhole) {
+TEST(SwimmerContact, OfThreeBeadsIsSolvedAsAWhole) {
   constexpr double force = 0.5, heavy = 40;
   NearContactLaw law = usual;
   const std::array<Vec3, 3> positions{Vec3::Zero(), Vec3(4.01, 0, 0), Vec3(8.02, 0, 0)};
@@ -243,7 +243,7 @@ TEST(ChainContact, OfThreeBeadsIsSolvedAsAWhole) {
     for (int b = 0; b < 3; ++b) beads[b].velocity = velocity[b];
     beads[0].velocity[0] += force / heavy;
     beads[2].velocity[0] -= force / heavy;
-    const ChainContact contact = chain_contact(law, beads, positions, 1);
+    const SwimmerContact contact = swimmer_contact(law, beads, positions, 1);
     EXPECT_LT((contact.linear[0] + contact.linear[1] + contact.linear[2]).norm(), 1e-14);
     for (int b = 0; b < 3; ++b) velocity[b] = beads[b].velocity + contact.linear[b] / heavy;
   }

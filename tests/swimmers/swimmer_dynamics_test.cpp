@@ -33,12 +33,12 @@ double damped_oscillation(double m, double c, double k, double s0, double t) {
 double oscillation_error(double step) {
   const SwimmerType type = swimmer_type(symmetric_swimmer());
   constexpr double s0 = 0.3, duration = 16;
-  SwimmerMotion motion;
+  SwimmerMotion motion(3);
   motion[0].position = Vec3(-5 - s0, 0, 0);
   motion[2].position = Vec3(5 + s0, 0, 0);
   double error = 0;
   for (int n = 1; n <= std::lround(duration / step); ++n) {
-    advance_swimmer(motion, type, Eigen::Matrix3d::Identity(), SwimmerLoads{}, (n - 1) * step, step, 1);
+    advance_swimmer(motion, type, Eigen::Matrix3d::Identity(), SwimmerLoads(3), (n - 1) * step, step, 1);
     const double exact = damped_oscillation(mass(type.beads[0]), 0.2, 1.3, s0, n * step);
     error = std::max(error, std::abs(motion[2].position[0] - 5 - exact));
   }
@@ -63,12 +63,12 @@ TEST(AngularSpring, BendsAtTheAnalyticFrequency) {
   const double m = mass(type.beads[0]);
   const double omega = std::sqrt(type.angles[0].stiffness * 6 / (25 * m));
   constexpr double bend = 1e-4;
-  SwimmerMotion motion;
+  SwimmerMotion motion(3);
   motion[0].position = Vec3(-5, bend, 0);
   motion[1].position = Vec3(0, -2 * bend, 0);
   motion[2].position = Vec3(5, bend, 0);
   const double half_period = std::numbers::pi / omega;
-  advance_swimmer(motion, type, Eigen::Matrix3d::Identity(), SwimmerLoads{}, 0, half_period, 200);
+  advance_swimmer(motion, type, Eigen::Matrix3d::Identity(), SwimmerLoads(3), 0, half_period, 200);
   constexpr double model = 1e-6;  // angle^2, and the step^4
   EXPECT_NEAR(motion[1].position[1] / (2 * bend), 1, model);
   EXPECT_NEAR(motion[0].position[1] / (-bend), 1, model);
@@ -77,10 +77,10 @@ TEST(AngularSpring, BendsAtTheAnalyticFrequency) {
 TEST(FreeBead, AcceleratesAndSpinsUpUnderAConstantLoad) {
   SwimmerType type = swimmer_type(symmetric_swimmer());
   for (Bond& bond : type.bonds) bond.stiffness = bond.damping = 0;
-  SwimmerMotion motion;
+  SwimmerMotion motion(3);
   motion[0].position = Vec3(-5, 0, 0);
   motion[2].position = Vec3(5, 0, 0);
-  SwimmerLoads loads;
+  SwimmerLoads loads(3);
   loads[1] = {.force = Vec3(0, 2, 0), .torque = Vec3(0, 0, 3)};
   advance_swimmer(motion, type, Eigen::Matrix3d::Identity(), loads, 0, 4, 3);
   const double m = mass(type.beads[1]);
@@ -97,11 +97,11 @@ TEST(SubSteps, KeepAStiffSwimmerStable) {
   const SwimmerType type = swimmer_type(stiff);
   const int substeps = substeps_for(type, 1);
   EXPECT_GT(substeps, 100);
-  SwimmerMotion motion;
+  SwimmerMotion motion(3);
   motion[0].position = Vec3(-5.01, 0.01, 0);
   motion[2].position = Vec3(5.02, 0, 0.01);
   for (int n = 0; n < 200; ++n)
-    advance_swimmer(motion, type, Eigen::Matrix3d::Identity(), SwimmerLoads{}, n, 1, substeps);
+    advance_swimmer(motion, type, Eigen::Matrix3d::Identity(), SwimmerLoads(3), n, 1, substeps);
   EXPECT_LT((motion[2].position - motion[0].position - Vec3(10, 0, 0)).norm(), 0.05);
   EXPECT_EQ(substeps_for(swimmer_type(symmetric_swimmer()), 0.01), 1);
 }
@@ -218,12 +218,12 @@ TEST(StiffAngularSpring, IsSoftenedToWhatStepsFollow) {
   stiffness *= 1e4;
   const SwimmerType softened = with_resolved_vibrations(type, step);
   constexpr double bend = 1e-6;
-  SwimmerMotion motion;
+  SwimmerMotion motion(3);
   motion[0].position = Vec3(-l, bend, 0);
   motion[1].position = Vec3(0, -2 * bend, 0);
   motion[2].position = Vec3(l, bend, 0);
   constexpr int substeps = 40;
-  advance_swimmer(motion, softened, Eigen::Matrix3d::Identity(), SwimmerLoads{}, 0, step, substeps);
+  advance_swimmer(motion, softened, Eigen::Matrix3d::Identity(), SwimmerLoads(3), 0, step, substeps);
   EXPECT_NEAR(motion[0].position[1], bend * std::cos(0.75), 1e-4 * bend);
 }
 

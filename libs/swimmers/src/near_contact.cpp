@@ -157,28 +157,35 @@ PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& fir
           .removed_fraction = taken / (1 + taken)};
 }
 
-ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
-                           const std::array<Vec3, 3>& positions, double step) {
-  constexpr std::array<std::array<int, 2>, 3> all_pairs{{{0, 1}, {1, 2}, {0, 2}}};
-  ChainContact result;
-  std::array<bool, 3> close{};
-  for (int p = 0; p < 3; ++p) {
-    const auto [i, j] = all_pairs[p];
-    close[p] = (positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius < law.cutoff();
+SwimmerContact swimmer_contact(const NearContactLaw& law, std::span<const CloseBead> beads,
+                               std::span<const Vec3> positions, double step) {
+  struct ClosePair {
+    std::size_t first, second;
+    PairImpulse impulse;
+  };
+  const std::size_t n = beads.size();
+  std::vector<ClosePair> pairs;
+  for (std::size_t apart = 1; apart < n; ++apart) {  // neighbours in the list come first
+    for (std::size_t i = 0; i + apart < n; ++i) {
+      const std::size_t j = i + apart;
+      if ((positions[j] - positions[i]).norm() - beads[i].radius - beads[j].radius < law.cutoff())
+        pairs.push_back({i, j, {}});
+    }
   }
-  std::array<PairImpulse, 3> impulses;
+  SwimmerContact result{.linear = std::vector<Vec3>(n, Vec3::Zero()),
+                        .angular = std::vector<Vec3>(n, Vec3::Zero()),
+                        .removed_fraction = std::vector<double>(n)};
   const auto sum_up = [&] {
-    result.linear.fill(Vec3::Zero());
-    result.angular.fill(Vec3::Zero());
-    for (int p = 0; p < 3; ++p) {
-      const auto [i, j] = all_pairs[p];
-      result.linear[i] -= impulses[p].linear;
-      result.linear[j] += impulses[p].linear;
-      result.angular[i] += impulses[p].first_angular;
-      result.angular[j] += impulses[p].second_angular;
+    std::ranges::fill(result.linear, Vec3::Zero());
+    std::ranges::fill(result.angular, Vec3::Zero());
+    for (const ClosePair& pair : pairs) {
+      result.linear[pair.first] -= pair.impulse.linear;
+      result.linear[pair.second] += pair.impulse.linear;
+      result.angular[pair.first] += pair.impulse.first_angular;
+      result.angular[pair.second] += pair.impulse.second_angular;
     }
   };
-  const auto moved = [&](int b) {
+  const auto moved = [&](std::size_t b) {
     CloseBead bead = beads[b];
     bead.pairs = 1;
     bead.velocity += result.linear[b] / bead.mass;
@@ -189,22 +196,22 @@ ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead
   for (const CloseBead& bead : beads) scale = std::max(scale, bead.mass * bead.velocity.norm());
   constexpr int max_sweeps = 50;
   constexpr double roundoff = 1e-14;
-  const bool is_alone = std::ranges::count(close, true) == 1;  // a single pair needs no iteration
+  const bool is_alone = pairs.size() == 1;  // a single pair needs no iteration
   for (int sweep = 0; sweep < (is_alone ? 1 : max_sweeps); ++sweep) {
     double change = 0;
-    for (int p = 0; p < 3; ++p) {
-      if (!close[p]) continue;
-      const auto [i, j] = all_pairs[p];
-      const PairImpulse before = std::exchange(impulses[p], {});
+    for (ClosePair& pair : pairs) {
+      const PairImpulse before = std::exchange(pair.impulse, {});
       sum_up();
-      impulses[p] = near_contact_impulse(law, moved(i), moved(j), positions[j] - positions[i], step);
-      change = std::max(change, (impulses[p].linear - before.linear).norm());
+      pair.impulse = near_contact_impulse(law, moved(pair.first), moved(pair.second),
+                                          positions[pair.second] - positions[pair.first], step);
+      change = std::max(change, (pair.impulse.linear - before.linear).norm());
     }
     if (change <= roundoff * scale) break;
   }
   sum_up();
-  for (int p = 0; p < 3; ++p) {
-    for (const int b : all_pairs[p]) result.removed_fraction[b] += impulses[p].removed_fraction;
+  for (const ClosePair& pair : pairs) {
+    result.removed_fraction[pair.first] += pair.impulse.removed_fraction;
+    result.removed_fraction[pair.second] += pair.impulse.removed_fraction;
   }
   return result;
 }

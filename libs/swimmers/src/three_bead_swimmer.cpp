@@ -1,9 +1,6 @@
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
-#include <fmt/core.h>
-
 #include "beadswim/core/error.hpp"
-#include "beadswim/core/setting.hpp"
 
 namespace beadswim {
 
@@ -66,12 +63,9 @@ std::optional<ThreeBeadSwimmer> three_bead_form(const SwimmerType& type) {
 ThreeBeadSwimmer three_beads(const SwimmerType& type) {
   if (std::optional<ThreeBeadSwimmer> three = three_bead_form(type)) return *three;
   throw InputError(
-      fmt::format("the swimmer is not the paper's (three beads in a line with two springs, one angular "
-                  "spring and forces A, "
-                  "B along the line), the only one that theory, plans and sketches treat; beadswim-run with "
-                  "{} rpy, rpy+near "
-                  "or oseen moves swimmers of any shape",
-                  Setting::model));
+      "the swimmer is not the paper's (three beads in a line with two springs, one angular spring and forces "
+      "A, B along the line), the only one that theory and sketches treat; beadswim-run moves swimmers of any "
+      "shape");
 }
 
 }  // namespace beadswim

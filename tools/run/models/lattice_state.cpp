@@ -40,8 +40,12 @@ void read_populations(const CheckpointReader& file, Populations& populations, co
 /// Upper bound of a valid bead coordinate [cell].
 constexpr double max_coordinate = 1e9;
 
-bool is_sound(const SwimmerState& swimmer, const PlacedSwimmer& of_scene) {
-  return swimmer.id == of_scene.id && swimmer.type == of_scene.type &&
+bool is_sound(const SwimmerSnapshot& snapshot, const PlacedSwimmer& of_scene, std::size_t beads) {
+  const SwimmerState& swimmer = snapshot.state;
+  bool has_all_beads = snapshot.pending_impulses.size() == beads;
+  SwimmerState::visit_bead_fields(
+      [&](const char*, const auto& list) { has_all_beads &= list.size() == beads; }, swimmer);
+  return has_all_beads && swimmer.id == of_scene.id && swimmer.type == of_scene.type &&
          std::ranges::all_of(swimmer.motion, [](const BeadMotion& bead) {
            return (bead.position.array().abs() < max_coordinate).all() && bead.velocity.allFinite() &&
                   bead.angular_velocity.allFinite();
@@ -51,25 +55,37 @@ bool is_sound(const SwimmerState& swimmer, const PlacedSwimmer& of_scene) {
 /// Reads the swimmers of a checkpoint in chunks and returns those swimmers that this rank owns. Throws
 /// SolverError if the checkpoint contains the swimmers of another scene.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
-  const std::uint64_t total_bytes = file.size(swimmers_section), chunk_bytes = 4096 * snapshot_size();
-  const std::vector<PlacedSwimmer>& of_scene = system.scene().swimmers;
-  if (total_bytes != of_scene.size() * snapshot_size())
+  const CoupledScene& scene = system.scene();
+  const auto size_of = [&](const PlacedSwimmer& swimmer) {
+    return snapshot_size(scene.type_of(swimmer).beads.size());
+  };
+  std::uint64_t total_bytes = 0;
+  for (const PlacedSwimmer& swimmer : scene.swimmers) total_bytes += size_of(swimmer);
+  if (total_bytes != file.size(swimmers_section))
     throw SolverError(file.path() +
                       ": the checkpoint contains other swimmers than the layout; take the run's other "
                       "checkpoint (.ckpt.0 or .ckpt.1), or "
                       "begin without --restart");
-  auto next = of_scene.begin();
+  constexpr std::size_t swimmers_per_chunk = 4096;
   std::vector<SwimmerSnapshot> owned;
-  for (std::uint64_t first = 0; first < total_bytes; first += chunk_bytes) {
-    for (SwimmerSnapshot& swimmer : snapshots_from_bytes(
-             file.bytes(swimmers_section, first, std::min(chunk_bytes, total_bytes - first)))) {
-      if (!is_sound(swimmer.state, *next++))
-        throw SolverError(file.path() +
-                          ": the checkpoint contains other swimmers than the layout; take the run's other "
-                          "checkpoint (.ckpt.0 or .ckpt.1), "
-                          "or begin without --restart");
+  std::uint64_t first_byte = 0;
+  for (std::size_t first = 0; first < scene.swimmers.size(); first += swimmers_per_chunk) {
+    const auto of_scene =
+        std::span(scene.swimmers).subspan(first, std::min(swimmers_per_chunk, scene.swimmers.size() - first));
+    std::uint64_t bytes = 0;
+    for (const PlacedSwimmer& swimmer : of_scene) bytes += size_of(swimmer);
+    std::vector<SwimmerSnapshot> chunk =
+        snapshots_from_bytes(file.bytes(swimmers_section, first_byte, bytes));
+    first_byte += bytes;
+    const auto is_of_scene = [&](const SwimmerSnapshot& swimmer, const PlacedSwimmer& placed) {
+      return is_sound(swimmer, placed, scene.type_of(placed).beads.size());
+    };
+    if (!std::ranges::equal(chunk, of_scene, is_of_scene))
+      throw SolverError(file.path() +
+                        ": the checkpoint contains other swimmers than the layout; take the run's other "
+                        "checkpoint (.ckpt.0 or .ckpt.1), or begin without --restart");
+    for (SwimmerSnapshot& swimmer : chunk)
       if (system.owns(swimmer.state)) owned.push_back(std::move(swimmer));
-    }
   }
   return owned;
 }

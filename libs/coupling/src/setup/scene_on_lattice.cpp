@@ -16,7 +16,6 @@
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
-#include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -35,16 +34,6 @@ void require_box(const Layout& layout, const std::string& source) {
                    fmt::format("the domain is null (unbounded fluid), but a lattice needs a box; make the "
                                "layout with {} X,Y,Z and {}, or use {} rpy or beadswim-theory",
                                Setting::box, Setting::boundary, Setting::model));
-}
-
-void require_three_bead_swimmers(const Layout& layout, const std::string& source) {
-  for (const auto& [name, type] : layout.types) {
-    if (three_bead_form(type)) continue;
-    throw InputError(source + ":/types/" + name,
-                     fmt::format("{} lbm moves the paper's three-bead swimmers only; use {} rpy, rpy+near or "
-                                 "oseen, which move swimmers of any shape",
-                                 Setting::model, Setting::model));
-  }
 }
 
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
@@ -171,7 +160,6 @@ double SceneOnLattice::density_on_lattice() const {
 
 SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& settings,
                               const std::string& source) {
-  require_three_bead_swimmers(layout, source);
   require_box(layout, source);
   const Resolution hint = layout.resolution.value_or(default_resolution);
   SceneOnLattice result;

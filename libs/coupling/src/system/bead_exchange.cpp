@@ -1,6 +1,7 @@
 #include "beadswim/coupling/bead_exchange.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "beadswim/core/message.hpp"
 
@@ -13,17 +14,29 @@ constexpr int margin = 2;
 
 constexpr int publish_tag = 11, collect_tag = 12;  // Halo uses the tags 0 and 1
 
-/// Returns an upper bound of the distance from bead 2 at which a bead of the same swimmer can touch a cell
-/// [cell].
+/// Returns, for each bead, the length of the shortest way along bonds at rest length from the bead in the
+/// middle of the list [length].
+std::vector<double> ways_from_middle(const SwimmerType& type) {
+  std::vector<double> ways(type.beads.size(), std::numeric_limits<double>::infinity());
+  ways[ways.size() / 2] = 0;
+  for (std::size_t round = 0; round < ways.size(); ++round) {  // Bellman and Ford
+    for (const Bond& bond : type.bonds) {
+      double &one = ways[bond.beads[0]], &other = ways[bond.beads[1]];
+      one = std::min(one, other + bond.rest_length);
+      other = std::min(other, one + bond.rest_length);
+    }
+  }
+  return ways;
+}
+
+/// Returns an upper bound of the distance from SwimmerState::middle() at which a bead of the same swimmer can
+/// touch a cell [cell].
 double max_touched_distance(const CoupledScene& scene) {
   double farthest = 0;
   for (const SwimmerType& type : scene.types) {
-    for (const Bond& bond : type.bonds) {
-      const auto [i, j] = bond.beads;
-      const double radius =
-          std::max(scene.radius_on_lattice(type.beads[i]), scene.radius_on_lattice(type.beads[j]));
-      farthest = std::max(farthest, max_stretch * bond.rest_length + radius);
-    }
+    const std::vector<double> ways = ways_from_middle(type);
+    for (std::size_t b = 0; b < ways.size(); ++b)
+      farthest = std::max(farthest, max_stretch * ways[b] + scene.radius_on_lattice(type.beads[b]));
   }
   return farthest + margin + 1;
 }
@@ -49,9 +62,8 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
       decomposition_(decomposition),
       types_(scene.types) {
   for (const SwimmerType& type : scene.types) {
-    std::array<double, 3>& radii = radii_.emplace_back();
-    std::ranges::transform(type.beads, radii.begin(),
-                           [&](const Bead& bead) { return scene.radius_on_lattice(bead); });
+    std::vector<double>& radii = radii_.emplace_back();
+    for (const Bead& bead : type.beads) radii.push_back(scene.radius_on_lattice(bead));
   }
   for (int r = 0; r < communicator.size(); ++r) {
     blocks_.push_back(block_in_lattice(decomposition, r, scene.boundary));
@@ -84,7 +96,7 @@ std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) c
                  .position = swimmer.motion[i].position,
                  .value = stretch};
   }
-  for (int b = 0; b < 3; ++b) {
+  for (int b = 0; b < std::ssize(swimmer.motion); ++b) {
     const BlockInLattice& lattice_block = blocks_[rank_];
     for (int axis = 0; axis < 3; ++axis) {
       if (lattice_block.is_periodic(axis)) continue;
@@ -104,7 +116,7 @@ std::vector<BeadOnLattice> BeadExchange::publish(std::vector<SwimmerState>& owne
   Buffers to_peers(peers_.size());
   std::vector<SwimmerState> staying;
   for (const SwimmerState& swimmer : owned) {
-    if (owner_of(swimmer.motion[1].position) == rank_) staying.push_back(swimmer);
+    if (owner_of(swimmer.middle()) == rank_) staying.push_back(swimmer);
   }
   for (std::size_t p = 0; p < peers_.size(); ++p) to_peers[p] = announcement(owned, peers_[p]);
   owned = std::move(staying);
@@ -126,9 +138,9 @@ std::vector<char> BeadExchange::announcement(const std::vector<SwimmerState>& ow
   std::vector<const SwimmerState*> departing;
   OutgoingMessage beads;
   for (const SwimmerState& swimmer : owned) {
-    const int owner = owner_of(swimmer.motion[1].position);
+    const int owner = owner_of(swimmer.middle());
     if (owner == peer && owner != rank_) departing.push_back(&swimmer);
-    for (int b = 0; b < 3; ++b) {
+    for (int b = 0; b < std::ssize(swimmer.motion); ++b) {
       const BeadOnLattice bead{.name = {swimmer.id, b},
                                .owner = owner,
                                .radius = radii_[swimmer.type][b],

@@ -117,21 +117,21 @@ CloseBeads add_contact_impulses(const NearContactLaw& law, const Coverage& cover
 
 void add_swimmer_contact_impulses(const NearContactLaw& law, const SwimmerType& type, SwimmerState& swimmer,
                                   SwimmerLoads& impulses) {
-  std::array<CloseBead, 3> beads;
-  std::array<Vec3, 3> positions;
-  for (int b = 0; b < 3; ++b) {
+  std::vector<CloseBead> beads;
+  std::vector<Vec3> positions;
+  for (std::size_t b = 0; b < type.beads.size(); ++b) {
     const Bead& body = type.beads[b];
     BeadVelocity velocity = swimmer.predicted[b];
     velocity.linear += impulses[b].force / mass(body);
     velocity.angular += impulses[b].torque / moment_of_inertia(body);
-    beads[b] = close_bead(body, velocity, swimmer.removed_fraction[b]);
-    positions[b] = swimmer.motion[b].position;
+    beads.push_back(close_bead(body, velocity, swimmer.removed_fraction[b]));
+    positions.push_back(swimmer.motion[b].position);
   }
-  const ChainContact chain = chain_contact(law, beads, positions, 1);
-  for (int b = 0; b < 3; ++b) {
-    impulses[b].force += chain.linear[b];
-    impulses[b].torque += chain.angular[b];
-    swimmer.removed_fraction[b] += chain.removed_fraction[b];
+  const SwimmerContact contact = swimmer_contact(law, beads, positions, 1);
+  for (std::size_t b = 0; b < beads.size(); ++b) {
+    impulses[b].force += contact.linear[b];
+    impulses[b].torque += contact.angular[b];
+    swimmer.removed_fraction[b] += contact.removed_fraction[b];
   }
 }
 

@@ -27,7 +27,7 @@ void add_change(Load& impulse, Load& inner, const Load& inner_now) {
 /// close beads. before: motion before this step; close: impulses from close beads in this step.
 void predict(SwimmerState& swimmer, const SwimmerMotion& before, const SwimmerLoads& close,
              const SwimmerType& type) {
-  for (int b = 0; b < 3; ++b) {
+  for (std::size_t b = 0; b < before.size(); ++b) {
     const BeadMotion& now = swimmer.motion[b];
     swimmer.predicted[b] = {
         .linear = 2 * now.velocity - before[b].velocity - close[b].force / mass(type.beads[b]),
@@ -95,9 +95,9 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
   for (SwimmerState& swimmer : owned_) {
     // Uses the mean of the impulses of two successive steps, because the impulses of half-way bounce-back
     // alternate from step to step (Ladd 1994).
-    SwimmerLoads loads;
-    SwimmerLoads close;
-    for (int b = 0; b < 3; ++b) {
+    const int beads = static_cast<int>(swimmer.motion.size());
+    SwimmerLoads loads(beads), close(beads);
+    for (int b = 0; b < beads; ++b) {
       const Impulse& received = impulses.at({swimmer.id, b});
       Load impulse = received.value();
       add_change(impulse, swimmer.inner_momentum[b], received.inner_value());
@@ -112,12 +112,12 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
     }
     const SwimmerType& type = scene_.types[swimmer.type];
     add_swimmer_contact_impulses(near_contact_, type, swimmer, close);
-    for (int b = 0; b < 3; ++b) {
+    for (int b = 0; b < beads; ++b) {
       loads[b].force += close[b].force;
       loads[b].torque += close[b].torque;
     }
     const SwimmerMotion before = swimmer.motion;
-    advance_swimmer(swimmer.motion, type, shortest_turn(swimmer.initial_axis), loads,
+    advance_swimmer(swimmer.motion, type, swimmer.orientation_at_start(), loads,
                     static_cast<double>(steps_done_ - 1), 1, substeps_[swimmer.type]);
     if (std::optional<Fault> fault = fault_of(swimmer)) {
       record_fault(*fault);

@@ -15,15 +15,13 @@ namespace {
 
 /// Returns the state of a swimmer whose beads are at rest.
 SwimmerState at_rest(const CoupledScene& scene, const PlacedSwimmer& swimmer) {
-  const SwimmerType& type = scene.type_of(swimmer);
-  SwimmerState state{.id = swimmer.id,
-                     .type = swimmer.type,
-                     .initial_axis = swimmer.orientation.col(0),
-                     .motion = {},
-                     .last_impulse = {},
-                     .inner_momentum = {}};
-  const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation);
-  for (int b = 0; b < 3; ++b) state.motion[b].position = places[b];
+  const std::vector<Vec3> places =
+      rest_positions(scene.type_of(swimmer), swimmer.position, swimmer.orientation);
+  SwimmerState state = SwimmerState::of_beads(places.size());
+  state.id = swimmer.id;
+  state.type = swimmer.type;
+  for (int a = 0; a < 3; ++a) state.initial_orientation[a] = swimmer.orientation.col(a);
+  for (std::size_t b = 0; b < places.size(); ++b) state.motion[b].position = places[b];
   return state;
 }
 
@@ -45,8 +43,8 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       smallest_gap_(std::numeric_limits<double>::infinity()) {
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   for (const PlacedSwimmer& swimmer : scene_.swimmers) {
-    if (exchange_.owner_of(swimmer.position) == communicator.rank())
-      owned_.push_back(at_rest(scene_, swimmer));
+    SwimmerState state = at_rest(scene_, swimmer);
+    if (owns(state)) owned_.push_back(std::move(state));
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
@@ -55,7 +53,8 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
 
 std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
   const std::vector<BeadAtRest>& bodies = scene_.types[swimmer.type].beads;
-  for (int b = 0; b < 3; ++b) {
+  const int beads = static_cast<int>(bodies.size());
+  for (int b = 0; b < beads; ++b) {
     const BeadMotion& motion = swimmer.motion[b];
     const double speed = motion.velocity.norm() + bodies[b].radius * motion.angular_velocity.norm();
     if (speed <= speed_limit) {
@@ -68,13 +67,15 @@ std::optional<Fault> CoupledSystem::fault_of(const SwimmerState& swimmer) {
                  .value = speed};
   }
   if (const auto fault = exchange_.position_fault(swimmer)) return fault;
-  for (const auto& [i, j] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+  for (int i = 0; i < beads; ++i) {
     const Vec3& place = swimmer.motion[i].position;
-    const double gap = (swimmer.motion[j].position - place).norm() - bodies[i].radius - bodies[j].radius;
-    if (!fault_ && gap < near_contact_.cutoff()) smallest_gap_ = std::min(smallest_gap_, gap);
-    if (const auto fault = overlap_of({swimmer.id, i}, {swimmer.id, j}, place, gap,
-                                      std::min(bodies[i].radius, bodies[j].radius)))
-      return fault;
+    for (int j = i + 1; j < beads; ++j) {
+      const double gap = (swimmer.motion[j].position - place).norm() - bodies[i].radius - bodies[j].radius;
+      if (!fault_ && gap < near_contact_.cutoff()) smallest_gap_ = std::min(smallest_gap_, gap);
+      if (const auto fault = overlap_of({swimmer.id, i}, {swimmer.id, j}, place, gap,
+                                        std::min(bodies[i].radius, bodies[j].radius)))
+        return fault;
+    }
   }
   return std::nullopt;
 }
@@ -113,7 +114,8 @@ std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
   for (const SwimmerState& swimmer : owned_) {
     SwimmerSnapshot& snapshot = own.emplace_back();
     snapshot.state = swimmer;
-    for (int b = 0; b < 3; ++b) snapshot.pending_impulses[b] = impulses[{swimmer.id, b}];
+    for (int b = 0; b < std::ssize(swimmer.motion); ++b)
+      snapshot.pending_impulses.push_back(impulses[{swimmer.id, b}]);
   }
   auto snapshots = snapshots_from_bytes(gather_bytes(bytes_of(own), communicator_));
   std::ranges::sort(snapshots, {}, [](const SwimmerSnapshot& s) { return s.state.id; });
@@ -140,7 +142,8 @@ void CoupledSystem::restore(const SystemProgress& progress, std::span<const Swim
   for (const SwimmerSnapshot& swimmer : swimmers) {
     if (!owns(swimmer.state)) continue;
     owned_.push_back(swimmer.state);
-    for (int b = 0; b < 3; ++b) pending_impulses_[{swimmer.state.id, b}] = swimmer.pending_impulses[b];
+    for (int b = 0; b < std::ssize(swimmer.pending_impulses); ++b)
+      pending_impulses_[{swimmer.state.id, b}] = swimmer.pending_impulses[b];
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
@@ -170,7 +173,7 @@ FluidTotals CoupledSystem::exchange_covered_cells(FluidTotals& fluid) const {
 FluidTotals CoupledSystem::exchange_inner_fluid(FluidTotals& fluid) const {
   FluidTotals beads_volume;
   for (const SwimmerState& swimmer : owned_) {
-    for (int b = 0; b < 3; ++b) {
+    for (std::size_t b = 0; b < swimmer.motion.size(); ++b) {
       const Bead& bead = scene_.types[swimmer.type].beads[b];
       const double volume = mass(bead) / bead.density;
       fluid.add({.density_deviation = 0, .momentum = -swimmer.inner_momentum[b].force});
@@ -187,7 +190,7 @@ void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) 
   all_cells = everything;
   all_cells.add(beads_volume);
   for (const SwimmerState& swimmer : owned_) {
-    for (int b = 0; b < 3; ++b) {
+    for (std::size_t b = 0; b < swimmer.motion.size(); ++b) {
       const double m = mass(scene_.types[swimmer.type].beads[b]);
       everything.add({.density_deviation = swimmer.held_mass[b], .momentum = m * swimmer.motion[b].velocity});
       everything.add({.density_deviation = 0, .momentum = 0.5 * swimmer.last_impulse[b].force});

@@ -74,7 +74,7 @@ std::string state_sha256(const CoupledSystem& system, const Communicator& commun
   }
   OutgoingMessage beads;
   for (const SwimmerState& swimmer : system.gather_swimmers()) {
-    for (int b = 0; b < 3; ++b)
+    for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
       SwimmerState::visit_bead_fields([&](const char*, const auto& of_beads) { beads(of_beads[b]); },
                                       swimmer);
   }

@@ -17,8 +17,10 @@ std::vector<SwimmerSnapshot> snapshots_from_bytes(std::vector<char> bytes) {
   return snapshots;
 }
 
-std::size_t snapshot_size() {
-  return bytes_of({SwimmerSnapshot{}}).size();
+std::size_t snapshot_size(std::size_t beads) {
+  return bytes_of({SwimmerSnapshot{.state = SwimmerState::of_beads(beads),
+                                   .pending_impulses = std::vector<Impulse>(beads)}})
+      .size();
 }
 
 }  // namespace beadswim

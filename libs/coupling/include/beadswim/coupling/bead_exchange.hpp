@@ -30,7 +30,7 @@ class BeadExchange {
   BeadExchange(const Communicator& communicator, const Decomposition& decomposition,
                const CoupledScene& scene);
 
-  /// Returns the rank that owns a swimmer whose bead 2 is at `position` (unwrapped coordinates [cell]): the
+  /// Returns the rank that owns a swimmer whose middle() is at `position` (unwrapped coordinates [cell]): the
   /// rank whose block contains this point.
   int owner_of(const Vec3& position) const;
 
@@ -41,9 +41,9 @@ class BeadExchange {
   /// - wall: the gap between a bead and a wall is smaller than min_wall_gap.
   std::optional<Fault> position_fault(const SwimmerState& swimmer) const;
 
-  /// Sends the beads of the swimmers in `owned` to the ranks near the beads. Moves each swimmer whose bead 2
-  /// has left the block to the list `owned` of its new owner. Returns the beads of all swimmers that are near
-  /// this block, sorted by swimmer and bead.
+  /// Sends the beads of the swimmers in `owned` to the ranks near the beads. Moves each swimmer whose
+  /// middle() has left the block to the list `owned` of its new owner. Returns the beads of all swimmers that
+  /// are near this block, sorted by swimmer and bead.
   std::vector<BeadOnLattice> publish(std::vector<SwimmerState>& owned);
 
   /// Returns the messages that have been sent so far.
@@ -69,9 +69,8 @@ class BeadExchange {
   std::vector<int> peers_;
   Traffic traffic_;
   const std::vector<SwimmerType>& types_;
-  /// Radii with which the three beads of each type act on the fluid [cell]
-  /// (CoupledScene::radius_on_lattice()).
-  std::vector<std::array<double, 3>> radii_;
+  /// Radii with which the beads of each type act on the fluid [cell] (CoupledScene::radius_on_lattice()).
+  std::vector<std::vector<double>> radii_;
 };
 
 }  // namespace beadswim

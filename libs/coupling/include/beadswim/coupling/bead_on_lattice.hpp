@@ -11,7 +11,7 @@ namespace beadswim {
 /// Identifies a bead in the scene.
 struct BeadName {
   int swimmer = 0;  ///< id of the swimmer
-  int bead = 0;     ///< index of the bead in its swimmer: 0, 1 or 2
+  int bead = 0;     ///< index of the bead in its swimmer
 
   auto operator<=>(const BeadName&) const = default;
 };

@@ -98,10 +98,9 @@ class CoupledSystem {
             .smallest_gap = smallest_gap()};
   }
 
-  /// Returns true if this rank owns the swimmer, that is if bead 2 of `swimmer` lies in the block of this
-  /// rank.
+  /// Returns true if this rank owns the swimmer, that is if its middle() lies in the block of this rank.
   bool owns(const SwimmerState& swimmer) const {
-    return exchange_.owner_of(swimmer.motion[1].position) == communicator_.rank();
+    return exchange_.owner_of(swimmer.middle()) == communicator_.rank();
   }
 
   /// Restores a state of the same scene. The state may have been computed on any number of ranks. `swimmers`

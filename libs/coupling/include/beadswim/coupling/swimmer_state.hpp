@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 
@@ -9,21 +12,40 @@ namespace beadswim {
 struct SwimmerState {
   int id = 0;
   int type = 0;  ///< index into CoupledScene::types
-  Vec3 initial_axis = Vec3::UnitX();
+  /// Columns of the orientation at the start of the run (swimmers/swimmer_shape.hpp).
+  std::array<Vec3, 3> initial_orientation{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  // One entry per bead:
   SwimmerMotion motion;
   /// Excess mass (density - 1) of fluid that each bead has covered and not yet returned through its links.
-  std::array<double, 3> held_mass{};
+  std::vector<double> held_mass;
   /// Fluid mass that each link of a bead returns in the next step, divided by the weight of the link.
-  std::array<double, 3> mass_source{};
-  SwimmerLoads last_impulse;    ///< impulses of the fluid on the beads in the previous step
-  SwimmerLoads inner_momentum;  ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
-  std::array<BeadVelocity, 3> predicted{};   ///< velocities at the end of the next step without close beads
-  std::array<double, 3> removed_fraction{};  ///< Impulse::removed_fraction of the beads in the last step
+  std::vector<double> mass_source;
+  SwimmerLoads last_impulse;             ///< impulses of the fluid on the beads in the previous step
+  SwimmerLoads inner_momentum;           ///< momenta of the fluid within the beads (psm, saturated_cells.hpp)
+  std::vector<BeadVelocity> predicted;   ///< velocities at the end of the next step without close beads
+  std::vector<double> removed_fraction;  ///< Impulse::removed_fraction of the beads in the last step
+
+  /// Returns a swimmer with this number of beads, all at rest at the origin.
+  static SwimmerState of_beads(std::size_t beads) {
+    SwimmerState swimmer;
+    visit_bead_fields([&](const char*, auto& of_beads) { of_beads.resize(beads); }, swimmer);
+    return swimmer;
+  }
+
+  Eigen::Matrix3d orientation_at_start() const {
+    Eigen::Matrix3d orientation;
+    for (int a = 0; a < 3; ++a) orientation.col(a) = initial_orientation[a];
+    return orientation;
+  }
+
+  /// Returns the position of the bead in the middle of the list, bead 2 of three. The rank whose block
+  /// contains it owns the swimmer.
+  const Vec3& middle() const { return motion[motion.size() / 2].position; }
 
   static void visit_fields(auto&& visit, auto& swimmer) {
     visit("id", swimmer.id);
     visit("type", swimmer.type);
-    visit("initial_axis", swimmer.initial_axis);
+    visit("initial_orientation", swimmer.initial_orientation);
     visit_bead_fields(visit, swimmer);
   }
 

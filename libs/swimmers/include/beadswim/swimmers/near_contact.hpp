@@ -1,6 +1,8 @@
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <span>
+#include <vector>
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/lubrication.hpp"
@@ -69,19 +71,19 @@ struct PairImpulse {
 PairImpulse near_contact_impulse(const NearContactLaw& law, const CloseBead& first, const CloseBead& second,
                                  const Vec3& separation, double step);
 
-/// Impulses among the three beads of one swimmer.
-struct ChainContact {
-  std::array<Vec3, 3> linear, angular;       ///< impulse and angular impulse on each bead
-  std::array<double, 3> removed_fraction{};  ///< PairImpulse::removed_fraction, summed over each bead's pairs
+/// Impulses among the beads of one swimmer, one entry per bead.
+struct SwimmerContact {
+  std::vector<Vec3> linear, angular;     ///< impulse and angular impulse on each bead
+  std::vector<double> removed_fraction;  ///< PairImpulse::removed_fraction, summed over each bead's pairs
 };
 
-/// Returns the impulses among the three beads of a swimmer at `positions`. A Gauss-Seidel iteration makes the
+/// Returns the impulses among the beads of a swimmer at `positions`. A Gauss-Seidel iteration makes the
 /// impulse of each close pair consistent with the impulses of the other pairs. The iteration converges to
-/// roundoff unless the middle bead is much lighter than the end beads. In a test with nearly rigid films, one
-/// end bead moved towards the others, which were at rest. Its velocity then differed from the common velocity
-/// by 1 % of its initial velocity if the middle bead had 1/27 of the mass of an end bead, and by 19 % if it
-/// had 1/100. CloseBead::pairs is ignored.
-ChainContact chain_contact(const NearContactLaw& law, const std::array<CloseBead, 3>& beads,
-                           const std::array<Vec3, 3>& positions, double step);
+/// roundoff unless a bead between two others is much lighter. In a test with nearly rigid films between three
+/// beads, one end bead moved towards the others, which were at rest. Its velocity then differed from the
+/// common velocity by 1 % of its initial velocity if the middle bead had 1/27 of the mass of an end bead, and
+/// by 19 % if it had 1/100. CloseBead::pairs is ignored.
+SwimmerContact swimmer_contact(const NearContactLaw& law, std::span<const CloseBead> beads,
+                               std::span<const Vec3> positions, double step);
 
 }  // namespace beadswim

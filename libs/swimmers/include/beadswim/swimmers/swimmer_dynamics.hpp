@@ -1,7 +1,7 @@
 #pragma once
 
-#include <array>
 #include <span>
+#include <vector>
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
@@ -35,8 +35,8 @@ struct Load {
   }
 };
 
-using SwimmerMotion = std::array<BeadMotion, 3>;
-using SwimmerLoads = std::array<Load, 3>;
+using SwimmerMotion = std::vector<BeadMotion>;  ///< one per bead
+using SwimmerLoads = std::vector<Load>;         ///< one per bead
 
 double mass(const Bead& bead);               ///< returns 4/3 pi R^3 rho, R: radius, rho: density [mass]
 double moment_of_inertia(const Bead& bead);  ///< returns 2/5 m R^2, m: mass, R: radius [mass length^2]
