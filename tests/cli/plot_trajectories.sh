@@ -144,7 +144,7 @@ refuses '--swimmers: there is no swimmer with the id 9 in eight.h5md; the neares
   beadswim-plot trajectories eight.h5md --swimmers 0,9
 refuses '--swimmers: "-1": the value must be a whole number' beadswim-plot trajectories eight.h5md --swimmers=-1
 refuses '--swimmers: the figure would have 24 curves, but at most 12 can be distinguished' beadswim-plot trajectories eight.h5md --beads 1,2,3
-refuses '--beads: unknown value "4"\. Valid values: 1, 2, 3' beadswim-plot trajectories cell.h5md --beads 4
+refuses '--beads: swimmer 0 in cell.h5md has no bead 4; its beads have the numbers 1 to 3' beadswim-plot trajectories cell.h5md --beads 4
 refuses '--along: unknown value "w"\. Valid values: x, y, z' beadswim-plot trajectories cell.h5md --along w
 refuses '--frame: there is no frame 41 in cell.h5md; give a frame from 0 to 40' beadswim-plot swarm cell.h5md --frame 41
 refuses '--frame: "lst": the frame must be "last" or a whole number' beadswim-plot swarm cell.h5md --frame lst

@@ -70,6 +70,24 @@ accepts beadswim-layout check disordered.json
 check "a filter keeps version 2" holds '.schema == "beadswim/layout/2" and (.swimmers[1] | has("orientation")) and .swimmers[0].driving.bonds[0].rest_length[0].amplitude != 2' disordered.json
 run beadswim-plot trajectories whole.h5md --beads 3 -o trajectories.svg
 has_status 0
+refuses '--beads: swimmer 0 in whole.h5md has no bead 4; its beads have the numbers 1 to 3' beadswim-plot trajectories whole.h5md --beads 4 -o trajectories.svg
+run beadswim-plot swarm triangle.json -o swarm.svg
+has_status 0
+
+# --- a dumbbell and a lone bead: runs compare without a phase shift
+jq '.types.triangle.beads |= .[:2] | .types.triangle.bonds |= .[:1] | .types.triangle.driving.bonds |= .[:1] | .swimmers |= .[:1]' triangle.json >dumbbell.json
+jq '.types.triangle = {beads: [{radius: 4, density: 1, at: [0, 0, 0]}], driving: {period: 1000, net_force: "allowed",
+  forces: [{bead: 1, direction: [1, 0, 0], constant: 0.01}]}} | .swimmers |= .[:1]' triangle.json >bead.json
+for shape in dumbbell bead; do
+  for model in "--model rpy" "--cells-per-radius 2 --relaxation-time 1"; do
+    # shellcheck disable=SC2086  # flags
+    run beadswim-run $shape.json -o $shape.h5md $model --cycles 1 --progress none
+    has_status 0
+    cp out $shape.rec
+    run beadswim-compare $shape.rec $shape.rec
+    has_status 0
+  done
+done
 
 # --- the same triangles in the lattice: the same bits on any ranks and across a restart, and the rotation of a mobility model and more by inertia
 lattice=(--cells-per-radius 2 --relaxation-time 1 --progress none --no-provenance)
@@ -116,6 +134,13 @@ bad 'own forces that do not' '.swimmers[1].driving.forces = [{bead: 1, direction
 bad 'an orientation of no length' '.swimmers[1].orientation = [0, 0, 0, 0]' '/swimmers/1/orientation: the quaternion has the norm 0, but must have the norm 1'
 bad 'an axis and an orientation' '.swimmers[1].axis = [1, 0, 0]' '/swimmers/1/orientation: the swimmer has an axis and an orientation'
 bad 'a drive of a bond that changes nothing' 'del(.types[].driving.bonds[0].rest_length)' '/types/triangle/driving/bonds/0: a drive of a bond needs exactly one'
+bad 'own drives of bonds that are not there' '.types.rod = {beads: [range(2) | {radius: 4, density: 1, at: [(. * 16), 0, 0]}], bonds: [{beads: [1, 2], stiffness: 1}],
+  driving: {period: 1000}} | .swimmers[1] |= (.type = "rod" | .driving = {frame: "body", bonds: [{bond: 1, tension: [{amplitude: 1}]},
+  {bond: 2, tension: [{amplitude: -1, phase: 1}]}]})' '/swimmers/1/driving/bonds/1/bond: there is no bond 2; the type has 1 bonds'
+bad 'a rest length that falls to contact' '.types[].driving.bonds[0].rest_length[0].amplitude = 9' '/types/triangle/driving/bonds/0/rest_length: the rest length falls to 7'
+bad 'a bond that is torn at rest' '.types[].bonds[0].rest_length = 8.1 | .types[].beads[1].at[0] = 30' '/types/triangle/bonds/0/rest_length: beads 1 and 2 are 38 apart at rest'
+bad 'a rest angle below 0' '.types[].angles = [{beads: [1, 2, 3], stiffness: 1, rest: 0.3}] | .types[].driving.angles = [{angle: 1, rest: [{amplitude: 0.5}]}]' \
+  '/types/triangle/driving/angles/0: the rest angle 0.3 changes by up to 0.5'
 bad 'too many beads' '.types[].beads = [range(65) | {radius: 1, density: 1, at: [(. * 3), 0, 0]}]' '/types/triangle/beads: the array has 65 elements'
 bad 'a driven angle of beads in line' '.types.rod = {beads: [range(3) | {radius: 4, density: 1, at: [(. * 16), 0, 0]}],
   bonds: [{beads: [1, 2], stiffness: 1}, {beads: [2, 3], stiffness: 1}], angles: [{beads: [1, 2, 3], stiffness: 9}],

@@ -62,6 +62,7 @@ std::vector<SwarmMember> with_phases(const std::vector<double>& phases) {
   std::vector<SwarmMember> members;
   for (const double phase : phases) {
     CycleStatistics cycle;
+    cycle.arm_amplitudes = cycle.arm_means = {1, 1};
     cycle.arm_phases = {phase, -0.5 * phase};
     members.push_back(with_cycle(cycle));
   }
@@ -181,6 +182,7 @@ std::vector<SwarmMember> ladder(int count, const Vec3& wind) {
     cycle.speed_along_axis = 7.0 * i;
     cycle.mean_flow = wind + Vec3(i, 0, 1);
     cycle.arm_amplitudes = {2.0 * i, 3.0 * i};
+    cycle.arm_phases = {0, 0};
     cycle.arm_means = {20 + 1.0 * i, 40 - 1.0 * i};
     SwarmMember member = with_cycle(cycle);
     member.kinetic_energy = i;

@@ -65,11 +65,11 @@ TEST(CentredPosition, PutsTheMiddleOfAnUnequalSwimmerInTheMiddleOffLatticePlanes
   });
   const Box box{.lengths = Vec3(100, 60, 40), .boundary = {}};
   const Vec3 axis(0, 0.6, 0.8);
-  const Vec3 bead_2 = centred_position(type, axis, box);
+  const Vec3 bead_2 = centred_position(type, shortest_turn(axis), box);
   const Vec3 tail = bead_2 - (18 + 3) * axis;
   const Vec3 head = bead_2 + (27 + 5) * axis;
   EXPECT_NEAR(((tail + head) / 2 - Vec3(50, 30, 20) - 3 * Vec3(0.15, 0.05, 0)).norm(), 0, relative_roundoff);
-  EXPECT_EQ(centred_position(type, axis, std::nullopt), Vec3::Zero());
+  EXPECT_EQ(centred_position(type, shortest_turn(axis), std::nullopt), Vec3::Zero());
 }
 
 // The middle of a box is on a plane of the lattice or halfway between two. A bead is off these planes if its

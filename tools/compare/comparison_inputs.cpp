@@ -180,9 +180,14 @@ std::size_t deciding_reference(const ComparisonRequest& request, const Reference
 }
 
 /// Compares one swimmer of every run with all references, and adds the rows to `result`.
-void compare_swimmer_in_all_runs(int id, const ComparisonRequest& request, const Inputs& inputs,
+void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Inputs& inputs,
                                  VerdictDocument& result) {
   const References references = references_for(id, inputs, request.cycle);
+  const RunFile& first = inputs.runs.front();
+  const ComparedValues known =
+      swimming_of(first.record, find_swimmer(first.record, id, first.source), request.cycle, first.source);
+  // A swimmer with fewer than two bonds has no phase shift.
+  std::erase_if(request.quantities, [&](ComparedQuantity quantity) { return !known.contains(quantity); });
   const std::size_t deciding = deciding_reference(request, references);
   result.decided_by = references.all[deciding].method;
   for (const RunFile& run : inputs.runs) {

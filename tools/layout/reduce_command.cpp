@@ -62,7 +62,7 @@ void ReduceCommand::put_in_box(Layout& layout) const {
                                  layout.swimmers.size()));
   Swimmer& swimmer = layout.swimmers.front();
   layout.domain = Box{.lengths = parse_vector(box_)};
-  swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.axis, layout.domain);
+  swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain);
   require_sound(layout, "the flags");
 }
 

@@ -154,8 +154,9 @@ void PlaceFlags::apply(Layout& layout) const {
   apply_domain(layout.domain);
   Swimmer swimmer{.id = 0, .type = "a"};
   if (!axis_.empty()) swimmer.axis = parse_vector(axis_).stableNormalized();
-  swimmer.position = position_.empty() ? centred_position(layout.types.at("a"), swimmer.axis, layout.domain)
-                                       : parse_vector(position_);
+  swimmer.position = position_.empty()
+                         ? centred_position(layout.types.at("a"), swimmer.orientation(), layout.domain)
+                         : parse_vector(position_);
   layout.swimmers = {swimmer};
 }
 

@@ -162,14 +162,15 @@ std::string summarise_types(const Layout& layout) {
       lengths.push_back(bond.rest_length);
       stiffnesses.push_back(bond.stiffness);
     }
-    for (const double amplitude : three_beads(type).driving.amplitude) amplitudes.push_back(amplitude);
+    if (const auto three = three_bead_form(type.driving))
+      amplitudes.insert(amplitudes.end(), three->amplitude.begin(), three->amplitude.end());
     periods.push_back(type.driving.period);
   }
   const std::size_t types = layout.types.size();
   const std::string text =
-      fmt::format("{} type{}: λ = {}, l = {}, k = {}, A, B = {}, T = {}", types, types == 1 ? "" : "s",
+      fmt::format("{} type{}: λ = {}, l = {}, k = {}{}, T = {}", types, types == 1 ? "" : "s",
                   range_text(radii, 4), range_text(lengths, 4), range_text(stiffnesses, 4),
-                  range_text(amplitudes, 4), range_text(periods, 6));
+                  amplitudes.empty() ? "" : ", A, B = " + range_text(amplitudes, 4), range_text(periods, 6));
   const auto own =
       std::ranges::count_if(layout.swimmers, [](const Swimmer& s) { return s.driving.has_value(); });
   return own == 0 ? text : text + fmt::format("; {} driven otherwise", own);

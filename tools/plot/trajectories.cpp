@@ -21,7 +21,7 @@ namespace {
 
 struct TrajectoryFlags {
   std::vector<int> swimmers;  ///< ids; empty: all swimmers
-  std::vector<int> beads{2};  ///< numbers 1 to 3 along the axis of the swimmer
+  std::vector<int> beads{2};  ///< numbers from 1
   int axis = 0;               ///< coordinate that is drawn: 0, 1, 2 for x, y, z
 };
 
@@ -44,13 +44,18 @@ std::vector<int> selected_swimmers(const TrajectoryFile& file, const TrajectoryF
   return options.swimmers.empty() ? file.swimmers() : options.swimmers;
 }
 
-/// Returns the index of the first bead of a swimmer in the trajectory. Throws InputError if the trajectory
-/// has no such swimmer.
-std::size_t first_bead_index(const TrajectoryFile& file, int swimmer) {
+/// Returns the index of a bead of a swimmer in the trajectory. Throws InputError if the trajectory has no
+/// such swimmer, or if the swimmer has fewer beads.
+std::size_t bead_index(const TrajectoryFile& file, int swimmer, int bead) {
   const std::vector<int>& of_bead = file.reader.header().swimmer;
   const auto found = std::ranges::find(of_bead, swimmer);
   if (found == of_bead.end()) throw_unknown_swimmer("--swimmers", swimmer, file.swimmers(), file.source);
-  return static_cast<std::size_t>(found - of_bead.begin());
+  const auto index = found - of_bead.begin() + bead - 1;
+  if (index >= std::ssize(of_bead) || of_bead[index] != swimmer)
+    throw InputError(
+        "--beads", fmt::format("swimmer {} in {} has no bead {}; its beads have the numbers 1 to {}", swimmer,
+                               file.source, bead, std::ranges::count(of_bead, swimmer)));
+  return static_cast<std::size_t>(index);
 }
 
 /// Returns the label of a curve, such as "run, swimmer 0, bead 2". Omits the file or the bead if all curves
@@ -69,7 +74,7 @@ std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, co
   std::vector<Series> curves;
   for (const int swimmer : selected_swimmers(file, flags)) {
     for (const int bead : flags.beads) {
-      beads.push_back(first_bead_index(file, swimmer) + static_cast<std::size_t>(bead - 1));
+      beads.push_back(bead_index(file, swimmer, bead));
       curves.push_back({curve_label(file, several_files, swimmer, bead, flags.beads.size() > 1)});
     }
   }
@@ -115,9 +120,17 @@ Note scenes_note(const std::vector<TrajectoryFile>& files) {
 
 std::string title_of(const TrajectoryFlags& options) {
   constexpr std::array names{"First", "Middle", "Last"};
-  const std::string which =
-      options.beads.size() == 1 ? fmt::format("{} beads", names[options.beads[0] - 1]) : "Beads";
+  const std::string which = options.beads.size() > 1 ? "Beads"
+                            : options.beads[0] <= std::ssize(names)
+                                ? fmt::format("{} beads", names[options.beads[0] - 1])
+                                : fmt::format("Beads {}", options.beads[0]);
   return fmt::format("{} along {}", which, "xyz"[options.axis]);
+}
+
+std::vector<std::string> bead_numbers() {
+  std::vector<std::string> numbers;
+  for (int bead = 1; bead <= max_beads; ++bead) numbers.push_back(std::to_string(bead));
+  return numbers;
 }
 
 Figure trajectory_figure(const std::vector<std::string>& paths, const TrajectoryFlags& options) {
@@ -145,9 +158,9 @@ Drawing add_trajectory_flags(CLI::App& command) {
   command
       .add_option_function<std::string>(
           "--beads", [options](const std::string& text) { options->beads = parse_whole_numbers(text); },
-          "Beads of each swimmer to draw, 1 to 3 along its axis")
+          "Beads of each swimmer to draw, 1 to 3 along the axis of a three-bead swimmer")
       ->type_name("1|2|3,...")
-      ->check(number_list({}, one_of({"1", "2", "3"})))
+      ->check(number_list({}, one_of(bead_numbers())))
       ->default_str("2");
   add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });

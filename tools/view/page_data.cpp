@@ -116,6 +116,11 @@ std::string cycle_elements(const std::string& name, const std::vector<CycleStati
   return data_element("cycle-" + name + "-step", table.steps) + data_element("cycle-" + name, table.values);
 }
 
+/// Returns the number of an arm; NaN if a file has none.
+double number_of_arm(const std::vector<double>& numbers, std::size_t arm) {
+  return arm < numbers.size() ? numbers[arm] : std::numeric_limits<double>::quiet_NaN();
+}
+
 std::string all_cycle_elements(const std::vector<TrajectoryCycle>& rows, const Layout& layout) {
   const std::size_t swimmers = layout.swimmers.size();
   std::vector<CycleStatistics> cycles;
@@ -126,10 +131,12 @@ std::string all_cycle_elements(const std::vector<TrajectoryCycle>& rows, const L
   });
   for (const std::size_t arm : {0, 1}) {
     const std::string n = std::to_string(arm + 1);
-    text += cycle_elements("arm" + n, cycles, swimmers,
-                           [=](const CycleStatistics& cycle) { return cycle.arm_amplitudes[arm]; });
-    text += cycle_elements("phase" + n, cycles, swimmers,
-                           [=](const CycleStatistics& cycle) { return cycle.arm_phases[arm]; });
+    text += cycle_elements("arm" + n, cycles, swimmers, [=](const CycleStatistics& cycle) {
+      return number_of_arm(cycle.arm_amplitudes, arm);
+    });
+    text += cycle_elements("phase" + n, cycles, swimmers, [=](const CycleStatistics& cycle) {
+      return number_of_arm(cycle.arm_phases, arm);
+    });
   }
   return text;
 }

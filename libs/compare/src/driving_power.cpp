@@ -1,5 +1,6 @@
 #include "beadswim/compare/driving_power.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -25,12 +26,24 @@ double power_of(const std::vector<Harmonic>& harmonics, const Driving& driving,
   return power;
 }
 
+/// Returns true if this number of samples per period resolves all harmonics of the drives.
+bool are_resolved(const Driving& driving, std::ptrdiff_t samples) {
+  const auto resolved = [samples](const auto& drives) {
+    return std::ranges::all_of(drives, [samples](const auto& drive) {
+      return std::ranges::all_of(drive.harmonics,
+                                 [samples](const Harmonic& each) { return 2 * each.multiple < samples; });
+    });
+  };
+  return resolved(driving.forces) && resolved(driving.bonds) && resolved(driving.angles);
+}
+
 }  // namespace
 
 std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix3d& initial_orientation,
                                     std::span<const SwimmerSample> samples) {
   const Driving& driving = type.driving;
   if (driving.frame == DrivingFrame::body && !driving.forces.empty()) return std::nullopt;
+  if (!are_resolved(driving, std::ssize(samples) - 1)) return std::nullopt;
   const SwimmerSample &first = samples.front(), &last = samples.back();
   double power = 0;
   for (const ForceDrive& drive : driving.forces) {

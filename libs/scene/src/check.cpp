@@ -7,6 +7,7 @@
 #include <complex>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -131,10 +132,31 @@ void check_bond_lengths(const std::string& place, const SwimmerType& type, Fault
                                   "be greater than {}, the sum of their radii",
                                   length, i + 1, j + 1, contact)});
   }
+  constexpr double max_stretch = 2;  // longer bonds end a run
+  for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+    const auto [i, j] = type.bonds[k].beads;
+    const double distance = (type.beads[j].at - type.beads[i].at).norm(), length = type.bonds[k].rest_length;
+    if (distance <= max_stretch * length) continue;
+    faults.push_back(
+        {fmt::format("{}/{}/rest_length", place, k),
+         fmt::format("beads {} and {} are {:.6g} apart at rest, more than twice the rest length {}; "
+                     "give the bond a rest length near this distance",
+                     i + 1, j + 1, distance, length)});
+  }
+}
+
+/// Returns the sum of the amplitudes of the drives with one number, the largest change of what they drive.
+double largest_change(const auto& drives, auto&& is_of) {
+  double sum = 0;
+  for (const auto& drive : drives) {
+    if (!is_of(drive)) continue;
+    for (const Harmonic& harmonic : drive.harmonics) sum += std::abs(harmonic.amplitude);
+  }
+  return sum;
 }
 
 /// Reports angular springs whose force has no direction, because the beads are in line at rest although the
-/// rest angle is another or is driven.
+/// rest angle is another or is driven, or whose rest angle leaves the range from 0 to pi.
 void check_angles(const std::string& place, const SwimmerType& type, Faults& faults) {
   constexpr double smallest_sine = 1e-6;
   for (std::size_t k = 0; k < type.angles.size(); ++k) {
@@ -147,6 +169,18 @@ void check_angles(const std::string& place, const SwimmerType& type, Faults& fau
                           : fmt::format("{}/angles/{}/rest", place, k),
                       "the three beads are in line at rest, so that the force of another rest angle has no "
                       "direction; place the beads of this angle off a line"});
+  }
+  for (std::size_t n = 0; n < type.driving.angles.size(); ++n) {
+    const int k = type.driving.angles[n].angle;
+    const double rest = type.angles[k].rest;
+    const double change =
+        largest_change(type.driving.angles, [k](const AngleDrive& drive) { return drive.angle == k; });
+    if (rest - change > 0 && rest + change < std::numbers::pi) continue;
+    faults.push_back(
+        {fmt::format("{}/driving/angles/{}", place, n),
+         fmt::format("the rest angle {:.6g} changes by up to {:.6g}, but must stay between 0 and pi; "
+                     "lower the amplitudes",
+                     rest, change)});
   }
 }
 
@@ -182,6 +216,22 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
     check_number(fmt::format("bonds/{}/bond", n), driving.bonds[n].bond, type.bonds.size(), "bond");
   for (std::size_t n = 0; n < driving.angles.size(); ++n)
     check_number(fmt::format("angles/{}/angle", n), driving.angles[n].angle, type.angles.size(), "angle");
+  for (std::size_t n = 0; n < driving.bonds.size(); ++n) {
+    const int k = driving.bonds[n].bond;
+    if (driving.bonds[n].quantity != BondQuantity::rest_length || k >= std::ssize(type.bonds)) continue;
+    const auto [i, j] = type.bonds[k].beads;
+    const double shortest =
+        type.bonds[k].rest_length - largest_change(driving.bonds, [k](const BondDrive& drive) {
+          return drive.bond == k && drive.quantity == BondQuantity::rest_length;
+        });
+    const double contact = type.beads[i].radius + type.beads[j].radius;
+    if (shortest > contact) continue;
+    faults.push_back(
+        {fmt::format("{}/bonds/{}/rest_length", place, n),
+         fmt::format("the rest length falls to {:.6g}, where beads {} and {} overlap; it must stay "
+                     "greater than {}, the sum of their radii; lower the amplitudes",
+                     shortest, i + 1, j + 1, contact)});
+  }
   constexpr double roundoff = 1e-9;
   for (const auto& [multiple, sum_and_size] : sums) {
     const auto& [sum, size] = sum_and_size;
@@ -215,9 +265,12 @@ void check_types(const std::map<std::string, SwimmerType>& types, Faults& faults
 void check_own_driving(const Layout& layout, Faults& faults) {
   for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
     const Swimmer& swimmer = layout.swimmers[i];
-    if (!swimmer.driving || !layout.types.contains(swimmer.type) || three_bead_form(*swimmer.driving))
-      continue;
-    check_driving(swimmer_place(i, "driving"), layout.resolved_type(swimmer), faults);
+    if (!swimmer.driving || !layout.types.contains(swimmer.type)) continue;
+    const SwimmerType type = layout.resolved_type(swimmer);
+    if (three_bead_form(type)) continue;
+    const std::size_t before = faults.size();
+    check_driving(swimmer_place(i, "driving"), type, faults);
+    if (faults.size() == before) check_angles(fmt::format("/swimmers/{}", i), type, faults);
   }
 }
 

@@ -28,6 +28,22 @@ double smallest_radius(const Layout& layout) {
   return smallest;
 }
 
+namespace {
+
+int largest_multiple(const Driving& driving) {
+  int largest = 1;
+  const auto include = [&largest](const auto& drives) {
+    for (const auto& drive : drives)
+      for (const Harmonic& harmonic : drive.harmonics) largest = std::max(largest, harmonic.multiple);
+  };
+  include(driving.forces);
+  include(driving.bonds);
+  include(driving.angles);
+  return largest;
+}
+
+}  // namespace
+
 double base_period(const Layout& layout) {
   const auto own = [&](const Swimmer& swimmer) { return layout.resolved_type(swimmer).driving.period; };
   const double first = own(layout.swimmers.front());
@@ -37,8 +53,10 @@ double base_period(const Layout& layout) {
 
 double shortest_period(const Layout& layout) {
   double shortest = std::numeric_limits<double>::infinity();
-  for (const Swimmer& swimmer : layout.swimmers)
-    shortest = std::min(shortest, layout.resolved_type(swimmer).driving.period);
+  for (const Swimmer& swimmer : layout.swimmers) {
+    const Driving driving = layout.resolved_type(swimmer).driving;
+    shortest = std::min(shortest, driving.period / largest_multiple(driving));
+  }
   return shortest;
 }
 

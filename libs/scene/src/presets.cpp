@@ -34,7 +34,8 @@ Layout paper_single() {
   layout.domain = Box{.lengths = Vec3(1200, 800, 800),
                       .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
   layout.swimmers = {
-      {.type = "a", .position = centred_position(layout.types.at("a"), Vec3::UnitX(), layout.domain)}};
+      {.type = "a",
+       .position = centred_position(layout.types.at("a"), Eigen::Matrix3d::Identity(), layout.domain)}};
   return layout;
 }
 
@@ -73,9 +74,9 @@ Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const B
   return smallest_radius(type) * shift;
 }
 
-Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain) {
+Vec3 centred_position(const SwimmerType& type, const Eigen::Matrix3d& orientation,
+                      const std::optional<Box>& domain) {
   if (!domain) return Vec3::Zero();
-  const Eigen::Matrix3d orientation = shortest_turn(axis);
   Vec3 position = domain->lengths / 2;
   for (int a = 0; a < 3; ++a) {
     double ahead = 0, behind = 0;
@@ -85,7 +86,7 @@ Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::opti
     }
     if (ahead != behind) position -= (ahead - behind) / 2 * orientation.col(a);
   }
-  return position + shift_off_lattice_planes(type, axis, *domain);
+  return position + shift_off_lattice_planes(type, orientation.col(0), *domain);
 }
 
 }  // namespace beadswim

@@ -99,8 +99,9 @@ double largest_driving_force(const SwimmerType& type) {
   for (const ForceDrive& drive : type.driving.forces)
     force[drive.bead] += std::abs(drive.constant) + sum_of_amplitudes(drive.harmonics);
   for (const BondDrive& drive : type.driving.bonds) {
-    if (drive.quantity != BondQuantity::tension) continue;
-    for (const int bead : type.bonds[drive.bond].beads) force[bead] += sum_of_amplitudes(drive.harmonics);
+    const Bond& bond = type.bonds[drive.bond];
+    const double per_amplitude = drive.quantity == BondQuantity::tension ? 1 : bond.stiffness;
+    for (const int bead : bond.beads) force[bead] += per_amplitude * sum_of_amplitudes(drive.harmonics);
   }
   return *std::ranges::max_element(force);
 }

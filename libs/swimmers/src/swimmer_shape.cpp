@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 namespace beadswim {
@@ -59,7 +60,10 @@ double angle_between(const Angle& angle, std::span<const Vec3> positions) {
 }
 
 double angle_at_rest(const SwimmerType& type, const Angle& angle) {
-  return angle_between(angle, rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity()));
+  const double theta = angle_between(angle, rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity()));
+  constexpr double roundoff = 1e-9;
+  if (theta < roundoff) return 0;
+  return theta > std::numbers::pi - roundoff ? std::numbers::pi : theta;
 }
 
 Eigen::Matrix3d fitted_orientation(const SwimmerType& type, const BeadVectors& positions,

@@ -12,14 +12,14 @@
 
 namespace beadswim {
 
-/// Records frames and samples of a run. A frame contains the positions and velocities of all beads and is
-/// written to the trajectory. A sample contains the bead positions of one swimmer; rank 0 computes the
-/// statistics of each cycle from the samples. Frames are taken at equal phases of each base period. Samples
-/// are taken at equal phases of each driving period of the swimmer.
 /// Returns cycle statistics with as many arms as any type of the layout has, at least one. A trajectory has
 /// so many columns; swimmers with fewer arms have NaN in the others.
 CycleStatistics widest_cycle(const Layout& layout);
 
+/// Records frames and samples of a run. A frame contains the positions and velocities of all beads and is
+/// written to the trajectory. A sample contains the bead positions of one swimmer; rank 0 computes the
+/// statistics of each cycle from the samples. Frames are taken at equal phases of each base period. Samples
+/// are taken at equal phases of each driving period of the swimmer.
 class Recorder {
  public:
   Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter& trajectory,

@@ -9,7 +9,7 @@
 
 namespace beadswim {
 
-/// One vector per bead, three beads per swimmer, in order of the swimmers.
+/// One vector per bead, in order of the swimmers.
 using Beads = std::vector<Vec3>;
 
 /// A swarm without inertia, its fluid and its time step, in any coherent unit system.

@@ -106,8 +106,8 @@ class OverdampedSystem {
   const OverdampedState& state() const { return state_; }
   const MobilityProduct& mobility() const { return mobility_; }
 
-  /// Return positions [length] and velocities [length/time]: one vector per bead, three beads per swimmer, in
-  /// order of the swimmers.
+  /// Return positions [length] and velocities [length/time]: one vector per bead, in order of the
+  /// swimmers.
   std::span<const Vec3> positions() const { return state_.positions[0]; }
   std::span<const Vec3> velocities() const { return state_.velocities[0]; }
 

@@ -17,10 +17,10 @@ struct PlacedBead {
   Vec3 centre;              ///< centre of the bead; may lie outside the box [length]
   double radius = 0;        ///< [length]
   std::size_t swimmer = 0;  ///< index in Layout::swimmers
-  int bead = 0;             ///< number of the bead in the swimmer: 0, 1 or 2
+  int bead = 0;             ///< number of the bead in the swimmer, from 0
 };
 
-/// Returns the beads of all swimmers, three per swimmer, in order of the swimmers. The type of every swimmer
+/// Returns the beads of all swimmers, in order of the swimmers. The type of every swimmer
 /// must exist in the layout.
 std::vector<PlacedBead> placed_beads(const Layout& layout);
 

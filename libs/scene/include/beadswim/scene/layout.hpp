@@ -90,7 +90,7 @@ double smallest_radius(const Layout& layout);
 /// swimmer's type [time].
 double base_period(const Layout& layout);
 
-/// Returns the shortest period of any swimmer's driving [time].
+/// Returns the shortest period of any harmonic of any swimmer's driving [time].
 double shortest_period(const Layout& layout);
 
 }  // namespace beadswim

@@ -48,6 +48,7 @@ Vec3 shift_off_lattice_planes(const SwimmerType& type, const Vec3& axis, const B
 /// The middle of the swimmer is that of the smallest cuboid along the axes of its frame that contains its
 /// beads: the midpoint between the outer ends of beads 1 and 3 of a three-bead swimmer. Returns the origin in
 /// open space.
-Vec3 centred_position(const SwimmerType& type, const Vec3& axis, const std::optional<Box>& domain);
+Vec3 centred_position(const SwimmerType& type, const Eigen::Matrix3d& orientation,
+                      const std::optional<Box>& domain);
 
 }  // namespace beadswim

@@ -29,8 +29,8 @@ BeadVectors bond_forces(const SwimmerType& type, double time, const BeadVectors&
 /// 0.
 BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors& position);
 
-/// Returns an upper bound of the force that the drives of forces and tensions exert on a bead: the largest
-/// sum of the amplitudes on one bead.
+/// Returns an upper bound of the force that the drives of forces and bonds exert on a bead: the largest sum
+/// of the amplitudes on one bead, for rest lengths times the stiffness.
 double largest_driving_force(const SwimmerType& type);
 
 /// Returns the driving forces, equation (2.1) of the paper for three beads, and those of driven tensions.
