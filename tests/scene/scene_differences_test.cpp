@@ -74,6 +74,38 @@ TEST(SceneDifferences, EachPropertyHasItsName) {
   EXPECT_EQ(names_after_change([](auto& three) { three.driving.phase_offset = 1; }), "placing");
 }
 
+// Shapes with the same lengths and amplitudes differ in their places, their bonds or what is driven.
+TEST(SceneDifferences, KnowShapesAndWhatIsDriven) {
+  Layout triangle;
+  SwimmerType& shape = triangle.types["t"];
+  for (const Vec3& at : {Vec3(0, 0, 0), Vec3(16, 0, 0), Vec3(8, 14, 0)})
+    shape.beads.push_back({{.radius = 4, .density = 1}, at});
+  for (const std::array<int, 2>& beads : {std::array{0, 1}, {1, 2}, {2, 0}})
+    shape.bonds.push_back({{1, 16, 0}, beads});
+  shape.driving.period = 1000;
+  shape.driving.bonds = {{.bond = 0, .harmonics = {{.amplitude = 2}}}};
+  triangle.swimmers = {{.id = 0, .type = "t"}};
+  const auto difference = [&](const std::function<void(SwimmerType&)>& edit) {
+    Layout other = triangle;
+    edit(other.types["t"]);
+    std::string text;
+    for (const SceneDifference& each : scene_differences(triangle, other))
+      text += to_text(each.property) + ": " + each.reference + ";";
+    return text;
+  };
+  EXPECT_EQ(difference([](SwimmerType&) {}), "");
+  EXPECT_EQ(difference([](SwimmerType& t) { t.beads[2].at.y() = -14; }), "arm: 16, of another shape;");
+  EXPECT_EQ(difference([](SwimmerType& t) { t.bonds[1].beads = {2, 1}; }), "arm: 16, of another shape;");
+  EXPECT_EQ(difference([](SwimmerType& t) { t.driving.bonds[0].bond = 1; }),
+            "amplitude: 2, of another shape;");
+  EXPECT_EQ(difference([](SwimmerType& t) { t.driving.bonds[0].harmonics[0].multiple = 3; }),
+            "amplitude: 2, of another shape;");
+  EXPECT_EQ(difference([](SwimmerType& t) {
+              t.driving.forces = {{.bead = 0, .direction = Vec3::UnitX(), .constant = 0.01}};
+            }),
+            "amplitude: 0.01, 2;");
+}
+
 TEST(SceneDifferences, AreSortedAndStateBothValues) {
   const auto differences = after([](Layout& layout) {
     layout.domain.reset();

@@ -104,15 +104,44 @@ std::optional<SceneDifference> placing_difference(const Layout& run, const Layou
   return std::nullopt;
 }
 
-std::vector<Harmonic> all_harmonics(const Driving& driving) {
-  std::vector<Harmonic> all;
-  const auto add = [&all](const auto& drives) {
-    for (const auto& drive : drives) all.insert(all.end(), drive.harmonics.begin(), drive.harmonics.end());
+/// Appends what joins which beads, where they are at rest, and the rest angles.
+void append_shape(const SwimmerType& type, std::vector<double>& numbers) {
+  for (const BeadAtRest& bead : type.beads) numbers.insert(numbers.end(), bead.at.begin(), bead.at.end());
+  for (const Bond& bond : type.bonds) numbers.insert(numbers.end(), bond.beads.begin(), bond.beads.end());
+  for (const Angle& angle : type.angles) {
+    numbers.insert(numbers.end(), angle.beads.begin(), angle.beads.end());
+    numbers.push_back(angle.rest);
+  }
+}
+
+/// Amplitudes and phases of all drives, with what they drive.
+struct DriveValues {
+  PropertyValue amplitude, phase;
+};
+
+DriveValues drive_values(const Driving& driving) {
+  std::vector<double> amplitudes, phases, targets;
+  const auto add = [&](int target, const std::vector<Harmonic>& harmonics) {
+    targets.push_back(target);
+    for (const Harmonic& harmonic : harmonics) {
+      amplitudes.push_back(harmonic.amplitude);
+      phases.push_back(harmonic.phase);
+      targets.push_back(harmonic.multiple);
+    }
   };
-  add(driving.forces);
-  add(driving.bonds);
-  add(driving.angles);
-  return all;
+  for (const ForceDrive& drive : driving.forces) {
+    add(drive.bead, drive.harmonics);
+    targets.insert(targets.end(), drive.direction.begin(), drive.direction.end());
+    if (drive.constant != 0) amplitudes.push_back(drive.constant);
+  }
+  for (const BondDrive& drive : driving.bonds) {
+    add(drive.bond, drive.harmonics);
+    targets.push_back(static_cast<double>(drive.quantity));
+  }
+  for (const AngleDrive& drive : driving.angles) add(drive.angle, drive.harmonics);
+  DriveValues values{.amplitude = numbers_value(amplitudes), .phase = numbers_value(phases)};
+  values.amplitude.numbers.insert(values.amplitude.numbers.end(), targets.begin(), targets.end());
+  return values;
 }
 
 }  // namespace
@@ -171,10 +200,11 @@ SceneProperties swimmer_properties(const SwimmerType& type) {
     properties[SceneProperty::amplitude] = numbers_value({three->amplitude[0], three->amplitude[1]});
     properties[SceneProperty::phase] = numbers_value({three->phase});
   } else {
-    const std::vector<Harmonic> harmonics = all_harmonics(driving);
-    properties[SceneProperty::amplitude] = numbers(harmonics, &Harmonic::amplitude);
-    properties[SceneProperty::phase] = numbers(harmonics, &Harmonic::phase);
+    const DriveValues drives = drive_values(driving);
+    properties[SceneProperty::amplitude] = drives.amplitude;
+    properties[SceneProperty::phase] = drives.phase;
   }
+  if (!three_bead_form(type)) append_shape(type, properties[SceneProperty::arm].numbers);
   return properties;
 }
 
@@ -183,8 +213,9 @@ void add_differences(std::vector<SceneDifference>& differences, const ScenePrope
   for (const auto& [property, value] : run) {
     const auto other = reference.find(property);
     if (other == reference.end() || agree(value, other->second)) continue;
-    if (std::ranges::find(differences, property, &SceneDifference::property) == differences.end())
-      differences.push_back({property, prefix + value.text, prefix + other->second.text});
+    if (std::ranges::find(differences, property, &SceneDifference::property) != differences.end()) continue;
+    const std::string note = value.text == other->second.text ? ", of another shape" : "";
+    differences.push_back({property, prefix + value.text, prefix + other->second.text + note});
   }
 }
 
