@@ -2,7 +2,8 @@
 # Makes documents of every schema with the programs, in the folder where scenes.sh has made its files: documents/SCHEMA/NAME.json.
 set -euo pipefail
 
-mkdir -p documents/{layout,layout-check,run,prediction,verdict,plan,bench}
+corpus=$(realpath "$(dirname "$0")/../fuzz/corpus")
+mkdir -p documents/{layout,layout-2,layout-check,run,prediction,verdict,plan,bench}
 cd documents
 
 # Layouts: presets, units, frames, boxes, every defect, a reduced cell.
@@ -26,9 +27,13 @@ for filter in 'vacancy --count 2' 'interstitial --count 1' 'jitter --sigma 0.5' 
   disturb $filter # as words
 done
 
+# Swimmers of any shape: beads in a loop with every kind of drive, a lone bead; changed by filters.
+beadswim-layout defect amplitude --sigma 0.1 --seed 1 "$corpus/layout/shape.json" >layout-2/amplitude.json
+beadswim-layout defect rotation --random --seed 1 layout-2/amplitude.json >layout-2/rotation.json
+
 # What check says of them.
-for name in single units unequal swarm mixture; do
-  beadswim-layout check "layout/$name.json" --json >"layout-check/$name.json"
+for name in layout/{single,units,unequal,swarm,mixture} layout-2/amplitude; do
+  beadswim-layout check "$name.json" --json >"layout-check/${name#*/}.json"
 done
 
 # Run records: resolved, by mobility, of many swimmers, stopped by time, by speed and by failure, without provenance.
@@ -43,6 +48,7 @@ quick 0 no-provenance ../open.layout.json --model rpy+near --cycles 1 --no-prove
 quick 0 single ../lattice.layout.json --cells-per-radius 2 --relaxation-time 1.5 --cycles 1 --precision single --bead-boundary psm
 beadswim-layout swarm --preset paper-uniform --blocks 2,3,4 --block-swimmers 1,2,2 >../many.layout.json
 quick 0 many ../many.layout.json --model rpy --cycles 0.5
+quick 0 shapes layout-2/amplitude.json --model rpy --cycles 2
 quick 0 many-cycle ../many.layout.json --model oseen --sum-tolerance 0.01 --cycles 1
 swimmer --radius 2 --arm 9 --box 32,16,16 --boundary periodic --period 100 --amplitude 100 --stiffness 5 >../fast.layout.json
 quick 4 too-fast ../fast.layout.json --cells-per-radius 2 --relaxation-time 1.5 --cycles 1

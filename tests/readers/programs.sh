@@ -22,8 +22,8 @@ refuses() { # FILE COMMAND...
   echo "$*: exit status $status: $(head -n 1 said)" >&2
 }
 
-for layout in documents/layout/*.json; do takes beadswim-layout check "$layout"; done
-for file in faults/layout/*.json; do refuses "$file" beadswim-layout check "$file"; done
+for layout in documents/layout/*.json documents/layout-2/*.json; do takes beadswim-layout check "$layout"; done
+for file in faults/layout/*.json faults/layout-2/*.json; do refuses "$file" beadswim-layout check "$file"; done
 
 takes beadswim-compare documents/run/lattice.json documents/prediction/box.json
 for run in lattice walls open swarm restarted; do takes beadswim-plot stroke "documents/run/$run.json" -o said.svg; done
