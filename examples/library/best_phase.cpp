@@ -42,7 +42,8 @@ void find_best_phase(CollinearSwimmer swimmer) {
 
 int main(int argc, char** argv) {
   const Layout layout = paper_single();
-  CollinearSwimmer swimmer = collinear_swimmer(layout.types.at("a"), Vec3::UnitX(), layout.fluid.dynamic_viscosity());
+  const ThreeBeadSwimmer type = three_beads(layout.types.at("a"));
+  CollinearSwimmer swimmer = collinear_swimmer(type, Vec3::UnitX(), layout.fluid.dynamic_viscosity());
   if (argc > 1) swimmer.amplitude.fill(std::atof(argv[1]));
   try {
     find_best_phase(swimmer);
