@@ -88,7 +88,7 @@ class OutgoingMessage {
   }
   template <HasFields Record>
   void put(const Record& record) {
-    for_each_message_field(record, [this](const auto& field) { put(field); });
+    for_each_message_field(record, [this](const auto& field) { this->put(field); });
   }
   void put(const Vec3& v) {
     for (int a = 0; a < 3; ++a) put(v[a]);
@@ -137,7 +137,7 @@ class IncomingMessage {
   }
   template <HasFields Record>
   void get(Record& record) {
-    for_each_message_field(record, [this](auto& field) { get(field); });
+    for_each_message_field(record, [this](auto& field) { this->get(field); });
   }
   void get(Vec3& v) {
     for (int a = 0; a < 3; ++a) get(v[a]);
