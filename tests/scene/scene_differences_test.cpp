@@ -82,6 +82,7 @@ TEST(SceneDifferences, KnowShapesAndWhatIsDriven) {
     shape.beads.push_back({{.radius = 4, .density = 1}, at});
   for (const std::array<int, 2>& beads : {std::array{0, 1}, {1, 2}, {2, 0}})
     shape.bonds.push_back({{1, 16, 0}, beads});
+  shape.angles = {{.beads = {0, 1, 2}, .stiffness = 5, .rest = 2}};
   shape.driving.period = 1000;
   shape.driving.bonds = {{.bond = 0, .harmonics = {{.amplitude = 2}}}};
   triangle.swimmers = {{.id = 0, .type = "t"}};
@@ -104,6 +105,24 @@ TEST(SceneDifferences, KnowShapesAndWhatIsDriven) {
               t.driving.forces = {{.bead = 0, .direction = Vec3::UnitX(), .constant = 0.01}};
             }),
             "amplitude: 0.01, 2;");
+  EXPECT_EQ(difference([](SwimmerType& t) {
+              t.driving.angles = {{.angle = 0, .harmonics = {{.amplitude = 0.1, .phase = 1}}}};
+            }),
+            "amplitude: 2, 0.1;phase: 0, 1;");
+  EXPECT_EQ(difference([](SwimmerType& t) { t.driving.bonds[0].quantity = BondQuantity::rest_length; }),
+            "amplitude: 2, of another shape;");
+  EXPECT_EQ(difference([](SwimmerType& t) { t.angles[0].beads = {1, 2, 0}; }), "arm: 16, of another shape;");
+  EXPECT_EQ(difference([](SwimmerType& t) { t.angles[0].rest = 1; }), "arm: 16, of another shape;");
+}
+
+TEST(SceneDifferences, StateTheOrientationOfASwimmerTurnedAboutItsAxis) {
+  const auto differences = after([](Layout& layout) {
+    layout.swimmers[1].turn = Eigen::Quaterniond(Eigen::AngleAxisd(std::numbers::pi, Vec3::UnitX()));
+  });
+  ASSERT_EQ(differences.size(), 1U);
+  EXPECT_EQ(differences[0].property, SceneProperty::placing);
+  EXPECT_EQ(differences[0].run, "swimmer 3 with orientation (1, 0, 0, 0)");
+  EXPECT_EQ(differences[0].reference, "swimmer 3 with orientation (0, 1, 0, 0)");
 }
 
 TEST(SceneDifferences, AreSortedAndStateBothValues) {

@@ -79,6 +79,15 @@ std::string vector_text(const Vec3& v) {
   return fmt::format("({:.10g}, {:.10g}, {:.10g})", v.x(), v.y(), v.z());
 }
 
+/// Returns the orientation as a quaternion w, x, y, z.
+std::string orientation_text(const Swimmer& swimmer) {
+  const Eigen::Quaterniond q(swimmer.orientation());
+  constexpr double roundoff = 1e-12;
+  const auto rounded = [](double part) { return std::abs(part) < roundoff ? 0 : part; };
+  return fmt::format("({:.10g}, {:.10g}, {:.10g}, {:.10g})", rounded(q.w()), rounded(q.x()), rounded(q.y()),
+                     rounded(q.z()));
+}
+
 std::optional<SceneDifference> placing_difference(const Layout& run, const Layout& reference,
                                                   const std::vector<Pair>& pairs) {
   const auto difference = [](const Pair& pair, const char* what, const auto& own, const auto& other) {
@@ -95,8 +104,12 @@ std::optional<SceneDifference> placing_difference(const Layout& run, const Layou
     if (distance.norm() > largest_distance)
       return difference(pair, "at", vector_text(pair.run.position),
                         vector_text(pair.run.position + distance));
-    if ((pair.run.orientation() - pair.reference.orientation()).norm() > tolerance)
+    if ((pair.run.orientation() - pair.reference.orientation()).norm() > tolerance) {
+      if (pair.run.turn || pair.reference.turn)
+        return difference(pair, "with orientation", orientation_text(pair.run),
+                          orientation_text(pair.reference));
       return difference(pair, "with axis", vector_text(pair.run.axis), vector_text(pair.reference.axis));
+    }
     const double offset = run.resolved_type(pair.run).driving.phase_offset;
     const double other = reference.resolved_type(pair.reference).driving.phase_offset;
     if (!agree(offset, other)) return difference(pair, "with phase offset", offset, other);
