@@ -2,6 +2,11 @@
 # Tests layouts of version 2: swimmers of any shape.
 source "$(dirname "$0")/harness.sh"
 
+# --- the schemas of both versions agree on what does not depend on the shape
+shared_part='[(.properties | {units, fluid, domain, resolution, provenance}), (.definitions | {unit_system, own_unit, program_call})]'
+check "the schemas share units, fluid, domain, resolution and provenance" cmp -s \
+  <(jq -S "$shared_part" "$BEADSWIM_SOURCE/schemas/layout.schema.json") <(jq -S "$shared_part" "$BEADSWIM_SOURCE/schemas/layout-2.schema.json")
+
 # Writes a layout of the paper's swimmers in the terms of version 2.
 as_shape='.schema = "beadswim/layout/2" | .types[] |= (.driving as {amplitude: [$a, $b], $phase, $period, $frame} | .springs as $s | {
     beads: [.beads, [-$s[0].rest_length, 0, $s[1].rest_length]] | transpose | map(.[0] + {at: [.[1], 0, 0]}),

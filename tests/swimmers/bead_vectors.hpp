@@ -10,9 +10,7 @@ namespace beadswim {
 
 /// Returns a matrix of these columns.
 inline BeadVectors columns(const std::vector<Vec3>& vectors) {
-  BeadVectors matrix(3, std::ssize(vectors));
-  for (std::size_t b = 0; b < vectors.size(); ++b) matrix.col(b) = vectors[b];
-  return matrix;
+  return columns_of_beads(vectors);
 }
 
 /// Returns a vector with normally distributed components of standard deviation 1.

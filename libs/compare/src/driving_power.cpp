@@ -1,6 +1,5 @@
 #include "beadswim/compare/driving_power.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -28,13 +27,9 @@ double power_of(const std::vector<Harmonic>& harmonics, const Driving& driving,
 
 /// Returns true if this number of samples per period resolves all harmonics of the drives.
 bool are_resolved(const Driving& driving, std::ptrdiff_t samples) {
-  const auto resolved = [samples](const auto& drives) {
-    return std::ranges::all_of(drives, [samples](const auto& drive) {
-      return std::ranges::all_of(drive.harmonics,
-                                 [samples](const Harmonic& each) { return 2 * each.multiple < samples; });
-    });
-  };
-  return resolved(driving.forces) && resolved(driving.bonds) && resolved(driving.angles);
+  bool all = true;
+  for_each_harmonic(driving, [&](const Harmonic& harmonic) { all &= 2 * harmonic.multiple < samples; });
+  return all;
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ void OverdampedSystem::check_faults() {
     for (std::size_t k = 0; k < type.bonds.size(); ++k) {
       const auto [i, j] = type.bonds[k].beads;
       const double length = (now[first + j] - now[first + i]).norm() / type.bonds[k].rest_length;
-      if (length > 2)
+      if (length > max_stretch)
         record_fault(OverdampedFaultKind::torn_arm, swimmer, first + i, static_cast<int>(k) + 1, length);
     }
     first += type.beads.size();

@@ -37,14 +37,11 @@ void add_straight_angle(const Angle& angle, const BeadVectors& positions, Swimme
 /// angle by the positions of its beads; none where the beads are in line.
 template <int Size>
 void add_bent_angle(const Angle& angle, const BeadVectors& positions, SwimmerMatrix<Size>& stiffness) {
-  const auto [i, j, l] = angle.beads;
-  const Vec3 arm_1 = positions.col(j) - positions.col(i), arm_2 = positions.col(l) - positions.col(j);
-  const Vec3 u_1 = arm_1.normalized(), u_2 = arm_2.normalized();
-  const double cosine = u_1.dot(u_2), sine = u_1.cross(u_2).norm();
+  const auto [direction, length, cosine, sine] = sides_of(angle, positions);
   constexpr double smallest_sine = 1e-12;
   if (sine < smallest_sine) return;
-  const Vec3 by_1 = -(u_2 - cosine * u_1) / (sine * arm_1.norm()),
-             by_2 = -(u_1 - cosine * u_2) / (sine * arm_2.norm());
+  const Vec3 by_1 = -(direction[1] - cosine * direction[0]) / (sine * length[0]),
+             by_2 = -(direction[0] - cosine * direction[1]) / (sine * length[1]);
   const std::array<Vec3, 3> gradient{-by_1, by_1 - by_2, by_2};
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b)

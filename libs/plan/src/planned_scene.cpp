@@ -72,8 +72,7 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
     if (!three_bead_form(type))
       throw InputError(
           fmt::format("errors are estimated for the paper's three-bead swimmers only, not for the type "
-                      "\"{}\"; name the model "
-                      "with {}, and compare runs with different resolutions",
+                      "\"{}\"; name the model with {}, and compare runs with different resolutions",
                       name, Setting::model));
   }
   SceneFacts facts;

@@ -102,8 +102,7 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
   if (facts.cell.swimmers.size() > 1)
     plan.hard.push_back(
         "neighbours also move one another sideways; mobility models lack the part of this motion that "
-        "inertia "
-        "causes, and error estimates leave it out");
+        "inertia causes, and error estimates leave it out");
   if (constexpr double much = 1.5; facts.disorder_growth > much)
     plan.hard.push_back(
         fmt::format("small differences between swimmers grow {:.2g} times during the run, and the velocity "

@@ -14,6 +14,7 @@
 #include "beadswim/core/nearest_name.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
@@ -107,10 +108,9 @@ void check_connections(const std::string& place, const SwimmerType& type, Faults
 }
 
 void check_beads_at_rest(const std::string& place, const SwimmerType& type, Faults& faults) {
-  for (std::size_t i = 0; i < type.beads.size(); ++i) {
-    for (std::size_t j = i + 1; j < type.beads.size(); ++j) {
-      const double distance = (type.beads[j].at - type.beads[i].at).norm();
-      const double contact = type.beads[i].radius + type.beads[j].radius;
+  for (int i = 0; i < std::ssize(type.beads); ++i) {
+    for (int j = i + 1; j < std::ssize(type.beads); ++j) {
+      const double distance = distance_at_rest(type, i, j), contact = contact_distance(type, i, j);
       if (distance > contact) continue;
       faults.push_back(
           {fmt::format("{}/beads/{}/at", place, j),
@@ -124,18 +124,16 @@ void check_beads_at_rest(const std::string& place, const SwimmerType& type, Faul
 void check_bond_lengths(const std::string& place, const SwimmerType& type, Faults& faults) {
   for (std::size_t k = 0; k < type.bonds.size(); ++k) {
     const auto [i, j] = type.bonds[k].beads;
-    const double length = type.bonds[k].rest_length;
-    const double contact = type.beads[i].radius + type.beads[j].radius;
+    const double length = type.bonds[k].rest_length, contact = contact_distance(type, i, j);
     if (length > contact) continue;
     faults.push_back({fmt::format("{}/{}/rest_length", place, k),
                       fmt::format("with the rest length {}, beads {} and {} overlap; the rest length must "
                                   "be greater than {}, the sum of their radii",
                                   length, i + 1, j + 1, contact)});
   }
-  constexpr double max_stretch = 2;  // longer bonds end a run
   for (std::size_t k = 0; k < type.bonds.size(); ++k) {
     const auto [i, j] = type.bonds[k].beads;
-    const double distance = (type.beads[j].at - type.beads[i].at).norm(), length = type.bonds[k].rest_length;
+    const double distance = distance_at_rest(type, i, j), length = type.bonds[k].rest_length;
     if (distance <= max_stretch * length) continue;
     faults.push_back(
         {fmt::format("{}/{}/rest_length", place, k),
@@ -149,8 +147,7 @@ void check_bond_lengths(const std::string& place, const SwimmerType& type, Fault
 double largest_change(const auto& drives, auto&& is_of) {
   double sum = 0;
   for (const auto& drive : drives) {
-    if (!is_of(drive)) continue;
-    for (const Harmonic& harmonic : drive.harmonics) sum += std::abs(harmonic.amplitude);
+    if (is_of(drive)) sum += sum_of_amplitudes(drive.harmonics);
   }
   return sum;
 }
@@ -224,7 +221,7 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
         type.bonds[k].rest_length - largest_change(driving.bonds, [k](const BondDrive& drive) {
           return drive.bond == k && drive.quantity == BondQuantity::rest_length;
         });
-    const double contact = type.beads[i].radius + type.beads[j].radius;
+    const double contact = contact_distance(type, i, j);
     if (shortest > contact) continue;
     faults.push_back(
         {fmt::format("{}/bonds/{}/rest_length", place, n),
@@ -316,14 +313,18 @@ void check_axes(const std::vector<Swimmer>& swimmers, Faults& faults) {
   }
 }
 
-void check_positions(const Box& domain, const std::vector<Swimmer>& swimmers, Faults& faults) {
-  for (std::size_t i = 0; i < swimmers.size(); ++i) {
-    const Vec3& x = swimmers[i].position;
-    if ((x.array() >= 0).all() && (x.array() <= domain.lengths.array()).all()) continue;
-    faults.push_back(
-        {swimmer_place(i, "position"), fmt::format("the position {} of bead 2 lies outside the box; each "
-                                                   "coordinate must be between 0 and the box length, {}",
-                                                   in_words(x), in_words(domain.lengths))});
+void check_positions(const Layout& layout, Faults& faults) {
+  const Vec3& box = layout.domain->lengths;
+  for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
+    const Vec3& x = layout.swimmers[i].position;
+    if ((x.array() >= 0).all() && (x.array() <= box.array()).all()) continue;
+    const auto type = layout.types.find(layout.swimmers[i].type);
+    const bool is_three_beads = type == layout.types.end() || three_bead_form(type->second);
+    faults.push_back({swimmer_place(i, "position"),
+                      fmt::format("the position {} of {} lies outside the box; each coordinate must be "
+                                  "between 0 and the box length, {}",
+                                  in_words(x), is_three_beads ? "bead 2" : "the origin of the type's frame",
+                                  in_words(box))});
   }
 }
 
@@ -383,7 +384,7 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   check_type_names(layout, faults);
   check_ids(layout.swimmers, faults);
   check_axes(layout.swimmers, faults);
-  if (layout.domain) check_positions(*layout.domain, layout.swimmers, faults);
+  if (layout.domain) check_positions(layout, faults);
   if (!faults.empty()) return faults;
 
   const std::vector<PlacedBead> beads = placed_beads(layout);

@@ -99,13 +99,7 @@ class Push {
 
 /// Multiplies all forces, tensions, and changes of rest lengths and rest angles by `factor`.
 void scale_amplitudes(Driving& driving, double factor) {
-  const auto scale = [factor](auto& drives) {
-    for (auto& drive : drives)
-      for (Harmonic& harmonic : drive.harmonics) harmonic.amplitude *= factor;
-  };
-  scale(driving.forces);
-  scale(driving.bonds);
-  scale(driving.angles);
+  for_each_harmonic(driving, [factor](Harmonic& harmonic) { harmonic.amplitude *= factor; });
   for (ForceDrive& drive : driving.forces) drive.constant *= factor;
 }
 

@@ -32,13 +32,8 @@ namespace {
 
 int largest_multiple(const Driving& driving) {
   int largest = 1;
-  const auto include = [&largest](const auto& drives) {
-    for (const auto& drive : drives)
-      for (const Harmonic& harmonic : drive.harmonics) largest = std::max(largest, harmonic.multiple);
-  };
-  include(driving.forces);
-  include(driving.bonds);
-  include(driving.angles);
+  for_each_harmonic(driving,
+                    [&](const Harmonic& harmonic) { largest = std::max(largest, harmonic.multiple); });
   return largest;
 }
 

@@ -51,10 +51,10 @@ SwarmPlan paper_defect_plan() {
   return {.core_gap = Vec3::Constant(37), .block_gap = Vec3(56, 46, 46)};
 }
 
-double straightening_stiffness(const ThreeBeadSwimmer& type) {
+double straightening_stiffness(const ThreeBeadSwimmer& swimmer) {
   constexpr double sideways_over_along = 10;
-  const double stiffness = (type.springs[0].stiffness + type.springs[1].stiffness) / 2;
-  const double length = (type.springs[0].rest_length + type.springs[1].rest_length) / 2;
+  const double stiffness = (swimmer.springs[0].stiffness + swimmer.springs[1].stiffness) / 2;
+  const double length = (swimmer.springs[0].rest_length + swimmer.springs[1].rest_length) / 2;
   return sideways_over_along * stiffness * length * length;
 }
 
@@ -79,11 +79,7 @@ Vec3 centred_position(const SwimmerType& type, const Eigen::Matrix3d& orientatio
   if (!domain) return Vec3::Zero();
   Vec3 position = domain->lengths / 2;
   for (int a = 0; a < 3; ++a) {
-    double ahead = 0, behind = 0;
-    for (const BeadAtRest& bead : type.beads) {
-      ahead = std::max(ahead, bead.at[a] + bead.radius);
-      behind = std::max(behind, bead.radius - bead.at[a]);
-    }
+    const auto [ahead, behind] = reach_of_surfaces(type, a);
     if (ahead != behind) position -= (ahead - behind) / 2 * orientation.col(a);
   }
   return position + shift_off_lattice_planes(type, orientation.col(0), *domain);

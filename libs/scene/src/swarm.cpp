@@ -1,24 +1,13 @@
 #include "beadswim/scene/swarm.hpp"
 
-#include <algorithm>
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Return the distances along x from the origin of the type's frame to the last and to the first bead centre,
-/// and the sum of both [length].
-double ahead(const SwimmerType& type) {
-  double farthest = 0;
-  for (const BeadAtRest& bead : type.beads) farthest = std::max(farthest, bead.at.x());
-  return farthest;
-}
-double behind(const SwimmerType& type) {
-  double farthest = 0;
-  for (const BeadAtRest& bead : type.beads) farthest = std::max(farthest, -bead.at.x());
-  return farthest;
-}
+/// Returns the distance along x between the first and the last bead centre [length].
 double length_between_centres(const SwimmerType& type) {
-  return behind(type) + ahead(type);
+  return reach_of_centres(type, 0).length();
 }
 
 /// Returns the distances along x, y and z between the origins of neighbouring swimmers in one block [length].
@@ -52,7 +41,7 @@ Box swarm_box(const SwarmPlan& plan, const SwimmerType& type) {
 std::vector<Swimmer> swarm_swimmers(const SwarmPlan& plan, const SwimmerType& type,
                                     const std::string& type_name) {
   const Vec3 block = block_lengths(plan, type), apart = pitch(plan, type);
-  const Vec3 first = plan.block_gap / 2 + behind(type) * Vec3::UnitX();
+  const Vec3 first = plan.block_gap / 2 + reach_of_centres(type, 0).behind * Vec3::UnitX();
   std::vector<Swimmer> swimmers;
   for_each_place(plan.blocks, [&](const Vec3& in_swarm) {
     for_each_place(plan.block_swimmers, [&](const Vec3& in_block) {

@@ -35,17 +35,13 @@ Phase moved(const Phase& phase, const Phase& rate, double interval) {
           .velocity = phase.velocity + interval * rate.velocity};
 }
 
-double side_at_rest(const SwimmerType& type, int i, int j) {
-  return (type.beads[j].at - type.beads[i].at).norm();
-}
-
 /// Returns an upper bound of omega^2/K_A = sum_i |g_i|^2/m_i of an angle alone, where omega is the angular
 /// frequency of bending, K_A the angular stiffness and m_i the mass of bead i. g_i is the gradient of the
 /// angle by the position of bead i, with |g| = 1/l1, at most 1/l1 + 1/l2, and 1/l2 for the lengths l1 and l2
 /// of its sides at rest; the bound is exact for three beads in line.
 double bending_mobility(const SwimmerType& type, const Angle& angle) {
   const auto [i, j, l] = angle.beads;
-  const double g1 = 1 / side_at_rest(type, i, j), g3 = 1 / side_at_rest(type, j, l), g2 = g1 + g3;
+  const double g1 = 1 / distance_at_rest(type, i, j), g3 = 1 / distance_at_rest(type, j, l), g2 = g1 + g3;
   return g1 * g1 / mass(type.beads[i]) + g2 * g2 / mass(type.beads[j]) + g3 * g3 / mass(type.beads[l]);
 }
 
@@ -60,12 +56,6 @@ double bending_together(const SwimmerType& type, const std::size_t k, auto&& wei
     if (other != k && touch) sum += std::sqrt(weight(type.angles[k]) * weight(type.angles[other]));
   }
   return sum;
-}
-
-/// Returns true if all beads are in line at rest, so that stretching and bending are independent.
-bool is_straight(const SwimmerType& type) {
-  return std::ranges::all_of(type.beads,
-                             [](const BeadAtRest& bead) { return bead.at.y() == 0 && bead.at.z() == 0; });
 }
 
 /// Returns the number of bonds of each bead.
@@ -104,6 +94,7 @@ int substeps_for(const SwimmerType& type, double step) {
     squared_bending = std::max(squared_bending, bending_together(type, k, [&](const Angle& angle) {
                                  return angle.stiffness * bending_mobility(type, angle);
                                }));
+  // In a straight swimmer, stretching and bending are independent.
   const double frequency = std::sqrt(is_straight(type) ? std::max(squared_stretching, squared_bending)
                                                        : squared_stretching + squared_bending);
   const double damping_rate = stretching(&Spring::damping);

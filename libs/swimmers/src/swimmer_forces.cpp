@@ -31,6 +31,12 @@ double value_of(std::span<const Harmonic> harmonics, const Driving& driving, dou
   return sum;
 }
 
+double sum_of_amplitudes(std::span<const Harmonic> harmonics) {
+  double sum = 0;
+  for (const Harmonic& harmonic : harmonics) sum += std::abs(harmonic.amplitude);
+  return sum;
+}
+
 double rest_length(const SwimmerType& type, std::size_t bond, double time) {
   double length = type.bonds[bond].rest_length;
   for (const BondDrive& drive : type.driving.bonds) {
@@ -65,23 +71,28 @@ BeadVectors bond_forces(const SwimmerType& type, double time, const BeadVectors&
   return force;
 }
 
+AngleSides sides_of(const Angle& angle, const BeadVectors& position) {
+  AngleSides sides{};
+  for (int s = 0; s < 2; ++s) {
+    const Vec3 side = position.col(angle.beads[s + 1]) - position.col(angle.beads[s]);
+    sides.length[s] = side.norm();
+    sides.direction[s] = side / sides.length[s];
+  }
+  sides.cosine = sides.direction[0].dot(sides.direction[1]);
+  sides.sine = sides.direction[0].cross(sides.direction[1]).norm();
+  return sides;
+}
+
 BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors& position) {
   BeadVectors force = zero_vectors(type);
   for (std::size_t k = 0; k < type.angles.size(); ++k) {
     const Angle& angle = type.angles[k];
     const auto [i, j, l] = angle.beads;
-    const Vec3 arm_1 = position.col(j) - position.col(i);
-    const Vec3 arm_2 = position.col(l) - position.col(j);
-    const double length_1 = arm_1.norm();
-    const double length_2 = arm_2.norm();
-    const Vec3 direction_1 = arm_1 / length_1;
-    const Vec3 direction_2 = arm_2 / length_2;
-    const double cosine = direction_1.dot(direction_2);
-    const double sine = direction_1.cross(direction_2).norm();
-    // Gradients of the bending energy U = K_A (theta - rest)^2/2 with respect to arm_1 and arm_2.
+    const auto [direction, length, cosine, sine] = sides_of(angle, position);
+    // Gradients of the bending energy U = K_A (theta - rest)^2/2 with respect to the vectors of the sides.
     const double ratio = bending_over_sine(sine, cosine, rest_angle(type, k, time));
-    const Vec3 gradient_1 = -angle.stiffness * ratio / length_1 * (direction_2 - cosine * direction_1);
-    const Vec3 gradient_2 = -angle.stiffness * ratio / length_2 * (direction_1 - cosine * direction_2);
+    const Vec3 gradient_1 = -angle.stiffness * ratio / length[0] * (direction[1] - cosine * direction[0]);
+    const Vec3 gradient_2 = -angle.stiffness * ratio / length[1] * (direction[0] - cosine * direction[1]);
     force.col(i) += gradient_1;
     force.col(j) += gradient_2 - gradient_1;
     force.col(l) += -gradient_2;
@@ -90,11 +101,6 @@ BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors
 }
 
 double largest_driving_force(const SwimmerType& type) {
-  const auto sum_of_amplitudes = [](const std::vector<Harmonic>& harmonics) {
-    double sum = 0;
-    for (const Harmonic& harmonic : harmonics) sum += std::abs(harmonic.amplitude);
-    return sum;
-  };
   std::vector<double> force(type.beads.size());
   for (const ForceDrive& drive : type.driving.forces)
     force[drive.bead] += std::abs(drive.constant) + sum_of_amplitudes(drive.harmonics);

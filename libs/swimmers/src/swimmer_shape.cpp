@@ -22,6 +22,16 @@ std::optional<Vec3> common_line(const BeadVectors& at) {
   return direction;
 }
 
+/// Returns the reach of spheres about the beads. radius_of(bead): radius of the sphere.
+Reach reach_of_spheres(const SwimmerType& type, int a, auto&& radius_of) {
+  Reach reach;
+  for (const BeadAtRest& bead : type.beads) {
+    reach.ahead = std::max(reach.ahead, bead.at[a] + radius_of(bead));
+    reach.behind = std::max(reach.behind, radius_of(bead) - bead.at[a]);
+  }
+  return reach;
+}
+
 }  // namespace
 
 Eigen::Matrix3d shortest_turn(const Vec3& axis) {
@@ -51,6 +61,27 @@ std::vector<Vec3> rest_positions(const SwimmerType& type, const Vec3& origin,
     positions.push_back(place);
   }
   return positions;
+}
+
+double distance_at_rest(const SwimmerType& type, int i, int j) {
+  return (type.beads[j].at - type.beads[i].at).norm();
+}
+
+double contact_distance(const SwimmerType& type, int i, int j) {
+  return type.beads[i].radius + type.beads[j].radius;
+}
+
+bool is_straight(const SwimmerType& type) {
+  return std::ranges::all_of(type.beads,
+                             [](const BeadAtRest& bead) { return bead.at.y() == 0 && bead.at.z() == 0; });
+}
+
+Reach reach_of_centres(const SwimmerType& type, int a) {
+  return reach_of_spheres(type, a, [](const Bead&) { return 0.0; });
+}
+
+Reach reach_of_surfaces(const SwimmerType& type, int a) {
+  return reach_of_spheres(type, a, [](const Bead& bead) { return bead.radius; });
 }
 
 double angle_between(const Angle& angle, std::span<const Vec3> positions) {
@@ -86,8 +117,7 @@ Eigen::Matrix3d fitted_orientation(const SwimmerType& type, const BeadVectors& p
 
 Vec3 axis_of(const SwimmerType& type, std::span<const Vec3> positions,
              const Eigen::Matrix3d& initial_orientation) {
-  const auto on_axis = [](const BeadAtRest& bead) { return bead.at.y() == 0 && bead.at.z() == 0; };
-  if (type.beads.size() > 1 && std::ranges::all_of(type.beads, on_axis)) {
+  if (type.beads.size() > 1 && is_straight(type)) {
     const auto x = [](const BeadAtRest& bead) { return bead.at.x(); };
     const auto [first, last] = std::ranges::minmax_element(type.beads, {}, x);
     return (positions[last - type.beads.begin()] - positions[first - type.beads.begin()]).normalized();

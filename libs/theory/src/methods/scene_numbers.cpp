@@ -7,6 +7,7 @@
 
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
 
@@ -20,12 +21,7 @@ CollinearSwimmer along_own_axis(const ThreeBeadSwimmer& type, const Fluid& fluid
 
 /// Returns the box edges, divided by the length of the swimmer along its axis.
 std::array<double, 3> box_over_length(const Box& domain, const SwimmerType& type) {
-  double ahead = 0, behind = 0;
-  for (const BeadAtRest& bead : type.beads) {
-    ahead = std::max(ahead, bead.at.x() + bead.radius);
-    behind = std::max(behind, bead.radius - bead.at.x());
-  }
-  const double length = ahead + behind;
+  const double length = reach_of_surfaces(type, 0).length();
   return {domain.lengths[0] / length, domain.lengths[1] / length, domain.lengths[2] / length};
 }
 

@@ -19,10 +19,6 @@ namespace beadswim {
 /// cover the cells next to the wall.
 constexpr double min_wall_gap = 0.5;
 
-/// Largest permitted length of an arm, divided by its rest length. A run with a longer arm ends with the
-/// fault torn_arm.
-constexpr double max_stretch = 2;
-
 /// Exchanges messages about beads between the MPI rank that owns a swimmer and the ranks whose lattice cells
 /// its beads touch.
 class BeadExchange {

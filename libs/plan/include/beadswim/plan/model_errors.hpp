@@ -75,8 +75,8 @@ struct ResolvedRun {
 
 /// Returns the factor, from 1 to 5, by which the velocity wanders more because the beads of a swimmer are on
 /// planes of the lattice: 1 + 4 cos^2(2 pi y) cos^2(2 pi z), where y and z [cell] are the coordinates across
-/// the swimmer. Returns 1 for a swimmer that is not parallel to an axis of the lattice. `position`: of the
-/// middle bead [cell].
+/// the swimmer. Returns 1 for a swimmer that is not parallel to an axis of the lattice. `position`: of
+/// bead 2 [cell].
 double lattice_plane_factor(const Vec3& position, const Vec3& axis);
 
 /// Returns the relative errors of a run with the model lbm by time steps and cells of finite size. The error

@@ -20,8 +20,8 @@ struct PlacedBead {
   int bead = 0;             ///< number of the bead in the swimmer, from 0
 };
 
-/// Returns the beads of all swimmers, in order of the swimmers. The type of every swimmer
-/// must exist in the layout.
+/// Returns the beads of all swimmers, in order of the swimmers. The type of every swimmer must exist in the
+/// layout.
 std::vector<PlacedBead> placed_beads(const Layout& layout);
 
 /// A pair of beads, or a bead and its own periodic image (first == second).

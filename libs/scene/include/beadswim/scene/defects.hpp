@@ -38,9 +38,9 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
 /// and standard deviation `sigma` [length].
 void jitter(Layout& layout, const std::vector<std::size_t>& chosen, double sigma, std::uint64_t seed);
 
-/// Rotates each chosen swimmer about its middle bead. The angle is a normally distributed random number with
-/// mean 0 and standard deviation `sigma` [rad], and the rotation axis is a random line perpendicular to the
-/// swimmer. Without `sigma`, the new orientation is isotropically random.
+/// Rotates each chosen swimmer about its position (bead 2 of a three-bead swimmer). The angle is a normally
+/// distributed random number with mean 0 and standard deviation `sigma` [rad], and the rotation axis is a
+/// random line perpendicular to the swimmer. Without `sigma`, the new orientation is isotropically random.
 void rotate(Layout& layout, const std::vector<std::size_t>& chosen, std::optional<double> sigma,
             std::uint64_t seed);
 
@@ -63,7 +63,7 @@ void disorder_frequencies(Layout& layout, const std::vector<std::size_t>& chosen
                           std::uint64_t seed);
 
 /// Parameters of random changes of the distances between neighbouring layers. A layer consists of the
-/// swimmers whose middle beads have the same coordinate along `axis`.
+/// swimmers whose positions have the same coordinate along `axis`.
 struct LayerSpacing {
   int axis = 0;      ///< 0, 1 or 2 for x, y or z
   double sigma = 0;  ///< standard deviation of the change of a layer distance [length]

@@ -11,8 +11,8 @@ namespace beadswim {
 /// Numbers of the layers along x, y and z in which a swimmer lies, starting at 0.
 using Layer = std::array<int, 3>;
 
-/// Returns the layer of each swimmer's middle bead, in the order of the layout. Along each axis, the
-/// coordinates of the middle beads are sorted. Successive coordinates that differ by at most the smallest
+/// Returns the layer of each swimmer's position, in the order of the layout. Along each axis, the
+/// coordinates of the positions are sorted. Successive coordinates that differ by at most the smallest
 /// bead radius belong to the same layer.
 std::vector<Layer> swimmer_layers(const Layout& layout);
 

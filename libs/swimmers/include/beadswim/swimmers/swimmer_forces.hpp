@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 
 #include "beadswim/swimmers/swimmer_shape.hpp"
@@ -14,6 +15,9 @@ namespace beadswim {
 /// Returns the sum A_i sin(n_i (w t + phi) + phase_i) of the harmonics of a drive at `time`.
 double value_of(std::span<const Harmonic> harmonics, const Driving& driving, double time);
 
+/// Returns the sum of |A_i|, an upper bound of |value_of()| at all times.
+double sum_of_amplitudes(std::span<const Harmonic> harmonics);
+
 /// Return the rest length of a bond and the rest angle of an angular spring, with their drives, at `time`.
 double rest_length(const SwimmerType& type, std::size_t bond, double time);
 double rest_angle(const SwimmerType& type, std::size_t angle, double time);
@@ -23,6 +27,15 @@ double rest_angle(const SwimmerType& type, std::size_t angle, double time);
 /// and damping c.
 BeadVectors bond_forces(const SwimmerType& type, double time, const BeadVectors& position,
                         const BeadVectors& velocity);
+
+/// Sides of an angular spring, from its first bead to the second and from the second to the third: unit
+/// vectors along them, their lengths, and cosine and sine of the angle between them.
+struct AngleSides {
+  std::array<Vec3, 2> direction;
+  std::array<double, 2> length;  ///< [length]
+  double cosine, sine;
+};
+AngleSides sides_of(const Angle& angle, const BeadVectors& position);
 
 /// Returns the forces -grad U of the angular springs for the bending energies U (Angle). Where the three
 /// beads of an angle are in line, the force of a rest angle other than 0 or pi has no direction and is set to

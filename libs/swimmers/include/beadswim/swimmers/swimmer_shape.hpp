@@ -29,6 +29,25 @@ Eigen::Matrix3d shortest_turn(const Vec3& axis);
 std::vector<Vec3> rest_positions(const SwimmerType& type, const Vec3& origin,
                                  const Eigen::Matrix3d& orientation);
 
+/// Return the distance of the centres of two beads at rest, and the distance at which they touch [length].
+double distance_at_rest(const SwimmerType& type, int i, int j);
+double contact_distance(const SwimmerType& type, int i, int j);
+
+/// Returns true if all beads at rest are on the x axis of the type.
+bool is_straight(const SwimmerType& type);
+
+/// Distances from the origin of the type's frame along one of its axes, forwards and backwards [length].
+struct Reach {
+  double ahead = 0, behind = 0;
+
+  double length() const { return ahead + behind; }
+};
+
+/// Return the distances along axis `a` of the type's frame to the outermost bead centres and surfaces at
+/// rest; 0 on a side of the origin without any.
+Reach reach_of_centres(const SwimmerType& type, int a);
+Reach reach_of_surfaces(const SwimmerType& type, int a);
+
 /// Returns the angle theta of an angular spring between beads at `positions`, in [0, pi] [radian].
 double angle_between(const Angle& angle, std::span<const Vec3> positions);
 

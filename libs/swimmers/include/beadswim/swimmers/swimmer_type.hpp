@@ -130,6 +130,20 @@ struct Driving {
   bool operator==(const Driving&) const = default;
 };
 
+/// Calls visit(harmonic) for each harmonic of all drives.
+void for_each_harmonic(auto& driving, auto&& visit) {
+  const auto visit_those_of = [&visit](auto& drives) {
+    for (auto& drive : drives)
+      for (auto& harmonic : drive.harmonics) visit(harmonic);
+  };
+  visit_those_of(driving.forces);
+  visit_those_of(driving.bonds);
+  visit_those_of(driving.angles);
+}
+
+/// Largest permitted length of a bond, divided by its rest length. A longer bond ends a run.
+constexpr double max_stretch = 2;
+
 struct SwimmerType {
   std::vector<BeadAtRest> beads;
   std::vector<Bond> bonds;
