@@ -183,21 +183,22 @@ std::size_t deciding_reference(const ComparisonRequest& request, const Reference
 void compare_swimmer_in_all_runs(int id, ComparisonRequest request, const Inputs& inputs,
                                  VerdictDocument& result) {
   const References references = references_for(id, inputs, request.cycle);
-  const RunFile& first = inputs.runs.front();
-  const ComparedValues known =
-      swimming_of(first.record, find_swimmer(first.record, id, first.source), request.cycle, first.source);
-  // A swimmer with fewer than two bonds has no phase shift.
-  std::erase_if(request.quantities, [&](ComparedQuantity quantity) { return !known.contains(quantity); });
-  const std::size_t deciding = deciding_reference(request, references);
-  result.decided_by = references.all[deciding].method;
+  std::vector<RunSwimmer> in_runs;
   for (const RunFile& run : inputs.runs) {
     const SwimmerRecord& swimmer = find_swimmer(run.record, id, run.source);
-    const RunSwimmer run_swimmer{.source = run.source,
-                                 .id = id,
-                                 .swimming = swimming_of(run.record, swimmer, request.cycle, run.source),
-                                 .uncertainties = uncertainties_of(swimmer, request.cycle)};
+    in_runs.push_back({.source = run.source,
+                       .id = id,
+                       .swimming = swimming_of(run.record, swimmer, request.cycle, run.source),
+                       .uncertainties = uncertainties_of(swimmer, request.cycle)});
+  }
+  // A swimmer with fewer than two bonds has no phase shift.
+  std::erase_if(request.quantities,
+                [&](ComparedQuantity quantity) { return !in_runs.front().swimming.contains(quantity); });
+  const std::size_t deciding = deciding_reference(request, references);
+  result.decided_by = references.all[deciding].method;
+  for (const RunSwimmer& in_run : in_runs) {
     const auto rows = compare_swimmer(
-        run_swimmer, references.all,
+        in_run, references.all,
         {.quantities = request.quantities, .tolerance = request.tolerance, .deciding = deciding});
     result.rows.insert(result.rows.end(), rows.begin(), rows.end());
   }

@@ -127,12 +127,6 @@ std::string title_of(const TrajectoryFlags& options) {
   return fmt::format("{} along {}", which, "xyz"[options.axis]);
 }
 
-std::vector<std::string> bead_numbers() {
-  std::vector<std::string> numbers;
-  for (int bead = 1; bead <= max_beads; ++bead) numbers.push_back(std::to_string(bead));
-  return numbers;
-}
-
 Figure trajectory_figure(const std::vector<std::string>& paths, const TrajectoryFlags& options) {
   const std::vector<TrajectoryFile> files = open_all(paths);
   std::size_t swimmers = 0;
@@ -160,7 +154,7 @@ Drawing add_trajectory_flags(CLI::App& command) {
           "--beads", [options](const std::string& text) { options->beads = parse_whole_numbers(text); },
           "Beads of each swimmer to draw, 1 to 3 along the axis of a three-bead swimmer")
       ->type_name("1|2|3,...")
-      ->check(number_list({}, one_of(bead_numbers())))
+      ->check(number_list({}, whole_number(1, max_beads)))
       ->default_str("2");
   add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });

@@ -128,12 +128,11 @@ Json json_of(const Swimmer& swimmer, const SwimmerType& type, Version version) {
 }
 
 /// Appends fluid, domain, types and swimmers to a JSON object.
-void add_scene(Json& json, const Layout& layout) {
+void add_scene(Json& json, const Layout& layout, Version version) {
   json["fluid"] = layout.fluid;
   json["domain"] = layout.domain;
   json["types"] = Json::object();
   json["swimmers"] = Json::array();
-  const Version version = version_of(layout);
   for (const auto& [name, type] : layout.types)
     json["types"][name] = version == Version::one ? Json(three_beads(type)) : shape_to_json(type);
   for (const Swimmer& swimmer : layout.swimmers)
@@ -179,9 +178,9 @@ LayoutDocument read_layout(const std::string& path) {
 
 Json layout_to_json(const LayoutDocument& document) {
   const Layout& layout = document.layout;
-  Json json{{"schema", version_of(layout) == Version::one ? schema_one : schema_two},
-            {"units", json_of(layout.units)}};
-  add_scene(json, layout);
+  const Version version = version_of(layout);
+  Json json{{"schema", version == Version::one ? schema_one : schema_two}, {"units", json_of(layout.units)}};
+  add_scene(json, layout, version);
   if (layout.resolution) json["resolution"] = layout.resolution;
   json["provenance"] = document.provenance;
   return json;
@@ -189,7 +188,7 @@ Json layout_to_json(const LayoutDocument& document) {
 
 Json scene_to_json(const Layout& layout) {
   Json json;
-  add_scene(json, layout);
+  add_scene(json, layout, version_of(layout));
   return json;
 }
 

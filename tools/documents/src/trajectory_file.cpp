@@ -50,30 +50,28 @@ std::vector<std::size_t> indices_in(const Layout& layout, const TrajectoryReader
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) index_of[layout.swimmers[s].id] = s;
   std::vector<std::size_t> indices;
   const std::vector<int>& of_bead = reader.header().swimmer;
-  for (const std::size_t bead : reader.header().first_beads()) {
-    const auto found = index_of.find(of_bead[bead]);
+  std::vector<std::size_t> first = reader.header().first_beads();
+  first.push_back(of_bead.size());
+  for (std::size_t s = 0; s + 1 < first.size(); ++s) {
+    const int id = of_bead[first[s]];
+    const auto found = index_of.find(id);
     if (found == index_of.end()) {
       throw InputError(
           path + ":/particles/beads/swimmer",
           fmt::format(
               "swimmer {} is not in the layout that the file contains, or occurs twice in this dataset; the "
               "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
-              of_bead[bead]));
+              id));
     }
-    indices.push_back(found->second);
-    index_of.erase(found);
-  }
-  std::size_t beads = 0;
-  for (std::size_t s = 0; s < indices.size(); ++s) {
-    const std::size_t first = beads;
-    beads += layout.types.at(layout.swimmers[indices[s]].type).beads.size();
-    if (beads > of_bead.size() || of_bead[beads - 1] != of_bead[first] ||
-        (beads < of_bead.size() && of_bead[beads] == of_bead[first]))
+    if (first[s + 1] - first[s] != layout.types.at(layout.swimmers[found->second].type).beads.size()) {
       throw InputError(
           path + ":/particles/beads/species",
           fmt::format("swimmer {} has another number of beads than in the layout that the file contains; the "
                       "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
-                      of_bead[first]));
+                      id));
+    }
+    indices.push_back(found->second);
+    index_of.erase(found);
   }
   return indices;
 }

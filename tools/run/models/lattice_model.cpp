@@ -115,7 +115,7 @@ std::vector<SwimmerPose> LatticeModel::gather_swimmers(double ahead) const {
   std::vector<SwimmerPose> poses;
   for (const SwimmerState& swimmer : system_.gather_swimmers()) {
     SwimmerPose& pose = poses.emplace_back();
-    pose = {.id = swimmer.id, .initial_orientation = swimmer.orientation_at_start(), .motion = {}};
+    pose.id = swimmer.id;
     for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
       pose.motion.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead));
   }

@@ -52,6 +52,12 @@ bool is_sound(const SwimmerSnapshot& snapshot, const PlacedSwimmer& of_scene, st
          });
 }
 
+[[noreturn]] void throw_other_swimmers(const CheckpointReader& file) {
+  throw SolverError(file.path() +
+                    ": the checkpoint contains other swimmers than the layout; take the run's other "
+                    "checkpoint (.ckpt.0 or .ckpt.1), or begin without --restart");
+}
+
 /// Reads the swimmers of a checkpoint in chunks and returns those swimmers that this rank owns. Throws
 /// SolverError if the checkpoint contains the swimmers of another scene.
 std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const CoupledSystem& system) {
@@ -61,11 +67,7 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
   };
   std::uint64_t total_bytes = 0;
   for (const PlacedSwimmer& swimmer : scene.swimmers) total_bytes += size_of(swimmer);
-  if (total_bytes != file.size(swimmers_section))
-    throw SolverError(file.path() +
-                      ": the checkpoint contains other swimmers than the layout; take the run's other "
-                      "checkpoint (.ckpt.0 or .ckpt.1), or "
-                      "begin without --restart");
+  if (total_bytes != file.size(swimmers_section)) throw_other_swimmers(file);
   constexpr std::size_t swimmers_per_chunk = 4096;
   std::vector<SwimmerSnapshot> owned;
   std::uint64_t first_byte = 0;
@@ -80,10 +82,7 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
     const auto is_of_scene = [&](const SwimmerSnapshot& swimmer, const PlacedSwimmer& placed) {
       return is_sound(swimmer, placed, scene.type_of(placed).beads.size());
     };
-    if (!std::ranges::equal(chunk, of_scene, is_of_scene))
-      throw SolverError(file.path() +
-                        ": the checkpoint contains other swimmers than the layout; take the run's other "
-                        "checkpoint (.ckpt.0 or .ckpt.1), or begin without --restart");
+    if (!std::ranges::equal(chunk, of_scene, is_of_scene)) throw_other_swimmers(file);
     for (SwimmerSnapshot& swimmer : chunk)
       if (system.owns(swimmer.state)) owned.push_back(std::move(swimmer));
   }

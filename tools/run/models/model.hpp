@@ -38,10 +38,9 @@ struct SwimmerIdentity {
   int type = 0;  ///< index into ModelPlan::periods and ModelPlan::radii
 };
 
-/// Positions and velocities of the beads of a swimmer, with its orientation at time 0.
+/// Positions and velocities of the beads of a swimmer.
 struct SwimmerPose {
   int id = 0;
-  Eigen::Matrix3d initial_orientation = Eigen::Matrix3d::Identity();
   std::vector<BeadMotion> motion;  ///< [ModelUnits]
 };
 

@@ -89,8 +89,7 @@ std::vector<SwimmerPose> OverdampedModel::gather_swimmers(double ahead) const {
   std::vector<SwimmerPose> poses;
   if (!plan_.communicator.is_root()) return poses;
   for (std::size_t s = 0; s < plan_.swimmers.size(); ++s) {
-    SwimmerPose pose{
-        .id = plan_.swimmers[s].id, .initial_orientation = plan_.swimmers[s].orientation, .motion = {}};
+    SwimmerPose pose{.id = plan_.swimmers[s].id, .motion = {}};
     for (std::size_t b = bead_ranges_[s].first; b < bead_ranges_[s].last; ++b)
       pose.motion.push_back(motion_of(b, ahead));
     poses.push_back(pose);

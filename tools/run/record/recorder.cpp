@@ -27,6 +27,12 @@ const Method& towing_method(RunModel model) {
   return find_method(has_pairs ? to_text(model) + "-ode" : "multipole-ode");
 }
 
+/// Returns the log of the swimmer with this id, or logs.end(). `logs` are in the order of their ids.
+auto find_log(auto& logs, int id) {
+  const auto log = std::ranges::lower_bound(logs, id, {}, [](const auto& each) { return each.record.id; });
+  return log != logs.end() && log->record.id == id ? log : logs.end();
+}
+
 }  // namespace
 
 CycleStatistics widest_cycle(const Layout& layout) {
@@ -116,9 +122,7 @@ void Recorder::store_samples(const FlowSample& now) {
     return std::tuple(position_sample.id, position_sample.number);
   });
   for (const PositionSample& position_sample : gathered_) {
-    const auto log = std::ranges::lower_bound(
-        logs_, position_sample.id, {}, [](const SwimmerLog& candidate) { return candidate.record.id; });
-    store_sample(*log, position_sample, now);
+    store_sample(*find_log(logs_, position_sample.id), position_sample, now);
   }
   gathered_.clear();
 }
@@ -200,8 +204,8 @@ void Recorder::append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3
     for (const BeadMotion& bead : motion) positions.push_back(bead.position);
     const SwimmerLog& log = logs_[s];
     SwarmMember& member = members.emplace_back();
-    member.axis = axis_of(log.type, positions, swimmers[s].initial_orientation);
-    member.initial_axis = swimmers[s].initial_orientation.col(0);
+    member.axis = axis_of(log.type, positions, log.initial_orientation);
+    member.initial_axis = log.initial_orientation.col(0);
     if (!log.record.cycles.empty()) member.last_cycle = log.record.cycles.back();
     for (std::size_t b = 0; b < motion.size(); ++b) {
       member.centre += motion[b].position * units_.length / static_cast<double>(motion.size());
@@ -237,9 +241,7 @@ bool Recorder::is_consistent_with(long steps_done) const {
   return is_next &&
          std::ranges::all_of(gathered_,
                              [&](const PositionSample& position_sample) {
-                               const auto log =
-                                   std::ranges::find(logs_, position_sample.id,
-                                                     [](const SwimmerLog& each) { return each.record.id; });
+                               const auto log = find_log(logs_, position_sample.id);
                                return position_sample.number >= 0 && log != logs_.end() &&
                                       has_all_beads(*log, position_sample.positions);
                              }) &&
