@@ -109,7 +109,7 @@ run mpirun -n 2 beadswim-run triangle.json -o lattice-again.h5md "${lattice[@]}"
 check "a restart on two ranks gives the same state" holds --slurpfile one lattice.json '.state_sha256 == $one[0].state_sha256' out
 
 # --- what cannot treat the shape says what can
-refuses "triangle.json: swimmer 0: the swimmer is not the paper's" beadswim-theory triangle.json
+refuses 'triangle.json: swimmers 0 and 1 differ, but a prediction is for one swimmer' beadswim-theory triangle.json
 refuses 'errors are estimated for the paper.s three-bead swimmers only, not for the type "triangle"; name the model' beadswim-run triangle.json --plan
 jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json
 beadswim-run four.json -o four.h5md --model rpy --cycles 0.1 --progress none >/dev/null 2>&1
@@ -155,3 +155,45 @@ bad 'a key of version 1' '.types[].springs = []' '/types/triangle/springs: unkno
 accepts bash -c "jq '.types[].driving.net_force = \"allowed\" | .types[].driving.forces = [{bead: 1, direction: [1, 0, 0], constant: 0.01}]' triangle.json | beadswim-layout check -"
 
 finish
+
+# --- the gallery: each kind has defaults, runs, and moves as theory predicts
+for kind in dumbbell triangle prescribed-three-bead purcell-chain flagellum sphere chain; do
+  run beadswim-layout shape $kind
+  has_status 0
+  cp out $kind.json
+  accepts beadswim-layout check $kind.json
+  beadswim-run $kind.json -o $kind.h5md --model rpy --cycles 8 --progress none >$kind.run 2>/dev/null
+  run beadswim-theory $kind.json
+  has_status 0
+  cp out $kind.theory
+  check "$kind: theory has four predictions and leaves none out" holds '.left_out == [] and
+    (.predictions | map(.method) == ["oseen-perturbation", "rpy-perturbation", "oseen-ode", "rpy-ode"] and
+      all(.usable and .uncertainty == null and (.velocity_vector | length) == 3 and (.angular_velocity | length) == 3))' out
+done
+moves_as_predicted='.predictions[] | select(.method == "rpy-ode") | . as {velocity: $v, angular_velocity: $w, arm_amplitudes: $d, power: $p}
+  | $run[0].swimmers[0].cycles[-1] | (.speed_along_axis / $v - 1 | fabs < $within) and (.power / $p - 1 | fabs < $within)
+    and ([.arm_amplitudes, $d] | transpose | map((.[0] - .[1]) / ($d | max) | fabs < $within) | all)'
+for kind in prescribed-three-bead:1e-4 purcell-chain:1e-3 flagellum:3e-2; do
+  check "$kind moves as predicted" holds --slurpfile run ${kind%:*}.run --argjson within ${kind#*:} "$moves_as_predicted" ${kind%:*}.theory
+done
+check "the triangle rotates as predicted" holds --slurpfile run triangle.run '.predictions[] | select(.method == "rpy-ode") | .angular_velocity[2]
+  as $w | $run[0].swimmers[0].cycles[-1].angular_velocity[2] / $w - 1 | fabs < 1e-4' triangle.theory
+check "a towed sphere moves by a radius in a period" holds '.swimmers[0].cycles[-1].velocity[0] * 4800 - 4 | fabs < 1e-9' sphere.run
+run beadswim-compare prescribed-three-bead.run prescribed-three-bead.theory --tolerance 0.001
+has_status 0
+check "rpy-ode decides" holds '.decided_by == "rpy-ode"' out
+refuses 'inertia-corrected: this method treats three beads on a line with the driving forces of the paper only; methods for this swimmer are oseen-perturbation, ' \
+  beadswim-theory triangle.json --method inertia-corrected
+refuses '--stroke-from: no method can use a measured stroke for this swimmer' beadswim-theory triangle.json --stroke-from triangle.run
+beadswim-layout swimmer --preset paper-single --unbounded --axis 1,1,0 >slanted.json
+run beadswim-theory slanted.json --method rpy-perturbation
+has_status 0
+check "three beads that leave their line have a velocity vector" holds '.predictions[0].velocity_vector | map(fabs > 1e-6) == [true, true, false]' out
+accepts beadswim-layout shape triangle --box 60,60,40 --orientation 1,0,1,0 --jsonl
+refuses '--boundary: unbounded fluid has no boundary; give the edges of a box with --box' beadswim-layout shape triangle --boundary free-slip
+refuses '--units: the defaults of other flags are for the units "lattice"; give --period, --viscosity in the units um, s and pg too' \
+  beadswim-layout shape sphere --units um,s,pg --radius 1
+refuses 'the layout made by the flags is invalid: .*quaternion' beadswim-layout shape triangle --orientation 0,0,0,0
+refuses '/types/purcell-chain/driving/angles/0: the rest angle' beadswim-layout shape purcell-chain --amplitude 70deg
+refuses '--beads' beadswim-layout shape flagellum --beads 65
+refuses '--sperm-number excludes --angular-stiffness\|excludes' beadswim-layout shape flagellum --sperm-number 3 --angular-stiffness 1

@@ -154,7 +154,8 @@ TEST(InertiaCorrected, TakesTheBoxFromUnsteadyPairs) {
 }
 
 // Without inertia a box gives second-order theory with the mobility exact + pairs in the box - pairs in open
-// space, with its derivatives, those of the images weakened by C_exact/C_RP; also between walls that the swimmer does not stand in the middle of.
+// space, with its derivatives, those of the images weakened by C_exact/C_RP; also between walls that the
+// swimmer does not stand in the middle of.
 TEST(InertiaCorrected, InABoxTendsToSteadyTheoryAsDensityVanishes) {
   constexpr double density = 1e-12, tolerance = 1e-5;
   const CollinearSwimmer swimmer = with_density(with_amplitude(unequal_swimmer(), small), density);

@@ -60,7 +60,7 @@ TEST(LinearResponse, IsNearTheStrokeOfExactStokesFlow) {
 
 TEST(Stroke, OfArmsAtRestHasZeroPhasesAndNoShift) {
   const Stroke rest = stroke_of({std::complex<double>(-0.0, 0.0), std::complex<double>(-0.0, -0.0)});
-  EXPECT_EQ(rest.phase, (std::array<double, 2>{0, 0}));
+  EXPECT_EQ(rest.phase, (std::vector<double>{0, 0}));
   EXPECT_EQ(rest.sin_phase_shift(), 0);
   const Stroke one_arm = stroke_of({std::complex<double>(0, 2), std::complex<double>(0, 0)});
   EXPECT_EQ(one_arm.sin_phase_shift(), 0);
@@ -68,7 +68,7 @@ TEST(Stroke, OfArmsAtRestHasZeroPhasesAndNoShift) {
 
 TEST(Stroke, PhaseIsPiAndNeverMinusPi) {
   const Stroke stroke = stroke_of({std::complex<double>(-1.0, -0.0), std::complex<double>(-1.0, 0.0)});
-  EXPECT_EQ(stroke.phase, (std::array<double, 2>{std::numbers::pi, std::numbers::pi}));
+  EXPECT_EQ(stroke.phase, (std::vector<double>{std::numbers::pi, std::numbers::pi}));
 }
 
 }  // namespace

@@ -84,7 +84,8 @@ TEST(PredictionDocument, RefusesWhatTheSchemaForbidsAndSaysWhere) {
   EXPECT_THAT(fault_of(document), testing::HasSubstr("/predictions/1/sin_phase_shift"));
   document = predictions_to_json(two_predictions());
   document["predictions"][1]["arm_means"] = {20.0};
-  EXPECT_THAT(fault_of(document), testing::HasSubstr("/predictions/1/arm_means"));
+  EXPECT_THAT(fault_of(document),
+              testing::HasSubstr("/predictions/1: the lists arm_amplitudes, arm_phases and arm_means"));
 }
 
 // A NaN must never reach a file: JSON has no word for it.

@@ -3,6 +3,7 @@
 #include "check_command.hpp"
 #include "defect_command.hpp"
 #include "reduce_command.hpp"
+#include "shape_command.hpp"
 #include "swarm_command.hpp"
 #include "swimmer_command.hpp"
 
@@ -17,6 +18,7 @@ int run(int argc, char** argv) {
   program->require_subcommand(1);
   SwimmerCommand swimmer(*program);
   SwarmCommand swarm(*program);
+  ShapeCommand shape(*program);
   DefectCommand defect(*program);
   ReduceCommand reduce(*program);
   CheckCommand check(*program);
@@ -28,6 +30,7 @@ int run(int argc, char** argv) {
 
   if (swimmer.is_chosen()) swimmer.run(*program);
   if (swarm.is_chosen()) swarm.run(*program);
+  if (shape.is_chosen()) shape.run(*program);
   if (defect.is_chosen()) defect.run(*program);
   if (reduce.is_chosen()) reduce.run(*program);
   if (check.is_chosen()) check.run();

@@ -15,7 +15,7 @@ SwimmerCommand::SwimmerCommand(CLI::App& program)
       flags_(*command_, {{"paper-single", paper_single}},
              "Scene that replaces missing flags: paper-single (single swimmer of Pickl et al. 2017). Without "
              "it, flags without a default are required"),
-      place_(*command_) {
+      place_(*command_, "bead 2, the middle bead", "from bead 1 to bead 3", "the preset's, else periodic") {
   begin_group(*command_, "Output");
   command_->add_flag("--jsonl", json_lines_, "Write the layout on one line, for beadswim-theory --jsonl.");
   set_footer(

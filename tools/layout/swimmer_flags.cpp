@@ -11,7 +11,7 @@ SwimmerFlags::SwimmerFlags(CLI::App& command, std::vector<Preset> presets, const
   command.add_option("--preset", preset_, preset_help)->type_name("NAME")->default_str("none");
   add_swimmer(command);
   add_driving(command);
-  add_fluid(command);
+  fluid_.add_to(command);
 }
 
 void SwimmerFlags::add_swimmer(CLI::App& command) {
@@ -78,11 +78,12 @@ void SwimmerFlags::add_driving(CLI::App& command) {
       ->default_str("lab");
 }
 
-void SwimmerFlags::add_fluid(CLI::App& command) {
+void FluidFlags::add_to(CLI::App& command, const std::string& default_viscosity) {
   begin_group(command, "Fluid and box");
   command.add_option("--viscosity", viscosity_, "Kinematic viscosity nu of the fluid [length^2/time]")
       ->type_name("NU")
-      ->check(finite_positive());
+      ->check(finite_positive())
+      ->default_str(default_viscosity);
   command.add_option("--density", density_, "Mass density of the fluid [mass/length^3]")
       ->type_name("RHO")
       ->check(finite_positive())
@@ -95,7 +96,8 @@ void SwimmerFlags::add_fluid(CLI::App& command) {
       ->default_str("lattice");
 }
 
-PlaceFlags::PlaceFlags(CLI::App& command) {
+PlaceFlags::PlaceFlags(CLI::App& command, const std::string& origin, const std::string& axis,
+                       const std::string& default_boundary) {
   begin_group(command, "Fluid and box");
   auto* const box =
       command
@@ -109,7 +111,7 @@ PlaceFlags::PlaceFlags(CLI::App& command) {
                                          "axis: periodic, free-slip or no-slip")
                              ->type_name("B|BX,BY,BZ")
                              ->check(number_list({1, 3}, one_of(all_names<Boundary>())))
-                             ->default_str("the preset's, else periodic");
+                             ->default_str(default_boundary);
   command
       .add_flag("--unbounded", unbounded_,
                 "Use unbounded fluid instead of a box. Only theory and mobility models can treat it, not the "
@@ -119,14 +121,24 @@ PlaceFlags::PlaceFlags(CLI::App& command) {
   begin_group(command, "Placement");
   command
       .add_option("--position", position_,
-                  "Position of bead 2, the middle bead; write negative values as --position=-1,0,0 [length]")
+                  "Position of " + origin + "; write negative values as --position=-1,0,0 [length]")
       ->type_name("X,Y,Z")
       ->check(number_list({3}, finite()))
       ->default_str("the swimmer at the centre of the box");
-  command.add_option("--axis", axis_, "Direction from bead 1 to bead 3, a vector of any length")
+  command.add_option("--axis", axis_, "Direction " + axis + ", a vector of any length")
       ->type_name("X,Y,Z")
       ->check(number_list({3}, finite()))
       ->default_str("1,0,0");
+}
+
+void PlaceFlags::add_orientation(CLI::App& command) {
+  command
+      .add_option("--orientation", orientation_,
+                  "Rotation from the frame of the type to the box, instead of --axis: a quaternion of any "
+                  "length")
+      ->type_name("W,X,Y,Z")
+      ->check(number_list({4}, finite()))
+      ->excludes("--axis");
 }
 
 }  // namespace beadswim

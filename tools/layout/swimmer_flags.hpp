@@ -20,6 +20,20 @@ struct Preset {
   Layout (*layout)() = nullptr;
 };
 
+/// Flags that describe a fluid and the units of the layout.
+class FluidFlags {
+ public:
+  /// Adds the flags to the command. `default_viscosity`: for the help; empty if there is none.
+  void add_to(CLI::App& command, const std::string& default_viscosity = "");
+
+  const std::string& viscosity() const { return viscosity_; }  ///< empty if the flag is not given
+  void apply(Fluid& fluid) const;
+  Units units() const;
+
+ private:
+  std::string viscosity_, density_, units_;
+};
+
 /// Flags that describe a swimmer type and its fluid. The value of each flag is stored as text, which is empty
 /// if the flag is not given.
 class SwimmerFlags {
@@ -37,33 +51,36 @@ class SwimmerFlags {
  private:
   void add_swimmer(CLI::App& command);
   void add_driving(CLI::App& command);
-  void add_fluid(CLI::App& command);
 
   void require_complete(const std::vector<std::string>& other_missing_flags) const;
   Layout preset_layout() const;
   void apply_beads(ThreeBeadSwimmer& type, double default_density) const;
   void apply_springs(ThreeBeadSwimmer& type) const;
   void apply_driving(ThreeBeadDriving& driving) const;
-  void apply_fluid(Fluid& fluid) const;
-  Units units() const;
 
   std::vector<Preset> presets_;
   std::string preset_;
   std::string radius_, arm_, stiffness_, damping_, angular_stiffness_, bead_density_;
   std::string amplitude_, phase_, period_;
   std::optional<DrivingFrame> frame_;
-  std::string viscosity_, density_, units_;
+  FluidFlags fluid_;
 };
 
-/// Flags for the box, the position and the axis of one swimmer.
+/// Flags for the box, the position and the orientation of one swimmer.
 class PlaceFlags {
  public:
-  explicit PlaceFlags(CLI::App& command);
+  /// Adds the flags to the command. For the help: `origin` and `axis` are what --position and --axis set,
+  /// `boundary` is the default of --boundary.
+  PlaceFlags(CLI::App& command, const std::string& origin, const std::string& axis,
+             const std::string& boundary);
+
+  /// Adds the flag --orientation.
+  void add_orientation(CLI::App& command);
 
   /// Returns true if --box or --unbounded is given.
   bool defines_box() const { return !box_.empty() || unbounded_; }
 
-  /// Applies the flags to the box of the layout, and replaces all swimmers by one swimmer of the type "a".
+  /// Applies the flags to the box of the layout, and replaces all swimmers by one swimmer of the first type.
   void apply(Layout& layout) const;
 
  private:
@@ -71,7 +88,7 @@ class PlaceFlags {
 
   std::string box_, boundary_;
   bool unbounded_ = false;
-  std::string position_, axis_;
+  std::string position_, axis_, orientation_;
 };
 
 }  // namespace beadswim

@@ -40,7 +40,7 @@ Vec3 parse_vector(const std::string& text) {
 void SwimmerFlags::require_complete(const std::vector<std::string>& other_missing_flags) const {
   const std::vector<std::pair<const char*, const std::string*>> needed{
       {"--radius", &radius_},       {"--arm", &arm_},       {"--stiffness", &stiffness_},
-      {"--amplitude", &amplitude_}, {"--period", &period_}, {"--viscosity", &viscosity_}};
+      {"--amplitude", &amplitude_}, {"--period", &period_}, {"--viscosity", &fluid_.viscosity()}};
   std::vector<std::string> missing;
   for (const auto& [flag, text] : needed) {
     if (text->empty()) missing.push_back(flag);
@@ -104,12 +104,12 @@ void SwimmerFlags::apply_driving(ThreeBeadDriving& driving) const {
   if (frame_) driving.frame = *frame_;
 }
 
-void SwimmerFlags::apply_fluid(Fluid& fluid) const {
+void FluidFlags::apply(Fluid& fluid) const {
   if (!viscosity_.empty()) fluid.kinematic_viscosity = parse_numbers(viscosity_)[0];
   if (!density_.empty()) fluid.density = parse_numbers(density_)[0];
 }
 
-Units SwimmerFlags::units() const {
+Units FluidFlags::units() const {
   if (units_.empty() || units_ == "lattice") return {};
   const std::vector<std::string> names = split_at_commas(units_);
   if (names.size() != 3) {
@@ -126,8 +126,8 @@ Units SwimmerFlags::units() const {
 Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags) const {
   if (preset_.empty()) require_complete(other_missing_flags);
   Layout layout = preset_.empty() ? Layout{} : preset_layout();
-  layout.units = units();
-  apply_fluid(layout.fluid);
+  layout.units = fluid_.units();
+  fluid_.apply(layout.fluid);
   ThreeBeadSwimmer swimmer = preset_.empty() ? ThreeBeadSwimmer{} : three_beads(layout.types["a"]);
   apply_beads(swimmer, layout.fluid.density);
   apply_springs(swimmer);
@@ -142,6 +142,11 @@ void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
     domain.reset();
     return;
   }
+  if (!domain && box_.empty()) {
+    if (!boundary_.empty())
+      throw InputError("--boundary", "unbounded fluid has no boundary; give the edges of a box with --box");
+    return;
+  }
   if (!domain) domain.emplace();
   if (!box_.empty()) domain->lengths = parse_vector(box_);
   if (boundary_.empty()) return;
@@ -152,11 +157,16 @@ void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
 
 void PlaceFlags::apply(Layout& layout) const {
   apply_domain(layout.domain);
-  Swimmer swimmer{.id = 0, .type = "a"};
+  const auto& [name, type] = *layout.types.begin();
+  Swimmer swimmer{.id = 0, .type = name};
   if (!axis_.empty()) swimmer.axis = parse_vector(axis_).stableNormalized();
-  swimmer.position = position_.empty()
-                         ? centred_position(layout.types.at("a"), swimmer.orientation(), layout.domain)
-                         : parse_vector(position_);
+  if (!orientation_.empty()) {
+    const std::vector<double> q = parse_numbers(orientation_);
+    swimmer.turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+    swimmer.axis = swimmer.orientation().col(0);
+  }
+  swimmer.position = position_.empty() ? centred_position(type, swimmer.orientation(), layout.domain)
+                                       : parse_vector(position_);
   layout.swimmers = {swimmer};
 }
 

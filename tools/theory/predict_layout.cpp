@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
@@ -18,12 +19,19 @@ namespace {
 
 constexpr const char* all_methods = "all";
 
+/// A swimmer as theory treats it: three beads that stay on a line, or any other shape.
+using TheorySwimmer = std::variant<CollinearSwimmer, ShapedSwimmer>;
+
 /// Returns the parameters of a swimmer that theory needs. Throws InputError, with layout and swimmer in the
-/// message, if a spring has no stiffness or if the beads would leave their common line.
-CollinearSwimmer collinear(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
+/// message, if a spring of a three-bead swimmer has no stiffness.
+TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
+  const SwimmerType type = layout.resolved_type(swimmer);
+  const double viscosity = layout.fluid.dynamic_viscosity();
+  const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
+  if (!three || !stays_on_a_line(*three, swimmer.axis))
+    return ShapedSwimmer{type, swimmer.orientation(), viscosity};
   try {
-    return collinear_swimmer(three_beads(layout.resolved_type(swimmer)), swimmer.axis,
-                             layout.fluid.dynamic_viscosity());
+    return collinear_swimmer(*three, swimmer.axis, viscosity);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: swimmer {}", source, swimmer.id), error.what());
   }
@@ -44,9 +52,9 @@ const Swimmer& find_swimmer(const Layout& layout, int id, const std::string& sou
 /// because one prediction would then not be valid for all.
 const Swimmer& find_common_swimmer(const Layout& layout, const std::string& source) {
   const Swimmer& first = layout.swimmers.front();
-  const CollinearSwimmer shape = collinear(layout, first, source);
+  const TheorySwimmer common = theory_swimmer(layout, first, source);
   for (const Swimmer& other : layout.swimmers) {
-    if (collinear(layout, other, source) == shape) continue;
+    if (theory_swimmer(layout, other, source) == common) continue;
     throw InputError(
         source, fmt::format("swimmers {} and {} differ, but a prediction is for one swimmer; name the "
                             "swimmer with --swimmer ID, or make a smaller cell with beadswim-layout reduce",
@@ -73,8 +81,11 @@ Stroke stroke_for(const Layout& layout, const CollinearSwimmer& swimmer, const M
   return measured.stroke;
 }
 
-/// Returns true if the method needs a measured stroke, or a box, that the question does not contain. --method
-/// all omits such a method without a message.
+/// Returns true if the method needs a measured stroke, or a box, that the question does not contain, or three
+/// beads on a line. --method all omits such a method without a message.
+bool lacks_input(const Method& method, const ShapeQuestion&) {
+  return method.predict_shape == nullptr;
+}
 bool lacks_input(const Method& method, const Question& question) {
   const bool lacks_stroke = method.input == Method::Input::stroke && !question.measured_stroke;
   const bool lacks_box =
@@ -82,10 +93,18 @@ bool lacks_input(const Method& method, const Question& question) {
   return lacks_stroke || lacks_box;
 }
 
-void predict_by_all(const Question& question, PredictionDocument& document) {
+std::optional<std::string> obstacle_of(const Method&, const ShapeQuestion&) {
+  return std::nullopt;
+}
+std::optional<std::string> obstacle_of(const Method& method, const Question& question) {
+  return method.obstacle(question);
+}
+
+/// Adds the predictions of all methods that can treat the question, a Question or a ShapeQuestion.
+void predict_by_all(const auto& question, PredictionDocument& document) {
   for (const Method& method : methods()) {
     if (lacks_input(method, question)) continue;
-    if (const auto obstacle = method.obstacle(question)) {
+    if (const auto obstacle = obstacle_of(method, question)) {
       document.left_out.push_back({method.name, *obstacle});
       continue;
     }
@@ -104,8 +123,8 @@ void predict_by_all(const Question& question, PredictionDocument& document) {
   }
 }
 
-void predict_by(const std::vector<std::string>& names, const Question& question,
-                PredictionDocument& document) {
+/// Adds the predictions of the named methods.
+void predict_by(const std::vector<std::string>& names, const auto& question, PredictionDocument& document) {
   if (names == std::vector<std::string>{all_methods}) return predict_by_all(question, document);
   for (const std::string& name : names) {
     if (name == all_methods)
@@ -138,6 +157,32 @@ void check_stroke_is_used(const PredictionDocument& document, const Question& qu
                                fmt::join(users, ", ")));
 }
 
+void predict_line(const CollinearSwimmer& line, const Layout& layout, const Swimmer& swimmer,
+                  const TheoryRequest& request, const std::optional<MeasuredStroke>& measured,
+                  PredictionDocument& predicted) {
+  const Surroundings surroundings = surroundings_of(layout, swimmer);
+  Question question = with_exact_reference({.swimmer = line,
+                                            .fluid_density = layout.fluid.density,
+                                            .box = surroundings.box,
+                                            .box_obstacle = surroundings.obstacle,
+                                            .measured_stroke = {},
+                                            .exact = {}});
+  if (measured) question.measured_stroke = stroke_for(layout, question.swimmer, *measured);
+  predict_by(request.methods, question, predicted);
+  check_stroke_is_used(predicted, question);
+  predicted.warnings = warnings(question, request.tolerance);
+}
+
+void predict_shape(const ShapedSwimmer& shape, const Layout& layout, const TheoryRequest& request,
+                   const std::optional<MeasuredStroke>& measured, PredictionDocument& predicted) {
+  if (measured)
+    throw InputError(
+        "--stroke-from",
+        "no method can use a measured stroke for this swimmer; such methods are for three beads on a "
+        "line");
+  predict_by(request.methods, ShapeQuestion{shape, layout.fluid.density}, predicted);
+}
+
 }  // namespace
 
 PredictionDocument predict_layout(const LayoutDocument& document, const std::string& source,
@@ -146,22 +191,16 @@ PredictionDocument predict_layout(const LayoutDocument& document, const std::str
   const Layout& layout = document.layout;
   const Swimmer& swimmer =
       request.swimmer ? find_swimmer(layout, *request.swimmer, source) : find_common_swimmer(layout, source);
-  const Surroundings surroundings = surroundings_of(layout, swimmer);
-  Question question = with_exact_reference({.swimmer = collinear(layout, swimmer, source),
-                                            .fluid_density = layout.fluid.density,
-                                            .box = surroundings.box,
-                                            .box_obstacle = surroundings.obstacle,
-                                            .measured_stroke = {},
-                                            .exact = {}});
-  if (measured) question.measured_stroke = stroke_for(layout, question.swimmer, *measured);
-
   PredictionDocument predicted;
   predicted.units = layout.units;
   predicted.swimmer = swimmer.id;
   if (layout.swimmers.size() <= max_swimmers_listed) predicted.scene = layout;
-  predict_by(request.methods, question, predicted);
-  check_stroke_is_used(predicted, question);
-  predicted.warnings = warnings(question, request.tolerance);
+  const TheorySwimmer treated = theory_swimmer(layout, swimmer, source);
+  if (const auto* line = std::get_if<CollinearSwimmer>(&treated)) {
+    predict_line(*line, layout, swimmer, request, measured, predicted);
+  } else {
+    predict_shape(std::get<ShapedSwimmer>(treated), layout, request, measured, predicted);
+  }
   predicted.provenance = document.provenance;
   return predicted;
 }

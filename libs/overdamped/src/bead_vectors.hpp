@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "beadswim/overdamped/overdamped_scene.hpp"
-#include "swimmer_response.hpp"
+#include "beadswim/swimmers/swimmer_matrices.hpp"
 
 // Views of lists of vectors per bead.
 

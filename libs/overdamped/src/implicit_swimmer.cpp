@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "beadswim/mobility/mobility_matrix.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -39,7 +41,7 @@ ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurrou
   const BeadVectors beads = Eigen::Map<const Eigen::Matrix3Xd>(places.data(), 3, places.size() / 3);
   const double compliance = rule.span / rule.weight;  // du/dv
   ImplicitSwimmer<Size> result;
-  result.mobility = own_mobility<Size>(s.type, beads, s.viscosity);
+  result.mobility = mobility_matrix<Matrix>(rotne_prager_tensor, s.type.beads, beads, s.viscosity);
   const BeadVectors driving = driving_forces(s.type, rule.time, beads, s.initial_orientation);
   Vector forces = own_forces<Size>(s.type, rule.time, beads) + as_vector<Size>(driving);
   Matrix stiffness = own_stiffness<Size>(s.type, rule.time, beads);

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 
 #include "beadswim/overdamped/contacts.hpp"
-#include "swimmer_response.hpp"
+#include "beadswim/swimmers/swimmer_matrices.hpp"
 
 // One swimmer in an implicit time step. v are the velocities of its beads at the end of the step. u are their
 // displacements from the start of the step, with w u - r = h v (StepRule). The forces F are linearised at the

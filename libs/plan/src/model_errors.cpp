@@ -20,7 +20,8 @@ struct QuasiStaticMotion {
 };
 
 QuasiStaticMotion motion_of(const Prediction& prediction) {
-  return {.velocity = prediction.velocity, .arm_amplitudes = prediction.stroke.amplitude};
+  const std::vector<double>& arms = prediction.stroke.amplitude;
+  return {.velocity = prediction.velocity, .arm_amplitudes = {arms[0], arms[1]}};
 }
 
 /// Returns the motion by a mobility model in the question's box. No method treats all models in a box. The
@@ -133,7 +134,7 @@ BestPrediction best_prediction(const Question& question) {
   const Prediction best = predicted("inertia-corrected", question);
   BestPrediction known;
   known.velocity = best.velocity;
-  known.arm_amplitudes = best.stroke.amplitude;
+  known.arm_amplitudes = {best.stroke.amplitude[0], best.stroke.amplitude[1]};
   known.smallest_stroke_gap = smallest_gap_in_stroke(question.swimmer, best);
   known.is_swimming = best.uncertainty.has_value() && best.velocity != 0;
   if (best.stroke_uncertainty) known.uncertainty.arm_amplitudes = best.stroke_uncertainty->arm_amplitudes;

@@ -21,6 +21,20 @@ double bending_over_sine(double sine, double cosine, double rest) {
   return 0;
 }
 
+/// Returns the rotation of the directions of forces to the box.
+Eigen::Matrix3d frame_of_forces(const SwimmerType& type, const BeadVectors& position,
+                                const Eigen::Matrix3d& initial_orientation) {
+  switch (type.driving.frame) {
+    case DrivingFrame::lab:
+      break;
+    case DrivingFrame::initial_axis:
+      return initial_orientation;
+    case DrivingFrame::body:
+      return fitted_orientation(type, position, initial_orientation);
+  }
+  return Eigen::Matrix3d::Identity();
+}
+
 }  // namespace
 
 double value_of(std::span<const Harmonic> harmonics, const Driving& driving, double time) {
@@ -28,6 +42,15 @@ double value_of(std::span<const Harmonic> harmonics, const Driving& driving, dou
   double sum = 0;
   for (const Harmonic& harmonic : harmonics)
     sum += harmonic.amplitude * std::sin(harmonic.multiple * omega_t + harmonic.phase);
+  return sum;
+}
+
+double rate_of(std::span<const Harmonic> harmonics, const Driving& driving, double time) {
+  const double omega = 2 * std::numbers::pi / driving.period;
+  const double omega_t = omega * time + driving.phase_offset;
+  double sum = 0;
+  for (const auto& [amplitude, phase, multiple] : harmonics)
+    sum += multiple * omega * amplitude * std::cos(multiple * omega_t + phase);
   return sum;
 }
 
@@ -117,9 +140,7 @@ BeadVectors driving_forces(const SwimmerType& type, double time, const BeadVecto
   const Driving& driving = type.driving;
   BeadVectors force = zero_vectors(type);
   if (!driving.forces.empty()) {
-    Eigen::Matrix3d frame = Eigen::Matrix3d::Identity();
-    if (driving.frame == DrivingFrame::initial_axis) frame = initial_orientation;
-    if (driving.frame == DrivingFrame::body) frame = fitted_orientation(type, position, initial_orientation);
+    const Eigen::Matrix3d frame = frame_of_forces(type, position, initial_orientation);
     for (const ForceDrive& drive : driving.forces)
       force.col(drive.bead) +=
           (drive.constant + value_of(drive.harmonics, driving, time)) * (frame * drive.direction);
@@ -133,6 +154,26 @@ BeadVectors driving_forces(const SwimmerType& type, double time, const BeadVecto
     force.col(j) -= along;
   }
   return force;
+}
+
+double power_of_drives(const SwimmerType& type, double time, const BeadVectors& position,
+                       const BeadVectors& velocity, const Eigen::Matrix3d& initial_orientation) {
+  const Driving& driving = type.driving;
+  double power = driving_forces(type, time, position, initial_orientation).cwiseProduct(velocity).sum();
+  for (const BondDrive& drive : driving.bonds) {
+    if (drive.quantity != BondQuantity::rest_length) continue;
+    const Bond& bond = type.bonds[drive.bond];
+    const double length = (position.col(bond.beads[1]) - position.col(bond.beads[0])).norm();
+    power -= bond.stiffness * (length - rest_length(type, drive.bond, time)) *
+             rate_of(drive.harmonics, driving, time);
+  }
+  for (const AngleDrive& drive : driving.angles) {
+    const Angle& angle = type.angles[drive.angle];
+    const AngleSides sides = sides_of(angle, position);
+    power -= angle.stiffness * (std::atan2(sides.sine, sides.cosine) - rest_angle(type, drive.angle, time)) *
+             rate_of(drive.harmonics, driving, time);
+  }
+  return power;
 }
 
 }  // namespace beadswim

@@ -1,5 +1,8 @@
 #include "beadswim/documents/prediction_document.hpp"
 
+#include <fmt/core.h>
+
+#include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/schema.hpp"
 #include "units_json.hpp"
@@ -25,6 +28,20 @@ struct nlohmann::adl_serializer<std::vector<beadswim::Prediction::Setting>> {
 };
 
 namespace beadswim {
+namespace {
+
+void require_equal_arms(const Prediction& prediction, const std::string& place) {
+  const std::size_t arms = prediction.stroke.amplitude.size();
+  if (prediction.stroke.phase.size() == arms &&
+      (!prediction.arm_means || prediction.arm_means->size() == arms))
+    return;
+  throw InputError(
+      place,
+      "the lists arm_amplitudes, arm_phases and arm_means must have the same length; the file was "
+      "edited: give the predictions as beadswim-theory wrote them");
+}
+
+}  // namespace
 
 Json predictions_to_json(const PredictionDocument& document) {
   Json json{{"schema", "beadswim/prediction/1"}, {"units", document.units},
@@ -41,6 +58,8 @@ PredictionDocument predictions_from_json(const Json& json, const std::string& so
   json.at("units").get_to(document.units);
   json.at("swimmer").get_to(document.swimmer);
   json.at("predictions").get_to(document.predictions);
+  for (std::size_t p = 0; p < document.predictions.size(); ++p)
+    require_equal_arms(document.predictions[p], fmt::format("{}:/predictions/{}", source, p));
   document.left_out = json.value("left_out", document.left_out);
   document.warnings = json.value("warnings", std::vector<std::string>());
   document.provenance = json.value("provenance", Json::array());

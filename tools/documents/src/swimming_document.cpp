@@ -147,7 +147,7 @@ ComparedValues uncertainties_of(const Prediction& prediction) {
 ComparedValues swimming_of(const Prediction& prediction) {
   return {
       {ComparedQuantity::velocity, {prediction.velocity}},
-      {ComparedQuantity::arm_amplitudes, {prediction.stroke.amplitude[0], prediction.stroke.amplitude[1]}},
+      {ComparedQuantity::arm_amplitudes, prediction.stroke.amplitude},
       {ComparedQuantity::sin_phase_shift, {prediction.sin_phase_shift}}};
 }
 

@@ -59,7 +59,8 @@ PairMobility no_interaction(double, double, double, double) {
 /// hydrodynamic interaction.
 Stroke lowest_order_stroke(const CollinearSwimmer& swimmer) {
   Stroke stroke = first_order_stroke(swimmer, no_interaction);
-  stroke.amplitude = oseen_arm_amplitudes(swimmer);
+  const auto [d1, d2] = oseen_arm_amplitudes(swimmer);
+  stroke.amplitude = {d1, d2};
   return stroke;
 }
 

@@ -37,7 +37,7 @@ Prediction prediction_from(const PeriodicMotion& motion) {
   prediction.velocity = motion.velocity;
   prediction.stroke = motion.stroke;
   prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
-  prediction.arm_means = motion.arm_means;
+  prediction.arm_means = {motion.arm_means[0], motion.arm_means[1]};
   return prediction;
 }
 

@@ -171,8 +171,8 @@ BoxMotion box_motion(const Question& question, const ExactInertia& exact) {
 
 /// Returns |x_1 x_2|/(d_1 d_2): the size of the stroke x = `arm`, relative to that of exact Stokes flow.
 double relative_stroke(const Question& question, const Eigen::Vector2cd& arm) {
-  const auto& [d1, d2] = question.exact->motion.stroke.amplitude;
-  return d1 * d2 > 0 ? std::abs(arm[0] * arm[1]) / (d1 * d2) : 1;
+  const double area = question.exact->motion.stroke.amplitude[0] * question.exact->motion.stroke.amplitude[1];
+  return area > 0 ? std::abs(arm[0] * arm[1]) / area : 1;
 }
 
 double root_of_squares(std::initializer_list<double> parts) {

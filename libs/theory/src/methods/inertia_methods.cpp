@@ -156,7 +156,7 @@ Prediction predict_inertia_corrected(const Question& question) {
   prediction.stroke_uncertainty = StrokeUncertainty{.arm_amplitudes = best.amplitude_uncertainty,
                                                     .sin_phase_shift = best.sin_uncertainty};
   prediction.sin_phase_shift = prediction.stroke.sin_phase_shift();
-  prediction.arm_means = best.arm_means;
+  prediction.arm_means = {best.arm_means[0], best.arm_means[1]};
   prediction.validity = fmt::format(
       "exact unsteady Stokes flow of three spheres with beads' and fluid's inertia; finite amplitude from "
       "exact steady Stokes flow; {}; compressibility and the lattice's own errors are not in it",

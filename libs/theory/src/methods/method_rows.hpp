@@ -47,6 +47,12 @@ Prediction predict_rpy_ode(const Question& question);
 Prediction predict_multipole_ode(const Question& question);
 Prediction predict_rpy_box_ode(const Question& question);
 
+// Predictions for swimmers of any shape.
+Prediction predict_oseen_perturbation_of_shape(const ShapeQuestion& question);
+Prediction predict_rpy_perturbation_of_shape(const ShapeQuestion& question);
+Prediction predict_oseen_ode_of_shape(const ShapeQuestion& question);
+Prediction predict_rpy_ode_of_shape(const ShapeQuestion& question);
+
 // Predictions with inertia of fluid and beads.
 Prediction predict_unsteady_response(const Question& question);
 Prediction predict_unsteady_multipole(const Question& question);

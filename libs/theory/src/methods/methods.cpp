@@ -1,5 +1,8 @@
 #include "beadswim/theory/methods.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -44,7 +47,9 @@ double exact_drag(const CollinearSwimmer& swimmer, const LinePositions& position
 /// coefficient and the Lighthill efficiency.
 void add_power(const Method& method, const CollinearSwimmer& swimmer, Prediction& prediction) {
   prediction.power = mean_power(swimmer, prediction.stroke);
-  const auto drag = towing_drag(method, swimmer, prediction.arm_means.value_or(swimmer.arm));
+  std::array<double, 2> arm = swimmer.arm;
+  if (prediction.arm_means) std::ranges::copy(*prediction.arm_means, arm.begin());
+  const auto drag = towing_drag(method, swimmer, arm);
   if (!drag) return;
   prediction.efficiency = lighthill_efficiency(*drag, prediction.velocity, *prediction.power);
   prediction.settings.emplace_back("towing_drag", *drag);
@@ -65,11 +70,11 @@ const std::vector<Method>& methods() {
       {"rpy-stroke-printed", driving_or_stroke, equal_shape_obstacle, predict_rpy_stroke_printed, rpy_drag},
       {"rpy-equal-weight", driving_or_stroke, equal_shape_obstacle, predict_rpy_equal_weight, rpy_drag},
       {"multipole-stroke", stroke, measured_stroke_obstacle, predict_multipole_stroke, exact_drag},
-      {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation, oseen_drag},
-      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation, rpy_drag},
+      {"oseen-perturbation", driving, overlap_obstacle, predict_oseen_perturbation, oseen_drag, predict_oseen_perturbation_of_shape},
+      {"rpy-perturbation", driving, overlap_obstacle, predict_rpy_perturbation, rpy_drag, predict_rpy_perturbation_of_shape},
       {"multipole-perturbation", driving, exact_obstacle, predict_multipole_perturbation, exact_drag},
-      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode, oseen_drag},
-      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rpy_drag},
+      {"oseen-ode", driving, overlap_obstacle, predict_oseen_ode, oseen_drag, predict_oseen_ode_of_shape},
+      {"rpy-ode", driving, overlap_obstacle, predict_rpy_ode, rpy_drag, predict_rpy_ode_of_shape},
       {"multipole-ode", driving, exact_obstacle, predict_multipole_ode, exact_drag},
       {"rpy-box-perturbation", driving_in_box, box_obstacle, predict_rpy_box_perturbation, rpy_drag},
       {"rpy-box-ode", driving_in_box, box_obstacle, predict_rpy_box_ode, rpy_drag},
@@ -104,6 +109,26 @@ std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& 
 
 std::optional<double> lighthill_efficiency(double drag, double velocity, double power) {
   return power > 0 ? std::optional(drag * velocity * velocity / power) : std::nullopt;
+}
+
+std::vector<std::string> methods_for_shapes() {
+  std::vector<std::string> names;
+  for (const Method& method : methods()) {
+    if (method.predict_shape != nullptr) names.push_back(method.name);
+  }
+  return names;
+}
+
+Prediction predict(const Method& method, const ShapeQuestion& question) {
+  if (method.predict_shape == nullptr)
+    throw InputError(
+        method.name,
+        fmt::format("this method treats three beads on a line with the driving forces of the paper "
+                    "only; methods for this swimmer are {}",
+                    fmt::join(methods_for_shapes(), ", ")));
+  Prediction prediction = method.predict_shape(question);
+  prediction.method = method.name;
+  return prediction;
 }
 
 Prediction predict(const Method& method, const Question& question) {

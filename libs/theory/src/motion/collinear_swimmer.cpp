@@ -14,10 +14,9 @@ namespace {
 
 /// Returns +1 if the driving forces are parallel to the swimmer's axis, -1 if they are antiparallel. Throws
 /// InputError if they are neither.
-double driving_direction(DrivingFrame frame, const Vec3& axis) {
-  if (frame != DrivingFrame::lab) return 1;
-  constexpr double largest_sine = 1e-9;  // largest sine of the angle to x, which roundoff may cause
-  if (axis.cross(Vec3::UnitX()).norm() > largest_sine * axis.norm()) {
+double driving_direction(const ThreeBeadSwimmer& type, const Vec3& axis) {
+  if (type.driving.frame != DrivingFrame::lab) return 1;
+  if (!stays_on_a_line(type, axis)) {
     throw InputError("axis",
                      fmt::format("the axis [{}, {}, {}] is not along x, but the driving forces are along x "
                                  "(frame \"lab\"), so the motion is not along the axis; theory requires an "
@@ -44,9 +43,15 @@ double CollinearSwimmer::angular_frequency() const {
   return 2 * std::numbers::pi / period;
 }
 
+bool stays_on_a_line(const ThreeBeadSwimmer& type, const Vec3& axis) {
+  constexpr double largest_sine = 1e-9;  // largest sine of the angle to x, which roundoff may cause
+  return type.driving.frame != DrivingFrame::lab ||
+         axis.cross(Vec3::UnitX()).norm() <= largest_sine * axis.norm();
+}
+
 CollinearSwimmer collinear_swimmer(const ThreeBeadSwimmer& type, const Vec3& axis, double viscosity) {
   check_stiffness(type);
-  const double direction = driving_direction(type.driving.frame, axis);
+  const double direction = driving_direction(type, axis);
   CollinearSwimmer swimmer;
   for (int bead = 0; bead < 3; ++bead) {
     swimmer.radius[bead] = type.beads[bead].radius;

@@ -16,7 +16,7 @@ double phase_of(const std::complex<double>& x) {
 }  // namespace
 
 double Stroke::sin_phase_shift() const {
-  const bool both_move = amplitude[0] > 0 && amplitude[1] > 0;
+  const bool both_move = amplitude.size() > 1 && amplitude[0] > 0 && amplitude[1] > 0;
   return both_move ? std::sin(phase[0] - phase[1]) : 0;
 }
 
@@ -24,9 +24,13 @@ double Stroke::area() const {
   return amplitude[0] * amplitude[1] * sin_phase_shift();
 }
 
-Stroke stroke_of(const std::array<std::complex<double>, 2>& complex_amplitude) {
-  const auto& [x1, x2] = complex_amplitude;
-  return {.amplitude = {std::abs(x1), std::abs(x2)}, .phase = {phase_of(x1), phase_of(x2)}};
+Stroke stroke_of(const std::vector<std::complex<double>>& complex_amplitude) {
+  Stroke stroke{.amplitude = {}, .phase = {}};
+  for (const std::complex<double>& x : complex_amplitude) {
+    stroke.amplitude.push_back(std::abs(x));
+    stroke.phase.push_back(phase_of(x));
+  }
+  return stroke;
 }
 
 }  // namespace beadswim

@@ -15,6 +15,9 @@ namespace beadswim {
 /// Returns the sum A_i sin(n_i (w t + phi) + phase_i) of the harmonics of a drive at `time`.
 double value_of(std::span<const Harmonic> harmonics, const Driving& driving, double time);
 
+/// Returns the rate of change of value_of() [1/time].
+double rate_of(std::span<const Harmonic> harmonics, const Driving& driving, double time);
+
 /// Returns the sum of |A_i|, an upper bound of |value_of()| at all times.
 double sum_of_amplitudes(std::span<const Harmonic> harmonics);
 
@@ -50,5 +53,11 @@ double largest_driving_force(const SwimmerType& type);
 /// initial_orientation: orientation of the swimmer at the start of the run.
 BeadVectors driving_forces(const SwimmerType& type, double time, const BeadVectors& position,
                            const Eigen::Matrix3d& initial_orientation);
+
+/// Returns the power of the drives at `time` [mass length^2/time^3]: the work of forces and tensions on the
+/// beads, and of driven rest lengths and rest angles on their springs. Arguments as of driving_forces();
+/// velocity: of the beads.
+double power_of_drives(const SwimmerType& type, double time, const BeadVectors& position,
+                       const BeadVectors& velocity, const Eigen::Matrix3d& initial_orientation);
 
 }  // namespace beadswim

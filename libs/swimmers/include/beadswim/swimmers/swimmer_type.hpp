@@ -149,6 +149,8 @@ struct SwimmerType {
   std::vector<Bond> bonds;
   std::vector<Angle> angles;
   Driving driving;
+
+  bool operator==(const SwimmerType&) const = default;
 };
 
 }  // namespace beadswim

@@ -30,6 +30,10 @@ struct CollinearSwimmer {
   bool operator==(const CollinearSwimmer&) const = default;
 };
 
+/// Returns true if the beads of a three-bead swimmer along `axis` stay on a line: the driving forces act
+/// along its axis. Driving in the frame `lab` acts along x.
+bool stays_on_a_line(const ThreeBeadSwimmer& type, const Vec3& axis);
+
 /// Returns the collinear swimmer of `type` whose beads lie along the unit vector `axis`, in a fluid of
 /// dynamic `viscosity` [mass/(length time)]. The angular spring is omitted, because it exerts no force in a
 /// straight swimmer. Driving in the frame `lab` acts along x, so the amplitudes change sign if the axis is

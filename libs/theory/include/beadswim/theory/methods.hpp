@@ -22,6 +22,9 @@ struct Method {
   /// Returns the drag coefficient of the swimmer that is towed along its axis in open space, with the steady
   /// mobility of the method, at the positions of the beads [mass/time].
   double (*towing_drag)(const CollinearSwimmer& swimmer, const LinePositions& positions);
+  /// Returns the prediction for a swimmer of any shape; nullptr: the method is for three beads on a line
+  /// only.
+  Prediction (*predict_shape)(const ShapeQuestion& question) = nullptr;
 
   /// Returns whether the method uses a measured stroke.
   bool uses_stroke() const { return input == Input::stroke || input == Input::driving_or_stroke; }
@@ -43,6 +46,14 @@ std::optional<double> towing_drag(const Method& method, const CollinearSwimmer& 
 /// Returns the Lighthill efficiency D v^2/P; nullopt if the power P is not positive. `drag`: D [mass/time];
 /// `velocity`: v [length/time]; `power`: P [mass length^2/time^3].
 std::optional<double> lighthill_efficiency(double drag, double velocity, double power);
+
+/// Returns the names of the methods that treat swimmers of any shape.
+std::vector<std::string> methods_for_shapes();
+
+/// Returns the prediction for a swimmer of any shape, with the mean power of the drives and the Lighthill
+/// efficiency of the motion along its axis. Throws InputError with the reason if the method cannot treat the
+/// swimmer.
+Prediction predict(const Method& method, const ShapeQuestion& question);
 
 /// Returns the method's prediction, with the mean power P of the driving and the Lighthill efficiency D
 /// V^2/P. V is the velocity; the drag coefficient D is that of the swimmer with its mean arm lengths, or rest

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "beadswim/core/fields.hpp"
+#include "beadswim/core/vec3.hpp"
 #include "beadswim/theory/stroke.hpp"
 
 namespace beadswim {
@@ -28,7 +29,10 @@ struct Prediction {
   std::string method;
   bool usable = true;    ///< false: printed, but not used as a reference
   std::string validity;  ///< range of validity and known errors, as text
-  double velocity = 0;   ///< mean over a period, positive towards bead 3 [length/time]
+  double velocity = 0;   ///< mean over a period, along the axis of the swimmer [length/time]
+  /// Velocity and angular velocity in the box [length/time, radian/time]; only for swimmers that are not
+  /// three beads on a line.
+  std::optional<Vec3> velocity_vector{}, angular_velocity{};
   /// Estimated error of `velocity`, relative to the exact velocity; nullopt if unknown. The exact velocity
   /// follows from the Stokes equations at finite amplitude, or from the Navier-Stokes equations for methods
   /// with inertia.
@@ -38,7 +42,7 @@ struct Prediction {
   double sin_phase_shift = 0;                           ///< sin(delta_1 - delta_2)
   std::optional<double> power;       ///< mean power of the driving forces [mass length^2/time^3]
   std::optional<double> efficiency;  ///< Lighthill efficiency; predict() sets it and `power` (methods.hpp)
-  std::optional<std::array<double, 2>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
+  std::optional<std::vector<double>> arm_means;  ///< mean arm lengths [length]; nullopt if not predicted
 
   using Setting = std::pair<std::string, std::variant<std::string, double>>;
   std::vector<Setting> settings;  ///< names and values: assumptions, contributions to `velocity`
@@ -48,6 +52,8 @@ struct Prediction {
     visit("usable", prediction.usable);
     visit("validity", prediction.validity);
     visit("velocity", prediction.velocity);
+    visit("velocity_vector", prediction.velocity_vector, omitted_if_none);
+    visit("angular_velocity", prediction.angular_velocity, omitted_if_none);
     visit("uncertainty", prediction.uncertainty);
     visit("arm_amplitudes", prediction.stroke.amplitude);
     visit("arm_phases", prediction.stroke.phase);

@@ -8,6 +8,7 @@
 #include "beadswim/mobility/collinear_mobility.hpp"
 #include "beadswim/theory/collinear_swimmer.hpp"
 #include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/shaped_swimmer.hpp"
 #include "beadswim/theory/stroke.hpp"
 
 namespace beadswim {
@@ -26,8 +27,14 @@ struct ExactStokes {
   double amplitude_change = 0;  ///< estimated relative change of the swimmer's velocity at finite amplitude
 };
 
-/// Input of all methods of prediction: a swimmer, its fluid, its box (or open space), and its stroke if it
-/// was measured.
+/// Input of methods that treat swimmers of any shape, alone in open space.
+struct ShapeQuestion {
+  ShapedSwimmer swimmer;
+  double fluid_density = 0;  ///< rho [mass/length^3]
+};
+
+/// Input of all methods for three beads on a line: a swimmer, its fluid, its box (or open space), and its
+/// stroke if it was measured.
 struct Question {
   CollinearSwimmer swimmer;
   double fluid_density = 0;     ///< rho [mass/length^3]

@@ -1,6 +1,4 @@
-#include "swimmer_response.hpp"
-
-#include "beadswim/mobility/rotne_prager_tensor.hpp"
+#include "beadswim/swimmers/swimmer_matrices.hpp"
 
 namespace beadswim {
 namespace {
@@ -59,25 +57,6 @@ SwimmerVector<Size> own_forces(const SwimmerType& type, double time, const BeadV
 }
 
 template <int Size>
-SwimmerMatrix<Size> own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity) {
-  SwimmerMatrix<Size> mobility = zero_matrix<Size>(type);
-  for (int i = 0; i < std::ssize(type.beads); ++i) {
-    mobility.template block<3, 3>(3 * i, 3 * i)
-        .diagonal()
-        .setConstant(self_mobility(type.beads[i].radius, viscosity));
-    for (int j = 0; j < i; ++j) {
-      const Vec3 d = positions.col(i) - positions.col(j);
-      const PairTensor tensor =
-          rotne_prager_tensor(type.beads[i].radius, type.beads[j].radius, d.norm(), viscosity);
-      Eigen::Matrix3d block = tensor.axial / d.squaredNorm() * d * d.transpose();
-      block.diagonal().array() += tensor.isotropic;
-      mobility.template block<3, 3>(3 * i, 3 * j) = mobility.template block<3, 3>(3 * j, 3 * i) = block;
-    }
-  }
-  return mobility;
-}
-
-template <int Size>
 SwimmerMatrix<Size> own_stiffness(const SwimmerType& type, double time, const BeadVectors& positions) {
   SwimmerMatrix<Size> stiffness = zero_matrix<Size>(type);
   for (std::size_t k = 0; k < type.bonds.size(); ++k) {
@@ -119,7 +98,6 @@ SwimmerMatrix<Size> own_damping(const SwimmerType& type, const BeadVectors& posi
 
 #define BEADSWIM_INSTANTIATE(Size)                                                                  \
   template SwimmerVector<Size> own_forces<Size>(const SwimmerType&, double, const BeadVectors&);    \
-  template SwimmerMatrix<Size> own_mobility<Size>(const SwimmerType&, const BeadVectors&, double);  \
   template SwimmerMatrix<Size> own_stiffness<Size>(const SwimmerType&, double, const BeadVectors&); \
   template SwimmerMatrix<Size> own_damping<Size>(const SwimmerType&, const BeadVectors&);
 BEADSWIM_INSTANTIATE(size_of_three_beads)

@@ -5,7 +5,7 @@
 
 #include "beadswim/swimmers/swimmer_forces.hpp"
 
-// Mobility, stiffness and damping of the beads of one swimmer, as matrices. Rows and columns are the
+// Forces of the springs of one swimmer, and their derivatives, as vectors and matrices. Rows and columns are the
 // components x, y, z of bead 1, then of bead 2, and so on. Size: number of these components, 9 for three
 // beads, where a size known to the compiler is faster, or Eigen::Dynamic.
 
@@ -22,11 +22,6 @@ template <int Size>
 auto as_vector(const BeadVectors& beads) {
   return Eigen::Map<const SwimmerVector<Size>>(beads.data(), beads.size());
 }
-
-/// Returns the Rotne-Prager mobility of a swimmer alone in open space [time/mass]. viscosity: dynamic
-/// viscosity of the fluid [mass/(length time)].
-template <int Size>
-SwimmerMatrix<Size> own_mobility(const SwimmerType& type, const BeadVectors& positions, double viscosity);
 
 /// Returns the forces on the beads of the springs (without dashpots) and of the angular springs at `time`.
 template <int Size>

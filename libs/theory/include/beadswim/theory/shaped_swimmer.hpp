@@ -1,0 +1,86 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "beadswim/mobility/mobility_matrix.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
+#include "beadswim/theory/stroke.hpp"
+
+// Motion of a swimmer of any shape, alone in open space and without inertia of fluid and beads.
+//
+//   v = mu(x) [F(x, t) - C(x) v],   dx/dt = v
+//
+//   x, v   positions [length] and velocities of the beads [length/time]
+//   mu     mobility of the beads by a pair law [time/mass]
+//   F, C   forces of springs, angular springs and drives [force], and damping of the dashpots [mass/time]
+//
+// A periodic motion repeats in a frame that moves with the swimmer: the frame has a constant velocity V and a
+// constant angular velocity Omega in its own axes. If drives act along directions of the box, the motion is
+// periodic only if Omega is zero.
+//
+// Page: docs/method/motion-of-shapes.md.
+
+namespace beadswim {
+
+/// A swimmer of any shape, in any coherent units.
+struct ShapedSwimmer {
+  SwimmerType type;
+  Eigen::Matrix3d orientation;  ///< at the start, from the frame of the type to the box
+  double viscosity = 0;         ///< eta, dynamic [mass/(length time)]
+
+  bool operator==(const ShapedSwimmer&) const = default;
+};
+
+/// Mean motion and stroke over a period.
+struct ShapeMotion {
+  Vec3 velocity = Vec3::Zero();          ///< V of the mean bead position, in the box [length/time]
+  Vec3 angular_velocity = Vec3::Zero();  ///< Omega, in the box [radian/time]
+  Stroke stroke;                         ///< first harmonics of the lengths of the bonds
+  std::vector<double> bond_means;        ///< mean lengths of the bonds [length]
+  double power = 0;                      ///< mean power of the drives [mass length^2/time^3]
+  BeadVectors mean_shape;                ///< mean positions of the beads in the moving frame [length]
+  double smallest_gap = 0;               ///< smallest gap between surfaces of beads in the motion [length]
+};
+
+/// Returns the beads where springs and angular springs, with their drives at time 0, exert no forces, near
+/// the places at rest [length]. The mean position is the origin, and the orientation fits that of the
+/// swimmer. Throws InputError if there are no such places.
+BeadVectors relaxed_shape(const ShapedSwimmer& swimmer);
+
+/// Returns the motion to second order in the drives, which all have the same small factor.
+///
+/// The velocities in the moving frame are expanded about the relaxed shape X: x = X + p, and
+///
+///   R(p, V, Omega) = dp/dt + V + Omega x (X + p) - mu (F - C dp/dt) = 0
+///
+/// First order: each harmonic n of p solves (i n w (1 + mu C) + mu K) p_n = mu f_n with the stiffness K and
+/// the harmonics f_n of the drives. Second order: the mean of the quadratic part of R, evaluated by a central
+/// difference, is balanced by V, Omega and a mean change of the shape.
+///
+/// Throws InputError if the springs leave a deformation free, which then drifts.
+ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
+
+/// Motion at finite amplitude, with details of its calculation.
+struct PeriodicShapeMotion : ShapeMotion {
+  int steps = 0;               ///< time steps per period
+  double numerical_error = 0;  ///< estimated, of V [length/time]
+  /// Angle between the orientation of the mean shape and that at the start, if drives act along directions of
+  /// the box and turn the swimmer until its motion is periodic [radian].
+  double turn = 0;
+};
+
+/// Returns the periodic motion at finite amplitude. The equations of motion are integrated by the method
+/// Radau IIA of order 5 over one cycle after the other until the shape at the end of a cycle is that at its
+/// beginning; Anderson's acceleration shortens the transient. Then the number of time steps is doubled until
+/// V changes by less than 1e-7 of the speed of the beads.
+///
+/// Throws InputError if the motion does not become periodic, or if beads touch.
+PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
+
+/// Returns the drag coefficient of the swimmer with the beads at `shape`, towed along `axis` without rotation
+/// [mass/time].
+double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
+                   PairTensorLaw law);
+
+}  // namespace beadswim

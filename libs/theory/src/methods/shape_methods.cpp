@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "confidence.hpp"
+#include "method_rows.hpp"
+
+namespace beadswim {
+
+namespace {
+
+PairTensor oseen_pairs(double, double, double r, double eta) {
+  return oseen_tensor(r, eta);
+}
+
+/// Mobility of pairs, and its name in predictions.
+struct Pairs {
+  std::string name;
+  PairTensorLaw law;
+};
+const Pairs oseen_flow{"Oseen", oseen_pairs}, rotne_prager_flow{"Rotne-Prager", rotne_prager_tensor};
+
+Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, const ShapeMotion& motion,
+                           const std::string& amplitude) {
+  const ShapedSwimmer& swimmer = question.swimmer;
+  const Vec3 axis = swimmer.orientation.col(0);
+  Prediction prediction;
+  prediction.velocity = motion.velocity.dot(axis);
+  prediction.velocity_vector = motion.velocity;
+  prediction.angular_velocity = motion.angular_velocity;
+  prediction.stroke = motion.stroke;
+  prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
+  prediction.arm_means = motion.bond_means;
+  prediction.power = motion.power;
+  const double drag = towing_drag(swimmer, motion.mean_shape, axis, pairs.law);
+  prediction.efficiency = lighthill_efficiency(drag, prediction.velocity, motion.power);
+  const double omega = 2 * std::numbers::pi / swimmer.type.driving.period;
+  const double depth = std::sqrt(2 * swimmer.viscosity / (question.fluid_density * omega));
+  const double radius = std::ranges::max(swimmer.type.beads, {}, &Bead::radius).radius;
+  prediction.validity = fmt::format(
+      "{} pairs; {}; alone in unbounded fluid; no inertia of fluid or beads (penetration depth {:.2f} "
+      "radii); "
+      "the error for this shape is not known",
+      pairs.name, amplitude, depth / radius);
+  prediction.settings = {{"mobility", pairs.name},
+                         {"fluid", "unbounded"},
+                         {"period", swimmer.type.driving.period},
+                         {"towing_drag", drag}};
+  if (swimmer.type.beads.size() > 1)
+    prediction.settings.emplace_back("smallest_gap_over_radius", motion.smallest_gap / radius);
+  if (motion.smallest_gap < 0) mark_unusable(prediction, "in this motion the beads would overlap");
+  return prediction;
+}
+
+Prediction by_perturbation(const ShapeQuestion& question, const Pairs& pairs) {
+  return prediction_from(question, pairs, second_order_motion(question.swimmer, pairs.law),
+                         "second order in amplitude");
+}
+
+Prediction by_ode(const ShapeQuestion& question, const Pairs& pairs) {
+  const PeriodicShapeMotion motion = periodic_motion(question.swimmer, pairs.law);
+  Prediction prediction = prediction_from(question, pairs, motion, "periodic motion at finite amplitude");
+  prediction.settings.emplace_back("steps_per_period", static_cast<double>(motion.steps));
+  prediction.settings.emplace_back("numerical_error", motion.numerical_error);
+  constexpr double visible = 1e-6;
+  if (motion.turn > visible) {
+    prediction.validity += fmt::format(
+        "; the drives turn the swimmer by {:.3g} rad from its orientation at the start until its motion is "
+        "periodic",
+        motion.turn);
+    prediction.settings.emplace_back("turn", motion.turn);
+  }
+  return prediction;
+}
+
+}  // namespace
+
+Prediction predict_oseen_perturbation_of_shape(const ShapeQuestion& question) {
+  return by_perturbation(question, oseen_flow);
+}
+
+Prediction predict_rpy_perturbation_of_shape(const ShapeQuestion& question) {
+  return by_perturbation(question, rotne_prager_flow);
+}
+
+Prediction predict_oseen_ode_of_shape(const ShapeQuestion& question) {
+  return by_ode(question, oseen_flow);
+}
+
+Prediction predict_rpy_ode_of_shape(const ShapeQuestion& question) {
+  return by_ode(question, rotne_prager_flow);
+}
+
+}  // namespace beadswim

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "beadswim/theory/shaped_swimmer.hpp"
+
+namespace beadswim {
+
+/// Positions and velocities of the beads at equal intervals of one period, from time 0 to the end.
+struct ShapeCycle {
+  std::vector<BeadVectors> beads, velocities;
+};
+
+/// Returns the motion over one period from `start`, by the implicit Runge-Kutta method Radau IIA of order 5
+/// with `steps` steps (Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.8).
+/// Throws InputError if the equations of a step cannot be solved.
+ShapeCycle integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, const BeadVectors& start,
+                           int steps);
+
+}  // namespace beadswim

@@ -1,0 +1,85 @@
+#include "shape_flow.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+
+#include "beadswim/swimmers/swimmer_forces.hpp"
+#include "beadswim/swimmers/swimmer_matrices.hpp"
+
+namespace beadswim {
+
+SwimmerType with_drives_scaled(SwimmerType type, double factor) {
+  for_each_harmonic(type.driving, [factor](Harmonic& harmonic) { harmonic.amplitude *= factor; });
+  for (ForceDrive& drive : type.driving.forces) drive.constant *= factor;
+  return type;
+}
+
+int highest_multiple(const Driving& driving) {
+  int highest = 1;
+  for_each_harmonic(driving,
+                    [&](const Harmonic& harmonic) { highest = std::max(highest, harmonic.multiple); });
+  return highest;
+}
+
+double smallest_gap(const SwimmerType& type, const BeadVectors& beads) {
+  double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < beads.cols(); ++i)
+    for (int j = 0; j < i; ++j)
+      smallest = std::min(smallest, (beads.col(i) - beads.col(j)).norm() - contact_distance(type, i, j));
+  return smallest;
+}
+
+BeadVectors centred(const BeadVectors& beads) {
+  return beads.colwise() - Vec3(beads.rowwise().mean());
+}
+
+Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to) {
+  SwimmerType shape;
+  for (const auto& place : from.colwise()) shape.beads.push_back({{}, place});
+  return fitted_orientation(shape, to, Eigen::Matrix3d::Identity());
+}
+
+ShapeFlow::ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law)
+    : swimmer_(swimmer),
+      law_(law),
+      is_damped_(std::ranges::any_of(swimmer.type.bonds, [](const Bond& bond) { return bond.damping > 0; })) {
+}
+
+Eigen::MatrixXd ShapeFlow::mobility(const BeadVectors& beads) const {
+  return mobility_matrix<Eigen::MatrixXd>(law_, swimmer_.type.beads, beads, swimmer_.viscosity);
+}
+
+Eigen::MatrixXd ShapeFlow::damping(const BeadVectors& beads) const {
+  if (!is_damped_) return Eigen::MatrixXd::Zero(beads.size(), beads.size());
+  return own_damping<Eigen::Dynamic>(swimmer_.type, beads);
+}
+
+Eigen::VectorXd ShapeFlow::forces(const BeadVectors& beads, double time) const {
+  const BeadVectors driving = driving_forces(swimmer_.type, time, beads, swimmer_.orientation);
+  return own_forces<Eigen::Dynamic>(swimmer_.type, time, beads) + as_components(driving);
+}
+
+Eigen::VectorXd ShapeFlow::velocities(const BeadVectors& beads, double time) const {
+  const Eigen::MatrixXd mu = mobility(beads);
+  const Eigen::VectorXd undamped = mu * forces(beads, time);
+  if (!is_damped_) return undamped;
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(mu.rows(), mu.cols());
+  return (unit + mu * damping(beads)).partialPivLu().solve(undamped);
+}
+
+Eigen::MatrixXd ShapeFlow::relaxation(const BeadVectors& beads, double time) const {
+  const Eigen::MatrixXd mu = mobility(beads);
+  const Eigen::MatrixXd undamped = -mu * own_stiffness<Eigen::Dynamic>(swimmer_.type, time, beads);
+  if (!is_damped_) return undamped;
+  const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(mu.rows(), mu.cols());
+  return (unit + mu * damping(beads)).partialPivLu().solve(undamped);
+}
+
+double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
+                   PairTensorLaw law) {
+  const Eigen::VectorXd along = axis.replicate(shape.cols(), 1);
+  return along.dot(ShapeFlow(swimmer, law).mobility(shape).ldlt().solve(along));
+}
+
+}  // namespace beadswim

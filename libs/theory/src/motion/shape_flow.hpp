@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "beadswim/theory/shaped_swimmer.hpp"
+
+// Velocities, forces and matrices of the beads of a swimmer (symbols: shaped_swimmer.hpp). Vectors and
+// matrices have the components x, y, z of bead 1, then of bead 2, and so on.
+
+namespace beadswim {
+
+inline auto as_components(const BeadVectors& beads) {
+  return Eigen::Map<const Eigen::VectorXd>(beads.data(), beads.size());
+}
+
+inline BeadVectors as_beads(const Eigen::VectorXd& components) {
+  return Eigen::Map<const Eigen::Matrix3Xd>(components.data(), 3, components.size() / 3);
+}
+
+/// Returns the type with all drives multiplied by `factor`.
+SwimmerType with_drives_scaled(SwimmerType type, double factor);
+
+/// Returns the number of the highest harmonic of the drives, at least 1.
+int highest_multiple(const Driving& driving);
+
+/// Returns the smallest gap between the surfaces of two beads; infinity for one bead [length].
+double smallest_gap(const SwimmerType& type, const BeadVectors& beads);
+
+/// Moves the beads so that their mean is the origin.
+BeadVectors centred(const BeadVectors& beads);
+
+/// Returns the rotation that fits `from` to `to` best after a translation.
+Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to);
+
+class ShapeFlow {
+ public:
+  ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law);
+
+  Eigen::MatrixXd mobility(const BeadVectors& beads) const;                 ///< mu
+  Eigen::MatrixXd damping(const BeadVectors& beads) const;                  ///< C
+  Eigen::VectorXd forces(const BeadVectors& beads, double time) const;      ///< F
+  Eigen::VectorXd velocities(const BeadVectors& beads, double time) const;  ///< v
+
+  /// Returns -(1 + mu C)^-1 mu K, the derivative of v by x without that of mu [1/time]. K: stiffness of the
+  /// springs.
+  Eigen::MatrixXd relaxation(const BeadVectors& beads, double time) const;
+
+ private:
+  const ShapedSwimmer& swimmer_;
+  PairTensorLaw law_;
+  bool is_damped_ = false;
+};
+
+}  // namespace beadswim

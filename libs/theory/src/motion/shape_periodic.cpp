@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "anderson_mixing.hpp"
+#include "beadswim/core/error.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
+#include "beadswim/theory/shaped_swimmer.hpp"
+#include "shape_cycle.hpp"
+#include "shape_flow.hpp"
+#include "trigonometric_nodes.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Returns true if the motion does not depend on the orientation in the box.
+bool is_free_to_turn(const Driving& driving) {
+  return driving.forces.empty() || driving.frame == DrivingFrame::body;
+}
+
+/// Returns the beads at the end of a cycle, moved back to those at its start: without the translation and, if
+/// the swimmer is free to turn, without the rotation.
+BeadVectors moved_back(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
+  const BeadVectors end = centred(cycle.beads.back());
+  if (!is_free_to_turn(swimmer.type.driving)) return end;
+  return best_rotation(cycle.beads.front(), end).transpose() * end;
+}
+
+/// Returns the cycle of the periodic motion, with its mean bead position at the origin at time 0. start:
+/// guess of the beads at time 0.
+ShapeCycle periodic_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, BeadVectors start, int steps) {
+  constexpr int max_cycles = 200;
+  constexpr double periodic = 1e-11;  // change of the shape in a cycle, divided by the size
+  AndersonMixing mixing;
+  for (int cycle = 0; cycle < max_cycles; ++cycle) {
+    start = centred(start);
+    const ShapeCycle motion = integrate_cycle(swimmer, law, start, steps);
+    const BeadVectors end = moved_back(swimmer, motion);
+    const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
+    if ((end - start).cwiseAbs().maxCoeff() <= periodic * size) return motion;
+    start = as_beads(mixing.next(as_components(start), as_components(end)));
+  }
+  throw InputError(
+      "stroke", fmt::format("the motion does not become periodic within {} cycles: drives along directions "
+                            "of the box turn the swimmer, or its springs are too soft; use the driving frame "
+                            "\"{}\", or stiffer springs",
+                            max_cycles, to_text(DrivingFrame::body)));
+}
+
+Vec3 rotation_vector(const Eigen::Matrix3d& rotation) {
+  const Eigen::AngleAxisd turn(rotation);
+  return turn.angle() * turn.axis();
+}
+
+Eigen::Matrix3d rotation_by(const Vec3& vector) {
+  const double angle = vector.norm();
+  return angle > 0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
+                   : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+}
+
+/// Returns the integral of rotation_by(u vector) over u from 0 to 1.
+Eigen::Matrix3d mean_rotation(const Vec3& vector) {
+  Eigen::Matrix3d cross;
+  cross << 0, -vector.z(), vector.y(), vector.z(), 0, -vector.x(), -vector.y(), vector.x(), 0;
+  const double angle = vector.norm(), a2 = angle * angle;
+  constexpr double small = 1e-3;  // below it, series are exact to roundoff
+  const double first = angle < small ? 0.5 - a2 / 24 : (1 - std::cos(angle)) / a2;
+  const double second = angle < small ? 1.0 / 6 - a2 / 120 : (angle - std::sin(angle)) / (a2 * angle);
+  return Eigen::Matrix3d::Identity() + first * cross + second * cross * cross;
+}
+
+/// A frame that moves along a helix: rotation E(t) = exp(Omega t) and origin o(t) = o(0) + integral of E V.
+/// In it the motion is periodic, and the mean over a period of the mean bead position is its origin.
+struct MovingFrame {
+  Vec3 velocity, angular_velocity;  ///< V, Omega at time 0
+  Vec3 origin;                      ///< o(0)
+};
+
+/// Returns the moving frame. The mean bead position c satisfies
+///
+///   c(t) = o(t) + E(t) xi(t),   xi(T) = xi(0),   <xi> = 0
+///
+/// which are six linear equations for o(0) and V.
+MovingFrame moving_frame(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
+  const double period = swimmer.type.driving.period;
+  const int steps = static_cast<int>(cycle.beads.size()) - 1;
+  Vec3 turn = Vec3::Zero();  // Omega T
+  if (is_free_to_turn(swimmer.type.driving))
+    turn = rotation_vector(best_rotation(cycle.beads.front(), cycle.beads.back()));
+  const auto centre = [&](int s) -> Vec3 { return cycle.beads[s].rowwise().mean(); };
+  Eigen::Matrix<double, 6, 6> equations = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
+  const Eigen::Matrix3d whole = rotation_by(turn), unit = Eigen::Matrix3d::Identity();
+  equations.topLeftCorner<3, 3>() = unit - whole;  // o(0)
+  equations.topRightCorner<3, 3>() = period * mean_rotation(turn);
+  right.head<3>() = centre(steps) - whole * centre(0);
+  for (int s = 0; s < steps; ++s) {
+    const double part = static_cast<double>(s) / steps;
+    const Eigen::Matrix3d back = rotation_by(-part * turn);
+    equations.bottomLeftCorner<3, 3>() += back / steps;
+    equations.bottomRightCorner<3, 3>() += back * (part * period / steps) * mean_rotation(part * turn);
+    right.tail<3>() += back * centre(s) / steps;
+  }
+  const Eigen::Matrix<double, 6, 1> solution = equations.partialPivLu().solve(right);
+  return {.velocity = solution.tail<3>(), .angular_velocity = turn / period, .origin = solution.head<3>()};
+}
+
+PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
+  const SwimmerType& type = swimmer.type;
+  const int steps = static_cast<int>(cycle.beads.size()) - 1;
+  const MovingFrame frame = moving_frame(swimmer, cycle);
+  PeriodicShapeMotion motion;
+  motion.steps = steps;
+  motion.smallest_gap = std::numeric_limits<double>::infinity();
+  motion.mean_shape = BeadVectors::Zero(3, std::ssize(type.beads));
+  Eigen::MatrixXd lengths(std::ssize(type.bonds), steps);
+  for (int s = 0; s < steps; ++s) {
+    const double part = static_cast<double>(s) / steps, time = part * type.driving.period;
+    const BeadVectors& beads = cycle.beads[s];
+    motion.mean_shape += rotation_by(-time * frame.angular_velocity) * centred(beads) / steps;
+    motion.power += power_of_drives(type, time, beads, cycle.velocities[s], swimmer.orientation) / steps;
+    motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(type, beads));
+    for (std::size_t k = 0; k < type.bonds.size(); ++k)
+      lengths(k, s) = (beads.col(type.bonds[k].beads[1]) - beads.col(type.bonds[k].beads[0])).norm();
+  }
+  std::vector<std::complex<double>> amplitudes;
+  for (std::size_t k = 0; k < type.bonds.size(); ++k) {
+    motion.bond_means.push_back(lengths.row(k).mean());
+    amplitudes.push_back(harmonic_amplitude(lengths.row(k), 1));
+  }
+  motion.stroke = stroke_of(amplitudes);
+  // Results are for the orientation of the layout; the motion was found in another one.
+  const Eigen::Matrix3d fit = fitted_orientation(type, motion.mean_shape, swimmer.orientation);
+  const Eigen::Matrix3d turn = swimmer.orientation * fit.transpose();
+  const bool free = is_free_to_turn(type.driving);
+  if (!free) motion.turn = Eigen::AngleAxisd(turn).angle();
+  const Eigen::Matrix3d to_box = free ? turn : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  motion.mean_shape = to_box * motion.mean_shape;
+  motion.velocity = to_box * frame.velocity;
+  motion.angular_velocity = to_box * frame.angular_velocity;
+  return motion;
+}
+
+/// Returns the largest speed of a bead in the cycle [length/time].
+double largest_speed(const ShapeCycle& cycle) {
+  double largest = 0;
+  for (const BeadVectors& velocity : cycle.velocities)
+    largest = std::max(largest, velocity.colwise().norm().maxCoeff());
+  return largest;
+}
+
+}  // namespace
+
+PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
+  const int per_harmonic = 32, finest = 1024;
+  const int multiple = highest_multiple(swimmer.type.driving);
+  BeadVectors start = relaxed_shape(swimmer);
+  std::optional<PeriodicShapeMotion> coarse;
+  for (int steps = per_harmonic * multiple;; steps *= 2) {
+    const ShapeCycle cycle = periodic_cycle(swimmer, law, start, steps);
+    PeriodicShapeMotion motion = motion_of(swimmer, cycle);
+    if (coarse) {
+      constexpr double resolved = 1e-7, roundoff = 1e-10;
+      motion.numerical_error = (motion.velocity - coarse->velocity).norm();
+      const double enough = std::max(resolved * motion.velocity.norm(), roundoff * largest_speed(cycle));
+      if (motion.numerical_error <= enough || steps >= finest * multiple) return motion;
+    }
+    coarse = motion;
+    start = cycle.beads.front();
+  }
+}
+
+}  // namespace beadswim

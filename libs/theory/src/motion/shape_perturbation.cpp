@@ -1,0 +1,288 @@
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
+#include "beadswim/swimmers/swimmer_matrices.hpp"
+#include "beadswim/theory/shaped_swimmer.hpp"
+#include "shape_flow.hpp"
+#include "trigonometric_nodes.hpp"
+
+namespace beadswim {
+namespace {
+
+using Eigen::MatrixXcd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Complex = std::complex<double>;
+
+/// Motions that change no spring: columns of bead velocities [length/time] per unit of their rates. The first
+/// three are translations along x, y, z, the next ones rotations about `axes`, the last ones deformations
+/// that no spring resists.
+struct FreeMotions {
+  std::vector<Vec3> axes;
+  MatrixXd columns;
+
+  Eigen::Index rigid() const { return 3 + std::ssize(axes); }
+};
+
+/// Returns the axes about which a rotation moves the beads: three, two for beads on a line, none for one
+/// bead.
+std::vector<Vec3> rotation_axes(const BeadVectors& shape) {
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  for (const auto& x : shape.colwise())
+    inertia += x.squaredNorm() * Eigen::Matrix3d::Identity() - x * x.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia);
+  constexpr double negligible = 1e-12;
+  std::vector<Vec3> axes;
+  for (int a = 0; a < 3; ++a) {
+    if (principal.eigenvalues()[a] > negligible * principal.eigenvalues()[2])
+      axes.push_back(principal.eigenvectors().col(a));
+  }
+  return axes;
+}
+
+FreeMotions free_motions(const BeadVectors& shape, const MatrixXd& stiffness) {
+  FreeMotions motions{.axes = rotation_axes(shape), .columns = {}};
+  MatrixXd rigid(shape.size(), motions.rigid());
+  for (int a = 0; a < 3; ++a) rigid.col(a) = Vec3::Unit(a).eval().replicate(shape.cols(), 1);
+  for (std::size_t r = 0; r < motions.axes.size(); ++r) {
+    for (int b = 0; b < shape.cols(); ++b)
+      rigid.col(3 + r).segment<3>(3 * b) = motions.axes[r].cross(Vec3(shape.col(b)));
+  }
+  // Free deformations: the kernel of the stiffness that is left if rigid motion costs energy too.
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(stiffness);
+  const MatrixXd basis =
+      rigid.householderQr().householderQ() * MatrixXd::Identity(shape.size(), motions.rigid());
+  constexpr double negligible = 1e-11;
+  const double stiffest = modes.eigenvalues().cwiseAbs().maxCoeff();
+  std::vector<VectorXd> deformations;
+  for (int k = 0; k < modes.eigenvalues().size(); ++k) {
+    if (std::abs(modes.eigenvalues()[k]) > negligible * stiffest) continue;
+    VectorXd mode = modes.eigenvectors().col(k);
+    mode -= basis * (basis.transpose() * mode);
+    for (const VectorXd& other : deformations) mode -= other * other.dot(mode);
+    constexpr double distinct = 1e-3;
+    if (mode.norm() > distinct) deformations.push_back(mode.normalized());
+  }
+  motions.columns.resize(shape.size(), rigid.cols() + std::ssize(deformations));
+  motions.columns.leftCols(rigid.cols()) = rigid;
+  for (std::size_t d = 0; d < deformations.size(); ++d)
+    motions.columns.col(rigid.cols() + d) = deformations[d];
+  return motions;
+}
+
+/// Displacements of the beads at the nodes of a period (columns) and their rates, with the rates of the free
+/// motions.
+struct Expansion {
+  MatrixXd displacement, rate;
+  VectorXd free_rates;
+};
+
+/// Mean change of the shape, and rates of the free motions.
+struct MeanMotion {
+  VectorXd displacement, free_rates;
+};
+
+/// The expansion of the motion about the relaxed shape (symbols: shaped_swimmer.hpp).
+class ShapeExpansion {
+ public:
+  ShapeExpansion(const ShapedSwimmer& swimmer, PairTensorLaw law)
+      : swimmer_(swimmer),
+        law_(law),
+        shape_(relaxed_shape({with_drives_scaled(swimmer.type, 0), swimmer.orientation})),
+        period_(swimmer.type.driving.period),
+        nodes_(std::max(9, 4 * highest_multiple(swimmer.type.driving) + 3)) {
+    const ShapeFlow flow(swimmer, law);
+    mobility_ = flow.mobility(shape_);
+    damping_ = flow.damping(shape_);
+    stiffness_ = own_stiffness<Eigen::Dynamic>(with_drives_scaled(swimmer.type, 0), 0, shape_);
+    free_ = free_motions(shape_, stiffness_);
+  }
+
+  const BeadVectors& shape() const { return shape_; }
+  int nodes() const { return nodes_; }
+  double time(int node) const { return period_ * node / nodes_; }
+  const FreeMotions& free() const { return free_; }
+
+  /// Returns the displacement and the rates of the free motions that balance a mean velocity of the beads: mu
+  /// K p + (free motions) = velocity, where p contains no free motion.
+  MeanMotion balance_mean(const VectorXd& velocity) const {
+    const auto beads = velocity.size(), motions = free_.columns.cols();
+    MatrixXd equations = MatrixXd::Zero(beads + motions, beads + motions);
+    equations.topLeftCorner(beads, beads) = mobility_ * stiffness_;
+    equations.topRightCorner(beads, motions) = free_.columns;
+    equations.bottomLeftCorner(motions, beads) = free_.columns.transpose();
+    VectorXd right = VectorXd::Zero(beads + motions);
+    right.head(beads) = velocity;
+    const VectorXd solution = equations.partialPivLu().solve(right);
+    return {.displacement = solution.head(beads), .free_rates = solution.tail(motions)};
+  }
+
+  Expansion first_order() const {
+    MatrixXd drive(shape_.size(), nodes_);
+    const ShapeFlow flow(swimmer_, law_);
+    for (int m = 0; m < nodes_; ++m) drive.col(m) = mobility_ * flow.forces(shape_, time(m));
+    const MeanMotion mean = balance_mean(drive.rowwise().mean());
+    Expansion order{.displacement = mean.displacement.replicate(1, nodes_),
+                    .rate = MatrixXd::Zero(shape_.size(), nodes_),
+                    .free_rates = mean.free_rates};
+    const double omega = 2 * std::numbers::pi / period_;
+    const MatrixXd unit = MatrixXd::Identity(shape_.size(), shape_.size());
+    for (int h = 1; h <= highest_multiple(swimmer_.type.driving); ++h) {
+      const Complex rate(0, h * omega);
+      Eigen::VectorXcd harmonic(shape_.size());
+      for (int k = 0; k < harmonic.size(); ++k) harmonic[k] = harmonic_amplitude(drive.row(k), h);
+      const MatrixXcd equations =
+          rate * (unit + mobility_ * damping_) + (mobility_ * stiffness_).cast<Complex>();
+      const Eigen::VectorXcd p = equations.partialPivLu().solve(harmonic);
+      for (int m = 0; m < nodes_; ++m) {
+        const Complex turn = std::polar(1.0, h * node_phase(m, nodes_));
+        order.displacement.col(m) += (p * turn).real();
+        order.rate.col(m) += (p * (rate * turn)).real();
+      }
+    }
+    return order;
+  }
+
+  /// Bead positions, their velocities in the moving frame and in the box, and R, at one node, for s times the
+  /// drives and the first-order motion.
+  struct Node {
+    BeadVectors beads, velocity;
+    VectorXd residual;
+  };
+  Node node(const Expansion& order, int m, double s) const {
+    const ShapedSwimmer scaled{with_drives_scaled(swimmer_.type, s), swimmer_.orientation,
+                               swimmer_.viscosity};
+    const ShapeFlow flow(scaled, law_);
+    const VectorXd rates = s * order.free_rates, p_rate = s * order.rate.col(m);
+    Node result{.beads = shape_ + as_beads(s * order.displacement.col(m)), .velocity = {}, .residual = {}};
+    Vec3 turning = Vec3::Zero();
+    for (std::size_t r = 0; r < free_.axes.size(); ++r) turning += rates[3 + r] * free_.axes[r];
+    const auto deforming = free_.columns.cols() - free_.rigid();
+    result.velocity = as_beads(p_rate + free_.columns.rightCols(deforming) * rates.tail(deforming));
+    for (int b = 0; b < result.beads.cols(); ++b)
+      result.velocity.col(b) += rates.head<3>() + turning.cross(Vec3(result.beads.col(b)));
+    result.residual = as_components(result.velocity) -
+                      flow.mobility(result.beads) *
+                          (flow.forces(result.beads, time(m)) - flow.damping(result.beads) * p_rate);
+    return result;
+  }
+
+ private:
+  const ShapedSwimmer& swimmer_;
+  PairTensorLaw law_;
+  BeadVectors shape_;
+  double period_;
+  int nodes_;
+  MatrixXd mobility_, damping_, stiffness_;
+  FreeMotions free_;
+};
+
+/// Quantities to second order in the drives, without the mean change of the shape: means over a period.
+struct SecondOrder {
+  VectorXd residual;  ///< R [length/time]
+  VectorXd lengths;   ///< changes of the lengths of the bonds [length]
+  double power = 0;   ///< of the drives [mass length^2/time^3]
+
+  SecondOrder operator+(const SecondOrder& o) const {
+    return {residual + o.residual, lengths + o.lengths, power + o.power};
+  }
+};
+SecondOrder operator*(double factor, const SecondOrder& q) {
+  return {factor * q.residual, factor * q.lengths, factor * q.power};
+}
+
+VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads) {
+  VectorXd lengths(std::ssize(type.bonds));
+  for (std::size_t k = 0; k < type.bonds.size(); ++k)
+    lengths[k] = (beads.col(type.bonds[k].beads[1]) - beads.col(type.bonds[k].beads[0])).norm();
+  return lengths;
+}
+
+/// Returns the even part of the means at +s and -s, divided by s^2.
+SecondOrder even_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expansion, const Expansion& order,
+                      double s) {
+  const VectorXd at_rest = bond_lengths(swimmer.type, expansion.shape());
+  SecondOrder sum{VectorXd::Zero(expansion.shape().size()), VectorXd::Zero(at_rest.size())};
+  for (const double sign : {1.0, -1.0}) {
+    const SwimmerType scaled = with_drives_scaled(swimmer.type, sign * s);
+    for (int m = 0; m < expansion.nodes(); ++m) {
+      const ShapeExpansion::Node node = expansion.node(order, m, sign * s);
+      sum = sum + SecondOrder{node.residual, bond_lengths(swimmer.type, node.beads) - at_rest,
+                              power_of_drives(scaled, expansion.time(m), node.beads, node.velocity,
+                                              swimmer.orientation)};
+    }
+  }
+  return (1 / (2 * s * s * expansion.nodes())) * sum;
+}
+
+/// Returns the second-order part, extrapolated from three values of s (Richardson).
+SecondOrder second_order_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expansion,
+                              const Expansion& order) {
+  constexpr double small_displacement = 0.05;  // relative to the smallest radius
+  const double largest = order.displacement.cwiseAbs().maxCoeff();
+  const double radius = std::ranges::min(swimmer.type.beads, {}, &Bead::radius).radius;
+  const double s = largest > 0 ? small_displacement * radius / largest : 1;
+  const auto at = [&](double factor) { return even_part(swimmer, expansion, order, factor * s); };
+  return (1.0 / 45) * (64.0 * at(0.25) + -20.0 * at(0.5) + at(1));
+}
+
+/// Returns the amplitudes of the lengths of the bonds at the frequency of the driving.
+Stroke stroke_of_bonds(const SwimmerType& type, const ShapeExpansion& expansion, const Expansion& order) {
+  std::vector<Complex> amplitudes;
+  for (const Bond& bond : type.bonds) {
+    const auto [i, j] = bond.beads;
+    const Vec3 along = (expansion.shape().col(j) - expansion.shape().col(i)).normalized();
+    const Eigen::RowVectorXd length = along.transpose() * (order.displacement.middleRows<3>(3 * j) -
+                                                           order.displacement.middleRows<3>(3 * i));
+    amplitudes.push_back(harmonic_amplitude(length, 1));
+  }
+  return stroke_of(amplitudes);
+}
+
+}  // namespace
+
+ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
+  const ShapeExpansion expansion(swimmer, law);
+  const Expansion order = expansion.first_order();
+  const SecondOrder second = second_order_part(swimmer, expansion, order);
+  const MeanMotion mean = expansion.balance_mean(-second.residual);
+  const VectorXd rates = order.free_rates + mean.free_rates;
+  const FreeMotions& free = expansion.free();
+  const auto drifting = free.columns.cols() - free.rigid();
+  constexpr double negligible = 1e-9;
+  if (drifting > 0 && rates.tail(drifting).norm() > negligible * order.rate.cwiseAbs().maxCoeff())
+    throw InputError("the shape of the swimmer",
+                     "the springs leave a deformation free, and the mean forces of the motion drive it; add "
+                     "bonds or angular springs");
+  ShapeMotion motion;
+  motion.velocity = rates.head<3>();
+  for (std::size_t r = 0; r < free.axes.size(); ++r) motion.angular_velocity += rates[3 + r] * free.axes[r];
+  motion.stroke = stroke_of_bonds(swimmer.type, expansion, order);
+  motion.power = second.power;
+  const BeadVectors mean_change = as_beads(order.displacement.rowwise().mean() + mean.displacement);
+  motion.mean_shape = expansion.shape() + mean_change;
+  const VectorXd at_rest = bond_lengths(swimmer.type, expansion.shape());
+  for (std::size_t k = 0; k < swimmer.type.bonds.size(); ++k) {
+    const auto [i, j] = swimmer.type.bonds[k].beads;
+    const Vec3 along = (expansion.shape().col(j) - expansion.shape().col(i)).normalized();
+    const Vec3 change = mean_change.col(j) - mean_change.col(i);
+    motion.bond_means.push_back(at_rest[k] + second.lengths[k] + along.dot(change));
+  }
+  motion.smallest_gap = std::numeric_limits<double>::infinity();
+  for (int m = 0; m < expansion.nodes(); ++m)
+    motion.smallest_gap =
+        std::min(motion.smallest_gap, smallest_gap(swimmer.type, expansion.node(order, m, 1).beads));
+  return motion;
+}
+
+}  // namespace beadswim

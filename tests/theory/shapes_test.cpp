@@ -1,0 +1,138 @@
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "beadswim/mobility/oseen.hpp"
+#include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/scene/gallery.hpp"
+#include "beadswim/theory/periodic_motion.hpp"
+#include "beadswim/theory/shaped_swimmer.hpp"
+#include "random_swimmers.hpp"
+
+// The motion of swimmers of any shape, against the theory of three beads on a line, symmetries and limits.
+
+namespace beadswim {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+PairTensor oseen_pairs(double, double, double r, double eta) {
+  return oseen_tensor(r, eta);
+}
+
+/// Returns three beads on a line as a swimmer of any shape, turned by `orientation`.
+ShapedSwimmer shaped(const CollinearSwimmer& line, const Eigen::Matrix3d& orientation) {
+  ThreeBeadSwimmer three;
+  for (int b = 0; b < 3; ++b) three.beads[b] = {line.radius[b], 1};
+  for (int k = 0; k < 2; ++k) three.springs[k] = {line.stiffness[k], line.arm[k], line.damping[k]};
+  three.angular_stiffness = 10 * line.stiffness[0] * line.arm[0] * line.arm[0];
+  three.driving = {.amplitude = line.amplitude,
+                   .phase = line.phase,
+                   .period = line.period,
+                   .frame = DrivingFrame::initial_axis};
+  return {swimmer_type(three), orientation, line.viscosity};
+}
+
+Eigen::Matrix3d some_orientation() {
+  return Eigen::AngleAxisd(2, Vec3(2, -1, 2) / 3).toRotationMatrix();
+}
+
+TEST(SecondOrderMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
+  RandomSwimmers random(0.1, 10);
+  const Eigen::Matrix3d orientation = some_orientation();
+  for (int n = 0; n < 12; ++n) {
+    const CollinearSwimmer line = random.next();
+    const bool by_oseen = n % 3 == 0;
+    const SecondOrderMotion expected =
+        second_order_motion(line, rest_mobility(line, by_oseen ? oseen : rotne_prager));
+    const ShapeMotion motion =
+        second_order_motion(shaped(line, orientation), by_oseen ? oseen_pairs : rotne_prager_tensor);
+    const double d1 = expected.stroke.amplitude[0], d2 = expected.stroke.amplitude[1];
+    const double scale = d1 * d2 * line.angular_frequency() / (line.arm[0] + line.arm[1]);
+    EXPECT_LT((motion.velocity - expected.velocity * orientation.col(0)).norm(), 1e-7 * scale) << n;
+    EXPECT_LT(motion.angular_velocity.norm() * line.arm[0], 1e-6 * scale) << n;
+    for (int k = 0; k < 2; ++k) {
+      EXPECT_NEAR(motion.stroke.amplitude[k] / expected.stroke.amplitude[k], 1, 1e-9);
+      EXPECT_NEAR(std::remainder(motion.stroke.phase[k] - expected.stroke.phase[k], 2 * pi), 0, 1e-9);
+      EXPECT_NEAR(motion.bond_means[k] - line.arm[k], expected.arm_changes[k],
+                  1e-6 * (d1 * d1 + d2 * d2) / line.arm[k] + 1e-15 * line.arm[k]);
+    }
+  }
+}
+
+TEST(PeriodicMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
+  const Eigen::Matrix3d orientation = some_orientation();
+  CollinearSwimmer line = paper_swimmer(2000);
+  line.radius = {4, 3, 5};
+  line.stiffness = {0.0347, 0.05};
+  line.damping = {0, 2};
+  line.amplitude = {0.3, 0.2};
+  line.phase = 1.1;
+  const MobilityFunction mobility = [&](const LinePositions& x) {
+    return pairwise_mobility(rotne_prager, line.radius, x, line.viscosity);
+  };
+  const PeriodicMotion expected = periodic_motion(line, rest_positions(line), mobility);
+  const PeriodicShapeMotion motion = periodic_motion(shaped(line, orientation), rotne_prager_tensor);
+  EXPECT_LT((motion.velocity - expected.velocity * orientation.col(0)).norm(), 1e-7 * expected.velocity);
+  EXPECT_LT(motion.numerical_error, 1e-6 * expected.velocity);
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_NEAR(motion.stroke.amplitude[k] / expected.stroke.amplitude[k], 1, 1e-8);
+    EXPECT_NEAR(motion.bond_means[k] / expected.arm_means[k], 1, 1e-9);
+  }
+  EXPECT_NEAR(motion.smallest_gap / expected.smallest_gap, 1, 1e-2);  // sampled at other times
+}
+
+const Fluid fluid{.density = 1, .kinematic_viscosity = 1.0 / 3};
+
+ShapedSwimmer of_gallery(const auto& parameters) {
+  return {swimmer_type(parameters, fluid), some_orientation(), fluid.dynamic_viscosity()};
+}
+
+TEST(PeriodicMotionOfShapes, OfADumbbellIsNone) {
+  Dumbbell dumbbell;
+  dumbbell.radius = {4, 2};
+  const PeriodicShapeMotion motion = periodic_motion(of_gallery(dumbbell), rotne_prager_tensor);
+  EXPECT_LT(motion.velocity.norm() * dumbbell.period, 1e-10 * motion.stroke.amplitude[0]);
+  EXPECT_LT(motion.angular_velocity.norm() * dumbbell.period, 1e-12);
+}
+
+TEST(PeriodicMotionOfShapes, OfATriangleIsARotation) {
+  const PeriodicShapeMotion motion = periodic_motion(of_gallery(Triangle{}), rotne_prager_tensor);
+  const double turn = motion.angular_velocity.dot(some_orientation().col(2)) * 4800;
+  EXPECT_GT(turn, 0.1);
+  EXPECT_NEAR(motion.angular_velocity.norm() * 4800, turn, 1e-9);
+  EXPECT_LT(motion.velocity.norm() * 4800, 1e-9);
+}
+
+/// Returns the largest relative difference of velocity and angular velocity between second order and finite
+/// amplitude, for drives multiplied by `factor`.
+double beyond_second_order(ShapedSwimmer swimmer, double factor) {
+  for_each_harmonic(swimmer.type.driving, [&](Harmonic& harmonic) { harmonic.amplitude *= factor; });
+  const ShapeMotion small = second_order_motion(swimmer, rotne_prager_tensor);
+  const ShapeMotion finite = periodic_motion(swimmer, rotne_prager_tensor);
+  const auto relative = [](const Vec3& a, const Vec3& b) {
+    return b.norm() > 0 ? (a - b).norm() / b.norm() : 0;
+  };
+  return std::max(
+      small.velocity.norm() * 1e4 > 1e-3 * factor * factor ? relative(finite.velocity, small.velocity) : 0,
+      small.angular_velocity.norm() * 1e4 > 1e-3 * factor * factor
+          ? relative(finite.angular_velocity, small.angular_velocity)
+          : 0);
+}
+
+TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitude) {
+  Triangle circling;
+  circling.amplitude = {3, 2, 1};
+  circling.phase = 1;
+  const std::vector<ShapedSwimmer> swimmers{of_gallery(Triangle{}), of_gallery(circling),
+                                            of_gallery(PrescribedThreeBead{}), of_gallery(PurcellChain{}),
+                                            of_gallery(Flagellum{})};
+  for (std::size_t n = 0; n < swimmers.size(); ++n) {
+    const double large = beyond_second_order(swimmers[n], 0.2), small = beyond_second_order(swimmers[n], 0.1);
+    EXPECT_NEAR(large / small, 4, 0.4) << n;
+    EXPECT_LT(small, 0.05) << n;
+  }
+}
+
+}  // namespace
+}  // namespace beadswim

@@ -1,0 +1,283 @@
+#include "shape_command.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <concepts>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/documents/layout_document.hpp"
+#include "beadswim/scene/presets.hpp"
+#include "beadswim/tools/named_flags.hpp"
+#include "beadswim/tools/program.hpp"
+#include "sound_layout.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Add a flag whose value is a number, with a default that is the present value or that `initial` describes.
+template <class Number>
+void add_number(CLI::App& command, const std::string& flag, Number& value, const CLI::Validator& allowed,
+                const std::string& type_name, const std::string& help) {
+  command.add_option(flag, value, help)->type_name(type_name)->check(allowed)->capture_default_str();
+}
+void add_number(CLI::App& command, const std::string& flag, std::optional<double>& value,
+                const CLI::Validator& allowed, const std::string& type_name, const std::string& help,
+                const std::string& initial) {
+  command.add_option(flag, value, help)->type_name(type_name)->check(allowed)->default_str(initial);
+}
+
+/// Adds a flag whose value is a list of numbers joined by commas. counts: allowed numbers of numbers.
+void add_list(CLI::App& command, const std::string& flag, std::vector<double>& values,
+              const std::vector<std::size_t>& counts, const CLI::Validator& allowed,
+              const std::string& type_name, const std::string& help, const std::string& initial) {
+  command
+      .add_option_function<std::string>(
+          flag, [&values](const std::string& text) { values = parse_numbers(text); }, help)
+      ->type_name(type_name)
+      ->check(number_list(counts, allowed))
+      ->default_str(initial);
+}
+
+void add_angle(CLI::App& command, const std::string& flag, double& radians, const std::string& help,
+               const std::string& initial) {
+  command
+      .add_option_function<std::string>(
+          flag, [&radians](const std::string& text) { radians = parse_angle(text); }, help)
+      ->type_name("ALPHA")
+      ->check(angle())
+      ->default_str(initial);
+}
+
+void add_direction(CLI::App& command, Vec3& direction) {
+  command
+      .add_option_function<std::string>(
+          "--direction",
+          [&direction](const std::string& text) { direction = parse_vector(text).stableNormalized(); },
+          "Direction of the force in the box, a vector of any length")
+      ->type_name("X,Y,Z")
+      ->check(number_list({3}, finite()))
+      ->default_str(fmt::format("{:g},{:g},{:g}", direction[0], direction[1], direction[2]));
+}
+
+void add_chain(CLI::App& command, int& beads, int fewest, const std::string& counted,
+               std::optional<double>& arm) {
+  begin_group(command, "Beads");
+  add_number(command, counted, beads, whole_number(fewest, max_beads), "N",
+             counted == "--beads" ? "Number of beads" : "Number of beads of a link, both hinges included");
+  begin_group(command, "Springs");
+  add_number(command, "--arm", arm, finite_positive(), "L", "Distance of neighbouring beads at rest [length]",
+             "2.5 R");
+}
+
+void add_angular_stiffness(CLI::App& command, std::optional<double>& angular_stiffness,
+                           const std::string& initial) {
+  begin_group(command, "Springs");
+  add_number(command, "--angular-stiffness", angular_stiffness, finite_positive(), "KA",
+             "Stiffness K_A of the angular springs with energy K_A (theta - rest)^2/2 [mass length^2/time^2]",
+             initial);
+}
+
+void add_radius(CLI::App& command, GallerySwimmer& swimmer, std::size_t beads) {
+  begin_group(command, "Beads");
+  const std::string each = beads == 2 ? "R|R1,R2" : beads == 3 ? "R|R1,R2,R3" : "R";
+  add_list(command, "--radius", swimmer.radius,
+           beads == 1 ? std::vector<std::size_t>{1} : std::vector{1, beads}, finite_positive(), each,
+           beads == 1 ? "Radius of the beads [length]"
+                      : "Radius of the beads: one value for all, or one per bead [length]",
+           "4");
+}
+
+/// Begins the group of flags of the driving, with a title that states its law.
+void begin_driving(CLI::App& command, const std::string& law, GallerySwimmer& swimmer) {
+  begin_group(command, "Driving: " + law);
+  add_number(command, "--period", swimmer.period, finite_positive(), "T", "Period T [time]");
+}
+
+void add_arm(CLI::App& command, std::optional<double>& arm) {
+  begin_group(command, "Springs");
+  add_number(command, "--arm", arm, finite_positive(), "L", "Rest length of the bonds [length]", "5 R");
+}
+
+void add_flags(CLI::App& command, Dumbbell& dumbbell) {
+  add_radius(command, dumbbell, 2);
+  add_arm(command, dumbbell.arm);
+  begin_driving(command, "rest length L + A sin(2 pi t/T)", dumbbell);
+  add_number(command, "--amplitude", dumbbell.amplitude, finite_non_negative(), "A",
+             "Amplitude A of the rest length [length]", "L/5");
+}
+
+void add_flags(CLI::App& command, Triangle& triangle) {
+  add_radius(command, triangle, 3);
+  add_arm(command, triangle.arm);
+  begin_driving(command, "rest length L + A sin(2 pi t/T - (k - 1) alpha) of side k", triangle);
+  add_list(command, "--amplitude", triangle.amplitude, {1, 3}, finite_non_negative(), "A|A1,A2,A3",
+           "Amplitudes of the rest lengths [length]", "L/5");
+  add_angle(command, "--phase", triangle.phase,
+            "Phase alpha by which a side is behind the previous one, as 1.5 or 90deg [rad]", "120deg");
+}
+
+void add_flags(CLI::App& command, PrescribedThreeBead& swimmer) {
+  add_radius(command, swimmer, 3);
+  begin_group(command, "Springs");
+  add_list(command, "--arm", swimmer.arm, {1, 2}, finite_positive(), "L|L1,L2",
+           "Mean lengths of the arms [length]", "5 R");
+  add_angular_stiffness(command, swimmer.angular_stiffness, "10 k L^2");
+  begin_driving(command, "arms L1 + A1 sin(2 pi t/T + alpha), L2 + A2 sin(2 pi t/T)", swimmer);
+  add_list(command, "--amplitude", swimmer.amplitude, {1, 2}, finite_non_negative(), "A|A1,A2",
+           "Amplitudes A1 and A2 of the arms [length]", "L/5");
+  add_angle(command, "--phase", swimmer.phase,
+            "Phase alpha by which arm 1 is ahead of arm 2, as 1.5 or 90deg [rad]", "90deg");
+}
+
+void add_flags(CLI::App& command, PurcellChain& chain) {
+  add_chain(command, chain.beads_per_link, 2, "--beads-per-link", chain.arm);
+  add_radius(command, chain, 1);
+  add_angular_stiffness(command, chain.angular_stiffness, "1000 gamma omega L^2, L: length of a link");
+  begin_driving(command, "hinges at theta + A sin(2 pi t/T), theta + A sin(2 pi t/T + alpha)", chain);
+  add_angle(command, "--rest-angle", chain.rest_angle,
+            "Mean angle theta of the hinges, 0 for a straight chain, as 1 or 60deg [rad]", "60deg");
+  add_angle(command, "--amplitude", chain.amplitude,
+            "Amplitude A of the angles; smaller than theta, because the force of an angular spring has no "
+            "direction where a hinge is straight [rad]",
+            "40deg");
+  add_angle(command, "--phase", chain.phase,
+            "Phase alpha by which hinge 2 is ahead of hinge 1, as 1.5 or 90deg [rad]", "90deg");
+}
+
+void add_flags(CLI::App& command, Flagellum& flagellum) {
+  add_chain(command, flagellum.beads, 3, "--beads", flagellum.arm);
+  add_radius(command, flagellum, 1);
+  begin_group(command, "Springs");
+  add_number(command, "--sperm-number", flagellum.sperm_number, finite_positive(), "S",
+             "Sperm number of the flagellum: its length, divided by the distance that bending travels in a "
+             "period [1]");
+  add_angular_stiffness(command, flagellum.angular_stiffness, "that of the sperm number");
+  command.get_option("--angular-stiffness")->excludes("--sperm-number");
+  begin_driving(command, "forces A sin(2 pi t/T) along y on the last bead and the opposite on its neighbour", flagellum);
+  add_number(command, "--amplitude", flagellum.amplitude, finite_non_negative(), "A",
+             "Amplitude A of the forces [mass length/time^2]", "S K_A/(2 x length)");
+  add_choice(
+      command, "--frame", flagellum.frame,
+      "Direction of the forces: y of the box (lab), of the swimmer at time 0 (initial-axis), or of the "
+      "swimmer as it turns (body)");
+}
+
+void add_flags(CLI::App& command, TowedSphere& sphere) {
+  add_radius(command, sphere, 1);
+  begin_driving(command, "force F + A sin(2 pi t/T)", sphere);
+  add_number(command, "--force", sphere.force, finite(), "F", "Constant force F [mass length/time^2]",
+             "6 pi eta R^2/T");
+  add_number(command, "--amplitude", sphere.amplitude, finite_non_negative(), "A",
+             "Amplitude A of the oscillating force [mass length/time^2]");
+  add_direction(command, sphere.direction);
+}
+
+void add_flags(CLI::App& command, TowedChain& chain) {
+  add_chain(command, chain.beads, 2, "--beads", chain.arm);
+  add_radius(command, chain, 1);
+  add_angular_stiffness(command, chain.angular_stiffness, "1000 gamma omega L^2, L: length of the chain");
+  begin_driving(command, "constant force F on each bead", chain);
+  add_number(command, "--force", chain.force, finite(), "F", "Force F on each bead [mass length/time^2]",
+             "6 pi eta R^2/T");
+  add_direction(command, chain.direction);
+}
+
+void add_common_flags(CLI::App& command, GallerySwimmer& swimmer) {
+  begin_group(command, "Beads");
+  add_number(command, "--bead-density", swimmer.bead_density, finite_positive(), "RHO",
+             "Mass density of the beads [mass/length^3]", "the fluid's");
+}
+
+void add_bond_flags(CLI::App& command, BondedSwimmer& swimmer) {
+  begin_group(command, "Springs");
+  add_number(command, "--stiffness", swimmer.stiffness, finite_positive(), "K",
+             "Stiffness k of the bonds [mass/time^2]", "1000 gamma omega, gamma: 6 pi eta R, omega: 2 pi/T");
+  add_number(command, "--damping", swimmer.damping, finite_non_negative(), "C",
+             "Damping c of the dashpots parallel to the bonds [mass/time]");
+}
+
+/// Throws InputError if the layout has other units than "lattice" and a flag lacks whose default has a unit.
+void require_own_numbers(const CLI::App& kind, const Units& units) {
+  if (units.lattice) return;
+  std::vector<std::string> missing;
+  for (const char* flag : {"--radius", "--period", "--viscosity"}) {
+    if (kind.get_option(flag)->empty()) missing.emplace_back(flag);
+  }
+  if (missing.empty()) return;
+  throw InputError(
+      "--units", fmt::format("the defaults of other flags are for the units \"lattice\"; give {} "
+                             "in the units {}, {} and {} too",
+                             fmt::join(missing, ", "), units.length.name, units.time.name, units.mass.name));
+}
+
+}  // namespace
+
+template <class Parameters>
+void ShapeCommand::add_kind(const std::string& name, const std::string& help,
+                            const std::vector<std::string>& examples) {
+  Kind& kind = *kinds_.emplace_back(std::make_unique<Kind>());
+  kind.command = command_->add_subcommand(name, help);
+  CLI::App& command = *kind.command;
+  const auto parameters = std::make_shared<Parameters>();
+  add_flags(command, *parameters);
+  add_common_flags(command, *parameters);
+  if constexpr (std::derived_from<Parameters, BondedSwimmer>) add_bond_flags(command, *parameters);
+  kind.type = [parameters](const Fluid& fluid) { return swimmer_type(*parameters, fluid); };
+  kind.fluid.add_to(command, "1/3");
+  kind.place.emplace(command, "the origin of the type's frame", "of the x axis of the type", "periodic");
+  kind.place->add_orientation(command);
+  begin_group(command, "Output");
+  command.add_flag("--jsonl", kind.json_lines, "Write the layout on one line.");
+  std::vector<std::string> commands;
+  for (const std::string& flags : examples)
+    commands.push_back(fmt::format("beadswim-layout shape {} {} >{}.json", name, flags, name));
+  set_footer(command, commands, "shapes.md#" + name);
+}
+
+ShapeCommand::ShapeCommand(CLI::App& program)
+    : command_(program.add_subcommand("shape",
+                                      "Writes a layout of one swimmer of a kind from the literature. All "
+                                      "flags have defaults; without --box, the fluid is unbounded.")) {
+  command_->require_subcommand(1);
+  add_kind<Dumbbell>("dumbbell",
+                     "Two beads whose distance oscillates; alone, it does not swim without inertia.",
+                     {"--radius 4,2 --unbounded", "--box 60,40,40"});
+  add_kind<Triangle>("triangle",
+                     "Three beads at the corners of a triangle whose sides oscillate in turn; it rotates.",
+                     {"--unbounded", "--phase 90deg --amplitude 4,4,0"});
+  add_kind<PrescribedThreeBead>("prescribed-three-bead",
+                                "Three beads in a line whose arms have prescribed lengths.",
+                                {"--unbounded", "--arm 20,16 --phase 1"});
+  add_kind<PurcellChain>("purcell-chain", "Three links of beads with two hinges that oscillate, as a Z.",
+                         {"--unbounded", "--beads-per-link 3 --rest-angle 70deg"});
+  add_kind<Flagellum>("flagellum", "Elastic chain of beads, swung at its end.",
+                      {"--unbounded", "--beads 24 --sperm-number 5"});
+  add_kind<TowedSphere>("sphere", "One bead that a constant or oscillating force pulls.",
+                        {"--unbounded", "--force 0 --amplitude 0.05 --box 40,40,40"});
+  add_kind<TowedChain>("chain", "Elastic chain of beads that equal forces pull, as a fibre that settles.",
+                       {"--unbounded", "--beads 20 --direction 1,0,-1"});
+  set_footer(*command_,
+             {"beadswim-layout shape triangle >triangle.json",
+              "beadswim-layout shape flagellum --beads 12 | beadswim-layout check"},
+             "shapes.md");
+}
+
+void ShapeCommand::run(const CLI::App& program) const {
+  for (const auto& kind : kinds_) {
+    if (!kind->command->parsed()) continue;
+    LayoutDocument document{.layout = {}, .provenance = {provenance_record(program)}};
+    Layout& layout = document.layout;
+    layout.units = kind->fluid.units();
+    require_own_numbers(*kind->command, layout.units);
+    layout.fluid = {.density = 1, .kinematic_viscosity = 1.0 / 3};
+    kind->fluid.apply(layout.fluid);
+    layout.types[kind->command->get_name()] = kind->type(layout.fluid);
+    kind->place->apply(layout);
+    require_sound(layout, "the flags");
+    const Json json = layout_to_json(document);
+    write_text("-", kind->json_lines ? dump_json_line(json) : dump_json(json));
+  }
+}
+
+}  // namespace beadswim
