@@ -112,6 +112,7 @@ check "a restart on two ranks gives the same state" holds --slurpfile one lattic
 refuses "triangle.json: swimmer 0: the swimmer is not the paper's" beadswim-theory triangle.json
 refuses 'errors are estimated for the paper.s three-bead swimmers only, not for the type "triangle"; name the model' beadswim-run triangle.json --plan
 jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json
+refuses 'four.json: swimmer 0 is not the paper.s .*, the only one that has a sketch; draw its beads and bonds with beadswim-plot swarm' beadswim-plot swimmer four.json
 beadswim-run four.json -o four.h5md --model rpy --cycles 0.1 --progress none >/dev/null 2>&1
 refuses 'four.h5md: swimmers of type "triangle" have 4 beads, but beadswim-plot swarm draws swimmers of three' beadswim-plot swarm four.h5md -o four.svg
 refuses 'four.h5md: swimmers of type "triangle" have 4 beads, but beadswim-view shows swimmers of three' beadswim-view four.h5md -o four.html

@@ -53,7 +53,7 @@ constexpr std::array kinds{
              {"beadswim-plot swarm swarm.json --block-swimmers 1,2,2 -o swarm.svg",
               "beadswim-plot swarm run.h5md --frame 0 --repeat 1,2,2 -o frame.svg"}},
     PlotKind{"swimmer",
-             "Draws a labelled sketch of one swimmer of a layout.",
+             "Draws a labelled sketch of one three-bead swimmer of a layout.",
              "Layout file (JSON); - is standard input.",
              add_swimmer_flags,
              {"beadswim-plot swimmer layout.json -o swimmer.svg",
