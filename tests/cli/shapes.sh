@@ -78,6 +78,8 @@ has_status 0
 refuses '--beads: swimmer 0 in whole.h5md has no bead 4; its beads have the numbers 1 to 3' beadswim-plot trajectories whole.h5md --beads 4 -o trajectories.svg
 run beadswim-plot swarm triangle.json -o swarm.svg
 has_status 0
+accepts beadswim-plot stroke whole.json
+check "the figure lacks a bond" grep -q '>d₃, rpy<' out
 
 # --- a dumbbell and a lone bead: runs compare without a phase shift
 jq '.types.triangle.beads |= .[:2] | .types.triangle.bonds |= .[:1] | .types.triangle.driving.bonds |= .[:1] | .swimmers |= .[:1]' triangle.json >dumbbell.json
@@ -93,6 +95,11 @@ for shape in dumbbell bead; do
     has_status 0
   done
 done
+accepts beadswim-plot stroke dumbbell.rec
+check "there is a phase shift of one bond" bash -c '! grep -qF "sin(δ" out'
+accepts beadswim-plot trajectories bead.h5md
+check "a sphere is not its own middle" grep -q '>Middle beads along x<' out
+refuses 'stroke: no swimmer has a bond, and so none has a stroke; draw its motion with beadswim-plot trajectories' beadswim-plot stroke bead.rec
 
 # --- the same triangles in the lattice: the same bits on any ranks and across a restart, and the rotation of a mobility model and more by inertia
 lattice=(--cells-per-radius 2 --relaxation-time 1 --progress none --no-provenance)
