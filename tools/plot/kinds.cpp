@@ -46,7 +46,7 @@ constexpr std::array kinds{
              {"beadswim-plot trajectories run.h5md -o trajectory.svg",
               "beadswim-plot trajectories run.h5md lbm.h5md --beads 1,2,3 -o trajectories.svg"}},
     PlotKind{"swarm",
-             "Draws all beads of a layout, or of one frame of a trajectory.",
+             "Draws all beads and bonds of a layout, or of one frame of a trajectory.",
              "Layout file (- is standard input), trajectory file (.h5md), or file of an unfinished run "
              "(.h5md.part).",
              add_swarm_flags,

@@ -89,6 +89,10 @@ std::vector<int> TrajectoryFile::swimmers() const {
   return ids;
 }
 
+const SwimmerType& TrajectoryFile::type(std::size_t swimmer) const {
+  return layout.types.at(layout.swimmers[in_layout[swimmer]].type);
+}
+
 void require_three_beads(const Layout& layout, const std::string& what, const std::string& source) {
   for (const auto& [name, type] : layout.types) {
     if (type.beads.size() == 3) continue;

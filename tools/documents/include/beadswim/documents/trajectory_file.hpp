@@ -17,6 +17,8 @@ struct TrajectoryFile {
 
   double period() const;              ///< driving period of the first swimmer [time]
   std::vector<int> swimmers() const;  ///< ids, in the order of the file
+  /// Returns the type of a swimmer, which is given by its index in the file.
+  const SwimmerType& type(std::size_t swimmer) const;
 };
 
 /// Throws InputError if a swimmer of the layout does not have three beads. `what`: what needs three beads,
