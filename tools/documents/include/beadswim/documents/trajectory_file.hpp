@@ -21,10 +21,6 @@ struct TrajectoryFile {
   const SwimmerType& type(std::size_t swimmer) const;
 };
 
-/// Throws InputError if a swimmer of the layout does not have three beads. `what`: what needs three beads,
-/// with a verb, for the message; `source`: name of the file.
-void require_three_beads(const Layout& layout, const std::string& what, const std::string& source);
-
 /// Opens a trajectory file and reads the layout that it contains. Throws InputError if the file is invalid;
 /// the message contains the path of the file and the place within it.
 TrajectoryFile open_trajectory(const std::string& path);
