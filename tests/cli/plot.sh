@@ -20,7 +20,7 @@ has_flags() { # KIND FLAG...   these alone, beside those of all kinds
   check "$1 has other flags" test "$(grep -oE '^  (-[a-z],)?--[a-z-]+' out | xargs)" = "$(echo -h,--help -o,--output "${@:2}")"
 }
 for kind in $kinds; do out_has "^  $kind$"; done
-has_flags stroke --method --cycle --against
+has_flags stroke --method --cycle --against --bonds
 has_flags velocity-against-period --method --cycle --relative-to --axes
 has_flags separation --method --cycle --relative-to --axes
 has_flags speed-against-error --method --cycle --reference

@@ -151,7 +151,7 @@ refuses '--frame: "lst": the frame must be "last" or a whole number' beadswim-pl
 refuses '--colours: unknown value "block"; did you mean "blocks"' beadswim-plot swarm cell.h5md --colours block
 refuses '--repeat: "2,2" has 2 values, but 3 are needed' beadswim-plot swarm cell.h5md --repeat 2,2
 refuses '--repeat: "0": the value must be a whole number from 1' beadswim-plot swarm cell.h5md --repeat 0,1,1
-refuses '--repeat: the copies have 1e\+06 swimmers, but at most 200000' beadswim-plot swarm cell.h5md --repeat 100,100,100
+refuses '--repeat: the copies have 5e\+06 beads and bonds, but at most 1000000 can be drawn' beadswim-plot swarm cell.h5md --repeat 100,100,100
 refuses '--block-swimmers: "1,3" has 2 values, but 1 or 3' beadswim-plot swarm cell.h5md --block-swimmers 1,3
 refuses '--repeat: the command "trajectories" does not have this flag' beadswim-plot trajectories cell.h5md --repeat 2,2,2
 refuses '--along: the command "swarm" does not have this flag' beadswim-plot swarm cell.h5md --along y

@@ -77,7 +77,7 @@ TEST(Note, LinesDoNotBreakInsideEquations) {
 
 TEST(Note, NotesOfASwarmAreInsideThePage) {
   SwarmPicture picture{.title = "Swarm", .box = {10, 200, 200}};
-  picture.swimmers.push_back({.beads = {Vec3(1, 1, 1), Vec3(3, 1, 1), Vec3(5, 1, 1)}, .radii = {1, 1, 1}});
+  picture.swimmers.push_back({.beads = {{{1, 1, 1}, 1}, {{3, 1, 1}, 1}, {{5, 1, 1}, 1}}});
   picture.notes = sixty_words();
   expect_notes_on_page(swarm_picture_to_svg(picture), 44);
 }

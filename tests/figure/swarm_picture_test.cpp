@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <regex>
 
 #include "beadswim/core/error.hpp"
@@ -15,7 +17,9 @@ using testing::HasSubstr;
 /// Returns a swimmer along x whose middle bead is at `middle`.
 PicturedSwimmer swimmer_at(const Vec3& middle, int colour) {
   const Vec3 arm(20, 0, 0);
-  return {.beads = {middle - arm, middle, middle + arm}, .radii = {4, 4, 4}, .colour = colour};
+  return {.beads = {{middle - arm, 4}, {middle, 4}, {middle + arm, 4}},
+          .bonds = {{0, 1}, {1, 2}},
+          .colour = colour};
 }
 
 SwarmPicture picture_of(std::vector<PicturedSwimmer> swimmers) {
@@ -116,7 +120,7 @@ double attribute(const std::string& element, const std::string& name) {
 // Behind a near bead a name could not be read; above its bead it says whose it is.
 TEST(SwarmPicture, NamesAreDrawnLastAndAboveTheirBeads) {
   SwarmPicture picture = picture_of({swimmer_at({60, 70, 30}, 0), swimmer_at({60, 10, 30}, 1)});
-  picture.marks = {{"A", picture.swimmers[0].beads[1], 4}};
+  picture.marks = {{"A", picture.swimmers[0].beads[1].centre, 4}};
   const std::string svg = swarm_picture_to_svg(picture);
   const std::string name = text_element(svg, "A");
   ASSERT_FALSE(name.empty());
@@ -129,7 +133,7 @@ TEST(SwarmPicture, NamesAreDrawnLastAndAboveTheirBeads) {
 // An arrow with a head at either end, no longer than the beads are apart, its label on the page.
 TEST(SwarmPicture, DistancesRunFromBeadToBead) {
   SwarmPicture picture = picture_of({swimmer_at({60, 10, 30}, 0), swimmer_at({60, 50, 30}, 1)});
-  const Vec3 from = picture.swimmers[0].beads[2], to = picture.swimmers[1].beads[2];
+  const Vec3 from = picture.swimmers[0].beads[2].centre, to = picture.swimmers[1].beads[2].centre;
   picture.distances = {{"C_y = 40", from, to, {0, 0, -12}}};
   const std::string svg = swarm_picture_to_svg(picture);
   EXPECT_THAT(svg, HasSubstr("<tspan dy=\"3.50\" font-size=\"9.00\" stroke=\"none\">y</tspan>"));
@@ -140,6 +144,51 @@ TEST(SwarmPicture, DistancesRunFromBeadToBead) {
   std::smatch size;
   ASSERT_TRUE(std::regex_search(svg, size, std::regex(R"re(width="([\d.]+)")re")));
   EXPECT_LT(attribute(label, " x") + 60, std::stod(size[1]));
+}
+
+/// Returns the ends x0, y0, x1, y1 of the bonds in the order in which the document draws them [px].
+std::vector<std::array<double, 4>> bonds(const std::string& svg) {
+  static const std::regex path(R"re(<path d="M([\d.]+) ([\d.]+)L([\d.]+) ([\d.]+)"/>)re");
+  std::vector<std::array<double, 4>> found;
+  for (std::sregex_iterator at(svg.begin(), svg.end(), path), end; at != end; ++at)
+    found.push_back({std::stod((*at)[1]), std::stod((*at)[2]), std::stod((*at)[3]), std::stod((*at)[4])});
+  return found;
+}
+
+// A picture of chains of three beads would have neither the third side of the triangle nor its fourth bead.
+TEST(SwarmPicture, BondsJoinTheBeadsThatTheyName) {
+  const PicturedSwimmer swimmer{
+      .beads = {{{20, 40, 50}, 2}, {{40, 40, 20}, 4}, {{80, 40, 20}, 6}, {{60, 40, 50}, 8}},
+      .bonds = {{1, 2}, {2, 3}, {3, 1}, {0, 1}}};
+  const std::string svg = swarm_picture_to_svg(picture_of({swimmer}));
+  std::vector<Disc> beads = discs(svg);
+  std::ranges::sort(beads, {}, &Disc::radius);
+  ASSERT_EQ(beads.size(), 4U);
+  const auto lines = bonds(svg);
+  ASSERT_EQ(lines.size(), 4U);
+  for (const auto& [first, second] : swimmer.bonds) {
+    const auto joins = [a = beads[first], b = beads[second]](const std::array<double, 4>& line) {
+      return std::hypot(line[0] - a.x, line[1] - a.y) < 1.1 * a.radius &&
+             std::hypot(line[2] - b.x, line[3] - b.y) < 1.1 * b.radius;
+    };
+    EXPECT_EQ(std::ranges::count_if(lines, joins), 1) << first << " " << second;
+  }
+}
+
+// The width of bonds must not follow from a sphere, which has none.
+TEST(SwarmPicture, SpheresAndSwimmersShareAPicture) {
+  const PicturedSwimmer sphere{.beads = {{{60, 40, 30}, 15}}, .colour = 3};
+  const std::string alone = swarm_picture_to_svg(picture_of({sphere}));
+  EXPECT_EQ(discs(alone).size(), 1U);
+  EXPECT_TRUE(bonds(alone).empty());
+  const PicturedSwimmer swimmer = swimmer_at({60, 10, 30}, 1);
+  const std::string mixture = swarm_picture_to_svg(picture_of({sphere, swimmer}));
+  EXPECT_EQ(discs(mixture).size(), 4U);
+  EXPECT_EQ(bonds(mixture).size(), 2U);
+  const auto style = [](const std::string& svg) {
+    return svg.substr(svg.find("<style>"), svg.find("</style>") - svg.find("<style>"));
+  };
+  EXPECT_EQ(style(mixture), style(swarm_picture_to_svg(picture_of({swimmer}))));
 }
 
 TEST(SwarmPicture, RefusesAnEmptySwarm) {

@@ -1,6 +1,7 @@
 // Tests pages of beadswim-view in headless Chromium: loading, playing, selecting swimmers, and the content of the picture.
 //   node page_test.mjs FOLDER MODULES CHROMIUM
-// FOLDER contains the pages alone.html, swarm.html, outside.html, ends.html and the run records alone.json, swarm.json, which run.sh makes.
+// FOLDER contains the pages alone.html, swarm.html, outside.html, shapes.html, ends.html and the run records alone.json, swarm.json,
+// shapes.json, which run.sh makes.
 // MODULES is a folder with playwright-core in node_modules.
 
 import assert from "node:assert/strict";
@@ -147,6 +148,41 @@ test("plots the stroke and the velocity of the record", async () => {
   close(arm2, lengthAtEnd(1), 0.01, "arm 2");
   const moved = record("alone.json").swimmers[0].cycles.reduce((sum, { speed_along_axis }) => sum + 300 * speed_along_axis, 0);
   close(along, moved, 2e-3, "displacement");
+  await page.close();
+});
+
+test("shows swimmers of any shape", async () => {
+  const { page, faults, message } = await opened("shapes.html"); // a triangle of 24 by 22 in blue, and a sphere of radius 8, 40 to its right
+  assert.equal(message, "");
+  await page.click('[data-view="y"]');
+  const seen = await picture(page), beads = patches(seen, (pixel) => blue(pixel) || orange(pixel));
+  assert.equal(beads.length, 4);
+  const [left, top, right, sphere] = beads, scale = (right.x - left.x) / 24;
+  close((left.y - top.y) / scale, 22, 0.03, "height of the triangle");
+  close((sphere.x - top.x) / scale, 40, 0.03, "distance of the sphere");
+  close(sphere.width / scale, 16, 0.05, "diameter of the sphere");
+  const isBond = ([r, g, b]) => Math.max(r, g, b) - Math.min(r, g, b) < 40 && r < 200;
+  const drawn = (a, b) => [0.4, 0.5, 0.6].every((part) => isBond(seen.at(Math.round(a.x + part * (b.x - a.x)), Math.round(a.y + part * (b.y - a.y)))));
+  for (const [a, b] of [[left, right], [right, top], [top, left]]) assert.ok(drawn(a, b), "a side of the triangle");
+  assert.ok(!drawn(right, sphere), "no bond to the sphere");
+
+  await page.locator("#canvas").click({ position: { x: sphere.x, y: sphere.y } });
+  assert.match(await page.textContent("#picked"), /^Swimmer 1,/);
+  const titles = async () => (await page.locator(".u-title").allTextContents()).map((title) => title.split(" (")[0]);
+  assert.deepEqual(await titles(), ["Displacement", "Velocity along the axis, by cycle"]);
+  assert.equal(patches(await picture(page), rim, 5).length, 1);
+  await page.locator("#canvas").click({ position: { x: top.x, y: top.y } });
+  assert.deepEqual(await titles(), ["Stroke: arm lengths", "Displacement", "Velocity along the axis, by cycle", "Arm amplitudes, by cycle"]);
+  assert.equal(patches(await picture(page), rim, 5).length, 3);
+  await page.locator("#time").fill("80"); // the end of the second cycle
+  const numbers = (await page.locator(".u-legend .u-value").allTextContents()).map(Number);
+  const amplitudes = record("shapes.json").swimmers[0].cycles[1].arm_amplitudes;
+  numbers.slice(-3).forEach((amplitude, n) => close(amplitude, amplitudes[n], 1e-3, `d${n + 1}`));
+
+  const disabled = (value) => page.locator(`#colours option[value=${value}]`).isDisabled();
+  assert.deepEqual([await disabled("phase"), await disabled("orientation")], [false, true]);
+  await page.selectOption("#colours", "phase");
+  assert.deepEqual(faults, []);
   await page.close();
 });
 

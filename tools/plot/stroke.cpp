@@ -1,7 +1,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "abscissa.hpp"
 #include "beadswim/core/error.hpp"
@@ -24,23 +27,70 @@ struct StrokeNumber {
   std::string symbol;
   int colour;
 
+  /// Returns the number; NaN, which is not drawn, if the swimmer has too few bonds.
   double in(const ComparedValues& swimming) const {
     const auto numbers = swimming.find(quantity);
-    if (numbers != swimming.end() && position < numbers->second.size()) return numbers->second[position];
-    throw InputError("stroke",
-                     "a swimmer has fewer than two bonds, but this figure shows the strokes of two arms; "
-                     "leave its file out");
+    if (numbers == swimming.end() || position >= numbers->second.size()) return NAN;
+    return numbers->second[position];
   }
   std::string label(const std::string& source) const { return fmt::format("{}, {}", symbol, source); }
 };
 
 using StrokeNumbers = std::vector<StrokeNumber>;
 
-const StrokeNumbers amplitudes{
-    {.quantity = ComparedQuantity::arm_amplitudes, .position = 0, .symbol = "d₁", .colour = 0},
-    {.quantity = ComparedQuantity::arm_amplitudes, .position = 1, .symbol = "d₂", .colour = 1}};
 const StrokeNumbers phase_shift{
     {.quantity = ComparedQuantity::sin_phase_shift, .position = 0, .symbol = "sin(δ₁ − δ₂)", .colour = 2}};
+
+/// Returns the largest number of bonds of a swimmer. Throws InputError if no swimmer has a bond.
+std::size_t max_bonds(const std::vector<ComparedValues>& strokes) {
+  std::size_t bonds = 0;
+  for (const ComparedValues& stroke : strokes)
+    bonds = std::max(bonds, stroke.at(ComparedQuantity::arm_amplitudes).size());
+  if (bonds > 0) return bonds;
+  throw InputError("stroke",
+                   "no swimmer has a bond, and so none has a stroke; draw its motion with beadswim-plot "
+                   "trajectories");
+}
+
+/// Returns velocity and stroke of all predictions.
+std::vector<ComparedValues> predicted_strokes(const PlotInputs& inputs) {
+  std::vector<ComparedValues> strokes;
+  for (const PlottedPrediction& plotted : inputs.predictions)
+    strokes.push_back(swimming_of(plotted.prediction));
+  return strokes;
+}
+
+/// Returns a whole number in subscript digits.
+std::string subscript(int number) {
+  constexpr std::array digits{"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+  std::string text;
+  for (const char digit : std::to_string(number)) text += digits[static_cast<std::size_t>(digit - '0')];
+  return text;
+}
+
+/// Returns the arm amplitudes of the bonds in `wanted` (numbers from 1), or, if it is empty, of all bonds.
+StrokeNumbers amplitudes_of(std::vector<int> wanted, std::size_t bonds) {
+  constexpr std::size_t max_drawn = 7;  // colours that readers can distinguish
+  if (wanted.empty()) {
+    wanted.resize(bonds);
+    std::iota(wanted.begin(), wanted.end(), 1);
+  }
+  if (wanted.size() > max_drawn)
+    throw InputError("--bonds", fmt::format("the figure would show {} bonds, but at most {} can be "
+                                            "distinguished; name fewer bonds, for example --bonds 1,2",
+                                            wanted.size(), max_drawn));
+  StrokeNumbers amplitudes;
+  for (const int bond : wanted) {
+    if (bond > static_cast<int>(bonds))
+      throw InputError("--bonds", fmt::format("no swimmer has a bond {}; the swimmers have the bonds 1 to {}",
+                                              bond, bonds));
+    amplitudes.push_back({.quantity = ComparedQuantity::arm_amplitudes,
+                          .position = static_cast<std::size_t>(bond - 1),
+                          .symbol = "d" + subscript(bond),
+                          .colour = static_cast<int>(amplitudes.size())});
+  }
+  return amplitudes;
+}
 
 AxisLabel amplitude_label(const PlotInputs& inputs) {
   return {"arm amplitude", length_unit(inputs.units)};
@@ -84,9 +134,9 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
 
 /// Returns the panel with the cycle on the horizontal axis. Predictions are horizontal lines that extend
 /// beyond the first and the last cycle.
-Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label) {
+Panel panel_by_cycle(const PlotInputs& inputs, const StrokeNumbers& numbers, const AxisLabel& y_label,
+                     const CycleRange& cycles) {
   constexpr double overhang = 0.4;  // [cycles]
-  const CycleRange cycles = cycles_of(inputs);
   Panel panel{.x_label = {"cycle"}, .y_label = y_label, .x_ticks = TickKind::integers};
   for (const StrokeNumber& number : numbers) {
     std::vector<PointGroup> runs;
@@ -146,22 +196,56 @@ Note cycles_note(const PlotInputs& inputs) {
               "with its prediction."};
 }
 
-Figure stroke_by_cycle(const PlotInputs& inputs) {
+/// Removes the legend entries of swimmers that lack the bonds of the panel.
+void hide_empty_series(Panel& panel) {
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  for (Series& series : panel.series)
+    if (std::ranges::none_of(series.y, is_finite)) series.label.clear();
+}
+
+/// Returns the panels of the figure: arm amplitudes, and the phase shift if a swimmer has two bonds.
+///   shown    numbers from 1 of the bonds to draw; empty: all
+///   strokes  all strokes of the figure
+///   draw     draw(numbers, y_label) returns the panel of these numbers
+std::vector<Panel> stroke_panels(const PlotInputs& inputs, const std::vector<int>& shown,
+                                 const std::vector<ComparedValues>& strokes, auto&& draw) {
+  const std::size_t bonds = max_bonds(strokes);
+  std::vector<Panel> panels{draw(amplitudes_of(shown, bonds), amplitude_label(inputs))};
+  if (bonds > 1) panels.push_back(draw(phase_shift, phase_shift_label));
+  std::ranges::for_each(panels, hide_empty_series);
+  return panels;
+}
+
+Figure stroke_by_cycle(const PlotInputs& inputs, const std::vector<int>& shown) {
+  const CycleRange range = cycles_of(inputs);
+  std::vector<ComparedValues> strokes = predicted_strokes(inputs);
+  for (const PlottedRun& run : inputs.runs)
+    for (const SwimmerRecord& swimmer : run.record.swimmers)
+      for (const CycleStatistics& cycle : swimmer.cycles)
+        strokes.push_back(evaluate_compared_values(cycle, run.record.domain));
+  const auto panel = [&](const StrokeNumbers& numbers, const AxisLabel& y_label) {
+    return panel_by_cycle(inputs, numbers, y_label, range);
+  };
   return {.title = "Stroke by cycle",
-          .panels = {panel_by_cycle(inputs, amplitudes, amplitude_label(inputs)),
-                     panel_by_cycle(inputs, phase_shift, phase_shift_label)},
+          .panels = stroke_panels(inputs, shown, strokes, panel),
           .notes = {cycles_note(inputs), run_note(inputs, std::nullopt)}};
 }
 
-Figure stroke_against(const PlotInputs& inputs, Abscissa abscissa, const CycleChoice& cycle) {
-  const Sweep sweep{abscissa, cycle};
+Figure stroke_against(const PlotInputs& inputs, const std::vector<int>& shown, const Sweep& sweep) {
+  const Abscissa abscissa = sweep.abscissa;
+  std::vector<ComparedValues> strokes = predicted_strokes(inputs);
+  for (const PlottedRun& run : inputs.runs)
+    for (const SwimmerRecord& swimmer : run.record.swimmers)
+      strokes.push_back(swimming_of(run.record, swimmer, sweep.cycle, run.source));
   const std::vector<RunGroup> groups = runs_by_setting(inputs);
   std::vector<Note> notes{reading_note(inputs)};
   std::ranges::move(prediction_notes(inputs, abscissa), std::back_inserter(notes));
   notes.push_back(run_note(inputs, abscissa));
+  const auto panel = [&](const StrokeNumbers& numbers, const AxisLabel& y_label) {
+    return panel_in_sweep(inputs, groups, numbers, y_label, sweep);
+  };
   return {.title = "Stroke against " + axis_label(abscissa, inputs.units).quantity,
-          .panels = {panel_in_sweep(inputs, groups, amplitudes, amplitude_label(inputs), sweep),
-                     panel_in_sweep(inputs, groups, phase_shift, phase_shift_label, sweep)},
+          .panels = stroke_panels(inputs, shown, strokes, panel),
           .notes = notes};
 }
 
@@ -172,6 +256,7 @@ Drawing add_stroke_flags(CLI::App& command) {
     std::vector<std::string> methods;
     std::string cycle = "last";
     std::optional<Abscissa> against;
+    std::vector<int> bonds;  ///< numbers from 1; empty: all bonds
   };
   const auto flags = std::make_shared<Flags>();
   add_methods(command, flags->methods);
@@ -184,11 +269,18 @@ Drawing add_stroke_flags(CLI::App& command) {
              if (word != "cycle")
                flags->against = word == "phase" ? Abscissa::phase : Abscissa::amplitude_ratio;
            });
+  command
+      .add_option_function<std::string>(
+          "--bonds", [flags](const std::string& text) { flags->bonds = parse_whole_numbers(text); },
+          "Numbers of the bonds whose arm amplitudes are drawn, from 1")
+      ->type_name("N,...")
+      ->check(number_list({}, whole_positive()))
+      ->default_str("all");
   return [flags](const PlotFiles& files) {
     const CycleChoice cycle = parse_cycle_choice(flags->cycle);
     const PlotInputs inputs = read_plot_inputs(files.inputs, {flags->methods});
-    return figure_to_svg(flags->against ? stroke_against(inputs, *flags->against, cycle)
-                                        : stroke_by_cycle(inputs));
+    return figure_to_svg(flags->against ? stroke_against(inputs, flags->bonds, {*flags->against, cycle})
+                                        : stroke_by_cycle(inputs, flags->bonds));
   };
 }
 

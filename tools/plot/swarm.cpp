@@ -40,7 +40,7 @@ struct SwarmFlags {
 
 using Triple = std::array<int, 3>;  // numbers along x, y, z
 
-constexpr std::size_t max_swimmers = 200000;  // keeps the SVG file below about 50 MB
+constexpr std::size_t max_elements = 1000000;  // beads and bonds; keeps the SVG file below about 50 MB
 
 void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
   for (int a = 0; a < 3; ++a) {
@@ -49,12 +49,13 @@ void require_repeatable(const SwarmScene& scene, const Triple& repeat) {
                                              "not periodic along this axis; give 1 for this axis",
                                              repeat[a], "xyz"[a], scene.source));
   }
-  const double swimmers = static_cast<double>(scene.swimmers.size()) * repeat[0] * repeat[1] * repeat[2];
-  if (swimmers > static_cast<double>(max_swimmers)) {
-    throw InputError(
-        "--repeat",
-        fmt::format("the copies have {:g} swimmers, but at most {} can be drawn; give fewer copies", swimmers,
-                    max_swimmers));
+  std::size_t in_box = 0;
+  for (const PicturedSwimmer& swimmer : scene.swimmers) in_box += swimmer.beads.size() + swimmer.bonds.size();
+  const double elements = static_cast<double>(in_box) * repeat[0] * repeat[1] * repeat[2];
+  if (elements > static_cast<double>(max_elements)) {
+    throw InputError("--repeat", fmt::format("the copies have {:g} beads and bonds, but at most {} can be "
+                                             "drawn; give fewer copies",
+                                             elements, max_elements));
   }
 }
 
@@ -107,7 +108,7 @@ std::vector<PicturedSwimmer> copies_of(const Cell& cell, const SwarmFlags& optio
     const Vec3 shift = Vec3(copy[0], copy[1], copy[2]).cwiseProduct(cell.scene.box);
     for (std::size_t s = 0; s < cell.scene.swimmers.size(); ++s) {
       PicturedSwimmer swimmer = cell.scene.swimmers[s];
-      for (Vec3& bead : swimmer.beads) bead += shift;
+      for (PicturedBead& bead : swimmer.beads) bead.centre += shift;
       swimmer.layer = layer_in_copy(cell, s, copy);
       swimmer.colour = colour_of(cell, s, copy, swimmer.layer, options);
       drawn.push_back(swimmer);
@@ -131,8 +132,9 @@ std::vector<PictureMark> marks(const Cell& cell, const std::vector<SwimmerMark>&
   for (const SwimmerMark& mark : wanted) {
     const auto found = std::ranges::find(ids, mark.id);
     if (found == ids.end()) throw_unknown_swimmer("--mark", mark.id, ids, cell.scene.source);
-    const PicturedSwimmer& swimmer = cell.scene.swimmers[static_cast<std::size_t>(found - ids.begin())];
-    marks.push_back({.name = mark.name, .bead = swimmer.beads[1], .radius = swimmer.radii[1]});
+    const PicturedBead& bead =
+        cell.scene.swimmers[static_cast<std::size_t>(found - ids.begin())].middle_bead();
+    marks.push_back({.name = mark.name, .bead = bead.centre, .radius = bead.radius});
   }
   return marks;
 }
@@ -167,10 +169,11 @@ std::string summarise_types(const Layout& layout) {
     periods.push_back(type.driving.period);
   }
   const std::size_t types = layout.types.size();
-  const std::string text =
-      fmt::format("{} type{}: λ = {}, l = {}, k = {}{}, T = {}", types, types == 1 ? "" : "s",
-                  range_text(radii, 4), range_text(lengths, 4), range_text(stiffnesses, 4),
-                  amplitudes.empty() ? "" : ", A, B = " + range_text(amplitudes, 4), range_text(periods, 6));
+  std::string text = fmt::format("{} type{}: λ = {}", types, types == 1 ? "" : "s", range_text(radii, 4));
+  if (!lengths.empty())
+    text += fmt::format(", l = {}, k = {}", range_text(lengths, 4), range_text(stiffnesses, 4));
+  if (!amplitudes.empty()) text += ", A, B = " + range_text(amplitudes, 4);
+  text += ", T = " + range_text(periods, 6);
   const auto own =
       std::ranges::count_if(layout.swimmers, [](const Swimmer& s) { return s.driving.has_value(); });
   return own == 0 ? text : text + fmt::format("; {} driven otherwise", own);

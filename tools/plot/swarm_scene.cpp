@@ -31,8 +31,13 @@ std::size_t select_frame(const TrajectoryFile& file, std::optional<std::size_t> 
                                           file.source, last));
 }
 
+std::vector<std::array<int, 2>> bonds_of(const SwimmerType& type) {
+  std::vector<std::array<int, 2>> bonds;
+  for (const Bond& bond : type.bonds) bonds.push_back(bond.beads);
+  return bonds;
+}
+
 SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wanted) {
-  require_three_beads(file.layout, "beadswim-plot swarm draws", file.source);
   const TrajectoryHeader& header = file.reader.header();
   const TrajectoryFrame frame = file.reader.frame(select_frame(file, wanted));
   SwarmScene scene{.source = file.source,
@@ -41,13 +46,13 @@ SwarmScene scene_of(const TrajectoryFile& file, std::optional<std::size_t> wante
                    .layout = file.layout,
                    .in_layout = file.in_layout,
                    .swimmers = {}};
-  for (std::size_t bead = 0; bead < frame.positions.size(); bead += 3) {
-    PicturedSwimmer swimmer;
-    for (std::size_t b = 0; b < 3; ++b) {
-      swimmer.beads[b] = frame.positions[bead + b];
-      swimmer.radii[b] = header.radius[bead + b];
-    }
-    scene.swimmers.push_back(swimmer);
+  const std::vector<std::size_t> first = header.first_beads();
+  for (std::size_t s = 0; s < first.size(); ++s) {
+    const SwimmerType& type = file.type(s);
+    PicturedSwimmer swimmer{.beads = {}, .bonds = bonds_of(type)};
+    for (std::size_t b = first[s]; b < first[s] + type.beads.size(); ++b)
+      swimmer.beads.push_back({.centre = frame.positions[b], .radius = header.radius[b]});
+    scene.swimmers.push_back(std::move(swimmer));
   }
   return scene;
 }
@@ -59,17 +64,14 @@ SwarmScene scene_of(Layout layout, const std::string& source) {
                    .layout = std::move(layout),
                    .in_layout = {},
                    .swimmers = {}};
-  require_three_beads(scene.layout, "beadswim-plot swarm draws", source);
   for (const Swimmer& swimmer : scene.layout.swimmers) {
     const SwimmerType& type = scene.layout.types.at(swimmer.type);
     scene.in_layout.push_back(scene.in_layout.size());
     const std::vector<Vec3> places = rest_positions(type, swimmer.position, swimmer.orientation());
-    PicturedSwimmer pictured;
-    for (std::size_t b = 0; b < 3; ++b) {
-      pictured.beads[b] = places[b];
-      pictured.radii[b] = type.beads[b].radius;
-    }
-    scene.swimmers.push_back(pictured);
+    PicturedSwimmer pictured{.beads = {}, .bonds = bonds_of(type)};
+    for (std::size_t b = 0; b < places.size(); ++b)
+      pictured.beads.push_back({.centre = places[b], .radius = type.beads[b].radius});
+    scene.swimmers.push_back(std::move(pictured));
   }
   return scene;
 }

@@ -31,6 +31,16 @@ const Swimmer& find_swimmer(const Layout& layout, std::optional<int> id, const s
   throw_unknown_swimmer("--swimmers", *id, ids, source);
 }
 
+/// Returns the parameters of a swimmer. Throws InputError if it is not the paper's swimmer.
+ThreeBeadSwimmer paper_swimmer(const Layout& layout, const Swimmer& swimmer, const std::string& source) {
+  if (const auto three = three_bead_form(layout.resolved_type(swimmer))) return *three;
+  throw InputError(
+      source, fmt::format("swimmer {} is not the paper's (three beads in a line, two springs, two driving "
+                          "forces), the only one that has a sketch; draw its beads and bonds with "
+                          "beadswim-plot swarm",
+                          swimmer.id));
+}
+
 /// Returns one label for each value: "λ = 4" if all values are equal, otherwise "λ₁ = 4" with the number of
 /// the bead or arm. `unit`: text after the value.
 template <std::size_t Count>
@@ -81,7 +91,7 @@ SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optiona
         fmt::format("{} files are given; a swimmer is drawn from one layout; give one file", files.size()));
   const Layout layout = read_layout(files.front()).layout;
   const Swimmer& swimmer = find_swimmer(layout, id, source_name(files.front()));
-  const ThreeBeadSwimmer type = three_beads(layout.resolved_type(swimmer));
+  const ThreeBeadSwimmer type = paper_swimmer(layout, swimmer, source_name(files.front()));
   const Units& units = layout.units;
   const std::string length = units.lattice ? "" : " " + units.length.name;
   const std::string friction = units.lattice ? "" : fmt::format(" {}/{}", units.mass.name, units.time.name);

@@ -2,9 +2,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <set>
 
 #include "beadswim/core/error.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 struct TrajectoryFlags {
   std::vector<int> swimmers;  ///< ids; empty: all swimmers
-  std::vector<int> beads{2};  ///< numbers from 1
+  std::vector<int> beads;     ///< numbers from 1; empty: the middle bead of each swimmer
   int axis = 0;               ///< coordinate that is drawn: 0, 1, 2 for x, y, z
 };
 
@@ -44,27 +44,41 @@ std::vector<int> selected_swimmers(const TrajectoryFile& file, const TrajectoryF
   return options.swimmers.empty() ? file.swimmers() : options.swimmers;
 }
 
-/// Returns the index of a bead of a swimmer in the trajectory. Throws InputError if the trajectory has no
-/// such swimmer, or if the swimmer has fewer beads.
-std::size_t bead_index(const TrajectoryFile& file, int swimmer, int bead) {
-  const std::vector<int>& of_bead = file.reader.header().swimmer;
-  const auto found = std::ranges::find(of_bead, swimmer);
-  if (found == of_bead.end()) throw_unknown_swimmer("--swimmers", swimmer, file.swimmers(), file.source);
-  const auto index = found - of_bead.begin() + bead - 1;
-  if (index >= std::ssize(of_bead) || of_bead[index] != swimmer)
-    throw InputError(
-        "--beads", fmt::format("swimmer {} in {} has no bead {}; its beads have the numbers 1 to {}", swimmer,
-                               file.source, bead, std::ranges::count(of_bead, swimmer)));
-  return static_cast<std::size_t>(index);
+/// Returns the number of the middle one of `beads` beads.
+int middle_bead(int beads) {
+  return beads / 2 + 1;
 }
 
-/// Returns the label of a curve, such as "run, swimmer 0, bead 2". Omits the file or the bead if all curves
-/// have the same.
-std::string curve_label(const TrajectoryFile& file, bool several_files, int swimmer, int bead,
-                        bool several_beads) {
+/// Returns the indices of the selected beads of a swimmer in the trajectory. Throws InputError if the
+/// trajectory has no such swimmer, or if the swimmer has fewer beads.
+std::vector<std::size_t> bead_indices(const TrajectoryFile& file, int swimmer, std::vector<int> selected) {
+  const std::vector<int>& of_bead = file.reader.header().swimmer;
+  const auto first = std::ranges::find(of_bead, swimmer);
+  if (first == of_bead.end()) throw_unknown_swimmer("--swimmers", swimmer, file.swimmers(), file.source);
+  const auto beads = static_cast<int>(std::ranges::count(of_bead, swimmer));
+  if (selected.empty()) selected = {middle_bead(beads)};
+  std::vector<std::size_t> indices;
+  for (const int bead : selected) {
+    if (bead > beads)
+      throw InputError("--beads",
+                       fmt::format("swimmer {} in {} has no bead {}; its beads have the numbers 1 to {}",
+                                   swimmer, file.source, bead, beads));
+    indices.push_back(static_cast<std::size_t>(first - of_bead.begin() + bead - 1));
+  }
+  return indices;
+}
+
+int beads_per_swimmer(const TrajectoryFlags& flags) {
+  return flags.beads.empty() ? 1 : static_cast<int>(flags.beads.size());
+}
+
+/// Returns the label of a curve, such as "run, swimmer 0, bead 2". Omits the file if there is only one.
+/// `bead`: nullopt to omit the bead.
+std::string curve_label(const TrajectoryFile& file, bool several_files, int swimmer,
+                        std::optional<int> bead) {
   std::string label = fmt::format("swimmer {}", swimmer);
   if (several_files) label = std::filesystem::path(file.source).stem().string() + ", " + label;
-  if (several_beads) label += fmt::format(", bead {}", bead);
+  if (bead) label += fmt::format(", bead {}", *bead);
   return label;
 }
 
@@ -73,10 +87,10 @@ std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, co
   std::vector<std::size_t> beads;  // indices in the trajectory
   std::vector<Series> curves;
   for (const int swimmer : selected_swimmers(file, flags)) {
-    for (const int bead : flags.beads) {
-      beads.push_back(bead_index(file, swimmer, bead));
-      curves.push_back({curve_label(file, several_files, swimmer, bead, flags.beads.size() > 1)});
-    }
+    std::ranges::copy(bead_indices(file, swimmer, flags.beads), std::back_inserter(beads));
+    for (int i = 0; i < beads_per_swimmer(flags); ++i)
+      curves.push_back({curve_label(file, several_files, swimmer,
+                                    flags.beads.size() > 1 ? std::optional(flags.beads[i]) : std::nullopt)});
   }
   for (std::size_t n = 0; n < file.reader.frames(); ++n) {
     const TrajectoryFrame frame = file.reader.frame(n);
@@ -118,12 +132,22 @@ Note scenes_note(const std::vector<TrajectoryFile>& files) {
                               range_text(cycles, 4))};
 }
 
-std::string title_of(const TrajectoryFlags& options) {
-  constexpr std::array names{"First", "Middle", "Last"};
-  const std::string which = options.beads.size() > 1 ? "Beads"
-                            : options.beads[0] <= std::ssize(names)
-                                ? fmt::format("{} beads", names[options.beads[0] - 1])
-                                : fmt::format("Beads {}", options.beads[0]);
+/// Returns the place of a bead among the beads of its swimmer, or its number if it has no name.
+std::string bead_name(int bead, int beads) {
+  if (bead == 1) return "First beads";
+  if (bead == beads) return "Last beads";
+  return bead == middle_bead(beads) ? "Middle beads" : fmt::format("Beads {}", bead);
+}
+
+std::string title_of(const std::vector<TrajectoryFile>& files, const TrajectoryFlags& options) {
+  std::set<std::string> names;
+  for (const TrajectoryFile& file : files)
+    for (const auto& [name, type] : file.layout.types)
+      for (const int bead : options.beads) names.insert(bead_name(bead, static_cast<int>(type.beads.size())));
+  const std::string which = options.beads.empty()      ? "Middle beads"
+                            : options.beads.size() > 1 ? "Beads"
+                            : names.size() > 1         ? fmt::format("Beads {}", options.beads[0])
+                                                       : *names.begin();
   return fmt::format("{} along {}", which, "xyz"[options.axis]);
 }
 
@@ -131,13 +155,13 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
   const std::vector<TrajectoryFile> files = open_all(paths);
   std::size_t swimmers = 0;
   for (const TrajectoryFile& file : files) swimmers += selected_swimmers(file, options).size();
-  require_few(swimmers * options.beads.size());
+  require_few(swimmers * static_cast<std::size_t>(beads_per_swimmer(options)));
   Panel panel{.x_label = {"time", "cycles of the driving"},
               .y_label = {std::string(1, "xyz"[options.axis]), length_unit(files.front().layout.units)}};
   for (const TrajectoryFile& file : files)
     std::ranges::move(curves_of(file, files.size() > 1, options), std::back_inserter(panel.series));
-  style_bead_curves(static_cast<int>(options.beads.size()), panel.series);
-  return {.title = title_of(options),
+  style_bead_curves(beads_per_swimmer(options), panel.series);
+  return {.title = title_of(files, options),
           .panels = {std::move(panel)},
           .notes = {{.text = "Coordinates are not wrapped into the box. The mean slope over a cycle is the "
                              "velocity, mean flow included."},
@@ -152,10 +176,10 @@ Drawing add_trajectory_flags(CLI::App& command) {
   command
       .add_option_function<std::string>(
           "--beads", [options](const std::string& text) { options->beads = parse_whole_numbers(text); },
-          "Beads of each swimmer to draw, 1 to 3 along the axis of a three-bead swimmer")
-      ->type_name("1|2|3,...")
+          "Numbers of the beads of each swimmer to draw, from 1")
+      ->type_name("N,...")
       ->check(number_list({}, whole_number(1, max_beads)))
-      ->default_str("2");
+      ->default_str("the middle bead");
   add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });
   return

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
+#include <limits>
+#include <map>
 
 #include "beadswim/compare/swimming.hpp"
 #include "beadswim/io/base64.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/scene/layers.hpp"
 #include "beadswim/scene/units.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 #include "quantised.hpp"
 
 namespace beadswim {
@@ -43,6 +45,29 @@ std::string replace_invalid_utf8(const std::string& name) {
   return Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
 }
 
+/// Returns the indices of the beads at the two ends of a swimmer whose beads are in line at rest; null for
+/// other shapes. The axis of the swimmer is along this line.
+Json ends_of_line(const SwimmerType& type) {
+  if (type.beads.size() < 2 || !is_straight(type)) return nullptr;
+  const auto x = [](const BeadAtRest& bead) { return bead.at.x(); };
+  const auto [first, last] = std::ranges::minmax_element(type.beads, {}, x);
+  return {first - type.beads.begin(), last - type.beads.begin()};
+}
+
+Json shape_to_json(const SwimmerType& type) {
+  Json bonds = Json::array(), angles = Json::array();
+  for (const Bond& bond : type.bonds) bonds.push_back(bond.beads);
+  for (const Angle& angle : type.angles) angles.push_back(angle.beads);
+  return {{"beads", type.beads.size()}, {"bonds", bonds}, {"angles", angles}, {"line", ends_of_line(type)}};
+}
+
+/// Returns the number of bonds of all swimmers.
+std::size_t count_bonds(const TrajectoryFile& file) {
+  std::size_t bonds = 0;
+  for (std::size_t s = 0; s < file.in_layout.size(); ++s) bonds += file.type(s).bonds.size();
+  return bonds;
+}
+
 /// Returns the content of the HTML element "scene": data about file, box, swimmers, frames and cycles.
 Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
                    const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
@@ -61,29 +86,54 @@ Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& f
     scene["box"] = std::vector<double>(box->lengths.begin(), box->lengths.end());
     scene["periodic"] = {box->is_periodic(0), box->is_periodic(1), box->is_periodic(2)};
   }
-  Json ids = Json::array(), blocks = Json::array(), times = Json::array(), cycle_times = Json::array();
+  Json shapes = Json::array();
+  std::map<std::string, std::size_t> shape_of;
+  for (const auto& [name, type] : layout.types) {
+    shape_of[name] = shapes.size();
+    shapes.push_back(shape_to_json(type));
+  }
+  Json ids = Json::array(), shape = Json::array(), blocks = Json::array(), times = Json::array(),
+       cycle_times = Json::array();
   for (const std::size_t index : file.in_layout) {
-    const int id = layout.swimmers[index].id;
-    ids.push_back(id);
-    blocks.push_back(block_number(id, layers[index], options.block_swimmers));
+    const Swimmer& swimmer = layout.swimmers[index];
+    ids.push_back(swimmer.id);
+    shape.push_back(shape_of.at(swimmer.type));
+    blocks.push_back(block_number(swimmer.id, layers[index], options.block_swimmers));
   }
   const std::vector<double> all_times = file.reader.times();
   for (const std::size_t frame : frames) times.push_back(all_times[frame] / period);
   for (const TrajectoryCycle& cycle : cycles) cycle_times.push_back(cycle.time / period);
-  scene.update(Json{{"ids", ids}, {"blocks", blocks}, {"times", times}, {"cycle_times", cycle_times}});
+  scene.update(Json{{"shapes", shapes},
+                    {"ids", ids},
+                    {"shape", shape},
+                    {"blocks", blocks},
+                    {"times", times},
+                    {"cycle_times", cycle_times}});
   return scene;
+}
+
+/// Returns the index of the swimmer of each bead.
+std::vector<std::size_t> swimmers_of_beads(const TrajectoryHeader& header) {
+  std::vector<std::size_t> swimmers;
+  std::size_t begun = 0;
+  for (const int bead : header.bead) {
+    if (bead == 1) ++begun;
+    swimmers.push_back(begun - 1);
+  }
+  return swimmers;
 }
 
 /// Returns for each swimmer the step with which displacements are stored as integers [length]. With this
 /// step, the largest displacement of its beads since the first frame, along any axis, fits into 16 bits.
 std::vector<float> swimmer_steps(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
                                  const TrajectoryFrame& first) {
-  std::vector<double> largest(first.positions.size() / 3, 0);
+  const std::vector<std::size_t> swimmer = swimmers_of_beads(file.reader.header());
+  std::vector<double> largest(file.reader.header().swimmers(), 0);
   for (const std::size_t index : frames) {
     const TrajectoryFrame frame = file.reader.frame(index);
     for (std::size_t b = 0; b < first.positions.size(); ++b) {
       const double displacement = (frame.positions[b] - first.positions[b]).cwiseAbs().maxCoeff();
-      largest[b / 3] = std::max(largest[b / 3], displacement);
+      largest[swimmer[b]] = std::max(largest[swimmer[b]], displacement);
     }
   }
   std::vector<float> steps;
@@ -91,54 +141,49 @@ std::vector<float> swimmer_steps(const TrajectoryFile& file, const std::vector<s
   return steps;
 }
 
-/// Returns the displacements of all beads since the first frame, as integer multiples of the steps of their
-/// swimmers.
+/// Returns the displacements of all beads since the first frame, as integer multiples of their steps.
+/// `steps`: one per bead [length].
 std::vector<std::int16_t> quantised_displacements(const TrajectoryFrame& frame, const TrajectoryFrame& first,
                                                   const std::vector<float>& steps) {
   std::vector<std::int16_t> flat;
   flat.reserve(3 * frame.positions.size());
   for (std::size_t b = 0; b < frame.positions.size(); ++b) {
     const Vec3 displacement = frame.positions[b] - first.positions[b];
-    for (int a = 0; a < 3; ++a) flat.push_back(round_to_steps(displacement[a], steps[b / 3]));
+    for (int a = 0; a < 3; ++a) flat.push_back(round_to_steps(displacement[a], steps[b]));
   }
   return flat;
 }
 
-/// Function that returns one quantity of a swimmer in one cycle; NaN if the swimmer has not completed a cycle
-/// yet.
-using CycleQuantity = std::function<double(const CycleStatistics&)>;
+/// Table of a cycle quantity with one row per cycle. A swimmer that has not completed a cycle has NaN.
+struct CycleTable {
+  std::size_t columns = 0;  ///< swimmers, or bonds of all swimmers
+  std::vector<double> rows{};
+};
 
-std::string cycle_elements(const std::string& name, const std::vector<CycleStatistics>& cycles,
-                           std::size_t swimmers, const CycleQuantity& number) {
-  std::vector<double> rows;
-  std::ranges::transform(cycles, std::back_inserter(rows), number);
-  const QuantisedTable table = quantised(rows, swimmers);
-  return data_element("cycle-" + name + "-step", table.steps) + data_element("cycle-" + name, table.values);
+std::string cycle_elements(const std::string& name, const CycleTable& table) {
+  const QuantisedTable stored = quantised(table.rows, table.columns);
+  return data_element("cycle-" + name + "-step", stored.steps) + data_element("cycle-" + name, stored.values);
 }
 
-/// Returns the number of an arm; NaN if a file has none.
-double number_of_arm(const std::vector<double>& numbers, std::size_t arm) {
-  return arm < numbers.size() ? numbers[arm] : std::numeric_limits<double>::quiet_NaN();
+/// Appends one number per bond of a swimmer to a row of a table.
+void append_bonds(const std::vector<double>& numbers, std::size_t bonds, std::vector<double>& row) {
+  for (std::size_t bond = 0; bond < bonds; ++bond)
+    row.push_back(bond < numbers.size() ? numbers[bond] : std::numeric_limits<double>::quiet_NaN());
 }
 
-std::string all_cycle_elements(const std::vector<TrajectoryCycle>& rows, const Layout& layout) {
-  const std::size_t swimmers = layout.swimmers.size();
-  std::vector<CycleStatistics> cycles;
-  for (const TrajectoryCycle& row : rows)
-    std::ranges::copy(records_of<CycleStatistics>(row.columns, swimmers), std::back_inserter(cycles));
-  std::string text = cycle_elements("velocity", cycles, swimmers, [&](const CycleStatistics& cycle) {
-    return velocity_relative_to_fluid(cycle, layout.domain);
-  });
-  for (const std::size_t arm : {0, 1}) {
-    const std::string n = std::to_string(arm + 1);
-    text += cycle_elements("arm" + n, cycles, swimmers, [=](const CycleStatistics& cycle) {
-      return number_of_arm(cycle.arm_amplitudes, arm);
-    });
-    text += cycle_elements("phase" + n, cycles, swimmers, [=](const CycleStatistics& cycle) {
-      return number_of_arm(cycle.arm_phases, arm);
-    });
+std::string all_cycle_elements(const std::vector<TrajectoryCycle>& cycles, const TrajectoryFile& file) {
+  const std::size_t swimmers = file.in_layout.size(), bonds = count_bonds(file);
+  CycleTable velocity{swimmers}, amplitudes{bonds}, phases{bonds};
+  for (const TrajectoryCycle& cycle : cycles) {
+    const auto records = records_of<CycleStatistics>(cycle.columns, swimmers);
+    for (std::size_t s = 0; s < swimmers; ++s) {
+      velocity.rows.push_back(velocity_relative_to_fluid(records[s], file.layout.domain));
+      append_bonds(records[s].arm_amplitudes, file.type(s).bonds.size(), amplitudes.rows);
+      append_bonds(records[s].arm_phases, file.type(s).bonds.size(), phases.rows);
+    }
   }
-  return text;
+  return cycle_elements("velocity", velocity) + cycle_elements("amplitude", amplitudes) +
+         cycle_elements("phase", phases);
 }
 
 }  // namespace
@@ -151,27 +196,30 @@ std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every) {
 }
 
 std::string page_data(const TrajectoryFile& file, const PageOptions& options) {
-  require_three_beads(file.layout, "beadswim-view shows", file.source);
   const std::vector<std::size_t> frames = select_frames(file.reader.frames(), options.every);
   const std::vector<TrajectoryCycle> cycles = file.reader.cycles(columns_of<CycleStatistics>({}));
   const TrajectoryHeader& header = file.reader.header();
   const TrajectoryFrame first = file.reader.frame(frames.front());
   const std::vector<float> steps = swimmer_steps(file, frames, first);
+  std::vector<float> bead_steps;
+  for (const std::size_t swimmer : swimmers_of_beads(header)) bead_steps.push_back(steps[swimmer]);
   std::string text = scene_element(scene_to_json(file, frames, cycles, options));
   text += data_element("radius", std::vector<float>(header.radius.begin(), header.radius.end()));
   text += data_element("start", flattened(first.positions)) + data_element("step", steps);
   for (std::size_t f = 0; f < frames.size(); ++f) {
     text += data_element(fmt::format("frame-{}", f),
-                         quantised_displacements(file.reader.frame(frames[f]), first, steps));
+                         quantised_displacements(file.reader.frame(frames[f]), first, bead_steps));
   }
-  return text + all_cycle_elements(cycles, file.layout);
+  return text + all_cycle_elements(cycles, file);
 }
 
 double expected_bytes(const TrajectoryFile& file, const PageOptions& options) {
   const auto beads = static_cast<double>(file.reader.header().radius.size());
   const auto frames = static_cast<double>(select_frames(file.reader.frames(), options.every).size());
   const double cycles = file.reader.times().back() / file.period();
-  const double bytes = beads * (16 + 4.0 / 3 + 6 * frames) + beads / 3 * 5 * (4 + 2 * cycles);
+  const auto swimmers = static_cast<double>(file.in_layout.size());
+  const double columns = swimmers + 2 * static_cast<double>(count_bonds(file));
+  const double bytes = beads * (16 + 6 * frames) + swimmers * 4 + columns * (4 + 2 * cycles);
   return bytes * 4 / 3;
 }
 

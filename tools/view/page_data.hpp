@@ -25,12 +25,15 @@ std::vector<std::size_t> select_frames(std::size_t frames, std::size_t every);
 ///   start            float32  x, y, z of each bead in the first frame, unwrapped [length]
 ///   step             float32  quantisation step of each swimmer [length]
 ///   frame-0, ...     int16    x, y, z of each bead minus its start, in steps of its swimmer
-///   cycle-NAME       int16    NAME of each swimmer in each base cycle, in steps of its swimmer in
-///                             cycle-NAME-step; -32768 represents NaN
-///   cycle-NAME-step  float32  quantisation step of each swimmer
+///   cycle-NAME       int16    NAME of each swimmer or bond in each base cycle, in steps of cycle-NAME-step;
+///                             -32768 represents NaN
+///   cycle-NAME-step  float32  quantisation step of each swimmer or bond
 ///
-/// NAME is velocity (along the axis of the swimmer, relative to the mean flow), arm1, arm2 (arm amplitudes),
-/// phase1 or phase2 (arm phases). Throws InputError that names the file and the place in it.
+/// NAME is velocity of each swimmer (along its axis, relative to the mean flow), or amplitude or phase (arm
+/// amplitude and phase) of each bond, swimmer after swimmer. The key "shapes" of the scene lists number of
+/// beads, bonds, angles and line (the two end beads of swimmers in line) of the types, with beads numbered
+/// from 0; "shape" is the index of each swimmer's type in this list. Throws InputError that names the file
+/// and the place in it.
 std::string page_data(const TrajectoryFile& file, const PageOptions& options);
 
 /// Returns the approximate size of page_data() [byte]. For large swarms the error is below 10 %.

@@ -17,14 +17,14 @@ namespace {
 constexpr double margin = 16;
 constexpr double picture_top = 44, picture_width = 720, picture_height = 560;
 constexpr double title_size = 14, label_size = 12.5, line_pitch = 16;
-constexpr double arm_width = 0.26;  // relative to the radius of the first bead
+constexpr double bond_width = 0.26;  // relative to reference_radius()
 constexpr double mark_size = 17, halo = 3.5;
 const svg::Stroke edge_stroke{.colour = "#8a8a8a", .width = 0.8, .dashes = ""};
 const svg::Stroke hidden_edge_stroke{.colour = "#bdbdbd", .width = 0.8, .dashes = "3 3"};
 const svg::Stroke distance_stroke{.colour = "#000000", .width = 1.1, .dashes = ""},
     witness_stroke{.colour = "#000000", .width = 0.6, .dashes = ""};
 
-/// SVG element of a bead or an arm, with the depth at which it is drawn.
+/// SVG element of a bead or a bond, with the depth at which it is drawn.
 struct Piece {
   double depth = 0;  ///< [length]
   std::string element;
@@ -37,30 +37,29 @@ std::string bead_element(svg::Point centre, double radius, int colour) {
                      palette_place(colour), centre.x, centre.y, radius);
 }
 
-Piece bead_piece(const Perspective& view, const Vec3& centre, double radius, int colour) {
-  return {view.depth(centre),
-          bead_element(view.project(centre), view.projected_size(centre, radius), colour)};
+Piece bead_piece(const Perspective& view, const PicturedBead& bead, int colour) {
+  return {view.depth(bead.centre),
+          bead_element(view.project(bead.centre), view.projected_size(bead.centre, bead.radius), colour)};
 }
 
-/// Returns the element of an arm. The arm ends at the surfaces of its beads, on the sides that face each
+/// Returns the element of a bond. The bond ends at the surfaces of its beads, on the sides that face each
 /// other.
-Piece arm_piece(const Perspective& view, const PicturedSwimmer& swimmer, int arm) {
-  const Vec3 along = (swimmer.beads[arm + 1] - swimmer.beads[arm]).normalized();
-  const Vec3 from = swimmer.beads[arm] + swimmer.radii[arm] * along;
-  const Vec3 to = swimmer.beads[arm + 1] - swimmer.radii[arm + 1] * along;
+Piece bond_piece(const Perspective& view, const PicturedBead& first, const PicturedBead& second) {
+  const Vec3 along = (second.centre - first.centre).normalized();
+  const Vec3 from = first.centre + first.radius * along;
+  const Vec3 to = second.centre - second.radius * along;
   const svg::Point a = view.project(from), b = view.project(to);
   return {view.depth((from + to) / 2),
           fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\"/>\n", a.x, a.y, b.x, b.y)};
 }
 
-/// Draws all beads and arms in order of decreasing depth, so that near elements hide far elements.
+/// Draws all beads and bonds in order of decreasing depth, so that near elements hide far elements.
 std::string draw_swimmers(const SwarmPicture& picture, const Perspective& view) {
   std::vector<Piece> pieces;
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
-    for (int bead = 0; bead < 3; ++bead) {
-      pieces.push_back(bead_piece(view, swimmer.beads[bead], swimmer.radii[bead], swimmer.colour));
-    }
-    for (int arm = 0; arm < 2; ++arm) pieces.push_back(arm_piece(view, swimmer, arm));
+    for (const PicturedBead& bead : swimmer.beads) pieces.push_back(bead_piece(view, bead, swimmer.colour));
+    for (const auto& [first, second] : swimmer.bonds)
+      pieces.push_back(bond_piece(view, swimmer.beads[first], swimmer.beads[second]));
   }
   std::ranges::stable_sort(pieces, std::ranges::greater(), &Piece::depth);
   std::string elements = "<g class=\"s\" fill=\"none\">\n";
@@ -80,8 +79,8 @@ std::string mixed(const std::string& colour, int level, double share) {
 }
 
 /// Returns the gradients that shade each colour of the palette, with light from the upper left, and the
-/// styles of beads and arms.
-std::string definitions(double arm_stroke, double outline) {
+/// styles of beads and bonds.
+std::string definitions(double bond_stroke, double outline) {
   std::string gradients, fills;
   for (std::size_t i = 0; i < palette.size(); ++i) {
     gradients += fmt::format(
@@ -93,7 +92,7 @@ std::string definitions(double arm_stroke, double outline) {
   return fmt::format(
       "<defs>\n{}<style>{} .s circle{{stroke:#222222;stroke-width:{:.2f}}} "
       ".s path{{stroke:#6e6e6e;stroke-width:{:.2f};stroke-linecap:butt}}</style>\n</defs>\n",
-      gradients, fills, outline, arm_stroke);
+      gradients, fills, outline, bond_stroke);
 }
 
 struct Edge {
@@ -201,10 +200,10 @@ struct Block {
 Block extent_of(const SwarmPicture& picture) {
   Block block{Vec3::Zero(), picture.box};
   for (const PicturedSwimmer& swimmer : picture.swimmers) {
-    for (int bead = 0; bead < 3; ++bead) {
-      const Vec3 radius = Vec3::Constant(swimmer.radii[bead]);
-      block.low = block.low.cwiseMin(swimmer.beads[bead] - radius);
-      block.high = block.high.cwiseMax(swimmer.beads[bead] + radius);
+    for (const PicturedBead& bead : swimmer.beads) {
+      const Vec3 radius = Vec3::Constant(bead.radius);
+      block.low = block.low.cwiseMin(bead.centre - radius);
+      block.high = block.high.cwiseMax(bead.centre + radius);
     }
   }
   for (const PictureDistance& distance : picture.distances) {
@@ -224,17 +223,25 @@ double label_room(const SwarmPicture& picture) {
   return room;
 }
 
+/// Returns the radius to which the widths of lines are proportional: that of the first bead of a swimmer with
+/// bonds, or, without such a swimmer, of the first bead [length].
+double reference_radius(const SwarmPicture& picture) {
+  const auto has_bonds = [](const PicturedSwimmer& swimmer) { return !swimmer.bonds.empty(); };
+  const auto found = std::ranges::find_if(picture.swimmers, has_bonds);
+  return (found == picture.swimmers.end() ? picture.swimmers.front() : *found).beads.front().radius;
+}
+
 }  // namespace
 
 std::string swarm_picture_to_svg(const SwarmPicture& picture) {
   require_swimmers(picture);
   const Block extent = extent_of(picture);
   const Perspective view(extent.low, extent.high, {margin, picture_top}, picture_width, picture_height);
-  const double radius = view.projected_size(picture.box / 2, picture.swimmers.front().radii[0]);
+  const double radius = view.projected_size(picture.box / 2, reference_radius(picture));
   const double width = std::max(view.width() + label_room(picture) + 2 * margin, 420.0);
   double top = picture_top + view.height() + 12;
 
-  std::string elements = definitions(std::max(0.3, arm_width * radius), std::clamp(radius / 15, 0.1, 0.6));
+  std::string elements = definitions(std::max(0.3, bond_width * radius), std::clamp(radius / 15, 0.1, 0.6));
   elements += svg::text({margin, 28}, picture.title,
                         {.size = title_size, .anchor = svg::Anchor::start, .weight = "bold"});
   elements += draw_edges(picture, view, true);

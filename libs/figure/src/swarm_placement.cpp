@@ -22,41 +22,42 @@ const std::array<Outline, 3> outlines{Outline{{0, -1, -1}, {0, 0, -1}}, Outline{
 
 constexpr double offset_radii = 3;  // distance of the arrows from the bead centres, divided by the radius
 
-std::size_t furthest_along_x(const PicturedSwimmer& swimmer, double sign) {
-  const auto along = [sign](const Vec3& bead) { return sign * bead.x(); };
-  return static_cast<std::size_t>(std::ranges::max_element(swimmer.beads, {}, along) - swimmer.beads.begin());
+const PicturedBead& furthest_along_x(const PicturedSwimmer& swimmer, double sign) {
+  const auto along = [sign](const PicturedBead& bead) { return sign * bead.centre.x(); };
+  return *std::ranges::max_element(swimmer.beads, {}, along);
 }
 
 /// Returns the distance from one swimmer to the next along an axis.
 PictureDistance distance_between(const PicturedSwimmer& one, const PicturedSwimmer& next, int axis,
                                  char kind) {
-  const std::size_t from = furthest_along_x(one, 1), to = furthest_along_x(next, axis == 0 ? -1 : 1);
-  const double length = next.beads[to][axis] - one.beads[from][axis];
+  const PicturedBead& from = furthest_along_x(one, 1);
+  const PicturedBead& to = furthest_along_x(next, axis == 0 ? -1 : 1);
+  const double length = to.centre[axis] - from.centre[axis];
   return {.label = fmt::format("{}_{} = {:.4g}", kind, "xyz"[axis], length),
-          .from = one.beads[from],
-          .to = one.beads[from] + length * Vec3::Unit(axis),
-          .arrow_offset = offset_radii * one.radii[from] * outlines[axis].arrow_offset};
+          .from = from.centre,
+          .to = from.centre + length * Vec3::Unit(axis),
+          .arrow_offset = offset_radii * from.radius * outlines[axis].arrow_offset};
 }
 
 }  // namespace
 
 void wrap_swimmers(std::vector<PicturedSwimmer>& swimmers, const Box& box) {
   for (PicturedSwimmer& swimmer : swimmers) {
-    const Vec3 shift = box.lengths.cwiseProduct(image_number(swimmer.beads[1], box));
-    for (Vec3& bead : swimmer.beads) bead -= shift;
+    const Vec3 shift = box.lengths.cwiseProduct(image_number(swimmer.middle_bead().centre, box));
+    for (PicturedBead& bead : swimmer.beads) bead.centre -= shift;
   }
 }
 
 Vec3 enclose_swimmers(std::vector<PicturedSwimmer>& swimmers) {
   Vec3 low = Vec3::Constant(INFINITY), high = -low;
   for (const PicturedSwimmer& swimmer : swimmers) {
-    for (std::size_t b = 0; b < 3; ++b) {
-      low = low.cwiseMin((swimmer.beads[b].array() - 2 * swimmer.radii[b]).matrix());
-      high = high.cwiseMax((swimmer.beads[b].array() + 2 * swimmer.radii[b]).matrix());
+    for (const PicturedBead& bead : swimmer.beads) {
+      low = low.cwiseMin((bead.centre.array() - 2 * bead.radius).matrix());
+      high = high.cwiseMax((bead.centre.array() + 2 * bead.radius).matrix());
     }
   }
   for (PicturedSwimmer& swimmer : swimmers) {
-    for (Vec3& bead : swimmer.beads) bead -= low;
+    for (PicturedBead& bead : swimmer.beads) bead.centre -= low;
   }
   return high - low;
 }
@@ -75,7 +76,7 @@ std::vector<PictureDistance> swarm_distances(const std::vector<PicturedSwimmer>&
       const auto neighbour = at.find(next);
       if (neighbour == at.end()) continue;
       const char kind = layer[axis] / in_block == next[axis] / in_block ? 'C' : 'D';
-      const double far = outlines[axis].direction.dot(swimmer->beads[1]);
+      const double far = outlines[axis].direction.dot(swimmer->middle_bead().centre);
       const auto best = furthest.find(kind);
       if (best != furthest.end() && best->second.first >= far) continue;
       furthest[kind] = {far, distance_between(*swimmer, *neighbour->second, axis, kind)};

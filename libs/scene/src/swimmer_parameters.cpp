@@ -57,16 +57,18 @@ std::string body_parameters(const SwimmerType& type) {
 
 std::string driving_parameters(const Driving& driving) {
   std::string text;
-  if (const auto three = three_bead_form(driving)) {
+  const auto three = three_bead_form(driving);
+  if (three) {
     const auto& [a, b] = three->amplitude;
     text = a == b ? fmt::format("A = B = {:.4g}", a) : fmt::format("A = {:.4g}, B = {:.4g}", a, b);
     text += fmt::format(", α = {:.4g} rad", three->phase);
   } else {
-    text = fmt::format("{} drives", driving.forces.size() + driving.bonds.size() + driving.angles.size());
+    const std::size_t drives = driving.forces.size() + driving.bonds.size() + driving.angles.size();
+    text = fmt::format("{} drive{}", drives, drives == 1 ? "" : "s");
   }
   text += fmt::format(", T = {:.6g}", driving.period);
   if (driving.phase_offset != 0) text += fmt::format(", φ = {:.4g} rad", driving.phase_offset);
-  return text + ", " + direction(driving.frame);
+  return three ? text + ", " + direction(driving.frame) : text;
 }
 
 std::vector<std::string> type_notes(const Layout& layout) {

@@ -89,14 +89,8 @@ std::vector<int> TrajectoryFile::swimmers() const {
   return ids;
 }
 
-void require_three_beads(const Layout& layout, const std::string& what, const std::string& source) {
-  for (const auto& [name, type] : layout.types) {
-    if (type.beads.size() == 3) continue;
-    throw InputError(source,
-                     fmt::format("swimmers of type \"{}\" have {} beads, but {} swimmers of three beads; "
-                                 "open the trajectory (.h5md) in ParaView, OVITO or MDAnalysis",
-                                 name, type.beads.size(), what));
-  }
+const SwimmerType& TrajectoryFile::type(std::size_t swimmer) const {
+  return layout.types.at(layout.swimmers[in_layout[swimmer]].type);
 }
 
 TrajectoryFile open_trajectory(const std::string& path) {

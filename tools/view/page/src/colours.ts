@@ -38,7 +38,10 @@ export type ColouringName = (typeof colourings)[number];
 /** Returns the reason why the run has no data for this colouring; an empty text if the run has the data. */
 export function unavailableReason(scene: Scene, name: ColouringName): string {
   const needsCycle = name === "velocity" || name === "phase";
-  return needsCycle && scene.cycleTimes.length === 0 ? "the run ended no cycle" : "";
+  if (needsCycle && scene.cycleTimes.length === 0) return "the run ended no cycle";
+  if (name === "phase" && scene.shapes.every(({ bonds }) => bonds.length === 0)) return "no arms";
+  if (name === "orientation" && scene.shapes.every(({ line }) => line === null)) return "no beads in line";
+  return "";
 }
 
 function byBlock(scene: Scene): Colouring {
@@ -64,11 +67,11 @@ function* cycleNumbers(scene: Scene, table: CycleTable): Generator<number> {
   }
 }
 
-/** Colours each swimmer by its value in the cycle that contains the frame. `position`: maps a value to the scale from 0 to 1. */
-function byCycle(scene: Scene, table: CycleTable, position: (number: number) => number, stops: Colour[]): Colouring["colours"] {
+/** Colours each swimmer by its position on a scale from 0 to 1 in the cycle that contains the frame. */
+function byCycle(scene: Scene, position: (cycle: number, swimmer: number) => number, stops: Colour[]): Colouring["colours"] {
   return (frame) => {
     const cycle = cycleAt(scene, scene.times[frame]) ?? 0;
-    return scene.ids.map((_, s) => interpolate(stops, position(table.value(cycle, s))));
+    return scene.ids.map((_, s) => interpolate(stops, position(cycle, s)));
   };
 }
 
@@ -77,9 +80,9 @@ function byVelocity(scene: Scene): Colouring {
   const signed = low < 0 && high > 0;
   if (signed) [low, high] = [-Math.max(-low, high), Math.max(-low, high)];
   const stops = signed ? diverging : sequential;
-  const position = (v: number) => (high > low ? (v - low) / (high - low) : 0.5);
+  const position = (cycle: number, s: number) => (high > low ? (scene.velocity.value(cycle, s) - low) / (high - low) : 0.5);
   return { title: `Velocity along the axis, by cycle (${scene.velocityUnit})`, keys: [], stops, ends: [low.toPrecision(3), high.toPrecision(3)],
-    colours: byCycle(scene, scene.velocity, position, stops) };
+    colours: byCycle(scene, position, stops) };
 }
 
 function byOrientation(scene: Scene): Colouring {
@@ -91,8 +94,9 @@ function byOrientation(scene: Scene): Colouring {
 }
 
 function byPhase(scene: Scene): Colouring {
-  const position = (phase: number) => phase / (2 * Math.PI) + 0.5;
-  return { title: "Phase of arm 1, by cycle (radians)", keys: [], stops: cyclic, ends: ["−π", "π"], colours: byCycle(scene, scene.phases[0], position, cyclic) };
+  const hasArm = scene.shapes.map(({ bonds }) => bonds.length > 0);
+  const position = (cycle: number, s: number) => (hasArm[s] ? scene.phases.value(cycle, scene.firstBond[s]) / (2 * Math.PI) + 0.5 : NaN);
+  return { title: "Phase of arm 1, by cycle (radians)", keys: [], stops: cyclic, ends: ["−π", "π"], colours: byCycle(scene, position, cyclic) };
 }
 
 export function colouring(scene: Scene, name: ColouringName): Colouring {

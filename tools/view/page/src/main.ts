@@ -5,7 +5,7 @@ import { Charts } from "./charts";
 import { colouring, colourings, unavailableReason, toCss, type Colouring, type ColouringName } from "./colours";
 import { beadsAt, isSmooth, framePositionAt, positionsAt, timeAt, wrap, type Point } from "./motion";
 import { makePlots } from "./plots";
-import { PageFault, readScene, type Scene } from "./scene";
+import { middleBead, PageFault, readScene, type Scene } from "./scene";
 import { Stage, type View } from "./stage";
 
 const speeds = [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 25]; // cycles per second
@@ -221,7 +221,8 @@ class Player {
 
   private pick(swimmer: number | null): void {
     this.picked = swimmer;
-    const path = swimmer === null ? [] : this.scene.frames.map((_, frame) => beadsAt(this.scene, swimmer, frame)[1]);
+    const middle = swimmer === null ? 0 : middleBead(this.scene.shapes[swimmer]);
+    const path = swimmer === null ? [] : this.scene.frames.map((_, frame) => beadsAt(this.scene, swimmer, frame)[middle]);
     this.stage.mark(swimmer, path);
     this.swimmer.value = swimmer === null ? "" : String(this.scene.ids[swimmer]);
     this.following.disabled = swimmer === null;
@@ -256,8 +257,8 @@ class Player {
   /** Returns the position in the view of the middle bead of the selected swimmer; null if no swimmer is selected. */
   private pickedPosition(): Point | null {
     if (this.picked === null) return null;
-    const first = 9 * this.picked + 3;
-    return Array.from(this.stage.positions.subarray(first, first + 3)) as Point;
+    const bead = this.scene.firstBead[this.picked] + middleBead(this.scene.shapes[this.picked]);
+    return Array.from(this.stage.positions.subarray(3 * bead, 3 * bead + 3)) as Point;
   }
 
   /** Shifts the path of the selected swimmer to its periodic image in the view. Centres the view on the swimmer if it is followed. */

@@ -1,7 +1,7 @@
 // Positions of beads, and quantities that follow from them. A frame position is a time, given as the index of a frame; between
 // two frames it has a fractional part, and bead positions are interpolated linearly.
 
-import type { Scene } from "./scene";
+import { middleBead, type Scene } from "./scene";
 
 export type Point = [number, number, number];
 
@@ -39,9 +39,11 @@ export function positionsAt(scene: Scene, framePosition: number, positions: Floa
   const frame = frameBefore(scene, framePosition);
   const now = scene.frames[frame], next = scene.frames[Math.min(frame + 1, scene.frames.length - 1)];
   const fraction = framePosition - frame;
-  for (let i = 0; i < positions.length; ++i) {
-    const steps = now[i] + fraction * (next[i] - now[i]);
-    positions[i] = scene.start[i] + steps * scene.step[(i / 9) | 0];
+  for (let swimmer = 0; swimmer < scene.ids.length; ++swimmer) {
+    const step = scene.step[swimmer], end = 3 * scene.firstBead[swimmer + 1];
+    for (let i = 3 * scene.firstBead[swimmer]; i < end; ++i) {
+      positions[i] = scene.start[i] + (now[i] + fraction * (next[i] - now[i])) * step;
+    }
   }
 }
 
@@ -49,23 +51,24 @@ export function positionsAt(scene: Scene, framePosition: number, positions: Floa
 export function wrap(scene: Scene, positions: Float32Array): void {
   const { box, periodic } = scene;
   if (!box) return;
-  for (let swimmer = 0; swimmer < positions.length; swimmer += 9) {
+  scene.shapes.forEach((shape, swimmer) => {
+    const first = scene.firstBead[swimmer];
     for (let a = 0; a < 3; ++a) {
       if (!periodic[a]) continue;
-      const shift = box[a] * Math.floor(positions[swimmer + 3 + a] / box[a]);
-      if (shift !== 0) for (let b = 0; b < 9; b += 3) positions[swimmer + b + a] -= shift;
+      const shift = box[a] * Math.floor(positions[3 * (first + middleBead(shape)) + a] / box[a]);
+      if (shift !== 0) for (let b = 0; b < shape.beads; ++b) positions[3 * (first + b) + a] -= shift;
     }
-  }
+  });
 }
 
-/** Returns the unwrapped positions of the three beads of a swimmer in a frame. */
-export function beadsAt(scene: Scene, swimmer: number, frame: number): [Point, Point, Point] {
+/** Returns the unwrapped positions of the beads of a swimmer in a frame. */
+export function beadsAt(scene: Scene, swimmer: number, frame: number): Point[] {
   const coordinate = (i: number) => scene.start[i] + scene.frames[frame][i] * scene.step[swimmer];
-  const bead = (b: number): Point => {
-    const i = 9 * swimmer + 3 * b;
-    return [coordinate(i), coordinate(i + 1), coordinate(i + 2)];
-  };
-  return [bead(0), bead(1), bead(2)];
+  const beads: Point[] = [];
+  for (let b = scene.firstBead[swimmer]; b < scene.firstBead[swimmer + 1]; ++b) {
+    beads.push([coordinate(3 * b), coordinate(3 * b + 1), coordinate(3 * b + 2)]);
+  }
+  return beads;
 }
 
 const minus = (p: Point, q: Point): Point => [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
@@ -84,38 +87,50 @@ function angle(p: Point, q: Point): number {
   return (2 * Math.atan2(length(across), length(along)) * 180) / Math.PI;
 }
 
-/** Returns the angle between the axis of a swimmer, from bead 1 to bead 3, and the x axis [degrees]. */
+/** Returns the angle between the axis of a swimmer, along its line of beads, and the x axis [degrees]; NaN for other shapes. */
 export function axisAngle(scene: Scene, swimmer: number, frame: number): number {
-  const [first, , last] = beadsAt(scene, swimmer, frame);
-  return angle(minus(last, first), [1, 0, 0]);
+  const { line } = scene.shapes[swimmer];
+  if (!line) return NaN;
+  const beads = beadsAt(scene, swimmer, frame);
+  return angle(minus(beads[line[1]], beads[line[0]]), [1, 0, 0]);
 }
 
-/** Motion of one swimmer; each array has one value per frame. */
+/** Motion of one swimmer; each array of numbers has one value per frame. */
 export interface Series {
+  arms: number[][]; // length of each bond [length]
+  angles: number[][]; // angle of each angular spring; 0 for three beads in line [degrees]
+  distance: number[]; // displacement of the mean bead position from the first frame [length]
+  axis: AxisSeries | null; // null if the beads are not in line at rest
+}
+
+/** Motion relative to the axis of a swimmer. */
+export interface AxisSeries {
   along: number[]; // displacement of the mean bead position along the axis of the first frame [length]
   across: number[]; // displacement of the mean bead position perpendicular to that axis [length]
-  arms: [number[], number[]]; // arm lengths [length]
   turning: number[]; // angle between the axis and the axis of the first frame [degrees]
-  bend: number[]; // angle between the two arms [degrees]
 }
 
 export function makeSeries(scene: Scene, swimmer: number): Series {
-  const series: Series = { along: [], across: [], arms: [[], []], turning: [], bend: [] };
-  const mean = (beads: Point[]): Point => [0, 1, 2].map((a) => (beads[0][a] + beads[1][a] + beads[2][a]) / 3) as Point;
-  const atStart = beadsAt(scene, swimmer, 0);
-  const axis = unit(minus(atStart[2], atStart[0])), origin = mean(atStart);
-  for (let frame = 0; frame < scene.frames.length; ++frame) {
-    const beads = beadsAt(scene, swimmer, frame);
-    const moved = minus(mean(beads), origin), along = dot(moved, axis);
-    const arm1 = minus(beads[1], beads[0]), arm2 = minus(beads[2], beads[1]);
-    series.along.push(along);
-    series.across.push(length(minus(moved, [along * axis[0], along * axis[1], along * axis[2]])));
-    series.arms[0].push(length(arm1));
-    series.arms[1].push(length(arm2));
-    series.turning.push(angle(minus(beads[2], beads[0]), axis));
-    series.bend.push(angle(arm1, arm2));
-  }
-  return series;
+  const { bonds, angles, line } = scene.shapes[swimmer];
+  const frames = scene.frames.map((_, frame) => beadsAt(scene, swimmer, frame));
+  const mean = (beads: Point[]): Point => [0, 1, 2].map((a) => beads.reduce((sum, bead) => sum + bead[a], 0) / beads.length) as Point;
+  const origin = mean(frames[0]), displacements = frames.map((beads) => minus(mean(beads), origin));
+  return {
+    arms: bonds.map(([i, j]) => frames.map((beads) => length(minus(beads[j], beads[i])))),
+    angles: angles.map(([i, j, k]) => frames.map((beads) => angle(minus(beads[j], beads[i]), minus(beads[k], beads[j])))),
+    distance: displacements.map(length),
+    axis: line && axisSeries(frames.map((beads) => minus(beads[line[1]], beads[line[0]])), displacements),
+  };
+}
+
+function axisSeries(axes: Point[], displacements: Point[]): AxisSeries {
+  const axis = unit(axes[0]);
+  const along = displacements.map((moved) => dot(moved, axis));
+  return {
+    along,
+    across: displacements.map((moved, frame) => length(minus(moved, axis.map((x) => along[frame] * x) as Point))),
+    turning: axes.map((now) => angle(now, axis)),
+  };
 }
 
 /** Returns the index of the base cycle that contains a time [periods]; after the last complete cycle, its index; null without any. */

@@ -1,11 +1,18 @@
 // Contents of the plots: quantities of the selected swimmer, or, if none is selected, of the swarm.
 
 import { categories, toCss } from "./colours";
-import type { Plot } from "./charts";
+import type { Curve, Plot } from "./charts";
 import { makeSeries } from "./motion";
 import type { CycleTable, Scene } from "./scene";
 
-const colour = (n: number) => toCss(categories[n]);
+const colour = (n: number) => toCss(categories[n % categories.length]);
+
+/** Returns the curves of the arms or angles of a swimmer. If they are more than the colours, returns evenly spaced ones. */
+function partCurves(parts: number[][], label: (n: number) => string, firstColour = 0): Curve[] {
+  const most = categories.length;
+  const shown = parts.length <= most ? parts.map((_, n) => n) : categories.map((_, i) => Math.round((i * (parts.length - 1)) / (most - 1)));
+  return shown.map((n, i) => ({ label: label(n), colour: colour(firstColour + i), values: parts[n] }));
+}
 
 function cyclePlots(scene: Scene, curves: Plot["curves"], title: string, unit: string): Plot[] {
   return scene.cycleTimes.length === 0 ? [] : [{ title, unit, times: scene.cycleTimes, curves }];
@@ -14,23 +21,23 @@ function cyclePlots(scene: Scene, curves: Plot["curves"], title: string, unit: s
 const valuesByCycle = (scene: Scene, number: (cycle: number) => number) => scene.cycleTimes.map((_, cycle) => number(cycle));
 
 function swimmerPlots(scene: Scene, swimmer: number): Plot[] {
-  const series = makeSeries(scene, swimmer), times = scene.times, unit = scene.lengthUnit;
-  const swimmerValues = (table: CycleTable) => valuesByCycle(scene, (cycle) => table.value(cycle, swimmer));
-  return [
-    { title: "Stroke: arm lengths", unit, times, curves: [
-      { label: "arm 1", colour: colour(0), values: series.arms[0] },
-      { label: "arm 2", colour: colour(1), values: series.arms[1] }] },
-    { title: "Displacement", unit, times, curves: [
-      { label: "along the axis", colour: colour(0), values: series.along },
-      { label: "across it", colour: colour(5), values: series.across }] },
+  const { arms, angles, distance, axis } = makeSeries(scene, swimmer);
+  const times = scene.times, unit = scene.lengthUnit;
+  const cycleValues = (table: CycleTable, column: number) => valuesByCycle(scene, (cycle) => table.value(cycle, column));
+  const amplitudes = arms.map((_, n) => cycleValues(scene.amplitudes, scene.firstBond[swimmer] + n));
+  const plots = [
+    { title: "Stroke: arm lengths", unit, times, curves: partCurves(arms, (n) => `arm ${n + 1}`) },
+    { title: "Displacement", unit, times, curves: axis
+      ? [{ label: "along the axis", colour: colour(0), values: axis.along }, { label: "across it", colour: colour(5), values: axis.across }]
+      : [{ label: "distance from the start", colour: colour(0), values: distance }] },
     { title: "Turning", unit: "degrees", times, curves: [
-      { label: "of the axis", colour: colour(2), values: series.turning },
-      { label: "bend of the arms", colour: colour(3), values: series.bend }] },
-    ...cyclePlots(scene, [{ label: "velocity", colour: colour(0), values: swimmerValues(scene.velocity) }],
+      ...(axis ? [{ label: "of the axis", colour: colour(2), values: axis.turning }] : []),
+      ...partCurves(angles, (n) => (angles.length === 1 ? "bend of the arms" : `bend ${n + 1}`), 3)] },
+    ...cyclePlots(scene, [{ label: "velocity", colour: colour(0), values: cycleValues(scene.velocity, swimmer) }],
       "Velocity along the axis, by cycle", scene.velocityUnit),
-    ...cyclePlots(scene, scene.arms.map((arm, n) => ({ label: `d${n + 1}`, colour: colour(n), values: swimmerValues(arm) })),
-      "Arm amplitudes, by cycle", unit),
+    ...cyclePlots(scene, partCurves(amplitudes, (n) => `d${n + 1}`), "Arm amplitudes, by cycle", unit),
   ];
+  return plots.filter(({ curves }) => curves.length > 0); // a sphere has neither arms nor an axis
 }
 
 function swarmPlots(scene: Scene): Plot[] {

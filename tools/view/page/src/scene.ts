@@ -3,10 +3,21 @@
 /** Error with a message for the user: why the page cannot show the run, and what to do. */
 export class PageFault extends Error {}
 
-/** Table with one value per cycle and swimmer; NaN if the swimmer has not completed a cycle yet. */
+/** Table with one value per cycle and swimmer, or per cycle and bond; NaN if the swimmer has not completed a cycle yet. */
 export interface CycleTable {
-  value(cycle: number, swimmer: number): number;
+  value(cycle: number, column: number): number;
 }
+
+/** Shape of a swimmer. Its beads are numbered from 0. */
+export interface Shape {
+  beads: number; // number of beads
+  bonds: [number, number][]; // the two beads of each bond
+  angles: [number, number, number][]; // the three beads of each angular spring
+  line: [number, number] | null; // the two end beads, along the axis; null if the beads are not in line at rest
+}
+
+/** Returns the number of the bead that stands for the position of a swimmer. */
+export const middleBead = (shape: Shape) => shape.beads >> 1;
 
 export interface Scene {
   file: string;
@@ -17,16 +28,19 @@ export interface Scene {
   box: number[] | null; // edges [length]; null in open space
   periodic: boolean[];
   ids: number[]; // one per swimmer
+  shapes: Shape[]; // one per swimmer
   blocks: number[]; // block number of each swimmer
   times: number[]; // time of each frame [periods]
   cycleTimes: number[]; // end of each cycle [periods]
-  radius: Float32Array; // radius of each bead [length]; three beads per swimmer
+  firstBead: number[]; // index of the first bead of each swimmer, and the number of all beads
+  firstBond: number[]; // index of the first bond of each swimmer, and the number of all bonds
+  radius: Float32Array; // radius of each bead [length]
   start: Float32Array; // x, y, z of each bead in the first frame, unwrapped [length]
   step: Float32Array; // quantisation step of each swimmer: unit of `frames` [length]
   frames: Int16Array[]; // x, y, z of each bead minus `start`, in steps of its swimmer
   velocity: CycleTable; // velocity along the axis of the swimmer, minus the mean flow
-  arms: [CycleTable, CycleTable]; // arm amplitudes d_i [length]
-  phases: [CycleTable, CycleTable]; // arm phases δ_i [rad]
+  amplitudes: CycleTable; // arm amplitude d_i of each bond [length]
+  phases: CycleTable; // arm phase δ_i of each bond [rad]
 }
 
 const notANumber = -32768; // represents NaN
@@ -62,15 +76,22 @@ function readBytes(page: Document, id: string, expected: number): ArrayBuffer {
 const readFloats = (page: Document, id: string, count: number) => new Float32Array(readBytes(page, id, 4 * count));
 const readIntegers = (page: Document, id: string, count: number) => new Int16Array(readBytes(page, id, 2 * count));
 
-function cycleTable(page: Document, name: string, cycles: number, swimmers: number): CycleTable {
-  const steps = readFloats(page, `cycle-${name}-step`, swimmers);
-  const counts = readIntegers(page, `cycle-${name}`, cycles * swimmers);
+function cycleTable(page: Document, name: string, cycles: number, columns: number): CycleTable {
+  const steps = readFloats(page, `cycle-${name}-step`, columns);
+  const counts = readIntegers(page, `cycle-${name}`, cycles * columns);
   return {
-    value(cycle, swimmer) {
-      const count = counts[cycle * swimmers + swimmer];
-      return count === notANumber ? NaN : count * steps[swimmer];
+    value(cycle, column) {
+      const count = counts[cycle * columns + column];
+      return count === notANumber ? NaN : count * steps[column];
     },
   };
+}
+
+/** Returns the sums of the first 0, 1, 2, ... numbers. */
+function partialSums(numbers: number[]): number[] {
+  const sums = [0];
+  for (const number of numbers) sums.push(sums[sums.length - 1] + number);
+  return sums;
 }
 
 /** Reads the data of the run and removes the HTML elements that contained them. Throws PageFault if data are missing or invalid. */
@@ -84,7 +105,9 @@ export function readScene(page: Document): Scene {
   }
   const swimmers: number = header.ids.length;
   const cycles: number = header.cycle_times.length;
-  const table = (name: string) => cycleTable(page, name, cycles, swimmers);
+  const shapes: Shape[] = header.shape.map((shape: number) => header.shapes[shape]);
+  const firstBead = partialSums(shapes.map((shape) => shape.beads)), firstBond = partialSums(shapes.map((shape) => shape.bonds.length));
+  const beads = firstBead[swimmers], bonds = firstBond[swimmers];
   return {
     file: header.file,
     version: header.version,
@@ -94,15 +117,18 @@ export function readScene(page: Document): Scene {
     box: header.box,
     periodic: header.periodic,
     ids: header.ids,
+    shapes,
     blocks: header.blocks,
     times: header.times,
     cycleTimes: header.cycle_times,
-    radius: readFloats(page, "radius", 3 * swimmers),
-    start: readFloats(page, "start", 9 * swimmers),
+    firstBead,
+    firstBond,
+    radius: readFloats(page, "radius", beads),
+    start: readFloats(page, "start", 3 * beads),
     step: readFloats(page, "step", swimmers),
-    frames: header.times.map((_: number, frame: number) => readIntegers(page, `frame-${frame}`, 9 * swimmers)),
-    velocity: table("velocity"),
-    arms: [table("arm1"), table("arm2")],
-    phases: [table("phase1"), table("phase2")],
+    frames: header.times.map((_: number, frame: number) => readIntegers(page, `frame-${frame}`, 3 * beads)),
+    velocity: cycleTable(page, "velocity", cycles, swimmers),
+    amplitudes: cycleTable(page, "amplitude", cycles, bonds),
+    phases: cycleTable(page, "phase", cycles, bonds),
   };
 }

@@ -1,6 +1,6 @@
 // Shaders that draw each sphere and each spring as a square of two triangles. The fragment shader evaluates the curved surface
-// for each pixel. The surface is therefore exact at any zoom, and tens of thousands of swimmers can be drawn. Each square is drawn
-// once per swimmer (instance). Coordinates are relative to the camera, which is at the origin and looks along -z.
+// for each pixel. The surface is therefore exact at any zoom, and tens of thousands of swimmers can be drawn. The square is drawn
+// once per bead or spring (instance). Coordinates are relative to the camera, which is at the origin and looks along -z.
 
 const light = `
 vec3 lit(vec3 colour, vec3 normal) {
@@ -17,10 +17,10 @@ float depth(vec3 place, mat4 projection) {
 export const beadVertex = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;
-uniform int picked;
+uniform float picked;
 in vec3 position;
 in vec3 centre;
-in float radius;
+in float radius, swimmer;
 in vec3 colour;
 out vec3 seen, middle, paint;
 out float size, isPicked;
@@ -34,7 +34,7 @@ void main() {
   seen = middle + outline * (position.x * side + position.y * above);
   paint = colour;
   size = radius;
-  isPicked = gl_InstanceID == picked ? 1.0 : 0.0;
+  isPicked = swimmer == picked ? 1.0 : 0.0;
   gl_Position = projectionMatrix * vec4(seen, 1.0);
 }`;
 
@@ -60,7 +60,7 @@ void main() {
   gl_FragDepth = depth(hit, projectionMatrix);
 }`;
 
-// A spring is drawn as a flat strip from one bead to the next. The strip faces the camera and is shaded as a cylinder.
+// A spring is drawn as a flat strip between two beads. The strip faces the camera and is shaded as a cylinder.
 export const springVertex = `
 precision highp float;
 uniform mat4 modelViewMatrix, projectionMatrix;

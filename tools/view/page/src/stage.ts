@@ -19,7 +19,7 @@ function renderer(canvas: HTMLCanvasElement): three.WebGLRenderer {
   }
 }
 
-/** Returns a square from -1 to 1 that is drawn once per swimmer. */
+/** Returns a square from -1 to 1 that is drawn once per instance. */
 function square(): three.InstancedBufferGeometry {
   const geometry = new three.InstancedBufferGeometry();
   const corners = new Float32Array([-1, -1, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0]);
@@ -37,20 +37,26 @@ export class Stage {
   private readonly world = new three.Scene();
   private readonly camera = new three.PerspectiveCamera(35, 1, 1, 10);
   private readonly controls: OrbitControls;
-  private readonly positionBuffer: three.InstancedInterleavedBuffer;
-  private readonly colours: three.InstancedBufferAttribute;
+  private readonly swimmerOf: Float32Array; // index of the swimmer of each bead
+  private readonly bonds: Uint32Array; // indices of the two beads of each bond
+  private readonly centres: three.InstancedBufferAttribute; // refers to `positions`
+  private readonly bondEnds: three.InstancedInterleavedBuffer; // coordinates of the two beads of each bond
+  private readonly colours: three.InstancedBufferAttribute; // one per bead
   private readonly picked = { value: -1 };
   private readonly path: three.Line;
   private readonly sceneSize: number; // length of the diagonal of boundary()
   private drawRequested = false;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly scene: Scene) {
-    const swimmers = scene.ids.length;
     this.renderer = renderer(canvas);
     this.positions = new Float32Array(scene.start);
-    this.positionBuffer = new three.InstancedInterleavedBuffer(this.positions, 9);
-    this.positionBuffer.setUsage(three.DynamicDrawUsage);
-    this.colours = new three.InstancedBufferAttribute(new Float32Array(3 * swimmers), 3);
+    this.swimmerOf = Float32Array.from(scene.shapes.flatMap((shape, s) => Array<number>(shape.beads).fill(s)));
+    this.bonds = Uint32Array.from(scene.shapes.flatMap((shape, s) => shape.bonds.flat().map((bead) => scene.firstBead[s] + bead)));
+    this.centres = new three.InstancedBufferAttribute(this.positions, 3);
+    this.centres.setUsage(three.DynamicDrawUsage);
+    this.bondEnds = new three.InstancedInterleavedBuffer(new Float32Array(3 * this.bonds.length), 6);
+    this.bondEnds.setUsage(three.DynamicDrawUsage);
+    this.colours = new three.InstancedBufferAttribute(new Float32Array(this.positions.length), 3);
     this.sceneSize = this.boundary().getSize(new three.Vector3()).length();
     this.addSwimmers();
     this.addBox();
@@ -66,13 +72,17 @@ export class Stage {
 
   /** Draws all beads again, after `positions` has been changed. */
   updatePositions(): void {
-    this.positionBuffer.needsUpdate = true;
+    const { bonds, positions, bondEnds } = this;
+    for (let end = 0; end < bonds.length; ++end) {
+      for (let a = 0; a < 3; ++a) bondEnds.array[3 * end + a] = positions[3 * bonds[end] + a];
+    }
+    this.centres.needsUpdate = bondEnds.needsUpdate = true;
     this.draw();
   }
 
   /** Sets the colour of each swimmer. */
   paint(colours: Colour[]): void {
-    colours.forEach((colour, s) => this.colours.setXYZ(s, ...colour));
+    this.swimmerOf.forEach((swimmer, bead) => this.colours.setXYZ(bead, ...colours[swimmer]));
     this.colours.needsUpdate = true;
     this.draw();
   }
@@ -144,23 +154,23 @@ export class Stage {
   }
 
   private addSwimmers(): void {
-    const bead = (n: number) => new three.InterleavedBufferAttribute(this.positionBuffer, 3, 3 * n);
-    const radii = new three.InstancedInterleavedBuffer(this.scene.radius, 3);
-    const radius = (n: number) => new three.InterleavedBufferAttribute(radii, 1, n);
+    const { radius } = this.scene;
     const material = (vertexShader: string, fragmentShader: string) =>
       new three.RawShaderMaterial({ glslVersion: three.GLSL3, vertexShader, fragmentShader, uniforms: { picked: this.picked }, side: three.DoubleSide });
-    const add = (shader: three.RawShaderMaterial, attributes: Record<string, three.InterleavedBufferAttribute>) => {
+    const add = (shader: three.RawShaderMaterial, count: number, attributes: Record<string, three.BufferAttribute | three.InterleavedBufferAttribute>) => {
       const geometry = square();
       for (const [name, attribute] of Object.entries(attributes)) geometry.setAttribute(name, attribute);
-      geometry.setAttribute("colour", this.colours);
-      geometry.instanceCount = this.scene.ids.length;
+      geometry.instanceCount = count;
       const mesh = new three.Mesh(geometry, shader);
       mesh.frustumCulled = false;
       this.world.add(mesh);
     };
-    const beads = material(beadVertex, beadFragment), springs = material(springVertex, springFragment);
-    for (const n of [0, 1, 2]) add(beads, { centre: bead(n), radius: radius(n) });
-    for (const n of [0, 1]) add(springs, { from: bead(n), to: bead(n + 1), radius: radius(n) });
+    const perInstance = (numbers: Float32Array) => new three.InstancedBufferAttribute(numbers, 1);
+    add(material(beadVertex, beadFragment), radius.length,
+      { centre: this.centres, radius: perInstance(radius), swimmer: perInstance(this.swimmerOf), colour: this.colours });
+    const bonds = this.bonds.length / 2, end = (n: number) => new three.InterleavedBufferAttribute(this.bondEnds, 3, 3 * n);
+    const bondRadii = Float32Array.from({ length: bonds }, (_, bond) => radius[this.bonds[2 * bond]]); // of the first beads
+    if (bonds > 0) add(material(springVertex, springFragment), bonds, { from: end(0), to: end(1), radius: perInstance(bondRadii) });
   }
 
   private addBox(): void {
@@ -239,7 +249,7 @@ export class Stage {
       const pickRadius = Math.max(this.scene.radius[bead], 4 * pixel * distance);
       if (distance > 0 && distance < nearest && centre.addScaledVector(direction, -distance).length() <= pickRadius) {
         nearest = distance;
-        found = (bead / 3) | 0;
+        found = this.swimmerOf[bead];
       }
     }
     return found;

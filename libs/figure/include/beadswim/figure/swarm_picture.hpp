@@ -13,11 +13,19 @@
 
 namespace beadswim {
 
+struct PicturedBead {
+  Vec3 centre = Vec3::Zero();  ///< [length]
+  double radius = 0;           ///< [length]
+};
+
 struct PicturedSwimmer {
-  std::array<Vec3, 3> beads;      ///< centres [length]
-  std::array<double, 3> radii{};  ///< [length]
-  int colour = 0;                 ///< index in the palette of Okabe and Ito, modulo its size
-  std::array<int, 3> layer{};     ///< number of the swimmer's layer along each axis, from 0
+  std::vector<PicturedBead> beads;          ///< at least one
+  std::vector<std::array<int, 2>> bonds{};  ///< indices of the two beads that each bond joins
+  int colour = 0;                           ///< index in the palette of Okabe and Ito, modulo its size
+  std::array<int, 3> layer{};               ///< number of the swimmer's layer along each axis, from 0
+
+  /// Returns the bead with the index n/2 of n beads. It stands for the swimmer's position.
+  const PicturedBead& middle_bead() const { return beads[beads.size() / 2]; }
 };
 
 /// Legend entry of a colour.
@@ -50,8 +58,8 @@ struct SwarmPicture {
   std::vector<Note> notes{};
 };
 
-/// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and arms are lines. Near
-/// beads and arms hide far ones. Throws InputError if there is no swimmer.
+/// Returns a complete SVG document, about 70 bytes per bead. Beads are shaded discs and bonds are lines. Near
+/// beads and bonds hide far ones. Throws InputError if there is no swimmer.
 std::string swarm_picture_to_svg(const SwarmPicture& picture);
 
 /// Moves each swimmer by multiples of the box lengths along periodic axes, so that its middle bead is in the

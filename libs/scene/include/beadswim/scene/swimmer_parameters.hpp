@@ -13,7 +13,8 @@ namespace beadswim {
 /// damping is included. Values that differ between beads or arms are separated by commas.
 std::string body_parameters(const SwimmerType& type);
 
-/// Returns the parameters of the driving: "A = B = 2, α = 1.571 rad, T = 2000, along x".
+/// Returns the parameters of the driving: "A = B = 2, α = 1.571 rad, T = 2000, along x", or, if it is not the
+/// driving of the paper's swimmer, "3 drives, T = 1000".
 std::string driving_parameters(const Driving& driving);
 
 /// Returns one line per type of the layout, with the number of swimmers that have their own driving. Returns

@@ -17,11 +17,9 @@ struct TrajectoryFile {
 
   double period() const;              ///< driving period of the first swimmer [time]
   std::vector<int> swimmers() const;  ///< ids, in the order of the file
+  /// Returns the type of a swimmer, which is given by its index in the file.
+  const SwimmerType& type(std::size_t swimmer) const;
 };
-
-/// Throws InputError if a swimmer of the layout does not have three beads. `what`: what needs three beads,
-/// with a verb, for the message; `source`: name of the file.
-void require_three_beads(const Layout& layout, const std::string& what, const std::string& source);
 
 /// Opens a trajectory file and reads the layout that it contains. Throws InputError if the file is invalid;
 /// the message contains the path of the file and the place within it.
