@@ -157,7 +157,7 @@ TEST(NearField, IsSymmetricAndPositiveDefinite) {
 TEST(NearField, KeepsTheNetForceAndUniformFlow) {
   const Crowd crowd(4, 6, {7, 8, 9});
   for (const auto& box : {std::optional<Box>{}, std::optional(Box{{7, 8, 9}, {}})}) {
-    const NearMap map = NearField(crowd.radii, box).at(crowd.places);
+    const NearMap map = NearField(crowd.radii, lines_of_three(crowd.radii), box).at(crowd.places);
     Vectors forces = crowd.forces;
     forces[0] += Vec3(1, 2, 3);  // the sum
     map.map_forces(forces);
@@ -221,9 +221,48 @@ TEST(NearField, BearsPlacesThatAreNoNumbers) {
   EXPECT_FALSE(velocities(near_scene(crowd.radii), crowd.places, crowd.forces)[4].allFinite());
 }
 
-TEST(NearField, RefusesSpheresThatAreNoSwimmers) {
-  EXPECT_THROW(velocities(near_scene({1, 1, 1, 1}), Vectors(4, Vec3::Zero()), Vectors(4, Vec3::Zero())),
-               InputError);
+/// Returns spheres of radius 1 whose near field has these lines.
+MobilityScene unit_spheres(int count, const std::vector<int>& lines) {
+  return {MobilityModel::rpy_near, eta, {}, Numbers(count, 1.0), 1e-8, lines};
+}
+
+// Two spheres that no swimmer joins to a third: Stimson and Jeffery's drag of spheres that approach each
+// other.
+TEST(NearField, MovesLonePairsExactly) {
+  const Vectors found =
+      velocities(unit_spheres(2, {}), {Vec3(0, 0, 0), Vec3(0, 3, 0)}, {Vec3(0, 1, 0), Vec3(0, -1, 0)});
+  const double unit = 1 / (6 * std::numbers::pi * eta);
+  EXPECT_NEAR(found[0].y() / unit, 1 / 2.038655, 1e-6);
+  EXPECT_NEAR(found[1].y() / unit, -1 / 2.038655, 1e-6);
+}
+
+// Of three beads at the corners of a triangle each pair is close: the map has the symmetry of the triangle.
+TEST(NearField, TreatsATriangleAsPairs) {
+  const double height = 1.5 * std::numbers::sqrt3;
+  const Vectors corners{Vec3(-1.5, 0, 0), Vec3(1.5, 0, 0), Vec3(0, height, 0)};
+  const Vec3 centre(0, height / 3, 0);
+  Vectors outwards;
+  for (const Vec3& corner : corners) outwards.push_back((corner - centre).normalized());
+  const Vectors found = velocities(unit_spheres(3, {}), corners, outwards);
+  for (int b = 0; b < 3; ++b) {
+    EXPECT_NEAR(found[b].dot(outwards[b]), found[0].dot(outwards[0]), 1e-12);
+    EXPECT_LT(found[b].cross(outwards[b]).norm(), 1e-12);
+  }
+  MobilityScene plain = unit_spheres(3, {});
+  plain.model = MobilityModel::rpy;
+  EXPECT_LT(found[0].norm(), 0.95 * velocities(plain, corners, outwards)[0].norm());
+}
+
+// A dumbbell before a three-bead swimmer shifts the numbers of its beads, and nothing else.
+TEST(NearField, FindsTheBeadsOfLinesInMixtures) {
+  const Vectors line{Vec3(0, 0, 0), Vec3(2.7, 0, 0), Vec3(6, 0, 0)},
+      forces{Vec3(1, 0, 0), Vec3(-3, 1, 0), Vec3(2, -1, 0)};
+  Vectors both{Vec3(0, 1e6, 0), Vec3(0, 1e6 + 5, 0)}, all_forces(2, Vec3::Zero());
+  both.insert(both.end(), line.begin(), line.end());
+  all_forces.insert(all_forces.end(), forces.begin(), forces.end());
+  const Vectors alone = velocities(unit_spheres(3, {0}), line, forces);
+  const Vectors mixed = velocities(unit_spheres(5, {2}), both, all_forces);
+  for (int b = 0; b < 3; ++b) EXPECT_LT((mixed[2 + b] - alone[b]).norm(), 1e-12);
 }
 
 }  // namespace

@@ -22,8 +22,15 @@ inline Vectors velocities(const MobilityScene& scene, const Vectors& places, con
   return result;
 }
 
+/// Returns the first beads of swimmers of three beads.
+inline std::vector<int> lines_of_three(const Numbers& radii) {
+  std::vector<int> lines;
+  for (int b = 0; b + 3 <= std::ssize(radii); b += 3) lines.push_back(b);
+  return lines;
+}
+
 inline MobilityScene near_scene(const Numbers& radii, const std::optional<Box>& box = {}) {
-  return {MobilityModel::rpy_near, eta, box, radii, 1e-8};
+  return {MobilityModel::rpy_near, eta, box, radii, 1e-8, lines_of_three(radii)};
 }
 
 inline double largest_difference(const Vectors& a, const Vectors& b) {

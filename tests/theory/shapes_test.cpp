@@ -16,10 +16,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-PairTensor oseen_pairs(double, double, double r, double eta) {
-  return oseen_tensor(r, eta);
-}
-
 /// Returns three beads on a line as a swimmer of any shape, turned by `orientation`.
 ShapedSwimmer shaped(const CollinearSwimmer& line, const Eigen::Matrix3d& orientation) {
   ThreeBeadSwimmer three;
@@ -51,6 +47,7 @@ TEST(SecondOrderMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
     const double scale = d1 * d2 * line.angular_frequency() / (line.arm[0] + line.arm[1]);
     EXPECT_LT((motion.velocity - expected.velocity * orientation.col(0)).norm(), 1e-7 * scale) << n;
     EXPECT_LT(motion.angular_velocity.norm() * line.arm[0], 1e-6 * scale) << n;
+    EXPECT_NEAR(motion.power / mean_power(line, expected.stroke), 1, 1e-6) << n;
     for (int k = 0; k < 2; ++k) {
       EXPECT_NEAR(motion.stroke.amplitude[k] / expected.stroke.amplitude[k], 1, 1e-9);
       EXPECT_NEAR(std::remainder(motion.stroke.phase[k] - expected.stroke.phase[k], 2 * pi), 0, 1e-9);
@@ -75,6 +72,7 @@ TEST(PeriodicMotionOfShapes, OfThreeBeadsOnALineIsThatOfTheLine) {
   const PeriodicShapeMotion motion = periodic_motion(shaped(line, orientation), rotne_prager_tensor);
   EXPECT_LT((motion.velocity - expected.velocity * orientation.col(0)).norm(), 1e-7 * expected.velocity);
   EXPECT_LT(motion.numerical_error, 1e-6 * expected.velocity);
+  EXPECT_NEAR(motion.power / mean_power(line, expected.stroke), 1, 1e-7);
   for (int k = 0; k < 2; ++k) {
     EXPECT_NEAR(motion.stroke.amplitude[k] / expected.stroke.amplitude[k], 1, 1e-8);
     EXPECT_NEAR(motion.bond_means[k] / expected.arm_means[k], 1, 1e-9);

@@ -80,6 +80,18 @@ Vec3 bond_vector(const SwimmerSample& sample, const Bond& bond) {
   return sample.bead_positions[bond.beads[1]] - sample.bead_positions[bond.beads[0]];
 }
 
+BeadVectors mean_shape(Samples samples, const SwimmerType& type, const Eigen::Matrix3d& initial_orientation) {
+  const auto cycle = samples.first(samples.size() - 1);
+  BeadVectors mean = BeadVectors::Zero(3, std::ssize(type.beads));
+  Eigen::Matrix3d orientation = initial_orientation;
+  for (const SwimmerSample& sample : cycle) {
+    orientation = orientation_of(sample, type, orientation);
+    const BeadVectors beads = columns_of_beads(sample.bead_positions);
+    mean += orientation.transpose() * (beads.colwise() - Vec3(beads.rowwise().mean()));
+  }
+  return mean / static_cast<double>(cycle.size());
+}
+
 CycleStatistics cycle_statistics(int index, Samples samples, const SwimmerType& type,
                                  const Eigen::Matrix3d& initial_orientation) {
   const double period = type.driving.period;

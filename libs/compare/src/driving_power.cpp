@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
@@ -32,16 +33,54 @@ bool are_resolved(const Driving& driving, std::ptrdiff_t samples) {
   return all;
 }
 
+/// Returns the rate of change at time n of a period with M equidistant times, by the trigonometric polynomial
+/// through the values at these times, multiplied by the period.
+Vec3 rate_at(const std::vector<Vec3>& values, int n) {
+  const int M = static_cast<int>(values.size());
+  Vec3 rate = Vec3::Zero();
+  for (int m = 0; m < M; ++m) {
+    if (m == n) continue;
+    const double half = std::numbers::pi * (n - m) / M, sign = (n - m) % 2 == 0 ? 1 : -1;
+    rate += std::numbers::pi * sign * (M % 2 == 0 ? std::cos(half) : 1) / std::sin(half) * values[m];
+  }
+  return rate;
+}
+
+/// Returns the mean power of forces that turn with the swimmer: the mean over the samples of force times
+/// velocity. Each velocity is that of the uniform motion over the cycle and of the periodic rest.
+double power_of_turning_forces(SwimmerType type, const Eigen::Matrix3d& initial_orientation,
+                               std::span<const SwimmerSample> samples) {
+  type.driving.bonds.clear();
+  const auto times = samples.size() - 1;
+  const double interval = samples.back().time - samples.front().time;
+  std::vector<BeadVectors> forces;
+  for (const SwimmerSample& sample : samples.first(times)) {
+    const BeadVectors beads = columns_of_beads(sample.bead_positions);
+    forces.push_back(driving_forces(type, sample.time, beads, initial_orientation));
+  }
+  double power = 0;
+  for (std::size_t bead = 0; bead < type.beads.size(); ++bead) {
+    const Vec3 uniform = samples.back().bead_positions[bead] - samples.front().bead_positions[bead];
+    std::vector<Vec3> rest;
+    for (std::size_t n = 0; n < times; ++n)
+      rest.push_back(samples[n].bead_positions[bead] -
+                     static_cast<double>(n) / static_cast<double>(times) * uniform);
+    for (std::size_t n = 0; n < times; ++n)
+      power += Vec3(forces[n].col(bead)).dot(uniform + rate_at(rest, static_cast<int>(n)));
+  }
+  return power / (interval * static_cast<double>(times));
+}
+
 }  // namespace
 
 std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix3d& initial_orientation,
                                     std::span<const SwimmerSample> samples) {
   const Driving& driving = type.driving;
-  if (driving.frame == DrivingFrame::body && !driving.forces.empty()) return std::nullopt;
   if (!are_resolved(driving, std::ssize(samples) - 1)) return std::nullopt;
   const SwimmerSample &first = samples.front(), &last = samples.back();
-  double power = 0;
-  for (const ForceDrive& drive : driving.forces) {
+  const bool turns = driving.frame == DrivingFrame::body && !driving.forces.empty();
+  double power = turns ? power_of_turning_forces(type, initial_orientation, samples) : 0;
+  for (const ForceDrive& drive : turns ? std::vector<ForceDrive>{} : driving.forces) {
     const Vec3 direction =
         driving.frame == DrivingFrame::lab ? drive.direction : Vec3(initial_orientation * drive.direction);
     const Vec3 velocity =

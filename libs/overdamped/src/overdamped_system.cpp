@@ -19,18 +19,34 @@ Beads weighted_sum(std::initializer_list<std::pair<double, const Beads*>> terms)
   return sum;
 }
 
+/// Returns true if the three beads of a swimmer stay on a line, in order of their numbers.
+bool has_three_beads_in_order(const SwimmerType& type) {
+  if (type.beads.size() != 3 || !is_straight(type)) return false;
+  const double x1 = type.beads[0].at.x(), x2 = type.beads[1].at.x(), x3 = type.beads[2].at.x();
+  return (x1 < x2 && x2 < x3) || (x1 > x2 && x2 > x3);
+}
+
 }  // namespace
+
+MobilityScene mobility_scene(const OverdampedScene& scene) {
+  MobilityScene mobility{.model = scene.model,
+                         .viscosity = scene.viscosity,
+                         .box = scene.box,
+                         .radii = bead_radii(scene),
+                         .tolerance = scene.tolerance};
+  const std::vector<BeadRange> ranges = bead_ranges(scene);
+  for (std::size_t s = 0; s < ranges.size(); ++s) {
+    if (has_three_beads_in_order(scene.type_of(scene.swimmers[s])))
+      mobility.lines.push_back(static_cast<int>(ranges[s].first));
+  }
+  return mobility;
+}
 
 OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& communicator)
     : scene_(std::move(scene)),
       communicator_(communicator),
       radii_(bead_radii(scene_)),
-      mobility_({.model = scene_.model,
-                 .viscosity = scene_.viscosity,
-                 .box = scene_.box,
-                 .radii = radii_,
-                 .tolerance = scene_.tolerance},
-                rest_positions(scene_), communicator),
+      mobility_(mobility_scene(scene_), rest_positions(scene_), communicator),
       implicit_step_(std::make_unique<ImplicitStep>(scene_, radii_, mobility_, communicator_)) {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   state_.positions.fill(rest_positions(scene_));

@@ -24,6 +24,7 @@ ErrorEstimate box_changes(const SceneFacts& facts) {
 ExpectedErrors expected_errors(const Layout& layout, MobilityModel model, const MobilitySettings& settings,
                                double cycles) {
   const SceneFacts facts = scene_facts(layout, cycles);
+  require_validated(facts);
   return {.total = mobility_scene_error(facts, model, settings),
           .resolution = {.velocity = velocity_error_of_steps(settings)},
           .wander = {},
@@ -32,6 +33,7 @@ ExpectedErrors expected_errors(const Layout& layout, MobilityModel model, const 
 
 ExpectedErrors expected_errors(const Layout& layout, const SceneOnLattice& on_lattice, double cycles) {
   const SceneFacts facts = scene_facts(layout, cycles);
+  require_validated(facts);
   const long steps_per_cycle = on_lattice.lattice.steps_per_period;
   const double roundoff =
       velocity_roundoff(on_lattice.scene, steps_per_cycle, total_steps(cycles, steps_per_cycle));

@@ -109,7 +109,10 @@ void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSp
   run.core_seconds =
       start_seconds * communicator.size() + static_cast<double>(steps) * speed.step(on_lattice.scene);
   run.memory_bytes = bytes + program_bytes * communicator.size();
-  run.output_bytes = output_bytes(run.settings, on_lattice.scene.swimmers.size(), cells, bytes / cells);
+  std::size_t beads = 0;
+  for (const PlacedSwimmer& swimmer : on_lattice.scene.swimmers)
+    beads += on_lattice.scene.types[swimmer.type].beads.size();
+  run.output_bytes = output_bytes(run.settings, beads, cells, bytes / cells);
 }
 
 /// Returns the candidate (possible run) with these settings. `speed`: cost of lattice steps, measured by the

@@ -17,12 +17,7 @@ double product_seconds(const OverdampedScene& scene, const Communicator& communi
   const Beads places = rest_positions(scene);
   Beads forces(places.size()), velocities(places.size());
   for (std::size_t b = 0; b < forces.size(); ++b) forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2.0 : 1.0);
-  const MobilityProduct product({.model = scene.model,
-                                 .viscosity = scene.viscosity,
-                                 .box = scene.box,
-                                 .radii = bead_radii(scene),
-                                 .tolerance = scene.tolerance},
-                                places, communicator);
+  const MobilityProduct product(mobility_scene(scene), places, communicator);
   product.apply(places, forces, velocities);  // the first product also prepares tables
   const auto seconds_of = [&](int products) {
     MPI_Barrier(communicator.get());
@@ -56,14 +51,15 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator&
   const double products_per_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
   constexpr double first_products = 13, rest_of_step = 1e-5;  // rest_of_step: per swimmer and step [s]
   constexpr double bytes_in_box = 700, bytes_in_open = 2700;  // per bead, including the mesh [byte]
-  const double swimmers = static_cast<double>(setup.scene.swimmers.size());
+  const std::size_t beads = bead_radii(setup.scene).size();
+  const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
   const double steps = static_cast<double>(total_steps(run.settings.cycles, setup.steps_per_cycle));
   run.core_seconds =
       start_seconds * communicator.size() + rest_of_step * swimmers * steps +
       (products_per_step * steps + first_products) * product_seconds(setup.scene, communicator);
-  run.memory_bytes =
-      3 * swimmers * (setup.scene.box ? bytes_in_box : bytes_in_open) + program_bytes * communicator.size();
-  run.output_bytes = output_bytes(run.settings, setup.scene.swimmers.size(), 0, 0);
+  run.memory_bytes = static_cast<double>(beads) * (setup.scene.box ? bytes_in_box : bytes_in_open) +
+                     program_bytes * communicator.size();
+  run.output_bytes = output_bytes(run.settings, beads, 0, 0);
 }
 
 PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,

@@ -67,15 +67,18 @@ double growth_of_tilt(const ThreeBeadSwimmer& type, double viscosity) {
 
 }  // namespace
 
+void require_validated(const SceneFacts& facts) {
+  if (facts.unvalidated.empty()) return;
+  throw InputError(
+      fmt::format("error estimates have been validated for the paper's three-bead swimmers only, "
+                  "not for the type \"{}\"; compare runs with different resolutions",
+                  facts.unvalidated));
+}
+
 SceneFacts scene_facts(const Layout& layout, double cycles) {
-  for (const auto& [name, type] : layout.types) {
-    if (!three_bead_form(type))
-      throw InputError(
-          fmt::format("errors are estimated for the paper's three-bead swimmers only, not for the type "
-                      "\"{}\"; name the model with {}, and compare runs with different resolutions",
-                      name, Setting::model));
-  }
   SceneFacts facts;
+  for (const auto& [name, type] : layout.types)
+    if (!three_bead_form(type)) facts.unvalidated = name;
   if (layout.domain) {
     constexpr double off_place = 1e-6;  // relative to the smallest radius, as in beadswim-layout reduce
     ReducedCell reduced = reduce(layout, off_place * smallest_radius(layout));
@@ -121,11 +124,11 @@ ErrorEstimate scaled(double factor, ErrorEstimate error) {
   return error;
 }
 
-double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_per_cell) {
+double output_bytes(const RunSettings& settings, std::size_t beads, double cells, double bytes_per_cell) {
   constexpr double empty = 3.3e5, bytes_per_frame = 60, bytes_per_bead = 34,
                    bytes_per_flow_cell = 20;  // measured file sizes [byte]
   const double frames = 1 + settings.cycles * settings.frames_per_cycle;
-  double bytes = empty + frames * (bytes_per_frame + bytes_per_bead * 3 * static_cast<double>(swimmers));
+  double bytes = empty + frames * (bytes_per_frame + bytes_per_bead * static_cast<double>(beads));
   if (settings.flow_every)
     bytes += std::floor(settings.cycles / *settings.flow_every + 1) * bytes_per_flow_cell * cells;
   if (settings.checkpoint_every) bytes += 2 * cells * bytes_per_cell;

@@ -27,8 +27,12 @@ struct SceneFacts {
   Layout cell;            ///< smallest cell whose repetition gives the scene
   Index3 cells{1, 1, 1};  ///< number of repetitions along x, y, z
   std::vector<SwimmerFacts> swimmer_facts;
+  std::string unvalidated;     ///< name of a type for which errors have not been validated; empty if none
   double disorder_growth = 1;  ///< factor by which deviations from the order of the swarm grow in the run
 };
+
+/// Throws InputError if the errors of a type of swimmer have not been validated.
+void require_validated(const SceneFacts& facts);
 
 /// Returns the facts of a layout for a run of `cycles` base cycles.
 SceneFacts scene_facts(const Layout& layout, double cycles);
@@ -44,6 +48,11 @@ ErrorEstimate componentwise_max(const ErrorEstimate& a, const ErrorEstimate& b);
 /// Returns all errors, multiplied by `factor`.
 ErrorEstimate scaled(double factor, ErrorEstimate error);
 
+/// Returns true if the prediction for the representative is for a simplified scene or another shape.
+inline bool is_simplified(const Representative& representative) {
+  return representative.is_stand_in || !representative.approximation.empty();
+}
+
 /// Factor that multiplies an error estimate if its prediction was made for simplified neighbours, a
 /// simplified box or a simplified driving of the swimmer.
 constexpr double approximation_factor = 2;
@@ -56,7 +65,7 @@ template <class ErrorOf>
 ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
   ErrorEstimate error;
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
-    const double factor = (swimmer_facts.representative.approximation.empty() ? 1 : approximation_factor) *
+    const double factor = (is_simplified(swimmer_facts.representative) ? approximation_factor : 1) *
                           (swimmer_facts.representative.is_slanted ? swimmer_facts.tilt_growth : 1);
     error = componentwise_max(error, scaled(factor, error_of(swimmer_facts)));
   }
@@ -69,8 +78,8 @@ ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
 constexpr double start_seconds = 0.05, program_bytes = 3.5e7;
 
 /// Returns the disk space of the trajectory, the flow fields and the checkpoints [byte] for the given numbers
-/// of swimmers and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
-double output_bytes(const RunSettings& settings, std::size_t swimmers, double cells, double bytes_per_cell);
+/// of beads and lattice cells. `bytes_per_cell`: state of one lattice cell [byte].
+double output_bytes(const RunSettings& settings, std::size_t beads, double cells, double bytes_per_cell);
 
 /// Errors of a lattice run of a scene, by cause.
 struct LatticeErrors {

@@ -7,7 +7,9 @@
 #include <string>
 #include <tuple>
 
+#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/theory/surroundings.hpp"
+#include "stand_in.hpp"
 #include "swimmer_in_box.hpp"
 
 namespace beadswim {
@@ -47,7 +49,10 @@ bool is_driven_across(const ThreeBeadSwimmer& type, const Vec3& axis) {
 Representative representative(const Layout& cell, const Swimmer& swimmer) {
   Representative result;
   result.swimmer = swimmer.id;
-  result.type = three_beads(cell.resolved_type(swimmer));
+  const SwimmerType type = cell.resolved_type(swimmer);
+  const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
+  result.is_stand_in = !three;
+  result.type = three ? *three : stand_in(type, cell.fluid);
   const bool across = result.is_slanted = is_driven_across(result.type, swimmer.axis);
   const ThreeBeadSwimmer collinear_type =
       across ? driven_along_its_line(result.type, swimmer.axis) : result.type;
@@ -72,21 +77,25 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
   return result;
 }
 
-/// Name of the type of a swimmer, and its driving without the phase offset.
+/// Name of the type of a swimmer, and its driving without the phase offset: of other swimmers than three
+/// beads, frame, largest force and period.
 using Kind = std::tuple<std::string, DrivingFrame, double, double, double, double>;
 
 Kind kind_of(const Layout& cell, const Swimmer& swimmer) {
-  const ThreeBeadDriving driving = three_beads(cell.resolved_type(swimmer)).driving;
-  return {swimmer.type,         driving.frame, driving.amplitude[0],
-          driving.amplitude[1], driving.phase, driving.period};
+  const SwimmerType type = cell.resolved_type(swimmer);
+  const Driving& driving = type.driving;
+  if (const std::optional<ThreeBeadSwimmer> three = three_bead_form(type)) {
+    const auto& [a, b] = three->driving.amplitude;
+    return {swimmer.type, driving.frame, a, b, three->driving.phase, driving.period};
+  }
+  return {swimmer.type, driving.frame, largest_driving_force(type), 0, 0, driving.period};
 }
 
 /// Returns the first swimmer, the swimmers with the largest and the smallest force, and the swimmers with the
 /// longest and the shortest period. A swimmer with several of these properties is returned once.
 std::vector<const Swimmer*> extremes(const Layout& cell, const std::vector<const Swimmer*>& all) {
   const auto force = [&](const Swimmer* swimmer) {
-    const auto& [a, b] = three_beads(cell.resolved_type(*swimmer)).driving.amplitude;
-    return std::abs(a) + std::abs(b);
+    return largest_driving_force(cell.resolved_type(*swimmer));
   };
   const auto period = [&](const Swimmer* swimmer) { return cell.resolved_type(*swimmer).driving.period; };
   std::vector<const Swimmer*> selected{all.front()};

@@ -99,6 +99,14 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
                       swimmer_facts.representative.swimmer, film_obstacle(swimmer_facts)));
     }
   }
+  if (!facts.unvalidated.empty())
+    plan.hard.push_back(
+        fmt::format("error estimates have not been validated for the type \"{}\": they are twice those of "
+                    "three beads on a "
+                    "line with its largest radius, its mean bond length, its period and a similar stroke; "
+                    "compare runs with "
+                    "different resolutions",
+                    facts.unvalidated));
   if (facts.cell.swimmers.size() > 1)
     plan.hard.push_back(
         "neighbours also move one another sideways; mobility models lack the part of this motion that "
@@ -119,8 +127,7 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
         copies, box[0], box[1], box[2], facts.cell.swimmers.size(), layout.swimmers.size(), copies)});
   }
   const SwimmerFacts& swimmer_facts = facts.swimmer_facts.front();
-  if (layout.swimmers.size() != 1 || !swimmer_facts.representative.approximation.empty() ||
-      !swimmer_facts.best)
+  if (layout.swimmers.size() != 1 || is_simplified(swimmer_facts.representative) || !swimmer_facts.best)
     return;
   const std::optional<SufficientBox> box =
       sufficient_box(swimmer_facts.representative.question, plan.tolerance / 3);

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
+#include "beadswim/plan/reason_against.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
+#include "beadswim/theory/shaped_swimmer.hpp"
 
 namespace beadswim {
 namespace {
@@ -27,8 +30,22 @@ struct Speeds {
   double bead, swimmer;  ///< of the fastest bead; of the swimmer, period average [cell/step]
 };
 
-/// Returns the speeds of a swimmer of this type with the driving along its axis.
+/// Returns the speeds of a swimmer of any shape, in the directions of its type. The speed of the swimmer
+/// includes that of its ends by rotation.
+Speeds predicted_speeds_of_shape(const SwimmerType& type, double viscosity) {
+  const ShapedSwimmer swimmer{type, Eigen::Matrix3d::Identity(), viscosity};
+  const ShapeMotion motion = second_order_motion(swimmer, rotne_prager_tensor);
+  const double reach = motion.mean_shape.colwise().norm().maxCoeff();
+  const double omega = 2 * std::numbers::pi / type.driving.period;
+  double swing = 0;
+  for (const double amplitude : motion.stroke.amplitude) swing = std::max(swing, amplitude);
+  const double swimming = motion.velocity.norm() + motion.angular_velocity.norm() * reach;
+  return {.bead = omega * swing + swimming, .swimmer = swimming};
+}
+
+/// Returns the speeds of a swimmer of this type; of three beads, with the driving along their axis.
 Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
+  if (!three_bead_form(type)) return predicted_speeds_of_shape(type, viscosity);
   const CollinearSwimmer swimmer = collinear_swimmer(three_beads(type), Vec3::UnitX(), viscosity);
   const CollinearMobility mobility = rest_mobility(swimmer, rotne_prager);
   const Eigen::Vector3cd displacement = linear_response(swimmer, mobility.value).displacement;
@@ -41,8 +58,10 @@ Speeds predicted_speeds(const SwimmerType& type, double viscosity) {
 double velocity_roundoff(const CoupledScene& scene, long steps_per_period, long steps) {
   double worst = 0;
   for (const SwimmerType& type : scene.types) {
-    if (!three_bead_form(type)) continue;  // theory does not predict its speeds
-    const Speeds speeds = predicted_speeds(type, lattice_viscosity(scene.relaxation_time));
+    Speeds speeds{};
+    const std::string unknown =
+        reason_against([&] { speeds = predicted_speeds(type, lattice_viscosity(scene.relaxation_time)); });
+    if (!unknown.empty()) continue;
     if (speeds.bead == 0) continue;  // the type is not driven
     constexpr double none = 1e-12;   // smaller ratios of swimmer speed to bead speed are roundoff
     const bool is_swimming = speeds.swimmer > none * speeds.bead;

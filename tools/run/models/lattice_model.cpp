@@ -68,6 +68,7 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, cons
     std::vector<double>& of_type = radii.emplace_back();
     for (const Bead& bead : type.beads) of_type.push_back(bead.radius * units.length);
   }
+  softening = on_lattice.softening;
   swimmers = on_lattice.scene.swimmers;
   cells = on_lattice.scene.cells.cast<double>().prod();
   announcement = announcement_of(on_lattice, communicator);

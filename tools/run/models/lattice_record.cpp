@@ -40,7 +40,7 @@ LatticeResolution resolution_of(const SceneOnLattice& on_lattice) {
           .bead_boundary = to_text(on_lattice.scene.bead_boundary),
           .density_on_lattice = on_lattice.density_on_lattice(),
           .radius_on_lattice = on_lattice.radius_on_lattice(),
-          .angular_softening = on_lattice.angular_softening,
+          .angular_softening = on_lattice.angular_softening(),
           .precision = to_text(on_lattice.scene.precision)};
 }
 

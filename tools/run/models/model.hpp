@@ -129,6 +129,8 @@ struct ModelPlan {
   long steps_per_cycle = 0;                ///< time steps per base cycle
   std::vector<double> periods;             ///< driving period of each type [step]
   std::vector<std::vector<double>> radii;  ///< radii of the beads of each type [length]
+  /// Stiffness of each angular spring of each type in the run, divided by that of the layout; empty: 1.
+  std::vector<std::vector<double>> softening;
   std::vector<PlacedSwimmer> swimmers;     ///< in the order of their ids [ModelUnits]
   std::optional<double> cells;             ///< number of lattice cells; nullopt: no lattice
   std::string announcement;                ///< description of the run, one line

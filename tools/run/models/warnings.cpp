@@ -60,13 +60,13 @@ void warn_of_stability(Warnings& warnings, const SceneOnLattice& on_lattice) {
         "springs vibrate too fast for the time step, so dashpots are added that damp these vibrations; "
         "these dashpots delay slower motion by at most half a time step");
   }
-  if (on_lattice.angular_softening < 1) {
+  if (on_lattice.angular_softening() < 1) {
     warnings.add(
         "angular-springs-softened",
         fmt::format("bending vibrations are too fast for the time step, so angular springs are softened "
                     "to {:.2g} of the layout's stiffness; to soften them less, reduce the time step by "
                     "a smaller --relaxation-time or a larger --cells-per-radius",
-                    on_lattice.angular_softening));
+                    on_lattice.angular_softening()));
   }
 }
 

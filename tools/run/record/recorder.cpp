@@ -55,6 +55,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       box_(layout.domain),
       dynamic_viscosity_(layout.fluid.dynamic_viscosity()),
       towing_method_(towing_method(plan.options.settings.model)),
+      pairs_(plan.options.settings.model == RunModel::oseen ? oseen_pairs : rotne_prager_tensor),
       trajectory_(trajectory),
       schedules_(plan.periods, frames_per_cycle_),
       widest_cycle_(widest_cycle(layout)) {
@@ -63,7 +64,11 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
   for (const Swimmer& swimmer : layout.swimmers) in_order.push_back(&swimmer);
   std::ranges::sort(in_order, {}, &Swimmer::id);
   for (std::size_t s = 0; s < in_order.size(); ++s) {
-    const SwimmerType type = layout.resolved_type(*in_order[s]);
+    SwimmerType type = layout.resolved_type(*in_order[s]);
+    if (!plan.softening.empty()) {
+      const std::vector<double>& softening = plan.softening[plan.swimmers[s].type];
+      for (std::size_t k = 0; k < softening.size(); ++k) type.angles[k].stiffness *= softening[k];
+    }
     const double period = type.driving.period;
     logs_.push_back({.record = {.id = in_order[s]->id,
                                 .cycles = {},
@@ -149,14 +154,22 @@ void Recorder::store_sample(SwimmerLog& log, const PositionSample& position_samp
 CycleStatistics Recorder::statistics_of(const SwimmerLog& log, int index) const {
   CycleStatistics cycle = cycle_statistics(index, log.samples, log.type, log.initial_orientation);
   cycle.power = driving_power(log.type, log.initial_orientation, log.samples);
-  const std::optional<ThreeBeadSwimmer> three = three_bead_form(log.type);
-  if (!three || !cycle.power || logs_.size() > max_swimmers_listed) return cycle;
-  const auto& [first, second, third] = three->beads;
-  const CollinearSwimmer swimmer{.radius = {first.radius, second.radius, third.radius},
-                                 .viscosity = dynamic_viscosity_};
-  if (const auto drag = towing_drag(towing_method_, swimmer, {cycle.arm_means[0], cycle.arm_means[1]}))
+  if (!cycle.power || logs_.size() > max_swimmers_listed) return cycle;
+  if (const auto drag = drag_in_cycle(log, cycle))
     cycle.efficiency = lighthill_efficiency(*drag, velocity_relative_to_fluid(cycle, box_), *cycle.power);
   return cycle;
+}
+
+std::optional<double> Recorder::drag_in_cycle(const SwimmerLog& log, const CycleStatistics& cycle) const {
+  if (const std::optional<ThreeBeadSwimmer> three = three_bead_form(log.type)) {
+    const auto& [first, second, third] = three->beads;
+    const CollinearSwimmer swimmer{.radius = {first.radius, second.radius, third.radius},
+                                   .viscosity = dynamic_viscosity_};
+    return towing_drag(towing_method_, swimmer, {cycle.arm_means[0], cycle.arm_means[1]});
+  }
+  const BeadVectors shape = mean_shape(log.samples, log.type, log.initial_orientation);
+  const ShapedSwimmer swimmer{log.type, Eigen::Matrix3d::Identity(), dynamic_viscosity_};
+  return towing_drag(swimmer, shape, Vec3::UnitX(), pairs_);
 }
 
 void Recorder::record(const Model& model, const ModelTotals& totals) {

@@ -91,6 +91,9 @@ class Recorder {
   /// Returns the statistics of the cycle whose samples `log` contains. In swarms of more than
   /// max_swimmers_listed swimmers, the efficiency is left out.
   CycleStatistics statistics_of(const SwimmerLog& log, int index) const;
+  /// Returns the drag coefficient of the swimmer with its mean shape in this cycle, towed along its axis in
+  /// open space [mass/time]; nothing if beads nearly touch.
+  std::optional<double> drag_in_cycle(const SwimmerLog& log, const CycleStatistics& cycle) const;
   void append_cycles(long step, double time);
   void append_swarm(const std::vector<SwimmerPose>& swimmers, const Vec3& momentum);
   template <class Message>
@@ -105,7 +108,8 @@ class Recorder {
   int frames_per_cycle_;
   std::optional<Box> box_;
   double dynamic_viscosity_;     ///< [mass/(length time)]
-  const Method& towing_method_;  ///< method of theory for the drag of the towed swimmer
+  const Method& towing_method_;  ///< method of theory for the drag of a towed three-bead swimmer
+  PairTensorLaw pairs_;          ///< mobility for the drag of another towed swimmer
   TrajectoryWriter& trajectory_;
   SamplingSchedules schedules_;
   long next_frame_ = 0;

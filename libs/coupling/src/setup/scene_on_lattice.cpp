@@ -15,6 +15,7 @@
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
@@ -36,6 +37,22 @@ void require_box(const Layout& layout, const std::string& source) {
                                Setting::box, Setting::boundary, Setting::model));
 }
 
+/// Returns true if the driving forces of a swimmer have a sum at some time.
+bool has_net_force(const SwimmerType& type) {
+  constexpr int times = 64;
+  constexpr double roundoff = 1e-9;
+  const std::vector<Vec3> rest = rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity());
+  const BeadVectors beads = columns_of_beads(rest);
+  double size = 0, sum = 0;
+  for (int n = 0; n < times; ++n) {
+    const BeadVectors forces =
+        driving_forces(type, type.driving.period * n / times, beads, Eigen::Matrix3d::Identity());
+    size = std::max(size, forces.cwiseAbs().sum());
+    sum = std::max(sum, forces.rowwise().sum().norm());
+  }
+  return sum > roundoff * size;
+}
+
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     const Swimmer& swimmer = layout.swimmers[s];
@@ -53,6 +70,25 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
                                      b + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
       }
     }
+  }
+}
+
+/// Throws InputError if driving forces of a swimmer have a sum and the walls of the box do not take up its
+/// momentum: no-slip walls take up all momentum, free-slip walls that across them.
+void require_no_net_force(const Layout& layout, const std::string& source) {
+  const auto& boundary = layout.domain->boundary;
+  if (std::ranges::count(boundary, Boundary::no_slip) > 0 ||
+      std::ranges::count(boundary, Boundary::periodic) == 0)
+    return;
+  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
+    const SwimmerType type = layout.resolved_type(layout.swimmers[s]);
+    if (!type.driving.net_force_allowed || !has_net_force(type)) continue;
+    throw InputError(
+        fmt::format("{}:/swimmers/{}", source, s),
+        fmt::format("the driving forces have a sum, which would accelerate the fluid in a box "
+                    "without no-slip walls; use another {}, rpy, rpy+near or oseen, or a box with "
+                    "a no-slip {}",
+                    Setting::model, Setting::boundary));
   }
 }
 
@@ -150,6 +186,13 @@ void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice
 
 }  // namespace
 
+double SceneOnLattice::angular_softening() const {
+  double smallest = 1;
+  for (const std::vector<double>& of_type : softening)
+    for (const double ratio : of_type) smallest = std::min(smallest, ratio);
+  return smallest;
+}
+
 double SceneOnLattice::density_on_lattice() const {
   double least = std::numeric_limits<double>::infinity();
   for (const SwimmerType& type : scene.types) {
@@ -168,6 +211,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
                        .relaxation_time = settings.relaxation_time.value_or(hint.relaxation_time)};
   result.lattice = lattice_for(layout, result.resolution, result.period);
   const LatticeScales& scales = result.lattice.scales;
+  require_no_net_force(layout, source);
   require_off_walls(layout, scales.cell, source);
   require_viscosity(settings.bead_boundary, result.lattice.relaxation_time);
   require_slip(settings.bead_boundary, result.lattice.relaxation_time);
@@ -186,9 +230,10 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
     const SwimmerType steady = with_resolved_vibrations(type, 1);
     for (std::size_t k = 0; k < type.bonds.size(); ++k)
       result.damps_springs |= steady.bonds[k].damping != type.bonds[k].damping;
+    std::vector<double>& softening = result.softening.emplace_back();
     for (std::size_t k = 0; k < type.angles.size(); ++k) {
       const double with = steady.angles[k].stiffness, without = type.angles[k].stiffness;
-      if (with < without) result.angular_softening = std::min(result.angular_softening, with / without);
+      softening.push_back(with < without ? with / without : 1);
     }
     type = steady;
   }

@@ -109,7 +109,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                          .near_field = {},
                          .near_map = {},
                          .mapped_places = {}});
-  if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.box);
+  if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.lines, scene.box);
   if (scene.box || scene.radii.size() >= min_spheres_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));

@@ -1,13 +1,10 @@
 #include "beadswim/mobility/near_field.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "beadswim/core/cell_list.hpp"
-#include "beadswim/core/error.hpp"
 
 namespace beadswim {
 namespace {
@@ -73,15 +70,16 @@ double pair_weight(double distance) {
   return 1 - t * t * t * (10 - 15 * t + 6 * t * t);
 }
 
-NearField::NearField(std::vector<double> radii, std::optional<Box> box)
-    : radii_(std::move(radii)), box_(box), lengths_(mirrored_lengths(box)) {
-  if (radii_.size() % 3 != 0)
-    throw InputError("mobility of near beads",
-                     fmt::format("there are {} spheres, but their number must be a multiple of three, "
-                                 "because each swimmer has three beads",
-                                 radii_.size()));
+NearField::NearField(std::vector<double> radii, std::vector<int> lines, std::optional<Box> box)
+    : radii_(std::move(radii)),
+      lines_(std::move(lines)),
+      line_of_(radii_.size(), -1),
+      box_(box),
+      lengths_(mirrored_lengths(box)) {
   std::map<std::array<double, 3>, int> tables;
-  for (std::size_t b = 0; b < radii_.size(); b += 3) {
+  for (std::size_t line = 0; line < lines_.size(); ++line) {
+    const int b = lines_[line];
+    std::fill_n(line_of_.begin() + b, 3, static_cast<int>(line));
     const std::array<double, 3> own{radii_[b], radii_[b + 1], radii_[b + 2]};
     const auto [table, is_new] = tables.try_emplace(own, static_cast<int>(triplet_tables_.size()));
     if (is_new) triplet_tables_.emplace_back(own);
@@ -90,18 +88,19 @@ NearField::NearField(std::vector<double> radii, std::optional<Box> box)
 }
 
 NearMap NearField::at(std::span<const Vec3> positions) const {
-  std::vector<SwimmerLink> swimmers;
-  swimmers.reserve(triplet_table_of_.size());
-  for (std::size_t s = 0; s < triplet_table_of_.size(); ++s) swimmers.push_back(swimmer_link(s, positions));
-  return {std::move(swimmers), pair_links(positions)};
+  std::vector<LineLink> lines;
+  lines.reserve(lines_.size());
+  for (std::size_t line = 0; line < lines_.size(); ++line) lines.push_back(line_link(line, positions));
+  return {std::move(lines), pair_links(positions), radii_.size()};
 }
 
-SwimmerLink NearField::swimmer_link(std::size_t swimmer, std::span<const Vec3> positions) const {
-  const Vec3* x = &positions[3 * swimmer];
-  const double* radius = &radii_[3 * swimmer];
+LineLink NearField::line_link(std::size_t line, std::span<const Vec3> positions) const {
+  const int first = lines_[line];
+  const Vec3* x = &positions[first];
+  const double* radius = &radii_[first];
   const std::array<double, 2> gaps{(x[1] - x[0]).norm() - radius[0] - radius[1],
                                    (x[2] - x[1]).norm() - radius[1] - radius[2]};
-  return {direction(x[2] - x[0]), triplet_tables_[triplet_table_of_[swimmer]].change(gaps)};
+  return {first, direction(x[2] - x[0]), triplet_tables_[triplet_table_of_[line]].change(gaps)};
 }
 
 NearField::Images NearField::mirror_images(std::span<const Vec3> positions) const {
@@ -127,7 +126,8 @@ std::vector<PairLink> NearField::pair_links(std::span<const Vec3> positions) con
         if (one >= beads && other >= beads) continue;
         for_each_image(images.places[one] - images.places[other], lengths_, cutoff,
                        [&](const Vec3& separation, bool is_direct) {
-                         if (!is_direct || one >= beads || other >= beads || one / 3 != other / 3)
+                         if (!is_direct || one >= beads || other >= beads || line_of_[one] < 0 ||
+                             line_of_[one] != line_of_[other])
                            add_pair(images, one, other, separation, links);
                        });
       }

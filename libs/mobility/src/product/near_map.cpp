@@ -25,18 +25,19 @@ double max_component(std::span<const Vec3> vectors) {
   return size;
 }
 
-void add_swimmer_change(const SwimmerLink& swimmer, const Eigen::Matrix3d& change, Vec3* beads) {
+void add_change_of_line(const LineLink& line, const Eigen::Matrix3d& change, std::span<Vec3> vectors) {
+  Vec3* const beads = &vectors[line.first];
   Vec3 along;
-  for (int b = 0; b < 3; ++b) along[b] = swimmer.axis.dot(beads[b]);
+  for (int b = 0; b < 3; ++b) along[b] = line.axis.dot(beads[b]);
   const Vec3 increment = change * along;
-  for (int b = 0; b < 3; ++b) beads[b] += increment[b] * swimmer.axis;
+  for (int b = 0; b < 3; ++b) beads[b] += increment[b] * line.axis;
 }
 
 }  // namespace
 
-NearMap::NearMap(std::vector<SwimmerLink> swimmers, std::vector<PairLink> pairs)
-    : swimmers_(std::move(swimmers)), pairs_(std::move(pairs)) {
-  std::vector<int> place(3 * swimmers_.size(), -1);
+NearMap::NearMap(std::vector<LineLink> lines, std::vector<PairLink> pairs, std::size_t beads)
+    : lines_(std::move(lines)), pairs_(std::move(pairs)) {
+  std::vector<int> place(beads, -1);
   const auto place_of = [&](int bead) {
     if (place[bead] < 0) {
       place[bead] = static_cast<int>(linked_beads_.size());
@@ -48,7 +49,7 @@ NearMap::NearMap(std::vector<SwimmerLink> swimmers, std::vector<PairLink> pairs)
     const int bead = place_of(pair.bead);
     link_ends_.emplace_back(bead, place_of(pair.partner));
   }
-  parts_ = std::max(1, static_cast<int>(std::ceil(norm_bound(pairs_, place.size()))));
+  parts_ = std::max(1, static_cast<int>(std::ceil(norm_bound(pairs_, beads))));
 }
 
 /// Applies exp(L/parts_), evaluated as a Taylor series, `parts_` times to the vectors of the beads. L is the
@@ -85,8 +86,7 @@ void NearMap::exponentiate(std::span<Vec3> vectors, const PairAction& increments
 }
 
 void NearMap::map_forces(std::span<Vec3> forces) const {
-  for (std::size_t s = 0; s < swimmers_.size(); ++s)
-    add_swimmer_change(swimmers_[s], swimmers_[s].change, &forces[3 * s]);
+  for (const LineLink& line : lines_) add_change_of_line(line, line.change, forces);
   exponentiate(forces, [](const PairLink& pair, double a, double b) {
     const double increment = pair.own * a + pair.other * b;
     return std::pair(increment, -increment);
@@ -97,8 +97,7 @@ void NearMap::map_velocities(std::span<Vec3> velocities) const {
   exponentiate(velocities, [](const PairLink& pair, double a, double b) {
     return std::pair(pair.own * (a - b), pair.other * (a - b));
   });
-  for (std::size_t s = 0; s < swimmers_.size(); ++s)
-    add_swimmer_change(swimmers_[s], swimmers_[s].change.transpose(), &velocities[3 * s]);
+  for (const LineLink& line : lines_) add_change_of_line(line, line.change.transpose(), velocities);
 }
 
 }  // namespace beadswim

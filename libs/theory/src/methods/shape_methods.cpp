@@ -11,10 +11,6 @@ namespace beadswim {
 
 namespace {
 
-PairTensor oseen_pairs(double, double, double r, double eta) {
-  return oseen_tensor(r, eta);
-}
-
 /// Mobility of pairs, and its name in predictions.
 struct Pairs {
   std::string name;

@@ -10,7 +10,7 @@
 #include "beadswim/compare/stroke_fit.hpp"
 #include "beadswim/core/fields.hpp"
 #include "beadswim/core/vec3.hpp"
-#include "beadswim/swimmers/swimmer_type.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 // Motion of one swimmer in one cycle of its driving. The arms are the bonds of the swimmer, in order. Their
 // lengths are L_i(t) = mean + d_i cos(w t + delta_i), w = 2 pi/T, equation (4.1) of the paper (Pickl et al.
@@ -68,6 +68,11 @@ struct CycleStatistics {
 
 /// Returns the vector along a bond [length], from its first to its second bead.
 Vec3 bond_vector(const SwimmerSample& sample, const Bond& bond);
+
+/// Returns the mean over a cycle of the bead positions relative to their mean, in the frame of the type as it
+/// turns with the swimmer [length]. Arguments as of cycle_statistics().
+BeadVectors mean_shape(std::span<const SwimmerSample> samples, const SwimmerType& type,
+                       const Eigen::Matrix3d& initial_orientation);
 
 /// Fits a length that varies with the period of the driving to the samples of one cycle, in order of time.
 /// The sample times are also the times in the driving forces, so the fitted phase is relative to the driving.

@@ -22,8 +22,11 @@ namespace beadswim {
 ///
 ///   samples              as for cycle_statistics()
 ///   initial_orientation  of the swimmer at the start of the run
-/// Returns nothing if forces turn with the swimmer (DrivingFrame::body), because their coordinate is not that
-/// of a bead, and if the samples do not resolve a harmonic. Throws InputError as fit_cycle() does.
+/// Forces that turn with the swimmer (DrivingFrame::body) have no such coordinate. Their power is the mean of
+/// force times velocity at the samples, with velocities by trigonometric interpolation; it is exact for a
+/// periodic motion.
+///
+/// Returns nothing if the samples do not resolve a harmonic. Throws InputError as fit_cycle() does.
 std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix3d& initial_orientation,
                                     std::span<const SwimmerSample> samples);
 

@@ -44,6 +44,9 @@ struct MobilityScene {
   std::optional<Box> box;     ///< nullopt: open space
   std::vector<double> radii;  ///< radius of each sphere [length]
   double tolerance = 1e-4;    ///< accepted error of sphere velocities, divided by their root mean square
+  /// Indices of first spheres of three consecutive ones that stay on a line, the three-bead swimmers of the
+  /// model rpy_near. All other close spheres are corrected as pairs.
+  std::vector<int> lines{};
 };
 
 class MobilityProduct {
@@ -54,7 +57,6 @@ class MobilityProduct {
   /// InputError in these cases:
   ///   - There is no sphere.
   ///   - A radius, the viscosity, a length of the box or the tolerance is invalid.
-  ///   - The model is rpy_near and the number of spheres is not a multiple of three.
   MobilityProduct(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
   ~MobilityProduct();
   MobilityProduct(const MobilityProduct&) = delete;

@@ -13,8 +13,8 @@
 
 // Corrections that make the Rotne-Prager mobility of close beads exact along the lines between the beads:
 //
-//   - The three beads of a swimmer are corrected along the line from bead 1 to bead 3. The correction is
-//     evaluated for a straight swimmer with the same arm lengths.
+//   - Three beads of a swimmer that stay on a line are corrected along the line from bead 1 to bead 3. The
+//     correction is evaluated for a straight swimmer with the same arm lengths.
 //   - Any other pair of close beads is corrected along its line of centres. One bead of the pair may be a
 //     periodic copy of a bead, or the mirror image of a bead behind a free-slip wall.
 //
@@ -38,9 +38,9 @@ double pair_weight(double distance);
 
 class NearField {
  public:
-  /// Sets up the correction for swimmers of three beads. The radii of swimmer k are radii[3k], radii[3k + 1]
-  /// and radii[3k + 2] [length]. Throws InputError if the number of radii is not a multiple of three.
-  NearField(std::vector<double> radii, std::optional<Box> box);
+  /// Sets up the correction for spheres with these radii [length]. lines: indices of first spheres of three
+  /// consecutive ones that stay on a line.
+  NearField(std::vector<double> radii, std::vector<int> lines, std::optional<Box> box);
 
   /// Returns the map S of the forces on all beads (near_map.hpp) for beads at `positions` [length]. Throws
   /// NotFiniteError if multipole_mobility() throws it. Computes nodes of tables when they are first needed,
@@ -54,17 +54,19 @@ class NearField {
     std::vector<Vec3> mirrors;  ///< per set of images: sign of each vector component, -1 if it is mirrored
   };
   Images mirror_images(std::span<const Vec3> positions) const;
-  SwimmerLink swimmer_link(std::size_t swimmer, std::span<const Vec3> positions) const;
+  LineLink line_link(std::size_t line, std::span<const Vec3> positions) const;
   std::vector<PairLink> pair_links(std::span<const Vec3> positions) const;
   void add_pair(const Images& images, int one, int other, const Vec3& separation,
                 std::vector<PairLink>& links) const;
   const PairMapTable& pair_table(int bead, int partner) const;
 
   std::vector<double> radii_;
+  std::vector<int> lines_;    ///< first beads
+  std::vector<int> line_of_;  ///< index of the line of each bead; -1: none
   std::optional<Box> box_;
   Vec3 lengths_;  ///< edges of the periodic box that contains the mirror images [length]; 0: open space
   std::vector<TripletMapTable> triplet_tables_;
-  std::vector<int> triplet_table_of_;  ///< index into triplet_tables_, per swimmer
+  std::vector<int> triplet_table_of_;  ///< index into triplet_tables_, per line
   mutable std::map<std::array<double, 2>, PairMapTable> pair_tables_;
 };
 

@@ -9,17 +9,17 @@
 // Map S of the forces on all beads, and map S^T of their velocities. The two maps make the Rotne-Prager
 // mobility M of close beads exact along the lines between them:
 //
-//   S = exp(sum over pairs p of log S_p) blockdiag(S_swimmer),     v = S^T M S F
+//   S = exp(sum over pairs p of log S_p) blockdiag(S_three),       v = S^T M S F
 //
 //   F, v        forces on all beads, velocities of all beads
-//   S_swimmer   map of the forces on the three beads of one swimmer
-//   blockdiag   block-diagonal matrix with one S_swimmer per swimmer
+//   S_three     map of the forces on three beads of a swimmer that stay on a line
+//   blockdiag   block-diagonal matrix with one S_three for each such swimmer, and 1 for other beads
 //   S_p         map of the forces on the two beads of a close pair p
 //   S_line      matrix that maps the components of these three or two forces along the line of their beads
 //               (line_map.hpp)
 //   e           unit vector along this line
 //
-// S_swimmer and S_p change only the components of the forces along e. The force on bead i after the map
+// S_three and S_p change only the components of the forces along e. The force on bead i after the map
 // depends on the force on bead j before the map by the 3 x 3 matrix
 //
 //   S_ij = delta_ij I + (S_line - I)_ij e e^T
@@ -32,10 +32,11 @@
 
 namespace beadswim {
 
-/// Correction of the forces on the three beads of one swimmer. If a contains the components of the forces
+/// Correction of the forces on three beads on a line. If a contains the components of the forces
 /// along `axis`, the correction adds `change` a to a, where `change` is S_line - I (line_map.hpp).
-struct SwimmerLink {
-  Vec3 axis;  ///< unit vector from bead 1 to bead 3
+struct LineLink {
+  int first = 0;  ///< index of bead 1
+  Vec3 axis;      ///< unit vector from bead 1 to bead 3
   Eigen::Matrix3d change;
 };
 
@@ -57,9 +58,8 @@ struct PairLink {
 
 class NearMap {
  public:
-  /// Sets up the map S. swimmers[k] is the correction of beads 3k, 3k + 1 and 3k + 2. Each bead belongs to
-  /// one swimmer.
-  NearMap(std::vector<SwimmerLink> swimmers, std::vector<PairLink> pairs);
+  /// Sets up the map S of `beads` beads. Each bead belongs to at most one line.
+  NearMap(std::vector<LineLink> lines, std::vector<PairLink> pairs, std::size_t beads);
 
   /// Replaces the forces f on all beads by S f.
   void map_forces(std::span<Vec3> forces) const;
@@ -73,7 +73,7 @@ class NearMap {
   template <class PairAction>
   void exponentiate(std::span<Vec3> vectors, const PairAction& increments) const;
 
-  std::vector<SwimmerLink> swimmers_;
+  std::vector<LineLink> lines_;
   std::vector<PairLink> pairs_;
   std::vector<int> linked_beads_;               ///< beads that belong to a pair
   std::vector<std::pair<int, int>> link_ends_;  ///< per pair, the indices of its beads in linked_beads_

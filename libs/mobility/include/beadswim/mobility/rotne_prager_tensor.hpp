@@ -54,6 +54,11 @@ inline PairTensor oseen_tensor(double r, double eta) {
   return {.isotropic = oseen, .axial = oseen};
 }
 
+/// Evaluates oseen_tensor() with the arguments of rotne_prager_tensor(), of which the radii are ignored.
+inline PairTensor oseen_pairs(double /*a_i*/, double /*a_j*/, double r, double eta) {
+  return oseen_tensor(r, eta);
+}
+
 /// Evaluates the Rotne-Prager formula for spheres that do not overlap. Distances r < a_i + a_j, for which it
 /// is not the mobility, are allowed. `squared_radii` is a_i^2 + a_j^2 for the radii a_i and a_j [length^2].
 inline PairTensor rotne_prager_tensor_apart(double squared_radii, double r, double eta) {

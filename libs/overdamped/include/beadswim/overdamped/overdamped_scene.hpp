@@ -23,4 +23,7 @@ struct OverdampedScene : Swarm {
   double tolerance = 1e-4;
 };
 
+/// Returns the input of the mobility product for all beads of the scene.
+MobilityScene mobility_scene(const OverdampedScene& scene);
+
 }  // namespace beadswim

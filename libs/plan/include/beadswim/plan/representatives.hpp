@@ -12,10 +12,13 @@ namespace beadswim {
 /// A swimmer that represents all swimmers of the same type and driving, and the input of theory for it.
 struct Representative {
   int swimmer = 0;        ///< id of the swimmer
-  ThreeBeadSwimmer type;  ///< type of the swimmer, with the driving of the swimmer
+  ThreeBeadSwimmer type;  ///< type of the swimmer, with the driving of the swimmer, or its stand-in
   Question question;
   /// States how `question` approximates the neighbours, the box or the driving; empty if it does not.
   std::string approximation;
+  /// True: the swimmer is not the paper's, and `question` is for three beads with similar radii, distances
+  /// and strokes. Their errors have not been validated for the shape.
+  bool is_stand_in = false;
   bool is_slanted = false;  ///< true: driving forces have a component normal to the axis
 };
 
