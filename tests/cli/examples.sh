@@ -1,6 +1,6 @@
 #!/bin/bash
-# Tests that the help of each program and command ends with two examples and the name of an existing page of docs/, and that all
-# examples run, one after another in one folder.
+# Tests that the help of each program and command ends with two examples and the name of an existing page or section of docs/, and that
+# all examples run, one after another in one folder. Then tests examples/shapes.sh.
 source "$(dirname "$0")/harness.sh"
 
 examples_of() { # COMMAND...   one per line
@@ -17,7 +17,8 @@ run_examples() { # COMMAND...
   check "the help of $* has not two examples" test "$(wc -l <examples)" -eq 2
   check "the examples of $* are of another program" grep -q "$1" examples
   page=$("$@" --help | tail -n 2 | sed -n 's/^Read more: //p')
-  check "$*: there is no page $page" test -n "$page" -a -f "$BEADSWIM_SOURCE/$page"
+  check "$*: there is no page $page" test -n "$page" -a -f "$BEADSWIM_SOURCE/${page%#*}"
+  [[ $page != *"#"* ]] || check "$*: ${page%#*} has no section ${page#*#}" grep -qx "## ${page#*#}" "$BEADSWIM_SOURCE/${page%#*}"
   while IFS= read -r example; do
     grep -qxF -- "$example" done && continue
     run timeout 60 bash -euo pipefail -c "$example" </dev/null
@@ -41,5 +42,18 @@ for program in layout plot; do
     example=${example%% >*}
     check "--help-all lacks \"$example\"" grep -qF -- "  \$ ${example:0:60}" all
   done < <(grep "^beadswim-$program" done)
+done
+
+# --- examples/shapes.sh: one kind that has a verdict and one that has none
+run "$BEADSWIM_SOURCE/examples/shapes.sh" shapes triangle sphere
+has_status 0
+check "it does not print the motion of both kinds" cmp -s out - <<'EOT'
+triangle rotates by 12.19 degrees about -y in a cycle (theory: 12.19)
+sphere moves by 4 along its axis in a cycle (theory: 4)
+EOT
+check "the sphere has no verdict" test -s shapes/sphere/verdict.json -a ! -e shapes/triangle/verdict.json
+for kind in triangle sphere; do
+  check "the picture of $kind is no picture" grep -q '^<circle' shapes/$kind/picture.svg
+  check "docs/shapes.md has no picture of $kind" grep -q '^<circle' "$BEADSWIM_SOURCE/docs/images/shape-$kind.svg"
 done
 finish
