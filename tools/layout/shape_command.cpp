@@ -154,7 +154,8 @@ void add_flags(CLI::App& command, Flagellum& flagellum) {
              "period [1]");
   add_angular_stiffness(command, flagellum.angular_stiffness, "that of the sperm number");
   command.get_option("--angular-stiffness")->excludes("--sperm-number");
-  begin_driving(command, "forces A sin(2 pi t/T) along y on the last bead and the opposite on its neighbour", flagellum);
+  begin_driving(command, "forces A sin(2 pi t/T) along y on the last bead and the opposite on its neighbour",
+                flagellum);
   add_number(command, "--amplitude", flagellum.amplitude, finite_non_negative(), "A",
              "Amplitude A of the forces [mass length/time^2]", "S K_A/(2 x length)");
   add_choice(
@@ -192,7 +193,8 @@ void add_common_flags(CLI::App& command, GallerySwimmer& swimmer) {
 void add_bond_flags(CLI::App& command, BondedSwimmer& swimmer) {
   begin_group(command, "Springs");
   add_number(command, "--stiffness", swimmer.stiffness, finite_positive(), "K",
-             "Stiffness k of the bonds [mass/time^2]", "1000 gamma omega, gamma: 6 pi eta R, omega: 2 pi/T");
+             "Stiffness k of the bonds [mass/time^2]",
+             "1000 gamma omega with gamma = 6 pi eta R, omega = 2 pi/T; of a flagellum at least 100 A/L");
   add_number(command, "--damping", swimmer.damping, finite_non_negative(), "C",
              "Damping c of the dashpots parallel to the bonds [mass/time]");
 }
@@ -254,7 +256,7 @@ ShapeCommand::ShapeCommand(CLI::App& program)
   add_kind<Flagellum>("flagellum", "Elastic chain of beads, swung at its end.",
                       {"--unbounded", "--beads 24 --sperm-number 5"});
   add_kind<TowedSphere>("sphere", "One bead that a constant or oscillating force pulls.",
-                        {"--unbounded", "--force 0 --amplitude 0.05 --box 40,40,40"});
+                        {"--unbounded", "--force 0 --amplitude 0.05 --box 40,40,40 --boundary no-slip"});
   add_kind<TowedChain>("chain", "Elastic chain of beads that equal forces pull, as a fibre that settles.",
                        {"--unbounded", "--beads 20 --direction 1,0,-1"});
   set_footer(*command_,

@@ -174,10 +174,14 @@ SwimmerType swimmer_type(const Flagellum& flagellum, const Fluid& fluid) {
   // S = S_1/K_A^(1/4), where S_1 is the sperm number for K_A = 1.
   const double ratio = sperm_number(flagellum, 1, fluid) / flagellum.sperm_number;
   const double angular_stiffness = flagellum.angular_stiffness.value_or(std::pow(ratio, 4));
-  SwimmerType type = chain_at(places_in_line(flagellum.beads, arm), arm, angular_stiffness, flagellum, fluid);
   const double sperm = sperm_number(flagellum, angular_stiffness, fluid);
   const double amplitude =
       flagellum.amplitude.value_or(sperm * angular_stiffness / (2 * length_of(flagellum)));
+  constexpr double stretch = 0.01;  // of a bond by the driving forces along it
+  BondedSwimmer bonded = flagellum;
+  bonded.stiffness =
+      flagellum.stiffness.value_or(std::max(stiff_bond(flagellum, fluid), amplitude / (stretch * arm)));
+  SwimmerType type = chain_at(places_in_line(flagellum.beads, arm), arm, angular_stiffness, bonded, fluid);
   type.driving.frame = flagellum.frame;
   for (const int end : {1, 2}) {
     type.driving.forces.push_back({.bead = flagellum.beads - end,

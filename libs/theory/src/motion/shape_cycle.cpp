@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "beadswim/core/error.hpp"
 #include "shape_flow.hpp"
 
 namespace beadswim {
@@ -68,9 +67,10 @@ class StepEquations {
   Eigen::Index size_;
 };
 
-/// Returns the beads after a step, by Newton's method. The derivative is evaluated again only where the
-/// iteration converges slowly.
-BeadVectors step(const ShapeFlow& flow, const BeadVectors& x, double t, double h, double size) {
+/// Returns the beads after a step, by Newton's method, or nothing if it does not converge. The derivative is
+/// evaluated again only where the iteration converges slowly.
+std::optional<BeadVectors> step(const ShapeFlow& flow, const BeadVectors& x, double t, double h,
+                                double size) {
   const StepEquations equations(flow, x, t, h);
   VectorXd z = VectorXd::Zero(stages * x.size());
   Eigen::PartialPivLU<MatrixXd> newton(equations.derivative(z));
@@ -90,16 +90,13 @@ BeadVectors step(const ShapeFlow& flow, const BeadVectors& x, double t, double h
     if (is_slow) newton.compute(equations.derivative(z));
     last = largest;
   }
-  throw InputError(
-      "stroke",
-      "no periodic motion was found: the equations of a time step have no solution near the last "
-      "positions; use weaker drives or stiffer springs");
+  return std::nullopt;
 }
 
 }  // namespace
 
-ShapeCycle integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, const BeadVectors& start,
-                           int steps) {
+std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law,
+                                          const BeadVectors& start, int steps) {
   const ShapeFlow flow(swimmer, law);
   const double h = swimmer.type.driving.period / steps;
   const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
@@ -109,7 +106,9 @@ ShapeCycle integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, cons
     cycle.beads.push_back(x);
     cycle.velocities.push_back(as_beads(flow.velocities(x, s * h)));
     if (s == steps) return cycle;
-    x = step(flow, x, s * h, h, size);
+    const std::optional<BeadVectors> next = step(flow, x, s * h, h, size);
+    if (!next) return std::nullopt;
+    x = *next;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "beadswim/theory/shaped_swimmer.hpp"
@@ -13,8 +14,8 @@ struct ShapeCycle {
 
 /// Returns the motion over one period from `start`, by the implicit Runge-Kutta method Radau IIA of order 5
 /// with `steps` steps (Hairer and Wanner, Solving Ordinary Differential Equations II (1996), section IV.8).
-/// Throws InputError if the equations of a step cannot be solved.
-ShapeCycle integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, const BeadVectors& start,
-                           int steps);
+/// Returns nothing if the equations of a step cannot be solved; shorter steps may help.
+std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law,
+                                          const BeadVectors& start, int steps);
 
 }  // namespace beadswim

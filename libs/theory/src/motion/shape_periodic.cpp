@@ -33,18 +33,32 @@ BeadVectors moved_back(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
 }
 
 /// Returns the cycle of the periodic motion, with its mean bead position at the origin at time 0. start:
-/// guess of the beads at time 0.
-ShapeCycle periodic_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, BeadVectors start, int steps) {
+/// guess of the beads at time 0. Returns nothing if the time steps are too long.
+std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTensorLaw law, BeadVectors start,
+                                         int steps) {
   constexpr int max_cycles = 200;
   constexpr double periodic = 1e-11;  // change of the shape in a cycle, divided by the size
+  // Fast transients end in the first cycles. Afterwards, an extrapolation that does not help is given up, so
+  // that the motion stays on its way to the state that it would reach by itself.
+  constexpr int settling = 4;
+  constexpr double growth = 2;
   AndersonMixing mixing;
+  double smallest = std::numeric_limits<double>::infinity();
   for (int cycle = 0; cycle < max_cycles; ++cycle) {
     start = centred(start);
-    const ShapeCycle motion = integrate_cycle(swimmer, law, start, steps);
-    const BeadVectors end = moved_back(swimmer, motion);
+    const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, start, steps);
+    if (!motion) return std::nullopt;
+    const BeadVectors end = moved_back(swimmer, *motion);
     const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
-    if ((end - start).cwiseAbs().maxCoeff() <= periodic * size) return motion;
-    start = as_beads(mixing.next(as_components(start), as_components(end)));
+    const double change = (end - start).cwiseAbs().maxCoeff();
+    if (change <= periodic * size) return motion;
+    if (cycle < settling || change > growth * smallest) {
+      mixing = {};
+      start = end;
+    } else {
+      start = as_beads(mixing.next(as_components(start), as_components(end)));
+    }
+    smallest = std::min(smallest, change);
   }
   throw InputError(
       "stroke", fmt::format("the motion does not become periodic within {} cycles: drives along directions "
@@ -158,22 +172,27 @@ double largest_speed(const ShapeCycle& cycle) {
 }  // namespace
 
 PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
-  const int per_harmonic = 32, finest = 1024;
   const int multiple = highest_multiple(swimmer.type.driving);
+  const int first = 32 * multiple, finest = 1024 * multiple;
+  constexpr double resolved = 1e-7, roundoff = 1e-10;
   BeadVectors start = relaxed_shape(swimmer);
-  std::optional<PeriodicShapeMotion> coarse;
-  for (int steps = per_harmonic * multiple;; steps *= 2) {
-    const ShapeCycle cycle = periodic_cycle(swimmer, law, start, steps);
-    PeriodicShapeMotion motion = motion_of(swimmer, cycle);
-    if (coarse) {
-      constexpr double resolved = 1e-7, roundoff = 1e-10;
-      motion.numerical_error = (motion.velocity - coarse->velocity).norm();
-      const double enough = std::max(resolved * motion.velocity.norm(), roundoff * largest_speed(cycle));
-      if (motion.numerical_error <= enough || steps >= finest * multiple) return motion;
-    }
-    coarse = motion;
-    start = cycle.beads.front();
+  std::optional<PeriodicShapeMotion> motion;
+  for (int steps = first; steps <= finest; steps *= 2) {
+    const std::optional<ShapeCycle> cycle = periodic_cycle(swimmer, law, start, steps);
+    if (!cycle) continue;
+    const std::optional<PeriodicShapeMotion> coarse = motion;
+    motion = motion_of(swimmer, *cycle);
+    start = cycle->beads.front();
+    if (!coarse) continue;
+    motion->numerical_error = (motion->velocity - coarse->velocity).norm();
+    const double enough = std::max(resolved * motion->velocity.norm(), roundoff * largest_speed(*cycle));
+    if (motion->numerical_error <= enough) break;
   }
+  if (motion) return *motion;
+  throw InputError(
+      "stroke",
+      "no periodic motion was found: the equations of a time step have no solution near the last "
+      "positions; use weaker drives or stiffer springs");
 }
 
 }  // namespace beadswim
