@@ -247,6 +247,9 @@ check "a towed sphere moves by a radius in a period" holds '.swimmers[0].cycles[
 run beadswim-compare prescribed-three-bead.run prescribed-three-bead.theory --tolerance 0.001
 has_status 0
 check "rpy-ode decides" holds '.decided_by == "rpy-ode"' out
+run beadswim-compare triangle.run triangle.theory --quantity angular_velocity --tolerance 0.001
+has_status 0
+check "angular velocities are compared" holds '[.rows[].quantity] | unique == ["angular_velocity"]' out
 refuses 'inertia-corrected: this method treats three beads on a line with the driving forces of the paper only; methods for this swimmer are oseen-perturbation, ' \
   beadswim-theory triangle.json --method inertia-corrected
 refuses '--stroke-from: no method can use a measured stroke for this swimmer' beadswim-theory triangle.json --stroke-from triangle.run

@@ -33,10 +33,10 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
       .add_option("--method", flags.method, "Theory method that determines the verdict, or run for a record")
       ->type_name("NAME")
       ->default_str("first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others");
-  request.quantities.assign(all_values<ComparedQuantity>.begin(), all_values<ComparedQuantity>.end());
+  request.quantities.assign(default_quantities.begin(), default_quantities.end());
   add_choices(program, "--quantity", request.quantities,
               "Quantities to compare; velocity is the velocity along the swimmer's axis, minus the mean flow "
-              "along periodic axes of the box");
+              "along periodic axes of the box; angular_velocity is its size");
   program
       .add_option("--tolerance", request.tolerance,
                   "Largest relative error between run and reference with which a run passes, below 1; 0.05 "

@@ -44,7 +44,7 @@ Prediction best_prediction(const PredictionDocument& document, const std::string
                           .usable = prediction.usable,
                           .swimming = swimming_of(prediction)});
   }
-  const auto best = best_reference(references, all_values<ComparedQuantity>);
+  const auto best = best_reference(references, default_quantities);
   if (!best)
     throw InputError(source,
                      "no prediction in the document is usable; to draw some anyway, name their methods with "

@@ -17,6 +17,7 @@ ComparedValues evaluate_compared_values(const CycleStatistics& cycle, const std:
                         {ComparedQuantity::arm_amplitudes, cycle.arm_amplitudes}};
   if (cycle.arm_phases.size() >= 2)
     values[ComparedQuantity::sin_phase_shift] = {std::sin(cycle.arm_phases[0] - cycle.arm_phases[1])};
+  if (cycle.angular_velocity) values[ComparedQuantity::angular_velocity] = {cycle.angular_velocity->norm()};
   return values;
 }
 

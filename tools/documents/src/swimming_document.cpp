@@ -145,10 +145,12 @@ ComparedValues uncertainties_of(const Prediction& prediction) {
 }
 
 ComparedValues swimming_of(const Prediction& prediction) {
-  return {
-      {ComparedQuantity::velocity, {prediction.velocity}},
-      {ComparedQuantity::arm_amplitudes, prediction.stroke.amplitude},
-      {ComparedQuantity::sin_phase_shift, {prediction.sin_phase_shift}}};
+  ComparedValues values{{ComparedQuantity::velocity, {prediction.velocity}},
+                        {ComparedQuantity::arm_amplitudes, prediction.stroke.amplitude},
+                        {ComparedQuantity::sin_phase_shift, {prediction.sin_phase_shift}}};
+  if (prediction.angular_velocity)
+    values[ComparedQuantity::angular_velocity] = {prediction.angular_velocity->norm()};
+  return values;
 }
 
 const SwimmerRecord& find_swimmer(const RunRecord& run, int id, const std::string& source) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
@@ -13,18 +14,24 @@
 
 namespace beadswim {
 
-enum class ComparedQuantity { velocity, arm_amplitudes, sin_phase_shift };
+enum class ComparedQuantity { velocity, arm_amplitudes, sin_phase_shift, angular_velocity };
 
 template <>
 inline constexpr auto name_table<ComparedQuantity> =
     std::to_array<NamedValue<ComparedQuantity>>({{ComparedQuantity::velocity, "velocity"},
                                                  {ComparedQuantity::arm_amplitudes, "arm_amplitudes"},
-                                                 {ComparedQuantity::sin_phase_shift, "sin_phase_shift"}});
+                                                 {ComparedQuantity::sin_phase_shift, "sin_phase_shift"},
+                                                 {ComparedQuantity::angular_velocity, "angular_velocity"}});
+
+/// Quantities that are compared unless others are chosen.
+inline constexpr std::array default_quantities{ComparedQuantity::velocity, ComparedQuantity::arm_amplitudes,
+                                               ComparedQuantity::sin_phase_shift};
 
 /// Compared quantities of one swimmer, from a run or a prediction. A source may provide only some of them.
 ///   velocity         { v }         along the swimmer's axis, relative to the mean flow [length/time]
 ///   arm_amplitudes   { d1, d2, ... }  of equation (4.1) of the paper (Pickl et al. 2017) [length]
 ///   sin_phase_shift  { sin beta }  beta = delta1 - delta2, the phase of arm 1 ahead of arm 2
+///   angular_velocity { |Omega| }   of the swimmer in space [radian/time]
 using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
 
 /// Returns the swimmer's velocity relative to the fluid, projected onto the swimmer's axis [length/time]. The
