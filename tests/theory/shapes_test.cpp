@@ -102,6 +102,30 @@ TEST(PeriodicMotionOfShapes, OfATriangleIsARotation) {
   EXPECT_LT(motion.velocity.norm() * 4800, 1e-9);
 }
 
+// Equal forces along the circle through the corners spin a triangle several times in a period, as a rigid
+// body.
+TEST(PeriodicMotionOfShapes, SpinsManyTimesInAPeriod) {
+  Triangle parameters;
+  parameters.amplitude = {0};
+  SwimmerType type = swimmer_type(parameters, fluid);
+  type.driving.bonds.clear();
+  type.driving.frame = DrivingFrame::body;
+  const double eta = fluid.dynamic_viscosity();
+  std::vector<Vec3> along;
+  for (const BeadAtRest& bead : type.beads) along.push_back(Vec3::UnitZ().cross(bead.at).normalized());
+  double mobility = self_mobility(4, eta);  // velocity of a bead along the circle, per force on each bead
+  for (int b : {1, 2}) {
+    const Vec3 d = type.beads[b].at - type.beads[0].at;
+    mobility += along[0].dot(rotne_prager_tensor(4, 4, d.norm(), eta).apply(d, d.norm(), along[b]));
+  }
+  const double force = 3 * 2 * pi / 4800 * type.beads[0].at.norm() / mobility;
+  for (int b = 0; b < 3; ++b)
+    type.driving.forces.push_back({.bead = b, .direction = along[b], .constant = force});
+  const PeriodicShapeMotion motion = periodic_motion({type, some_orientation(), eta}, rotne_prager_tensor);
+  EXPECT_NEAR(motion.angular_velocity.dot(some_orientation().col(2)) * 4800 / (6 * pi), 1, 1e-9);
+  EXPECT_LT(motion.velocity.norm() * 4800, 1e-9);
+}
+
 /// Returns the largest relative difference of velocity and angular velocity between second order and finite
 /// amplitude, for drives multiplied by `factor`.
 double beyond_second_order(ShapedSwimmer swimmer, double factor) {

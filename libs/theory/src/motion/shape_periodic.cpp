@@ -72,6 +72,19 @@ Vec3 rotation_vector(const Eigen::Matrix3d& rotation) {
   return turn.angle() * turn.axis();
 }
 
+/// Returns the rotation vector of the whole cycle; its angle may exceed half a turn.
+Vec3 rotation_in(const ShapeCycle& cycle) {
+  Vec3 sum = Vec3::Zero();
+  for (std::size_t s = 0; s + 1 < cycle.beads.size(); ++s)
+    sum += rotation_vector(best_rotation(cycle.beads[s], cycle.beads[s + 1]));
+  const Vec3 rest = rotation_vector(best_rotation(cycle.beads.front(), cycle.beads.back()));
+  const double angle = rest.norm();
+  constexpr double roundoff = 1e-9;
+  const Vec3 axis = angle > roundoff ? Vec3(rest / angle) : sum.stableNormalized();
+  constexpr double whole = 2 * std::numbers::pi;
+  return rest + whole * std::round((sum.dot(axis) - angle) / whole) * axis;
+}
+
 Eigen::Matrix3d rotation_by(const Vec3& vector) {
   const double angle = vector.norm();
   return angle > 0 ? Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix()
@@ -105,8 +118,7 @@ MovingFrame moving_frame(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) 
   const double period = swimmer.type.driving.period;
   const int steps = static_cast<int>(cycle.beads.size()) - 1;
   Vec3 turn = Vec3::Zero();  // Omega T
-  if (is_free_to_turn(swimmer.type.driving))
-    turn = rotation_vector(best_rotation(cycle.beads.front(), cycle.beads.back()));
+  if (is_free_to_turn(swimmer.type.driving)) turn = rotation_in(cycle);
   const auto centre = [&](int s) -> Vec3 { return cycle.beads[s].rowwise().mean(); };
   Eigen::Matrix<double, 6, 6> equations = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
