@@ -6,6 +6,7 @@
 set -euo pipefail
 
 ranks=2
+steps=100   # per cycle
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
@@ -19,11 +20,10 @@ grid() { # LAYOUT NX NY NZ DX DY DZ
 }
 
 measure() { # LAYOUT CYCLES
-  mpirun -n "$ranks" beadswim-run "$1" -o "$folder/run.h5md" --model rpy --cycles "$2" --frames-per-cycle 10 --progress none 2>/dev/null |
-    jq -c --slurpfile layout "$1" --argjson cycles "$2" '.cost as $cost | .resolution.steps_per_cycle as $steps | $layout[0]
+  mpirun -n "$ranks" beadswim-run "$1" -o "$folder/run.h5md" --model rpy --cycles "$2" --steps-per-cycle "$steps" --frames-per-cycle 10 --progress none 2>/dev/null |
+    jq -c --slurpfile layout "$1" --argjson cycles "$2" --argjson steps "$steps" '.cost as $cost | $layout[0]
       | (.types[] | .beads | length) as $n | (.swimmers | length) as $swimmers
-      | {beads_per_swimmer: $n, swimmers: $swimmers, beads: ($n * $swimmers), steps_per_cycle: $steps,
-         microseconds_per_step_and_bead: ($cost.core_seconds / ($cycles * $steps * $n * $swimmers) * 1e6),
+      | {beads_per_swimmer: $n, swimmers: $swimmers, beads: ($n * $swimmers), microseconds_per_step_and_bead: ($cost.core_seconds / ($cycles * $steps * $n * $swimmers) * 1e6),
          seconds_per_cycle: ($cost.wall_seconds / $cycles)}'
 }
 
