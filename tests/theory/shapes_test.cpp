@@ -156,5 +156,29 @@ TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitude) {
   }
 }
 
+// A steady couple that turns with the swimmer rotates it at first order in the drives. Its product with the
+// oscillation changes V at second order; the difference from finite amplitude is of third order. The power of
+// the couple is its torque times the rotation.
+TEST(SecondOrderMotionOfShapes, IsTheLimitOfFiniteAmplitudeUnderASteadyCouple) {
+  const auto difference = [](double factor) {
+    Triangle triangle;
+    triangle.amplitude = {3 * factor, 2 * factor, factor};
+    triangle.phase = 1;
+    ShapedSwimmer swimmer = of_gallery(triangle);
+    swimmer.type.driving.frame = DrivingFrame::body;
+    for (const int bead : {0, 1}) {
+      const double force = (bead == 0 ? -1 : 1) * 0.05 * factor;
+      swimmer.type.driving.forces.push_back(
+          {.bead = bead, .direction = Vec3::UnitY(), .constant = force, .harmonics = {{.amplitude = force}}});
+    }
+    const ShapeMotion small = second_order_motion(swimmer, rotne_prager_tensor);
+    const ShapeMotion finite = periodic_motion(swimmer, rotne_prager_tensor);
+    EXPECT_NEAR(small.power / finite.power, 1, 0.1 * factor);
+    return std::max((small.velocity - finite.velocity).norm(),
+                    (small.angular_velocity - finite.angular_velocity).norm() * 10);
+  };
+  EXPECT_NEAR(difference(0.2) / difference(0.1), 8, 1);
+}
+
 }  // namespace
 }  // namespace beadswim
