@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/mobility/oseen.hpp"
 #include "beadswim/mobility/rotne_prager.hpp"
 #include "beadswim/scene/gallery.hpp"
@@ -124,6 +125,17 @@ TEST(PeriodicMotionOfShapes, SpinsManyTimesInAPeriod) {
   const PeriodicShapeMotion motion = periodic_motion({type, some_orientation(), eta}, rotne_prager_tensor);
   EXPECT_NEAR(motion.angular_velocity.dot(some_orientation().col(2)) * 4800 / (6 * pi), 1, 1e-9);
   EXPECT_LT(motion.velocity.norm() * 4800, 1e-9);
+}
+
+// An angular spring against the bonds of a triangle: the second order does not know its stiffness, and the
+// motion at finite amplitude does not need it.
+TEST(PeriodicMotionOfShapes, ExistsWithSpringsThatWorkAgainstOneAnother) {
+  ShapedSwimmer swimmer = of_gallery(Triangle{});
+  swimmer.type.angles = {{.beads = {0, 1, 2}, .stiffness = 3000, .rest = 1.5}};
+  EXPECT_THROW(second_order_motion(swimmer, rotne_prager_tensor), InputError);
+  const PeriodicShapeMotion motion = periodic_motion(swimmer, rotne_prager_tensor);
+  EXPECT_GT(motion.angular_velocity.norm() * 4800, 0.05);
+  EXPECT_LT(motion.numerical_error * 4800, 1e-6);
 }
 
 /// Returns the largest relative difference of velocity and angular velocity between second order and finite

@@ -181,13 +181,23 @@ double largest_speed(const ShapeCycle& cycle) {
   return largest;
 }
 
+/// Returns the shape that the driven lengths and angles prescribe at time 0; where springs work against one
+/// another, the places at rest.
+BeadVectors first_guess(const ShapedSwimmer& swimmer) {
+  try {
+    return relaxed_shape(swimmer);
+  } catch (const InputError&) {
+    return columns_of_beads(rest_positions(swimmer.type, Vec3::Zero(), swimmer.orientation));
+  }
+}
+
 }  // namespace
 
 PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
   const int multiple = highest_multiple(swimmer.type.driving);
   const int first = 32 * multiple, finest = 1024 * multiple;
   constexpr double resolved = 1e-7, roundoff = 1e-10;
-  BeadVectors start = relaxed_shape(swimmer);
+  BeadVectors start = first_guess(swimmer);
   std::optional<PeriodicShapeMotion> motion;
   for (int steps = first; steps <= finest; steps *= 2) {
     const std::optional<ShapeCycle> cycle = periodic_cycle(swimmer, law, start, steps);

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -92,6 +94,22 @@ struct MeanMotion {
   VectorXd displacement, free_rates;
 };
 
+/// Throws InputError if an angular spring is bent on the relaxed shape, because its stiffness is then not
+/// known (own_stiffness()).
+void require_relaxed_angles(const SwimmerType& type, const BeadVectors& shape) {
+  constexpr double relaxed = 1e-6;  // [radian]
+  for (std::size_t k = 0; k < type.angles.size(); ++k) {
+    const AngleSides sides = sides_of(type.angles[k], shape);
+    if (std::abs(std::atan2(sides.sine, sides.cosine) - type.angles[k].rest) <= relaxed) continue;
+    throw InputError(
+        "the shape of the swimmer",
+        fmt::format("without drives, other springs bend angular spring {}, which the second order "
+                    "neglects; use a method at finite amplitude, or rest angles that fit the rest "
+                    "lengths",
+                    k + 1));
+  }
+}
+
 /// The expansion of the motion about the relaxed shape (symbols: shaped_swimmer.hpp).
 class ShapeExpansion {
  public:
@@ -101,6 +119,7 @@ class ShapeExpansion {
         shape_(relaxed_shape({with_drives_scaled(swimmer.type, 0), swimmer.orientation})),
         period_(swimmer.type.driving.period),
         nodes_(std::max(9, 4 * highest_multiple(swimmer.type.driving) + 3)) {
+    require_relaxed_angles(swimmer.type, shape_);
     const ShapeFlow flow(swimmer, law);
     mobility_ = flow.mobility(shape_);
     damping_ = flow.damping(shape_);
