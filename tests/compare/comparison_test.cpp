@@ -10,8 +10,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-const std::vector<ComparedQuantity> every(all_values<ComparedQuantity>.begin(),
-                                          all_values<ComparedQuantity>.end());
+const std::vector<ComparedQuantity> every(default_quantities.begin(), default_quantities.end());
 
 ComparedValues swimming(double velocity, double d1, double d2, double sine) {
   return {{ComparedQuantity::velocity, {velocity}},

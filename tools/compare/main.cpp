@@ -35,8 +35,7 @@ void add_flags(CLI::App& program, ComparisonRequest& request, Flags& flags) {
       ->default_str("first usable of inertia-corrected, multipole-ode, rpy-ode, rpy-perturbation, others");
   request.quantities.assign(default_quantities.begin(), default_quantities.end());
   add_choices(program, "--quantity", request.quantities,
-              "Quantities to compare; velocity is the velocity along the swimmer's axis, minus the mean flow "
-              "along periodic axes of the box; angular_velocity is its size");
+              "Quantities to compare, also angular_velocity; velocity: along the axis, minus the mean flow");
   program
       .add_option("--tolerance", request.tolerance,
                   "Largest relative error between run and reference with which a run passes, below 1; 0.05 "
