@@ -41,7 +41,11 @@ ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurrou
   const BeadVectors beads = Eigen::Map<const Eigen::Matrix3Xd>(places.data(), 3, places.size() / 3);
   const double compliance = rule.span / rule.weight;  // du/dv
   ImplicitSwimmer<Size> result;
-  result.mobility = mobility_matrix<Matrix>(rotne_prager_tensor, s.type.beads, beads, s.viscosity);
+  // A lambda instead of the function: the compiler inlines it.
+  const auto law = [](double a_i, double a_j, double r, double eta) {
+    return rotne_prager_tensor(a_i, a_j, r, eta);
+  };
+  result.mobility = mobility_matrix<Matrix>(law, s.type.beads, beads, s.viscosity);
   const BeadVectors driving = driving_forces(s.type, rule.time, beads, s.initial_orientation);
   Vector forces = own_forces<Size>(s.type, rule.time, beads) + as_vector<Size>(driving);
   Matrix stiffness = own_stiffness<Size>(s.type, rule.time, beads);
