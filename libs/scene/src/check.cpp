@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -191,7 +190,6 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
                       fmt::format("there is no {} {}; the type has {} {}s, numbered from 1", what, number + 1,
                                   count, what)});
   };
-  std::map<int, std::pair<Eigen::Vector3cd, double>> sums;  // by multiple: sum of forces, of their sizes
   for (std::size_t n = 0; n < driving.forces.size(); ++n) {
     const ForceDrive& drive = driving.forces[n];
     check_number(fmt::format("forces/{}/bead", n), drive.bead, type.beads.size(), "bead");
@@ -200,14 +198,6 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
       faults.push_back({fmt::format("{}/forces/{}/direction", place, n),
                         fmt::format("the direction {} has the length {:.9g}, but must be a unit vector",
                                     in_words(drive.direction), length)});
-    const auto add = [&](int multiple, std::complex<double> amplitude) {
-      auto& [sum, size] = sums.try_emplace(multiple, Eigen::Vector3cd::Zero(), 0.0).first->second;
-      sum += amplitude * drive.direction.cast<std::complex<double>>();
-      size += std::abs(amplitude);
-    };
-    add(0, drive.constant);
-    for (const Harmonic& harmonic : drive.harmonics)
-      add(harmonic.multiple, std::polar(1.0, harmonic.phase) * harmonic.amplitude);
   }
   for (std::size_t n = 0; n < driving.bonds.size(); ++n)
     check_number(fmt::format("bonds/{}/bond", n), driving.bonds[n].bond, type.bonds.size(), "bond");
@@ -229,16 +219,14 @@ void check_driving(const std::string& place, const SwimmerType& type, Faults& fa
                      "greater than {}, the sum of their radii; lower the amplitudes",
                      shortest, i + 1, j + 1, contact)});
   }
-  constexpr double roundoff = 1e-9;
-  for (const auto& [multiple, sum_and_size] : sums) {
-    const auto& [sum, size] = sum_and_size;
-    if (driving.net_force_allowed || sum.norm() <= roundoff * size) continue;
+  if (driving.net_force_allowed) return;
+  for (const auto& [multiple, size] : net_forces(driving)) {
     faults.push_back(
         {place + "/forces",
          fmt::format("the {} do not sum to zero; the sum has the size {:.6g}: give the other beads "
                      "the opposite force, or set \"net_force\": \"allowed\" to tow the swimmer",
                      multiple == 0 ? "constant forces" : fmt::format("forces with the multiple {}", multiple),
-                     sum.norm())});
+                     size)});
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <vector>
 
@@ -121,6 +122,28 @@ BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors
     force.col(l) += -gradient_2;
   }
   return force;
+}
+
+std::map<int, double> net_forces(const Driving& driving) {
+  using Complex = std::complex<double>;
+  std::map<int, std::pair<Eigen::Vector3cd, double>> sums;  // of the forces, and of their sizes
+  for (const ForceDrive& drive : driving.forces) {
+    const auto add = [&](int multiple, const Complex& amplitude) {
+      auto& [sum, size] = sums.try_emplace(multiple, Eigen::Vector3cd::Zero(), 0.0).first->second;
+      sum += amplitude * drive.direction.cast<Complex>();
+      size += std::abs(amplitude);
+    };
+    add(0, drive.constant);
+    for (const Harmonic& harmonic : drive.harmonics)
+      add(harmonic.multiple, std::polar(1.0, harmonic.phase) * harmonic.amplitude);
+  }
+  constexpr double roundoff = 1e-9;
+  std::map<int, double> net;
+  for (const auto& [multiple, sum_and_size] : sums) {
+    const auto& [sum, size] = sum_and_size;
+    if (sum.norm() > roundoff * size) net[multiple] = sum.norm();
+  }
+  return net;
 }
 
 double largest_driving_force(const SwimmerType& type) {

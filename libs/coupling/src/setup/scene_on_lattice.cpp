@@ -37,22 +37,6 @@ void require_box(const Layout& layout, const std::string& source) {
                                Setting::box, Setting::boundary, Setting::model));
 }
 
-/// Returns true if the driving forces of a swimmer have a sum at some time.
-bool has_net_force(const SwimmerType& type) {
-  constexpr int times = 64;
-  constexpr double roundoff = 1e-9;
-  const std::vector<Vec3> rest = rest_positions(type, Vec3::Zero(), Eigen::Matrix3d::Identity());
-  const BeadVectors beads = columns_of_beads(rest);
-  double size = 0, sum = 0;
-  for (int n = 0; n < times; ++n) {
-    const BeadVectors forces =
-        driving_forces(type, type.driving.period * n / times, beads, Eigen::Matrix3d::Identity());
-    size = std::max(size, forces.cwiseAbs().sum());
-    sum = std::max(sum, forces.rowwise().sum().norm());
-  }
-  return sum > roundoff * size;
-}
-
 void require_off_walls(const Layout& layout, double cell, const std::string& source) {
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     const Swimmer& swimmer = layout.swimmers[s];
@@ -82,7 +66,7 @@ void require_no_net_force(const Layout& layout, const std::string& source) {
     return;
   for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
     const SwimmerType type = layout.resolved_type(layout.swimmers[s]);
-    if (!type.driving.net_force_allowed || !has_net_force(type)) continue;
+    if (net_forces(type.driving).empty()) continue;
     throw InputError(
         fmt::format("{}:/swimmers/{}", source, s),
         fmt::format("the driving forces have a sum, which would accelerate the fluid in a box "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <span>
 
 #include "beadswim/swimmers/swimmer_shape.hpp"
@@ -44,6 +45,10 @@ AngleSides sides_of(const Angle& angle, const BeadVectors& position);
 /// beads of an angle are in line, the force of a rest angle other than 0 or pi has no direction and is set to
 /// 0.
 BeadVectors angle_forces(const SwimmerType& type, double time, const BeadVectors& position);
+
+/// Returns the sums of the driving forces that are not zero within roundoff: their sizes [force], by the
+/// multiple of the frequency; 0 for constant forces.
+std::map<int, double> net_forces(const Driving& driving);
 
 /// Returns an upper bound of the force that the drives of forces and bonds exert on a bead: the largest sum
 /// of the amplitudes on one bead, for rest lengths times the stiffness.
