@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
@@ -33,54 +34,33 @@ bool are_resolved(const Driving& driving, std::ptrdiff_t samples) {
   return all;
 }
 
-/// Returns the rate of change at time n of a period with M equidistant times, by the trigonometric polynomial
-/// through the values at these times, multiplied by the period.
-Vec3 rate_at(const std::vector<Vec3>& values, int n) {
-  const int M = static_cast<int>(values.size());
-  Vec3 rate = Vec3::Zero();
-  for (int m = 0; m < M; ++m) {
-    if (m == n) continue;
-    const double half = std::numbers::pi * (n - m) / M, sign = (n - m) % 2 == 0 ? 1 : -1;
-    rate += std::numbers::pi * sign * (M % 2 == 0 ? std::cos(half) : 1) / std::sin(half) * values[m];
-  }
-  return rate;
-}
-
 /// Returns the mean power of forces that turn with the swimmer: the mean over the samples of force times
 /// velocity. Each velocity is that of the uniform motion over the cycle and of the periodic rest.
 double power_of_turning_forces(SwimmerType type, const Eigen::Matrix3d& initial_orientation,
                                std::span<const SwimmerSample> samples) {
+  if (type.driving.forces.empty()) return 0;
   type.driving.bonds.clear();
-  const auto times = samples.size() - 1;
-  const double interval = samples.back().time - samples.front().time;
-  std::vector<BeadVectors> forces;
-  for (const SwimmerSample& sample : samples.first(times)) {
-    const BeadVectors beads = columns_of_beads(sample.bead_positions);
-    forces.push_back(driving_forces(type, sample.time, beads, initial_orientation));
+  const auto times = static_cast<int>(samples.size()) - 1;
+  const SwimmerSample &first = samples.front(), &last = samples.back();
+  const BeadVectors moved = columns_of_beads(last.bead_positions) - columns_of_beads(first.bead_positions);
+  // Rows: forces on the beads, and positions without the uniform motion, at one time.
+  Eigen::MatrixXd forces(times, moved.size()), rest(times, moved.size());
+  for (int n = 0; n < times; ++n) {
+    const BeadVectors beads = columns_of_beads(samples[n].bead_positions);
+    forces.row(n) = driving_forces(type, samples[n].time, beads, initial_orientation).reshaped();
+    rest.row(n) = (beads - static_cast<double>(n) / times * moved).reshaped();
   }
-  double power = 0;
-  for (std::size_t bead = 0; bead < type.beads.size(); ++bead) {
-    const Vec3 uniform = samples.back().bead_positions[bead] - samples.front().bead_positions[bead];
-    std::vector<Vec3> rest;
-    for (std::size_t n = 0; n < times; ++n)
-      rest.push_back(samples[n].bead_positions[bead] -
-                     static_cast<double>(n) / static_cast<double>(times) * uniform);
-    for (std::size_t n = 0; n < times; ++n)
-      power += Vec3(forces[n].col(bead)).dot(uniform + rate_at(rest, static_cast<int>(n)));
-  }
-  return power / (interval * static_cast<double>(times));
+  const Eigen::MatrixXd velocities = (2 * std::numbers::pi * differentiation_matrix(times) * rest).rowwise() +
+                                     moved.reshaped().transpose();  // multiplied by the interval
+  return forces.cwiseProduct(velocities).sum() / (times * (last.time - first.time));
 }
 
-}  // namespace
-
-std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix3d& initial_orientation,
-                                    std::span<const SwimmerSample> samples) {
-  const Driving& driving = type.driving;
-  if (!are_resolved(driving, std::ssize(samples) - 1)) return std::nullopt;
+/// Returns the mean power of forces along directions that are fixed in the box.
+double power_of_fixed_forces(const Driving& driving, const Eigen::Matrix3d& initial_orientation,
+                             std::span<const SwimmerSample> samples) {
   const SwimmerSample &first = samples.front(), &last = samples.back();
-  const bool turns = driving.frame == DrivingFrame::body && !driving.forces.empty();
-  double power = turns ? power_of_turning_forces(type, initial_orientation, samples) : 0;
-  for (const ForceDrive& drive : turns ? std::vector<ForceDrive>{} : driving.forces) {
+  double power = 0;
+  for (const ForceDrive& drive : driving.forces) {
     const Vec3 direction =
         driving.frame == DrivingFrame::lab ? drive.direction : Vec3(initial_orientation * drive.direction);
     const Vec3 velocity =
@@ -91,6 +71,18 @@ std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix
     power +=
         drive.constant * direction.dot(velocity) + power_of(drive.harmonics, driving, samples, periodic_part);
   }
+  return power;
+}
+
+}  // namespace
+
+std::optional<double> driving_power(const SwimmerType& type, const Eigen::Matrix3d& initial_orientation,
+                                    std::span<const SwimmerSample> samples) {
+  const Driving& driving = type.driving;
+  if (!are_resolved(driving, std::ssize(samples) - 1)) return std::nullopt;
+  double power = driving.frame == DrivingFrame::body
+                     ? power_of_turning_forces(type, initial_orientation, samples)
+                     : power_of_fixed_forces(driving, initial_orientation, samples);
   for (const BondDrive& drive : driving.bonds) {
     const Bond& bond = type.bonds[drive.bond];
     const double on_length = power_of(drive.harmonics, driving, samples, [&](const SwimmerSample& sample) {

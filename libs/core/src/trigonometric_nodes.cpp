@@ -1,4 +1,4 @@
-#include "trigonometric_nodes.hpp"
+#include "beadswim/core/trigonometric_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,9 @@ Eigen::MatrixXd differentiation_matrix(int nodes) {
     for (int m = 0; m < nodes; ++m) {
       if (n == m) continue;
       const double sign = (n - m) % 2 == 0 ? 1 : -1;
-      matrix(n, m) = sign / (2 * std::sin(node_phase(n - m, nodes) / 2));
+      const double half = node_phase(n - m, nodes) / 2;
+      matrix(n, m) = sign / (2 * std::sin(half));
+      if (nodes % 2 == 0) matrix(n, m) *= std::cos(half);
     }
   }
   return matrix;

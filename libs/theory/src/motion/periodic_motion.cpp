@@ -14,7 +14,7 @@
 #include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
-#include "trigonometric_nodes.hpp"
+#include "beadswim/core/trigonometric_nodes.hpp"
 
 namespace beadswim {
 

@@ -30,6 +30,13 @@ double smallest_gap(const SwimmerType& type, const BeadVectors& beads) {
   return smallest;
 }
 
+Eigen::VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads) {
+  Eigen::VectorXd lengths(std::ssize(type.bonds));
+  for (std::size_t k = 0; k < type.bonds.size(); ++k)
+    lengths[k] = (beads.col(type.bonds[k].beads[1]) - beads.col(type.bonds[k].beads[0])).norm();
+  return lengths;
+}
+
 BeadVectors centred(const BeadVectors& beads) {
   return beads.colwise() - Vec3(beads.rowwise().mean());
 }

@@ -26,6 +26,9 @@ int highest_multiple(const Driving& driving);
 /// Returns the smallest gap between the surfaces of two beads; infinity for one bead [length].
 double smallest_gap(const SwimmerType& type, const BeadVectors& beads);
 
+/// Returns the lengths of the bonds [length].
+Eigen::VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads);
+
 /// Moves the beads so that their mean is the origin.
 BeadVectors centred(const BeadVectors& beads);
 

@@ -10,11 +10,11 @@
 
 #include "anderson_mixing.hpp"
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 #include "shape_cycle.hpp"
 #include "shape_flow.hpp"
-#include "trigonometric_nodes.hpp"
 
 namespace beadswim {
 namespace {
@@ -152,8 +152,7 @@ PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cy
     motion.mean_shape += rotation_by(-time * frame.angular_velocity) * centred(beads) / steps;
     motion.power += power_of_drives(type, time, beads, cycle.velocities[s], swimmer.orientation) / steps;
     motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(type, beads));
-    for (std::size_t k = 0; k < type.bonds.size(); ++k)
-      lengths(k, s) = (beads.col(type.bonds[k].beads[1]) - beads.col(type.bonds[k].beads[0])).norm();
+    lengths.col(s) = bond_lengths(type, beads);
   }
   std::vector<std::complex<double>> amplitudes;
   for (std::size_t k = 0; k < type.bonds.size(); ++k) {

@@ -12,11 +12,11 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
 #include "beadswim/theory/shaped_swimmer.hpp"
 #include "shape_flow.hpp"
-#include "trigonometric_nodes.hpp"
 
 namespace beadswim {
 namespace {
@@ -172,18 +172,21 @@ class ShapeExpansion {
     return order;
   }
 
-  /// Bead positions, their velocities in the moving frame and in the box, and R, at one node, for s times the
-  /// drives and the first-order motion.
+  /// Returns the bead positions at one node, for s times the first-order motion.
+  BeadVectors beads(const Expansion& order, int m, double s) const {
+    return shape_ + as_beads(s * order.displacement.col(m));
+  }
+
+  /// Bead positions, their velocities in the box, and R, at one node, for s times the first-order motion.
+  /// scaled: the swimmer with s times the drives.
   struct Node {
     BeadVectors beads, velocity;
     VectorXd residual;
   };
-  Node node(const Expansion& order, int m, double s) const {
-    const ShapedSwimmer scaled{with_drives_scaled(swimmer_.type, s), swimmer_.orientation,
-                               swimmer_.viscosity};
+  Node node(const ShapedSwimmer& scaled, const Expansion& order, int m, double s) const {
     const ShapeFlow flow(scaled, law_);
     const VectorXd rates = s * order.free_rates, p_rate = s * order.rate.col(m);
-    Node result{.beads = shape_ + as_beads(s * order.displacement.col(m)), .velocity = {}, .residual = {}};
+    Node result{.beads = beads(order, m, s), .velocity = {}, .residual = {}};
     Vec3 turning = Vec3::Zero();
     for (std::size_t r = 0; r < free_.axes.size(); ++r) turning += rates[3 + r] * free_.axes[r];
     const auto deforming = free_.columns.cols() - free_.rigid();
@@ -220,24 +223,18 @@ SecondOrder operator*(double factor, const SecondOrder& q) {
   return {factor * q.residual, factor * q.lengths, factor * q.power};
 }
 
-VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads) {
-  VectorXd lengths(std::ssize(type.bonds));
-  for (std::size_t k = 0; k < type.bonds.size(); ++k)
-    lengths[k] = (beads.col(type.bonds[k].beads[1]) - beads.col(type.bonds[k].beads[0])).norm();
-  return lengths;
-}
-
 /// Returns the even part of the means at +s and -s, divided by s^2.
 SecondOrder even_part(const ShapedSwimmer& swimmer, const ShapeExpansion& expansion, const Expansion& order,
                       double s) {
   const VectorXd at_rest = bond_lengths(swimmer.type, expansion.shape());
   SecondOrder sum{VectorXd::Zero(expansion.shape().size()), VectorXd::Zero(at_rest.size())};
   for (const double sign : {1.0, -1.0}) {
-    const SwimmerType scaled = with_drives_scaled(swimmer.type, sign * s);
+    const ShapedSwimmer scaled{with_drives_scaled(swimmer.type, sign * s), swimmer.orientation,
+                               swimmer.viscosity};
     for (int m = 0; m < expansion.nodes(); ++m) {
-      const ShapeExpansion::Node node = expansion.node(order, m, sign * s);
+      const ShapeExpansion::Node node = expansion.node(scaled, order, m, sign * s);
       sum = sum + SecondOrder{node.residual, bond_lengths(swimmer.type, node.beads) - at_rest,
-                              power_of_drives(scaled, expansion.time(m), node.beads, node.velocity,
+                              power_of_drives(scaled.type, expansion.time(m), node.beads, node.velocity,
                                               swimmer.orientation)};
     }
   }
@@ -300,7 +297,7 @@ ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law)
   motion.smallest_gap = std::numeric_limits<double>::infinity();
   for (int m = 0; m < expansion.nodes(); ++m)
     motion.smallest_gap =
-        std::min(motion.smallest_gap, smallest_gap(swimmer.type, expansion.node(order, m, 1).beads));
+        std::min(motion.smallest_gap, smallest_gap(swimmer.type, expansion.beads(order, m, 1)));
   return motion;
 }
 

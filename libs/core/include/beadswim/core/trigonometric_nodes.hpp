@@ -3,7 +3,8 @@
 #include <Eigen/Core>
 #include <complex>
 
-// Trigonometric interpolation of functions of the phase omega t. A period has M equidistant nodes, M odd.
+// Trigonometric interpolation of functions of the phase omega t. A period has M equidistant nodes, M odd
+// unless a function allows any M.
 
 namespace beadswim {
 
@@ -14,7 +15,7 @@ using NodalValues = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 double node_phase(int node, int nodes);
 
 /// Returns the matrix (nodes x nodes) that maps the values of a function at the nodes to the derivative of
-/// their trigonometric polynomial with respect to omega t at the nodes.
+/// their trigonometric polynomial with respect to omega t at the nodes. `nodes`: even or odd.
 Eigen::MatrixXd differentiation_matrix(int nodes);
 
 /// Returns the complex amplitude c of the harmonic Re(c exp(i h omega t)) of the function with the given
