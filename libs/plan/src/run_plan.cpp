@@ -102,10 +102,8 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
   if (!facts.unvalidated.empty())
     plan.hard.push_back(
         fmt::format("error estimates have not been validated for the type \"{}\": they are twice those of "
-                    "three beads on a "
-                    "line with its largest radius, its mean bond length, its period and a similar stroke; "
-                    "compare runs with "
-                    "different resolutions",
+                    "three beads on a line with its largest radius, its mean bond length, its period and a "
+                    "similar stroke; compare runs with different resolutions",
                     facts.unvalidated));
   if (facts.cell.swimmers.size() > 1)
     plan.hard.push_back(

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/scene/presets.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -137,9 +139,7 @@ SwimmerType swimmer_type(const PrescribedThreeBead& swimmer, const Fluid& fluid)
     add_bond(type, k, k + 1, arm[k], swimmer, fluid);
     drive_length(type, amplitude[k], k == 0 ? swimmer.phase : 0);
   }
-  constexpr double sideways_over_along = 10;
-  const double mean_arm = (arm[0] + arm[1]) / 2;
-  const double straightening = sideways_over_along * type.bonds[0].stiffness * mean_arm * mean_arm;
+  const double straightening = straightening_stiffness(type.bonds[0].stiffness, (arm[0] + arm[1]) / 2);
   type.angles = {{.beads = {0, 1, 2}, .stiffness = swimmer.angular_stiffness.value_or(straightening)}};
   return type;
 }

@@ -52,10 +52,14 @@ SwarmPlan paper_defect_plan() {
 }
 
 double straightening_stiffness(const ThreeBeadSwimmer& swimmer) {
-  constexpr double sideways_over_along = 10;
   const double stiffness = (swimmer.springs[0].stiffness + swimmer.springs[1].stiffness) / 2;
   const double length = (swimmer.springs[0].rest_length + swimmer.springs[1].rest_length) / 2;
-  return sideways_over_along * stiffness * length * length;
+  return straightening_stiffness(stiffness, length);
+}
+
+double straightening_stiffness(double stiffness, double arm) {
+  constexpr double sideways_over_along = 10;
+  return sideways_over_along * stiffness * arm * arm;
 }
 
 Resolution unit_resolution(const SwimmerType& type, const Fluid& fluid) {

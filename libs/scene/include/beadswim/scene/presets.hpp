@@ -32,6 +32,7 @@ SwarmPlan paper_defect_plan();
 /// stiffness and l the mean rest length of its arms. A sideways displacement of an end bead then requires ten
 /// times the force of an equal displacement along its arm.
 double straightening_stiffness(const ThreeBeadSwimmer& swimmer);
+double straightening_stiffness(double stiffness, double arm);
 
 /// Returns the resolution at which the cell and the time step are the units of length and time, as in the
 /// paper. The number of cells per radius is then the smallest bead radius. The relaxation time tau follows
