@@ -186,7 +186,7 @@ done
 
 # --- what cannot treat the shape says what can
 refuses 'triangle.json: swimmers 0 and 1 differ, but a prediction is for one swimmer' beadswim-theory triangle.json
-refuses '/swimmers/0: the driving forces have a sum, which would accelerate the fluid in a box without no-slip walls; use another --model, rpy' \
+refuses '/swimmers/0: the driving forces do not sum to zero, which would accelerate the fluid in a box without no-slip walls; use another --model, rpy' \
   beadswim-run <(beadswim-layout shape sphere --box 40,40,40) -o sphere.h5md --model lbm
 jq '.types.triangle.beads += [{radius: 2, density: 1, at: [0, 20, 0]}] | .types.triangle.bonds += [{beads: [3, 4], stiffness: 1}]' triangle.json >four.json
 refuses 'four.json: swimmer 0 is not the paper.s .*, the only one that has a sketch; draw its beads and bonds with beadswim-plot swarm' beadswim-plot swimmer four.json

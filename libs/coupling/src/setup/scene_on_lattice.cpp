@@ -57,8 +57,8 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
   }
 }
 
-/// Throws InputError if driving forces of a swimmer have a sum and the walls of the box do not take up its
-/// momentum: no-slip walls take up all momentum, free-slip walls that across them.
+/// Throws InputError if the driving forces of a swimmer do not sum to zero and no wall takes up their
+/// momentum. No-slip walls take up momentum along every axis, free-slip walls only momentum across the wall.
 void require_no_net_force(const Layout& layout, const std::string& source) {
   const auto& boundary = layout.domain->boundary;
   if (std::ranges::count(boundary, Boundary::no_slip) > 0 ||
@@ -69,7 +69,7 @@ void require_no_net_force(const Layout& layout, const std::string& source) {
     if (net_forces(type.driving).empty()) continue;
     throw InputError(
         fmt::format("{}:/swimmers/{}", source, s),
-        fmt::format("the driving forces have a sum, which would accelerate the fluid in a box "
+        fmt::format("the driving forces do not sum to zero, which would accelerate the fluid in a box "
                     "without no-slip walls; use another {}, rpy, rpy+near or oseen, or a box with "
                     "a no-slip {}",
                     Setting::model, Setting::boundary));

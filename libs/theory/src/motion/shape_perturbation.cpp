@@ -60,7 +60,7 @@ FreeMotions free_motions(const BeadVectors& shape, const MatrixXd& stiffness) {
     for (int b = 0; b < shape.cols(); ++b)
       rigid.col(3 + r).segment<3>(3 * b) = motions.axes[r].cross(Vec3(shape.col(b)));
   }
-  // Free deformations: the kernel of the stiffness that is left if rigid motion costs energy too.
+  // Free deformations span the kernel of the stiffness, without the rigid motions in it.
   const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(stiffness);
   const MatrixXd basis =
       rigid.householderQr().householderQ() * MatrixXd::Identity(shape.size(), motions.rigid());

@@ -31,7 +31,7 @@ inline constexpr std::array default_quantities{ComparedQuantity::velocity, Compa
 ///   velocity         { v }         along the swimmer's axis, relative to the mean flow [length/time]
 ///   arm_amplitudes   { d1, d2, ... }  of equation (4.1) of the paper (Pickl et al. 2017) [length]
 ///   sin_phase_shift  { sin beta }  beta = delta1 - delta2, the phase of arm 1 ahead of arm 2
-///   angular_velocity { |Omega| }   of the swimmer in space [radian/time]
+///   angular_velocity { |Omega| }   size of the angular velocity of the swimmer [radian/time]
 using ComparedValues = std::map<ComparedQuantity, std::vector<double>>;
 
 /// Returns the swimmer's velocity relative to the fluid, projected onto the swimmer's axis [length/time]. The

@@ -31,7 +31,7 @@ struct SceneOnLattice {
   /// True if springs vibrate too fast for the time step and got additional damping
   /// (with_resolved_vibrations).
   bool damps_springs = false;
-  /// For each type and angular spring, the ratio of its stiffness on the lattice to that in the layout. It is
+  /// Ratio of the stiffness on the lattice to that in the layout, for each type and angular spring. It is
   /// less than 1 if bending vibrates too fast for the time step (with_resolved_vibrations).
   std::vector<std::vector<double>> softening;
   CoupledScene scene;
@@ -51,7 +51,7 @@ struct SceneOnLattice {
 /// Converts a layout to a scene on the lattice. Throws InputError, with `source` as the name of the layout,
 /// in these cases:
 /// - The layout has no box, or an edge of the box is not an integer number of cells.
-/// - Driving forces have a sum, and nothing in the box takes up their momentum.
+/// - Driving forces of a swimmer do not sum to zero, and no wall takes up their momentum.
 /// - The radius of a bead is smaller than a cell, or a bead is too near to a wall.
 /// - The time step is too long for the shortest driving period.
 /// - The scheme has links and the relaxation time is below min_stable_relaxation_time.

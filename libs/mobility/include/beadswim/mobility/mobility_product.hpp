@@ -44,8 +44,8 @@ struct MobilityScene {
   std::optional<Box> box;     ///< nullopt: open space
   std::vector<double> radii;  ///< radius of each sphere [length]
   double tolerance = 1e-4;    ///< accepted error of sphere velocities, divided by their root mean square
-  /// Indices of first spheres of three consecutive ones that stay on a line, the three-bead swimmers of the
-  /// model rpy_near. All other close spheres are corrected as pairs.
+  /// Index of the first sphere of each swimmer of three consecutive spheres that stay on a line. The model
+  /// rpy_near corrects such a swimmer as a whole, and all other close spheres as pairs.
   std::vector<int> lines{};
 };
 

@@ -38,8 +38,8 @@ double pair_weight(double distance);
 
 class NearField {
  public:
-  /// Sets up the correction for spheres with these radii [length]. lines: indices of first spheres of three
-  /// consecutive ones that stay on a line.
+  /// Sets up the correction for spheres with these radii [length]. lines: as in
+  /// MobilityScene.
   NearField(std::vector<double> radii, std::vector<int> lines, std::optional<Box> box);
 
   /// Returns the map S of the forces on all beads (near_map.hpp) for beads at `positions` [length]. Throws
@@ -61,7 +61,7 @@ class NearField {
   const PairMapTable& pair_table(int bead, int partner) const;
 
   std::vector<double> radii_;
-  std::vector<int> lines_;    ///< first beads
+  std::vector<int> lines_;    ///< index of the first bead of each line
   std::vector<int> line_of_;  ///< index of the line of each bead; -1: none
   std::optional<Box> box_;
   Vec3 lengths_;  ///< edges of the periodic box that contains the mirror images [length]; 0: open space
