@@ -56,10 +56,9 @@ class FixedSphere {
         }
       }
     }
-    stream_and_collide(fluid.populations, fluid.rates, fluid.halo.row_ends());
+    stream_and_collide(fluid.populations, fluid.rates, fluid.halo.row_ends(), fluid.body_force);
     transfer_impulses(sums, beads);
     transfer_impulses(saturated_sums, beads);
-    fluid.add_body_force();
     return beads[0].impulse.value();
   }
 

@@ -72,6 +72,17 @@ CoupledScene colliding() {
   return scene;
 }
 
+/// Returns swimmers whose driving forces do not sum to zero, in a periodic box: one type is pulled along a
+/// constant direction, the other along its own present axis.
+CoupledScene towed() {
+  CoupledScene scene = crossing_scene();
+  scene.types[0].driving.forces.push_back({.bead = 1, .direction = Vec3(0.6, 0, 0.8), .constant = 0.05});
+  scene.types[1].driving.frame = DrivingFrame::body;
+  scene.types[1].driving.forces.push_back(
+      {.bead = 2, .direction = Vec3::UnitY(), .harmonics = {{.amplitude = 0.1}}});
+  return scene;
+}
+
 /// Returns the hash of the scene's state after 240 time steps, on rank 0 of the communicator.
 std::string final_state(const CoupledScene& scene, const Communicator& communicator) {
   CoupledSystem system(scene, communicator);
@@ -83,7 +94,7 @@ std::string final_state(const CoupledScene& scene, const Communicator& communica
 TEST(Seams, GiveTheBitsOfOneRank) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
   for (CoupledScene scene : {crossing_scene(), long_arms(), side_by_side(), cut_across_x(),
-                             between_mirrors_along_x(), between_walls(), colliding()}) {
+                             between_mirrors_along_x(), between_walls(), colliding(), towed()}) {
     for (const auto& [precision, scheme] :
          {std::pair{Precision::fp64, BeadScheme::staircase},
           std::pair{Precision::fp32, BeadScheme::staircase}, std::pair{Precision::fp64, BeadScheme::cli},
@@ -151,6 +162,15 @@ TEST_P(Conserving, MomentumAndMassAcrossSeams) {
   if (world.is_root()) {
     EXPECT_GT(fastest, 1e-3);
   }
+}
+
+// Catches a net force that the fluid does not balance, or beads that lack their part of the body force.
+TEST_P(Conserving, MomentumUnderANetForce) {
+  const Communicator world(MPI_COMM_WORLD);
+  CoupledSystem system(as_param(towed()), world);
+  advance(system, 360);
+  expect_nothing_lost(system);
+  EXPECT_GT(system.progress().body_force.norm(), 1e-6);
 }
 
 // Roundoff: bead momenta of some 0.5 and densities of 0.01, 360 steps; in single precision of each cell's

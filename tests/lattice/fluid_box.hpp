@@ -27,22 +27,10 @@ struct FluidBox {
   void step() {
     if (row_ends) {
       halo.fill(populations);
-      stream_and_collide(populations, rates, *row_ends);
+      stream_and_collide(populations, rates, *row_ends, body_force);
     } else {
-      step_fluid(populations, halo, rates);
+      step_fluid(populations, halo, rates, body_force);
     }
-    add_body_force();
-  }
-
-  void add_body_force() {
-    if (body_force == Vec3::Zero()) return;
-    for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
-      for (int i = 1; i < d3q19::directions; ++i) {
-        const auto& c = d3q19::velocity[i];
-        const double share = 3 * d3q19::weight(i) * body_force.dot(Vec3(c[0], c[1], c[2]));
-        populations.set_outgoing(i, cell, populations.outgoing(i, cell) + share);
-      }
-    });
   }
 
   void steps(int count) {

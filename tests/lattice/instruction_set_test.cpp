@@ -45,13 +45,15 @@ std::vector<RowKernels> kernels() {
 }
 
 template <class Real>
-Rows<Real> swept(const RowKernels& kernels, const Rows<Real>& from, long cells) {
+Rows<Real> swept(const RowKernels& kernels, const Rows<Real>& from, long cells,
+                 const BodyForce<Real>& force = {}) {
   Rows<Real> to;
   SweepRow<Real> row{.from = {},
                      .to = {},
                      .first = 0,
                      .cells = cells,
-                     .rates = collision_rates<Real>(relaxation_rates(0.7))};
+                     .rates = collision_rates<Real>(relaxation_rates(0.7)),
+                     .force = force};
   for (int i = 0; i < d3q19::directions; ++i) {
     to[i].resize(cells);
     row.from[i] = from[i].data();
@@ -79,14 +81,38 @@ TYPED_TEST_SUITE(RowKernelsOf, Reals);
 // computed in another way than its body.
 TYPED_TEST(RowKernelsOf, SweepGivesTheSameBitsOnEveryInstructionSet) {
   using Real = TypeParam;
-  for (const long cells : row_lengths) {
-    const Rows<Real> from = random_rows<Real>(cells);
-    const Rows<Real> expected = swept(kernels().front(), from, cells);
-    for (const RowKernels& other : kernels()) {
-      EXPECT_EQ(swept(other, from, cells), expected) << other.instruction_set;
+  const BodyForce<Real> upwards{.twelfth = {Real(3e-5), Real(-2e-7), Real(1e-4)}, .acts = true};
+  for (const BodyForce<Real>& force : {BodyForce<Real>{}, upwards}) {
+    for (const long cells : row_lengths) {
+      const Rows<Real> from = random_rows<Real>(cells);
+      const Rows<Real> expected = swept(kernels().front(), from, cells, force);
+      for (const RowKernels& other : kernels()) {
+        EXPECT_EQ(swept(other, from, cells, force), expected) << other.instruction_set;
+      }
+      for (long x = 0; x < cells; ++x) {
+        EXPECT_EQ(swept(kernels().front(), one_cell_of(from, x), 1, force), one_cell_of(expected, x));
+      }
     }
-    for (long x = 0; x < cells; ++x) {
-      EXPECT_EQ(swept(kernels().front(), one_cell_of(from, x), 1), one_cell_of(expected, x));
+  }
+}
+
+// Catches a wrong weight or sign in the force, by the difference of equilibria that defines it.
+TYPED_TEST(RowKernelsOf, BodyForceMovesPopulationsFromEquilibriumToEquilibrium) {
+  using Real = TypeParam;
+  const std::array<double, 3> g{3e-3, -2e-3, 5e-3};
+  const BodyForce<Real> force{.twelfth = {Real(g[0] / 12), Real(g[1] / 12), Real(g[2] / 12)}, .acts = true};
+  const Rows<Real> from = random_rows<Real>(31);
+  const Rows<Real> without = swept(kernels().front(), from, 31),
+                   with = swept(kernels().front(), from, 31, force);
+  for (long x = 0; x < 31; ++x) {
+    double f[d3q19::directions], r, u[3];
+    for (int i = 0; i < d3q19::directions; ++i) f[i] = static_cast<double>(without[i][x]);
+    moments_of(f, r, u);
+    for (int i = 0; i < d3q19::directions; ++i) {
+      const double difference =
+          equilibrium(i, r, u[0] + g[0], u[1] + g[1], u[2] + g[2]) - equilibrium(i, r, u[0], u[1], u[2]);
+      const double roundoff = 0.5 * std::numeric_limits<Real>::epsilon();
+      EXPECT_NEAR(static_cast<double>(with[i][x]) - f[i], difference, roundoff) << i;
     }
   }
 }

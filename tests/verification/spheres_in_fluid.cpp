@@ -74,16 +74,6 @@ void SpheresInFluid::hold_fluid_momentum(const Vec3& momentum) {
   body_force = (0.5 * (taken_ + taken_before_) + missing) / fluid_cells_;
 }
 
-void SpheresInFluid::accelerate_row(int y, int z) {
-  for (int i = 1; i < d3q19::directions; ++i) {
-    const auto& c = d3q19::velocity[i];
-    const double share = 3 * d3q19::weight(i) * body_force.dot(Vec3(c[0], c[1], c[2]));
-    if (share == 0) continue;
-    double* row = populations_.next_outgoing_row<double>(i, populations_.cell(0, y, z));
-    for (int x = 0; x < cells_[0]; ++x) row[x] += share;
-  }
-}
-
 /// Applies the force of spheres to the saturated cells of a row. The body force acts later in the step, so
 /// half of it is included in the velocity in the middle of the step.
 void SpheresInFluid::push_row(int y, int z) {
@@ -136,7 +126,7 @@ std::vector<Load> SpheresInFluid::step() {
   BeadBoundary boundary{coverage_, links_, beads_, rates_, sums_};
   force_on_fluid_part_ = Vec3::Zero();
   halo_.fill(populations_);
-  BlockSweep sweep(populations_, rates_, RowEnds::left_to_halo);
+  BlockSweep sweep(populations_, rates_, RowEnds::left_to_halo, body_force);
   for (int n = 0; n < cells_[2]; ++n) {
     const int z = plane_in_order(n, cells_[2]);
     for (int y = 0; y < cells_[1]; ++y) {
@@ -146,7 +136,6 @@ std::vector<Load> SpheresInFluid::step() {
         push_row(y, z);
       }
       sweep.row(y, z);
-      accelerate_row(y, z);
     }
   }
   sweep.finish();

@@ -71,7 +71,6 @@ class SpheresInFluid {
   double volume() const { return cells_.cast<double>().prod(); }
 
  private:
-  void accelerate_row(int y, int z);
   void push_row(int y, int z);
   void place_spheres();
   Load take_load(int sphere);

@@ -4,21 +4,23 @@
 #include "row_kernels.hpp"
 
 #include "beadswim/core/order_free_cut.hpp"
+#include "beadswim/lattice/body_force.hpp"
 #include "beadswim/lattice/moments.hpp"
 #include "beadswim/lattice/trt.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
-/// Streams and collides the cells [first, end) of a row.
-template <class Real>
-BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<Real>& rates, long first,
-                                 long end) {
+/// Streams and collides the cells [first, end) of a row; `forced`: the body force acts.
+template <bool forced, class Real>
+BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<Real>& rates,
+                                 const BodyForce<Real>& force, long first, long end) {
 #pragma GCC ivdep
   for (long x = first; x < end; ++x) {
     Real f[d3q19::directions];
 #pragma GCC unroll 19
     for (int i = 0; i < d3q19::directions; ++i) f[i] = r.from[i][x];
     collide_trt(f, rates);
+    if constexpr (forced) add_body_force(f, force);
 #pragma GCC unroll 19
     for (int i = 0; i < d3q19::directions; ++i) r.to[i][x] = f[i];
   }
@@ -29,20 +31,26 @@ BEADSWIM_KERNEL void sweep_cells(const SweepRow<Real>& r, const CollisionRates<R
 /// per second increased by 14 % for lattices that do not fit into the cache.
 constexpr long lines_ahead = 6;
 
-template <class Real>
-void sweep_row(const SweepRow<Real>& row) {
+template <bool forced, class Real>
+BEADSWIM_KERNEL void sweep_whole_row(const SweepRow<Real>& row) {
   SweepRow<Real> r;  // a copy, because the compiler must assume that the stores below change `row`
   for (int i = 0; i < d3q19::directions; ++i) r.from[i] = row.from[i] + row.first;
   for (int i = 0; i < d3q19::directions; ++i) r.to[i] = row.to[i] + row.first;
   const CollisionRates<Real> rates = row.rates;
+  const BodyForce<Real> force = row.force;
   constexpr long line = 64 / sizeof(Real);
   const long cells = row.cells, whole_lines = cells / line * line;
   for (long x = 0; x < whole_lines; x += line) {
 #pragma GCC unroll 19
     for (int i = 0; i < d3q19::directions; ++i) __builtin_prefetch(r.from[i] + x + lines_ahead * line, 1);
-    sweep_cells(r, rates, x, x + line);
+    sweep_cells<forced>(r, rates, force, x, x + line);
   }
-  sweep_cells(r, rates, whole_lines, cells);
+  sweep_cells<forced>(r, rates, force, whole_lines, cells);
+}
+
+template <class Real>
+void sweep_row(const SweepRow<Real>& row) {
+  row.force.acts ? sweep_whole_row<true>(row) : sweep_whole_row<false>(row);
 }
 template void sweep_row(const SweepRow<double>&);
 template void sweep_row(const SweepRow<float>&);

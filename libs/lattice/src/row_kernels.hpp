@@ -1,5 +1,6 @@
 #pragma once
 
+#include "beadswim/lattice/body_force.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 #include "beadswim/lattice/trt.hpp"
 
@@ -18,6 +19,7 @@ struct SweepRow {
   Real* to[d3q19::directions];
   long first, cells;  ///< index of the first cell of the row; number of cells
   CollisionRates<Real> rates;
+  BodyForce<Real> force;
 };
 
 /// Arguments of totals_row(), which sums density deviation and momentum over a row of cells.

@@ -8,6 +8,14 @@
 namespace beadswim {
 namespace {
 
+template <class Real>
+BodyForce<Real> in_kernel_form(const Vec3& body_force) {
+  BodyForce<Real> force;
+  for (int a = 0; a < 3; ++a) force.twelfth[a] = static_cast<Real>(body_force[a] / 12);
+  force.acts = body_force != Vec3::Zero();
+  return force;
+}
+
 /// Fills the halo cells at both ends of a row that has just been swept.
 template <class Real>
 void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
@@ -32,12 +40,14 @@ struct BlockSweep::Rows {
   std::variant<SweepRow<double>, SweepRow<float>> row;
 };
 
-BlockSweep::BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends)
+BlockSweep::BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends,
+                       const Vec3& body_force)
     : populations_(populations), row_ends_(row_ends), rows_(std::make_unique<Rows>()) {
   in_precision(populations.precision(), [&]<class Real>() {
     SweepRow<Real> row;
     row.cells = populations.size()[0];
     row.rates = collision_rates<Real>(rates);
+    row.force = in_kernel_form<Real>(body_force);
     for (int i = 0; i < d3q19::directions; ++i) {
       row.from[i] = populations.incoming_row<Real>(i, 0);
       row.to[i] = populations.next_outgoing_row<Real>(i, 0);
@@ -65,8 +75,9 @@ void BlockSweep::finish() {
   populations_.advance(row_ends_);
 }
 
-void stream_and_collide(Populations& populations, const RelaxationRates& rates, RowEnds row_ends) {
-  BlockSweep sweep(populations, rates, row_ends);
+void stream_and_collide(Populations& populations, const RelaxationRates& rates, RowEnds row_ends,
+                        const Vec3& body_force) {
+  BlockSweep sweep(populations, rates, row_ends, body_force);
   for (int z = 0; z < populations.size()[2]; ++z) {
     for (int y = 0; y < populations.size()[1]; ++y) sweep.row(y, z);
   }

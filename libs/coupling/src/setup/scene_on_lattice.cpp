@@ -15,7 +15,6 @@
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
-#include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
@@ -54,25 +53,6 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
                                      b + 1, gap, "xyz"[a], min_wall_gap * cell, Setting::cells_per_radius));
       }
     }
-  }
-}
-
-/// Throws InputError if the driving forces of a swimmer do not sum to zero and no wall takes up their
-/// momentum. No-slip walls take up momentum along every axis, free-slip walls only momentum across the wall.
-void require_no_net_force(const Layout& layout, const std::string& source) {
-  const auto& boundary = layout.domain->boundary;
-  if (std::ranges::count(boundary, Boundary::no_slip) > 0 ||
-      std::ranges::count(boundary, Boundary::periodic) == 0)
-    return;
-  for (std::size_t s = 0; s < layout.swimmers.size(); ++s) {
-    const SwimmerType type = layout.resolved_type(layout.swimmers[s]);
-    if (net_forces(type.driving).empty()) continue;
-    throw InputError(
-        fmt::format("{}:/swimmers/{}", source, s),
-        fmt::format("the driving forces do not sum to zero, which would accelerate the fluid in a box "
-                    "without no-slip walls; use another {}, rpy, rpy+near or oseen, or a box with "
-                    "a no-slip {}",
-                    Setting::model, Setting::boundary));
   }
 }
 
@@ -195,7 +175,6 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
                        .relaxation_time = settings.relaxation_time.value_or(hint.relaxation_time)};
   result.lattice = lattice_for(layout, result.resolution, result.period);
   const LatticeScales& scales = result.lattice.scales;
-  require_no_net_force(layout, source);
   require_off_walls(layout, scales.cell, source);
   require_viscosity(settings.bead_boundary, result.lattice.relaxation_time);
   require_slip(settings.bead_boundary, result.lattice.relaxation_time);

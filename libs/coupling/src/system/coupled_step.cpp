@@ -56,6 +56,7 @@ void CoupledSystem::step() {
   });
   pending_impulses_.clear();
   if_state_is_finite([&] { advance_swimmers(impulses); });
+  balance_net_force();
   std::swap(beads_before_, beads_);
   beads_ = exchange_.publish(owned_);
 
@@ -73,10 +74,13 @@ void CoupledSystem::step_fluid_with_links() {
   link_sums_.resize(beads_.size());
   BeadBoundary boundary{
       .coverage = coverage_, .links = links_, .beads = beads_, .rates = rates_, .sums = link_sums_};
-  step_fluid(populations_, halo_, rates_, [&](int y, int z) {
+  step_fluid(populations_, halo_, rates_, body_force_, [&](int y, int z) {
     if_state_is_finite([&] { boundary.bounce_back_before_row(populations_, y, z); });
   });
-  if_state_is_finite([&] { transfer_impulses(link_sums_, beads_); });
+  if_state_is_finite([&] {
+    transfer_impulses(link_sums_, beads_);
+    add_body_force_on_beads();
+  });
 }
 
 void CoupledSystem::step_fluid_with_saturated_cells() {
@@ -85,7 +89,7 @@ void CoupledSystem::step_fluid_with_saturated_cells() {
                              .beads = beads_,
                              .sums = saturated_sums_,
                              .viscosity = lattice_viscosity(scene_.relaxation_time)};
-  step_fluid(populations_, halo_, rates_, [&](int y, int z) {
+  step_fluid(populations_, halo_, rates_, body_force_, [&](int y, int z) {
     if_state_is_finite([&] { boundary.apply_forces_before_row(populations_, y, z); });
   });
   if_state_is_finite([&] { transfer_impulses(saturated_sums_, beads_); });
@@ -124,7 +128,35 @@ void CoupledSystem::advance_swimmers(const std::map<BeadName, Impulse>& impulses
       swimmer.motion = before;  // keeps positions valid until all ranks stop, some steps later
     }
     predict(swimmer, before, close, type);
+    if (has_net_force_) add_driving_impulse(swimmer.motion, before, loads, type);
   }
+}
+
+/// Adds the impulse of the driving forces on a swimmer in this step: the change of its momentum that the
+/// loads do not explain.
+void CoupledSystem::add_driving_impulse(const SwimmerMotion& now, const SwimmerMotion& before,
+                                        const SwimmerLoads& loads, const SwimmerType& type) {
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    const Vec3 gained = mass(type.beads[b]) * (now[b].velocity - before[b].velocity);
+    driving_impulse_.add({.density_deviation = 0, .momentum = gained - loads[b].force});
+  }
+}
+
+void CoupledSystem::balance_net_force() {
+  if (!has_net_force_) return;
+  const Vec3 impulse = sum_over_ranks(driving_impulse_, communicator_).momentum_value();
+  driving_impulse_ = {};
+  for (int a = 0; a < 3; ++a) {
+    if (scene_.boundary[a] == Boundary::periodic)
+      body_force_[a] = -impulse[a] / scene_.cells.cast<double>().prod();
+  }
+}
+
+void CoupledSystem::add_body_force_on_beads() {
+  if (body_force_ == Vec3::Zero()) return;
+  coverage_.for_each_own_covered_cell([&](std::ptrdiff_t, int bead, const Vec3&) {
+    for (int a = 0; a < 3; ++a) beads_[bead].impulse.linear[a].add(body_force_[a]);
+  });
 }
 
 void CoupledSystem::find_links_or_saturated_cells() {

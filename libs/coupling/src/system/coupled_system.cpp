@@ -9,9 +9,20 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/message.hpp"
+#include "beadswim/swimmers/swimmer_forces.hpp"
 
 namespace beadswim {
 namespace {
+
+/// Returns true if driving forces of a swimmer do not sum to zero and no wall takes up their momentum: there
+/// is a periodic axis and no no-slip wall.
+bool needs_balance(const CoupledScene& scene) {
+  if (std::ranges::count(scene.boundary, Boundary::no_slip) > 0 ||
+      std::ranges::count(scene.boundary, Boundary::periodic) == 0)
+    return false;
+  return std::ranges::any_of(scene.types,
+                             [](const SwimmerType& type) { return !net_forces(type.driving).empty(); });
+}
 
 /// Returns the state of a swimmer whose beads are at rest.
 SwimmerState at_rest(const CoupledScene& scene, const PlacedSwimmer& swimmer) {
@@ -41,6 +52,7 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       links_(scene.bead_boundary),
       saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.boundary)),
       smallest_gap_(std::numeric_limits<double>::infinity()) {
+  has_net_force_ = needs_balance(scene_);
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
   for (const PlacedSwimmer& swimmer : scene_.swimmers) {
     SwimmerState state = at_rest(scene_, swimmer);
@@ -152,6 +164,7 @@ void CoupledSystem::restore(const SystemProgress& progress, std::span<const Swim
   fault_.reset();
   state_is_finite_ = true;
   steps_done_ = progress.steps_done;
+  body_force_ = progress.body_force;
   largest_bead_speed_ = progress.largest_bead_speed;
   smallest_gap_ = progress.smallest_gap;
 }
@@ -213,7 +226,7 @@ SceneTotals CoupledSystem::totals() {
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);
   const double cells = scene_.cells.cast<double>().prod();
-  return {.momentum = everything.momentum_value(),
+  return {.momentum = everything.momentum_value() + cells * body_force_,
           .mean_flow = all_cells.momentum_value() / cells,
           .mass_excess = everything.density_deviation.value() / cells};
 }

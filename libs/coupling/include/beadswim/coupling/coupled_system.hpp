@@ -30,11 +30,14 @@ struct SystemProgress {
   long steps_done = 0;
   double largest_bead_speed = 0;  ///< largest speed of any bead so far [cell/step]
   double smallest_gap = 0;        ///< smallest gap so far, as CoupledSystem::smallest_gap() [cell]
+  /// Momentum that each cell gains in the next step, which balances net driving forces.
+  Vec3 body_force = Vec3::Zero();
 
-  /// Visits the largest speed and the smallest gap, but not the number of steps.
+  /// Visits all fields but the number of steps.
   static void visit_fields(auto&& visit, auto& progress) {
     visit("largest_bead_speed", progress.largest_bead_speed);
     visit("smallest_gap", progress.smallest_gap);
+    visit("body_force", progress.body_force);
   }
 };
 
@@ -91,11 +94,12 @@ class CoupledSystem {
   /// Returns the number of other ranks that this rank communicates with.
   int neighbours() const;
 
-  /// Returns the number of steps, the largest bead speed and the smallest gap so far. Collective.
+  /// Returns the progress of the run. Collective.
   SystemProgress progress() const {
     return {.steps_done = steps_done_,
             .largest_bead_speed = largest_bead_speed(),
-            .smallest_gap = smallest_gap()};
+            .smallest_gap = smallest_gap(),
+            .body_force = body_force_};
   }
 
   /// Returns true if this rank owns the swimmer, that is if its middle() lies in the block of this rank.
@@ -117,6 +121,14 @@ class CoupledSystem {
   void step_fluid_with_links();
   void step_fluid_with_saturated_cells();
   void advance_swimmers(const std::map<BeadName, Impulse>& impulses);
+  void add_driving_impulse(const SwimmerMotion& now, const SwimmerMotion& before, const SwimmerLoads& loads,
+                           const SwimmerType& type);
+  /// Sets the body force of the next step, in scenes with net driving forces that no wall takes up. It
+  /// balances the driving forces of this step along the periodic axes. Collective: such scenes alone
+  /// communicate globally in each step.
+  void balance_net_force();
+  /// Adds the body force on the cells that each bead covers to its impulse.
+  void add_body_force_on_beads();
   /// Prepares the next step: finds the links or the saturated cells, and adds the impulses between close
   /// beads of different swimmers.
   void find_links_and_contacts();
@@ -164,7 +176,10 @@ class CoupledSystem {
   Halo halo_;
   BeadExchange exchange_;
   NearContactLaw near_contact_;
-  std::vector<int> substeps_;  ///< number of substeps per step, for each swimmer type
+  bool has_net_force_ = false;      ///< true if a body force balances net driving forces
+  FluidTotals driving_impulse_;     ///< impulse of driving forces on owned swimmers in this step
+  Vec3 body_force_ = Vec3::Zero();  ///< momentum that each cell gains in a step
+  std::vector<int> substeps_;       ///< number of substeps per step, for each swimmer type
   std::vector<SwimmerState> owned_;
   std::vector<BeadOnLattice> beads_, beads_before_;
   Coverage coverage_;

@@ -51,7 +51,6 @@ struct SceneOnLattice {
 /// Converts a layout to a scene on the lattice. Throws InputError, with `source` as the name of the layout,
 /// in these cases:
 /// - The layout has no box, or an edge of the box is not an integer number of cells.
-/// - Driving forces of a swimmer do not sum to zero, and no wall takes up their momentum.
 /// - The radius of a bead is smaller than a cell, or a bead is too near to a wall.
 /// - The time step is too long for the shortest driving period.
 /// - The scheme has links and the relaxation time is below min_stable_relaxation_time.

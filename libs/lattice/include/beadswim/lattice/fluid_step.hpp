@@ -29,11 +29,12 @@ constexpr int first_outer_plane(int planes) {
 /// row by row. Calls before_row(y, z) before it sweeps the row (y, z). At this call, the halo cells that the
 /// row reads are filled. before_row must apply the boundary condition on the links of this row (links end at
 /// a bead) that have not been processed yet: links within the row, and links between the row and rows that
-/// have not been swept.
+/// have not been swept. body_force: momentum that each cell gains in this step (body_force.hpp).
 template <class BeforeRow>
-void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, BeforeRow&& before_row) {
+void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, const Vec3& body_force,
+                BeforeRow&& before_row) {
   halo.start(populations);
-  BlockSweep sweep(populations, rates, halo.row_ends());
+  BlockSweep sweep(populations, rates, halo.row_ends(), body_force);
   const int rows = populations.size()[1], planes = populations.size()[2];
   for (int n = 0; n < planes; ++n) {
     if (n < first_outer_plane(planes)) halo.progress();
@@ -47,8 +48,9 @@ void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rat
   sweep.finish();
 }
 
-inline void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates) {
-  step_fluid(populations, halo, rates, [](int, int) {});
+inline void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates,
+                       const Vec3& body_force = Vec3::Zero()) {
+  step_fluid(populations, halo, rates, body_force, [](int, int) {});
 }
 
 }  // namespace beadswim

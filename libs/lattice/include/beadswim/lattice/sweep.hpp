@@ -13,12 +13,13 @@ namespace beadswim {
 /// loop has no branches. Before a row is swept, all incoming populations of its cells must be set: by
 /// boundary conditions where they come from walls and beads, and by the halo where they come from outside the
 /// block. `row_ends` selects how the sweep fills the halo cells at the ends of the row for the next step
-/// (Halo::row_ends()).
+/// (Halo::row_ends()). `body_force`: momentum that each cell gains in this step (body_force.hpp).
 ///
 /// The results have the same bits for every instruction set and every shape of block.
 class BlockSweep {
  public:
-  BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends);
+  BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends,
+             const Vec3& body_force = Vec3::Zero());
   ~BlockSweep();
 
   /// Sweeps the row (y, z).
@@ -41,7 +42,7 @@ class BlockSweep {
 
 /// Sweeps all rows of a block.
 void stream_and_collide(Populations& populations, const RelaxationRates& rates,
-                        RowEnds row_ends = RowEnds::left_to_halo);
+                        RowEnds row_ends = RowEnds::left_to_halo, const Vec3& body_force = Vec3::Zero());
 
 /// Returns the instruction set that the kernels use on this processor: "x86-64-v4", "x86-64-v3" or
 /// "baseline".
