@@ -17,7 +17,8 @@ BeadVectors at_rest(const SwimmerType& type) {
 /// - u_1 by the positions, with the unit vectors u_1 and u_2 along the two sides.
 template <int Size>
 void add_straight_angle(const Angle& angle, const BeadVectors& positions, SwimmerMatrix<Size>& stiffness) {
-  Eigen::Matrix<double, 3, Size> bend = Eigen::Matrix<double, 3, Size>::Zero(3, stiffness.cols());
+  std::array<Eigen::Matrix3d, 3> bend;  // the columns of B for the three beads
+  bend.fill(Eigen::Matrix3d::Zero());
   for (int side = 0; side < 2; ++side) {
     const int i = angle.beads[side], j = angle.beads[side + 1];
     const Vec3 along = positions.col(j) - positions.col(i);
@@ -25,10 +26,16 @@ void add_straight_angle(const Angle& angle, const BeadVectors& positions, Swimme
     const Eigen::Matrix3d dyad = along * along.transpose() / (length * length);
     const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - dyad;
     const double sign = side == 0 ? -1 : 1;
-    bend.template block<3, 3>(0, 3 * j) += sign / length * across;
-    bend.template block<3, 3>(0, 3 * i) -= sign / length * across;
+    bend[side + 1] += sign / length * across;
+    bend[side] -= sign / length * across;
   }
-  stiffness += angle.stiffness * bend.transpose() * bend;
+  for (int a = 0; a < 3; ++a) {
+    for (int b = 0; b < 3; ++b) {
+      Eigen::Matrix3d product = bend[a].row(0).transpose() * bend[b].row(0);
+      for (int r = 1; r < 3; ++r) product += bend[a].row(r).transpose() * bend[b].row(r);
+      stiffness.template block<3, 3>(3 * angle.beads[a], 3 * angle.beads[b]) += angle.stiffness * product;
+    }
+  }
 }
 
 /// Adds the stiffness K_A g g^T of an angular spring with another rest angle, where g is the gradient of the
