@@ -46,7 +46,6 @@ for row in "3 16 12 11 72 41.8 41.8" "4 16 10 10 56 54.8 54.8" "8 10 9 9 96 59.2
 done
 
 # 2000 flagella of 16 beads, and as many beads in three-bead swimmers.
-cycles=0.5
 swimmer 16 1 >"$folder/one.json"
 grid "$folder/one.json" 10 10 20 176 61.8 61.8 >"$folder/scene.json"
 measure "$folder/scene.json" "$cycles"

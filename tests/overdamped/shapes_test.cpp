@@ -272,6 +272,40 @@ TEST(PrescribedStroke, ReversedInTimeReversesTheVelocity) {
   EXPECT_NEAR(backwards, -forwards, 1e-4 * std::abs(forwards));
 }
 
+// Under forces -F(T - t), beads without springs return on the path along which the forces F(t) moved them.
+TEST(FreeBeads, ReturnOnTheirPathUnderForcesReversedInTime) {
+  SwimmerType type = beads_at({Vec3(0, 0, 0), Vec3(9, 1, 0), Vec3(2, 8, 3), Vec3(-3, 2, 9)}, 3);
+  type.beads[1].radius = 2;
+  for (int b = 0; b < 3; ++b) add_bond(type, b, b + 1, 0);
+  type.driving.net_force_allowed = true;
+  for (int b = 0; b < 4; ++b)
+    type.driving.forces.push_back({.bead = b,
+                                   .direction = Vec3(1, b - 1.5, 0.3 * b * b - 1).normalized(),
+                                   .constant = 0.01 * (b - 1),
+                                   .harmonics = {{.amplitude = 0.1, .phase = 1.3 * b},
+                                                 {.amplitude = 0.05, .phase = 0.4 * b, .multiple = 2}}});
+  const auto positions_after_a_cycle = [](const SwimmerType& moved) {
+    const Communicator world(MPI_COMM_WORLD);
+    OverdampedSystem system(lone(moved, 8000), world);
+    for (int n = 0; n < 8000; ++n) system.step();
+    EXPECT_FALSE(system.fault());
+    std::vector<Vec3> places(system.positions().begin(), system.positions().end());
+    for (Vec3& place : places) place -= Vec3(30, 40, 50);
+    return places;
+  };
+  SwimmerType back = type;
+  const std::vector<Vec3> ends = positions_after_a_cycle(type);
+  for (int b = 0; b < 4; ++b) {
+    EXPECT_GT((ends[b] - type.beads[b].at).norm(), 0.1);
+    back.beads[b].at = ends[b];
+    back.driving.forces[b].constant *= -1;
+    for (Harmonic& harmonic : back.driving.forces[b].harmonics) harmonic.phase *= -1;
+  }
+  const std::vector<Vec3> starts = positions_after_a_cycle(back);
+  for (int b = 0; b < 4; ++b)
+    EXPECT_LT((starts[b] - type.beads[b].at).norm(), 1e-9 * (ends[b] - type.beads[b].at).norm());
+}
+
 // A rod of twelve beads is towed by equal constant forces: its velocity is that of a rigid body with the
 // Rotne-Prager mobility of its beads, along and across; slender bodies resist up to twice as much across.
 TEST(TowedChain, MovesAsARigidRod) {
