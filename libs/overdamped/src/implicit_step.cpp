@@ -66,7 +66,8 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
   Beads expansion_point = guess;
   ImplicitStepResult result;
   result.distant = distant;
-  long products = 0;
+  long products = 0, iterations = 0;
+  double residual = 0;
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;
     for (int alone = 1;; ++alone) {
@@ -80,6 +81,8 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
     }
     result = solve_linearised(*balance, expansion_point, start);
     products += result.products;
+    iterations += result.iterations;
+    residual = std::max(residual, result.residual);
     const double move = largest_move(expansion_point, result.displacements);
     // If an arm of rest length l rotates, the linearised forces stretch it by about move^2/l. This error must
     // be below the tolerance times `way`, the root mean square displacement of the beads. `turn` is the
@@ -95,6 +98,8 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
     expansion_point = result.displacements;
   }
   result.products = products;
+  result.iterations = iterations;
+  result.residual = residual;
   return result;
 }
 
@@ -105,8 +110,10 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   flat(places) += flat(expansion_point);
   const auto product = [&](const Beads& forces) {
     Beads velocities(forces.size());
-    mobility_.apply(places, forces, velocities);
+    const ProductWork work = mobility_.apply(places, forces, velocities);
     ++result.products;
+    result.iterations += work.iterations;
+    result.residual = std::max(result.residual, work.residual);
     return velocities;
   };
   struct Direction {

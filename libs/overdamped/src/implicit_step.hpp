@@ -44,6 +44,8 @@ struct ImplicitStepResult {
   Beads velocities;     ///< v, velocities of the beads at the end of the step
   Beads distant;        ///< d, velocities of the beads in the flow of all other swimmers
   long products = 0;    ///< number of mobility products evaluated
+  long iterations = 0;  ///< number of iterations of these products
+  double residual = 0;  ///< largest residual of these products
   /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
   bool is_converged = true;

@@ -52,6 +52,7 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   OverdampedSetup setup;
   OverdampedScene& scene = setup.scene;
   scene.model = model;
+  scene.moment_order = model == MobilityModel::multipole ? settings.multipole_order : 0;
   scene.viscosity = layout.fluid.dynamic_viscosity();
   check_no_slip_walls(layout, source);
   scene.box = layout.domain;

@@ -33,7 +33,8 @@ MobilityScene mobility_scene(const OverdampedScene& scene) {
                          .viscosity = scene.viscosity,
                          .box = scene.box,
                          .radii = bead_radii(scene),
-                         .tolerance = scene.tolerance};
+                         .tolerance = scene.tolerance,
+                         .moment_order = scene.moment_order};
   const std::vector<BeadRange> ranges = bead_ranges(scene);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     if (has_three_beads_in_order(scene.type_of(scene.swimmers[s])))
@@ -66,6 +67,8 @@ ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Bead
                                                 const Beads& distant) {
   ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
   state_.products += result.products;
+  state_.iterations += result.iterations;
+  state_.residual = std::max(state_.residual, result.residual);
   is_converged_ = is_converged_ && result.is_converged;
   return result;
 }

@@ -92,10 +92,12 @@ std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& fa
                                       const PlanRequest& request, const std::string& source,
                                       const Communicator& communicator) {
   std::vector<PlannedRun> runs;
-  for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near}) {
-    if (!request.model || *request.model == run_model(model))
-      runs.push_back(mobility_run(layout, facts, request, model, source, communicator));
-  }
+  const auto add_run = [&](MobilityModel model) {
+    runs.push_back(mobility_run(layout, facts, request, model, source, communicator));
+  };
+  for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near})
+    if (!request.model || *request.model == run_model(model)) add_run(model);
+  if (request.model == RunModel::multipole) add_run(MobilityModel::multipole);
   return runs;
 }
 

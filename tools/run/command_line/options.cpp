@@ -20,9 +20,10 @@ CLI::Validator relaxation_time() {
 
 void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
-  add_choice(program, "--model", options.settings.model,
-             "Model of the fluid: lbm (lattice Boltzmann), mobilities rpy (Rotne-Prager), rpy+near (with "
-             "near field) and oseen, or auto (the cheapest within --tolerance, else lbm)");
+  add_choice(
+      program, "--model", options.settings.model,
+      "Model of the fluid: lbm (lattice), the mobilities rpy, rpy+near (near field), multipole, oseen, or "
+      "auto (the cheapest within --tolerance, else lbm)");
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
@@ -60,6 +61,13 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
                   "sums up in a step [1]")
       ->type_name("E")
       ->check(product_tolerance());
+  program
+      .add_option(
+          "--multipole-order", mobility.multipole_order,
+          "Highest moment of the force on each bead, for --model multipole: 0 (force, as rpy), 1 (with "
+          "stresslets), 2")
+      ->type_name("N")
+      ->check(whole_number(0, 2));
   begin_group(program, "Length and sampling");
   program
       .add_option("--steps-per-cycle", mobility.steps_per_cycle,
@@ -247,6 +255,8 @@ FlagValues result_flags(const RunSettings& settings) {
     FlagValues values{{"--model", to_text(settings.model)},
                       {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
                       {"--sum-tolerance", fmt::format("{}", settings.mobility.tolerance)}};
+    if (settings.model == RunModel::multipole)
+      values["--multipole-order"] = fmt::format("{}", settings.mobility.multipole_order);
     if (settings.mobility.steps_per_cycle)
       values["--steps-per-cycle"] = fmt::format("{}", *settings.mobility.steps_per_cycle);
     return values;

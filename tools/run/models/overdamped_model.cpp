@@ -20,6 +20,9 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
                                const Communicator& ranks)
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
   refuse_lattice_flags(requested, requested.settings.model);
+  if (requested.settings.model != RunModel::multipole)
+    refuse_flags(requested, {"--multipole-order"},
+                 "the flag applies to the model multipole only; leave it out, or add --model multipole");
   options = requested;
   OverdampedSetup setup =
       overdamped_setup(layout, *mobility_model(requested.settings.model), requested.settings.mobility,
@@ -150,11 +153,15 @@ void OverdampedModel::describe(RunRecord& record) const {
   record.dimensionless = dimensionless_numbers(plan_.scene.types, state.largest_speed,
                                                plan_.kinematic_viscosity, plan_.base_period);
   const std::optional<EwaldPlan>& sums = system_.mobility().plan();
+  const bool is_multipole = plan_.scene.model == MobilityModel::multipole;
   record.mobility = MobilityRecord{
       .time_step = plan_.time_step,
       .steps_per_cycle = plan_.steps_per_cycle,
       .tolerance = plan_.scene.tolerance,
       .products = state.products,
+      .multipole_order = is_multipole ? std::optional(plan_.scene.moment_order) : std::nullopt,
+      .iterations = is_multipole ? std::optional<std::int64_t>(state.iterations) : std::nullopt,
+      .residual = is_multipole ? std::optional(state.residual) : std::nullopt,
       .cut_off = sums ? std::optional(sums->cutoff) : std::nullopt,
       .mesh_spacing = sums ? std::optional(sums->spacing) : std::nullopt,
       .smallest_gap = std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap) : std::nullopt};

@@ -18,8 +18,11 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
   request.require_choices_apply = [&options](const RunSettings& settings) {
     if (settings.model != RunModel::lbm) {
       refuse_lattice_flags(options, settings.model);
+      if (settings.model != RunModel::multipole)
+        refuse_flags(options, {"--multipole-order"},
+                     "the flag applies to the model multipole only; leave it out");
     } else {
-      refuse_flags(options, {"--sum-tolerance", "--steps-per-cycle"},
+      refuse_flags(options, {"--sum-tolerance", "--steps-per-cycle", "--multipole-order"},
                    "the flag applies to mobility models only; leave it out");
     }
   };
@@ -39,6 +42,8 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
     if (lattice.bead_boundary != usual.bead_boundary)
       flags += " --bead-boundary " + to_text(lattice.bead_boundary);
   }
+  if (settings.model == RunModel::multipole)
+    flags += fmt::format(" --multipole-order {}", settings.mobility.multipole_order);
   const FlagValues course = result_flags(settings);
   for (const char* asked : {"--delay-correction", "--radius-correction", "--lubrication", "--friction",
                             "--sum-tolerance", "--steps-per-cycle"}) {

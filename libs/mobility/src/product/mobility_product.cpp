@@ -9,7 +9,9 @@
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/near_field.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"
+#include "moment_product.hpp"
 #include "near_pairs.hpp"
+#include "sum_over_ranks.hpp"
 
 namespace beadswim {
 namespace {
@@ -45,33 +47,21 @@ int mirrors(const std::optional<Box>& box) {
   return count;
 }
 
+int highest_moment(const MobilityScene& scene) {
+  return scene.model == MobilityModel::multipole ? scene.moment_order : 0;
+}
+
 EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {
   EwaldScene ewald{.lengths = mirrored_lengths(scene.box),
                    .is_periodic = scene.box.has_value(),
                    .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirrors(scene.box)),
                    .largest_radius = *std::ranges::max_element(scene.radii),
+                   .moment_order = highest_moment(scene),
                    .tolerance = scene.tolerance};
   if (scene.box) return ewald;
   const Bounds bounds(positions);
   for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.high[a] - bounds.low[a] + 2 * ewald.largest_radius;
   return ewald;
-}
-
-/// Replaces velocities by their sum over all ranks. The sum is always evaluated in the order of the ranks, so
-/// its bits depend only on the number of ranks.
-void sum_over_ranks(std::span<Vec3> velocities, const Communicator& communicator) {
-  const int ranks = communicator.size();
-  if (ranks == 1) return;
-  const std::size_t each = (velocities.size() + ranks - 1) / ranks;
-  std::vector<Vec3> parts(velocities.begin(), velocities.end());
-  parts.resize(each * ranks, Vec3::Zero());
-  std::vector<Vec3> arrived(each * ranks), sums(each, Vec3::Zero());
-  const int doubles = static_cast<int>(3 * each);
-  MPI_Alltoall(parts.data(), doubles, MPI_DOUBLE, arrived.data(), doubles, MPI_DOUBLE, communicator.get());
-  for (int r = 0; r < ranks; ++r)
-    for (std::size_t b = 0; b < each; ++b) sums[b] += arrived[r * each + b];
-  MPI_Allgather(sums.data(), doubles, MPI_DOUBLE, parts.data(), doubles, MPI_DOUBLE, communicator.get());
-  std::copy_n(parts.begin(), velocities.size(), velocities.begin());
 }
 
 }  // namespace
@@ -82,6 +72,7 @@ struct MobilityProduct::Parts {
   std::optional<EwaldPlan> plan;
   std::unique_ptr<NearPairs> near_pairs;  ///< null: all pairs are summed without a mesh
   std::unique_ptr<ParticleMesh> mesh;
+  std::unique_ptr<MomentProduct> moments;  ///< null: forces are the only moments
   /// Self-mobility of each sphere, minus the part of it that the far part of the Ewald sum contains
   /// [time/mass].
   std::vector<double> self;
@@ -105,6 +96,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                          .plan = {},
                          .near_pairs = {},
                          .mesh = {},
+                         .moments = {},
                          .self = {},
                          .near_field = {},
                          .near_map = {},
@@ -112,10 +104,14 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.lines, scene.box);
   if (scene.box || scene.radii.size() >= min_spheres_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
+  // Roundoff may differ between processors, so all ranks use the plan of rank 0.
+  if (parts_->plan) MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
+  if (highest_moment(scene) > 0) {
+    parts_->moments = std::make_unique<MomentProduct>(scene, parts_->plan, communicator);
+    return;
+  }
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));
   if (!parts_->plan) return;
-  // Roundoff may differ between processors, so all ranks use the plan of rank 0.
-  MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   const EwaldPlan& plan = *parts_->plan;
   parts_->near_pairs = std::make_unique<NearPairs>(NearPairs::Law{.model = scene.model,
                                                                   .viscosity = scene.viscosity,
@@ -160,14 +156,18 @@ void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std
   } else {
     add_all_pairs(scene.model, scene.viscosity, scene.radii, places, sources, velocities, communicator);
   }
-  sum_over_ranks(velocities, communicator);
+  sum_over_ranks({velocities[0].data(), 3 * velocities.size()}, communicator);
   for (std::size_t b = 0; b < velocities.size(); ++b) velocities[b] += self[b] * forces[b];
 }
 
-void MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                            std::span<Vec3> velocities) const {
+ProductWork MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                   std::span<Vec3> velocities) const {
+  if (parts_->moments) return parts_->moments->solve(positions, forces, velocities);
   std::ranges::fill(velocities, Vec3::Zero());
-  if (!parts_->near_field) return parts_->add_velocities(positions, forces, velocities);
+  if (!parts_->near_field) {
+    parts_->add_velocities(positions, forces, velocities);
+    return {};
+  }
   const NearMap& map = parts_->near_map_at(positions);
   std::vector<Vec3> mapped(forces.begin(), forces.end());
   map.map_forces(mapped);
@@ -176,6 +176,7 @@ void MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec
   // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
   MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0,
             parts_->communicator.get());
+  return {};
 }
 
 }  // namespace beadswim

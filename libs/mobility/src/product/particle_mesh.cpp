@@ -12,7 +12,8 @@
 #include "beadswim/core/bounds.hpp"
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
-#include "mobility_kernels.hpp"
+#include "beadswim/mobility/force_moments.hpp"
+#include "moment_kernels.hpp"
 
 namespace beadswim {
 namespace {
@@ -99,11 +100,14 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 
 }  // namespace
 
-// If all beads have one radius, one field is transformed: the forces F. Its kernel contains the term with the
-// Laplacian. Otherwise a second field D is transformed: the forces times a_j^2, where a_j is the radius of
-// the bead on which the force acts. The velocity of bead i is then
+// If all beads have one radius and only forces act, one field is transformed: the forces F. Its kernel
+// contains the term with the Laplacian. Otherwise a second field D is transformed: the forces times a_j^2,
+// where a_j is the radius of the bead on which the force acts. The velocity of bead i is then
 //
 //   u_i = (K F + L D) + a_i^2 (L F),     K: kernel of the Oseen tensor, L: kernel of its Laplacian/6
+//
+// With force moments, F are the derivatives of the point forces, and 6 c_l a^2 (force_moments.hpp) replaces
+// a^2.
 struct ParticleMesh::Mesh {
   EwaldPlan plan;
   Vec3 lengths;
@@ -124,6 +128,10 @@ struct ParticleMesh::Mesh {
   void sample_kernel();
   void spread(std::span<const Vec3> positions, std::span<const Vec3> forces);
   void gather(std::span<const Vec3> positions, std::span<Vec3> velocities);
+  void spread_moments(std::span<const Vec3> positions, std::span<const double> sources);
+  void gather_moments(std::span<const Vec3> positions, std::span<double> flows);
+  double moment_size(int field, int bead, int derivative) const;
+  void clear_meshes();
   void sort(std::span<const Vec3> positions);
   void multiply();
   void multiply_periodic();
@@ -147,8 +155,9 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads bea
                      .kernel = {}}) {
   const std::vector<double>& squares = mesh_->beads.squared_radii;
   const auto [smallest, largest] = std::ranges::minmax_element(squares);
-  if (!squares.empty() && *smallest == *largest) mesh_->shared_size = 2 * *largest;
-  if (!squares.empty() && *smallest != *largest) mesh_->fields = 2;
+  const bool is_shared = mesh_->beads.moment_order == 0 && !squares.empty() && *smallest == *largest;
+  if (is_shared) mesh_->shared_size = 2 * *largest;
+  if (!squares.empty() && !is_shared) mesh_->fields = 2;
   if (!mesh_->is_periodic) return;
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
@@ -306,6 +315,49 @@ void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<Vec3>
   }
 }
 
+/// Returns the factor of a derivative of a bead in a field: 1, or 6 c_l a^2 in the second field.
+double ParticleMesh::Mesh::moment_size(int field, int bead, int derivative) const {
+  return field == 0 ? 1 : 6 * size_factors[order_of_derivative(derivative)] * beads.squared_radii[bead];
+}
+
+void ParticleMesh::Mesh::clear_meshes() {
+  for (auto& field : values)
+    for (FftwArray& component : field) std::fill_n(component.get(), transform->reals(), 0.0);
+}
+
+void ParticleMesh::Mesh::spread_moments(std::span<const Vec3> positions, std::span<const double> sources) {
+  sort(positions);
+  clear_meshes();
+  const std::vector<Vec3> places = in_order(order, positions);
+  const int count = derivative_count(beads.moment_order);
+  std::vector<double> sorted(3 * count * order.size());
+  for (int f = 0; f < fields; ++f) {
+    for (std::size_t s = 0; s < order.size(); ++s)
+      for (int n = 0; n < 3 * count; ++n)
+        sorted[3 * count * s + n] = moment_size(f, order[s], n % count) * sources[3 * count * order[s] + n];
+    const std::array<double*, 3> onto{values[f][0].get(), values[f][1].get(), values[f][2].get()};
+    moment_kernels().spread_moments(beads.moment_order, geometry, {std::ssize(places), places[0].data()},
+                                    sorted.data(), onto.data());
+  }
+}
+
+void ParticleMesh::Mesh::gather_moments(std::span<const Vec3> positions, std::span<double> flows) {
+  const int count = derivative_count(beads.moment_order);
+  std::erase_if(order, [&](int b) { return 3 * count * b >= std::ssize(flows); });
+  const std::vector<Vec3> places = in_order(order, positions);
+  const double volume = spacing[0] * spacing[1] * spacing[2];
+  for (int f = 0; f < fields; ++f) {
+    const std::array<const double*, 3> from{values[f][0].get(), values[f][1].get(), values[f][2].get()};
+    std::vector<double> sums(3 * count * places.size(), 0.0);
+    moment_kernels().gather_moments(beads.moment_order, geometry, {std::ssize(places), places[0].data()},
+                                    from.data(), sums.data());
+    for (std::size_t s = 0; s < places.size(); ++s)
+      for (int n = 0; n < 3 * count; ++n)
+        flows[3 * count * order[s] + n] +=
+            volume * moment_size(f, order[s], n % count) * sums[3 * count * s + n];
+  }
+}
+
 void ParticleMesh::Mesh::multiply() {
   for (auto& field : values)
     for (FftwArray& component : field) transform->forward(component);
@@ -381,6 +433,15 @@ void ParticleMesh::add_velocities(std::span<const Vec3> positions, std::span<con
   mesh.spread(positions, forces);
   mesh.multiply();
   mesh.gather(positions, velocities);
+}
+
+void ParticleMesh::add_flows(std::span<const Vec3> positions, std::span<const double> sources,
+                             std::span<double> flows) {
+  Mesh& mesh = *mesh_;
+  if (!mesh.is_periodic) mesh.fit_to_beads(positions);
+  mesh.spread_moments(positions, sources);
+  mesh.multiply();
+  mesh.gather_moments(positions, flows);
 }
 
 }  // namespace beadswim

@@ -15,6 +15,7 @@ struct EwaldScene {
   bool is_periodic = true;
   double beads = 0;           ///< number of beads in the box
   double largest_radius = 0;  ///< radius of the largest bead [length]
+  int moment_order = 0;       ///< highest moment of the forces (force_moments.hpp)
   double tolerance = 1e-4;    ///< accepted error of bead velocities, divided by their root mean square
 };
 

@@ -6,14 +6,18 @@ namespace beadswim {
 
 /// Law that gives the velocities of spheres from the forces on them (mobility_product.hpp).
 enum class MobilityModel {
-  oseen,     ///< Oseen tensor of point forces
-  rpy,       ///< Rotne-Prager-Yamakawa tensor of spheres
-  rpy_near,  ///< rpy, corrected for close spheres (near_field.hpp); spheres 3k to 3k + 2: one swimmer
+  oseen,      ///< Oseen tensor of point forces
+  rpy,        ///< Rotne-Prager-Yamakawa tensor of spheres
+  rpy_near,   ///< rpy, corrected for close spheres (near_field.hpp); spheres 3k to 3k + 2: one swimmer
+  multipole,  ///< moments of the force up to MobilityScene::moment_order (force_moments.hpp); order 0 is rpy
 };
 
 template <>
-inline constexpr auto name_table<MobilityModel> = std::to_array<NamedValue<MobilityModel>>(
-    {{MobilityModel::rpy, "rpy"}, {MobilityModel::rpy_near, "rpy+near"}, {MobilityModel::oseen, "oseen"}});
+inline constexpr auto name_table<MobilityModel> =
+    std::to_array<NamedValue<MobilityModel>>({{MobilityModel::rpy, "rpy"},
+                                              {MobilityModel::rpy_near, "rpy+near"},
+                                              {MobilityModel::multipole, "multipole"},
+                                              {MobilityModel::oseen, "oseen"}});
 
 /// Returns true if the mobility of two spheres by this model depends on their radii.
 inline bool has_finite_radii(MobilityModel model) {

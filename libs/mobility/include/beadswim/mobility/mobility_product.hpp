@@ -21,6 +21,8 @@
 //   oseen     Oseen tensor of point forces (rotne_prager_tensor.hpp)
 //   rpy       Rotne-Prager-Yamakawa tensor of spheres; mu is positive definite even if spheres overlap
 //   rpy+near  S^T mu S instead of mu, with mu of rpy and a map S of the forces (near_field.hpp)
+//   multipole higher moments of the force on each sphere make its surface move as a rigid body
+//   (force_moments.hpp)
 //
 // The map S makes the mobility of close spheres exact along the lines between their centres. S^T mu S is
 // positive definite. The additional cost of the map is small.
@@ -47,6 +49,14 @@ struct MobilityScene {
   /// Index of the first sphere of each swimmer of three consecutive spheres that stay on a line. The model
   /// rpy_near corrects such a swimmer as a whole, and all other close spheres as pairs.
   std::vector<int> lines{};
+  int moment_order = 0;  ///< model multipole: highest moment of the force on each sphere, 0 to 2
+};
+
+/// Work of a product with force moments.
+struct ProductWork {
+  int iterations = 0;  ///< sums of moments, in addition to the sum of the forces
+  double residual =
+      0;  ///< square root of the dissipation that the residual causes, relative to the power of the forces
 };
 
 class MobilityProduct {
@@ -66,7 +76,8 @@ class MobilityProduct {
   /// `forces` in [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal
   /// number of ranks, equal arguments give the same bits. On different numbers of ranks, results agree to
   /// roundoff. All ranks must call the function (collective).
-  void apply(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities) const;
+  ProductWork apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                    std::span<Vec3> velocities) const;
 
   /// Returns the parameters of the Ewald sum; nullopt if all pairs are summed directly, without an Ewald sum.
   const std::optional<EwaldPlan>& plan() const;

@@ -41,6 +41,7 @@ class ParticleMesh {
   struct Beads {
     std::vector<double> squared_radii;  ///< a_i^2 of each bead [length^2]; empty: point forces (Oseen)
     double viscosity = 0;               ///< dynamic [mass/(length time)]
+    int moment_order = 0;               ///< highest moment of the forces (force_moments.hpp)
   };
 
   /// Sets up the mesh for the parameters `plan`. `lengths` are the edges of the periodic box [length]. They
@@ -58,6 +59,11 @@ class ParticleMesh {
   /// ranks must call the function (collective).
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities);
+
+  /// Does the same for force moments, if Beads::moment_order is not zero. `sources` contains the derivatives of
+  /// point forces of all beads; the derivatives of the flow at the first beads are added to `flows` (Derivatives
+  /// in force_moments.hpp, without unused elements).
+  void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows);
 
  private:
   struct Mesh;

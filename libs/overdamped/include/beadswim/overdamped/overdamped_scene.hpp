@@ -15,6 +15,7 @@ using Beads = std::vector<Vec3>;
 /// A swarm without inertia, its fluid and its time step, in any coherent unit system.
 struct OverdampedScene : Swarm {
   MobilityModel model = MobilityModel::rpy;
+  int moment_order = 0;    ///< model multipole: highest moment of the force on each bead, 0 to 2
   double viscosity = 0;    ///< dynamic viscosity eta of the fluid [mass/(length time)]
   std::optional<Box> box;  ///< box of the fluid; no value means unbounded fluid
   double step = 0;         ///< time step [time]

@@ -63,6 +63,8 @@ struct OverdampedFault {
 struct OverdampedState {
   long steps_done = 0;
   long products = 0;         ///< number of mobility products so far
+  long iterations = 0;       ///< number of iterations of all products so far (ProductWork)
+  double residual = 0;       ///< largest residual of all products so far (ProductWork)
   double largest_speed = 0;  ///< largest speed of any bead in any step [length/time]
   /// Smallest gap of any contact in any step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
@@ -72,9 +74,11 @@ struct OverdampedState {
   /// steps ago [length/time].
   std::array<Beads, 3> distant;
 
-  /// Visits the statistics: number of products, largest speed and smallest gap.
+  /// Visits the statistics.
   static void visit_fields(auto&& visit, auto& state) {
     visit("products", state.products);
+    visit("iterations", state.iterations);
+    visit("residual", state.residual);
     visit("largest_speed", state.largest_speed);
     visit("smallest_gap", state.smallest_gap);
   }

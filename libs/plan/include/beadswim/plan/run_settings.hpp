@@ -12,6 +12,7 @@ enum class RunModel {
   lbm,
   rpy,
   rpy_near,
+  multipole,
   oseen,
   automatic,  ///< the cheapest model whose expected error is within the tolerance
 };
@@ -21,6 +22,7 @@ inline constexpr auto name_table<RunModel> =
     std::to_array<NamedValue<RunModel>>({{RunModel::lbm, "lbm"},
                                          {RunModel::rpy, "rpy"},
                                          {RunModel::rpy_near, "rpy+near"},
+                                         {RunModel::multipole, "multipole"},
                                          {RunModel::oseen, "oseen"},
                                          {RunModel::automatic, "auto"}});
 

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+// clang-format off
+// Moments of the force that a sphere exerts on the fluid at its surface, up to the second. Fluid fills the
+// insides of spheres too. The force per area on a sphere of radius a, with the normal n, is
+//
+//   f(n) = [ F + 3/a S n + Q : (nn - I/3) ] / (4 pi a^2)
+//
+//   F  force;  S  stresslet, symmetric and traceless;  Q_abc  second moment, symmetric and traceless in b, c
+//
+// In Fourier space, and as derivatives of a point force, with j_l the spherical Bessel functions:
+//
+//   f(k) = F j_0(ka) - i S k 3 j_1(ka)/(ka) - Q : kk/k^2 j_2(ka)
+//        = P_0 F - P_1 S grad + (a^2/15) P_2 Q : grad grad,    P_l = 1 + c_l a^2 laplacian + ...,   c = 1/6, 1/10, 1/14
+//
+// The flow u of all forces, projected on the same functions, gives the velocity U, the rate of strain E and the
+// second moment of the velocity of each sphere. For spheres apart, the further terms of P_l do not act:
+//
+//   U = P_0 u,   E = P_1 [grad u], symmetric and traceless part,   (a^2/15) P_2 [grad grad u], traceless part
+//
+// Moments are stored as coefficients in an orthonormal basis: 3 of F; then 5 of S; then 15 of Q, for each component
+// a the 5 of Q_a. The matrix of the flow from moments to projections is symmetric and positive definite in it.
+//
+// Mazur & van Saarloos, Physica A 115 (1982) 21. Page: docs/method/force-moments.md.
+// clang-format on
+
+namespace beadswim {
+
+constexpr int max_moment_order = 2;
+
+/// Returns the number of coefficients of the moments of a sphere up to `order`: 3, 8 or 23.
+constexpr int moment_count(int order) {
+  return std::array{3, 8, 23}[order];
+}
+
+/// Returns the number of derivatives of a function up to `order`: 1, 4 or 10.
+constexpr int derivative_count(int order) {
+  return std::array{1, 4, 10}[order];
+}
+
+/// Degrees of the derivatives by x, y and z, in the order in which they are stored.
+constexpr std::array<std::array<int, 3>, 10> derivatives{{{0, 0, 0},
+                                                          {1, 0, 0},
+                                                          {0, 1, 0},
+                                                          {0, 0, 1},
+                                                          {2, 0, 0},
+                                                          {1, 1, 0},
+                                                          {1, 0, 1},
+                                                          {0, 2, 0},
+                                                          {0, 1, 1},
+                                                          {0, 0, 2}}};
+
+/// Returns the order of derivatives[d].
+constexpr int order_of_derivative(int d) {
+  return d == 0 ? 0 : (d < 4 ? 1 : 2);
+}
+
+/// c_l of the equation above.
+constexpr std::array<double, 3> size_factors{1.0 / 6, 1.0 / 10, 1.0 / 14};
+
+/// Coefficients of the derivatives of a point force: component c, derivative d at c * derivative_count + d.
+/// As a flow: the derivatives of its components.
+using Derivatives = std::array<double, 30>;
+
+/// Converts moments of a sphere to derivatives of a point force, without the factors P_l.
+void derivatives_of_moments(int order, double radius, const double* moments, double* derivatives);
+
+/// Projects the flow of which the derivatives are given, with the factors P_l, on the moments of a sphere.
+void moments_of_derivatives(int order, double radius, const double* derivatives, double* moments);
+
+/// Returns the matrix from the moments of a sphere to the projections of its own flow in open space, as
+/// blocks of moments of equal degree: F gives 1/(6 pi eta a), S gives 3/(20 pi eta a^3).
+Eigen::MatrixXd moment_self_mobility(int order, double radius, double viscosity);
+
+}  // namespace beadswim

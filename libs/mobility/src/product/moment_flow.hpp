@@ -1,0 +1,139 @@
+#pragma once
+
+#include "beadswim/core/kernel.hpp"
+
+// clang-format off
+// Flow of the force moments of one sphere at another sphere (force_moments.hpp), from derivatives of two radial
+// functions of the vector r from the one to the other. chi is the function of the Oseen tensor:
+//
+//   G = (I laplacian - grad grad) chi / (8 pi eta),   u_c = sum_d [ A_c^d D^d L - sum_b A_b^d D^(d + e_b + e_c) chi ] / (8 pi eta)
+//
+//   A_c^d  coefficients of the derivatives of a point force at the one sphere;  D^d derivative, e_b that by component b
+//   L      laplacian chi
+//
+// Cartesian derivatives of a function of r follow from R(n, d) = D^d ((1/r) d/dr)^n f:
+//
+//   R(n, d + e_a) = d_a R(n + 1, d - e_a) + r_a R(n + 1, d)
+//
+// McMurchie & Davidson, J. Comput. Phys. 26 (1978) 218 (recursion).
+// clang-format on
+
+namespace beadswim {
+
+constexpr int max_derivative_order = 6;
+
+/// Tables of the derivatives (i, j, k) by x, y, z with i + j + k <= 6, in ascending order of i + j + k.
+struct DerivativeTable {
+  static constexpr int size = 84;
+  int degree[size][3]{};
+  int index[7][7][7]{};
+  int first[max_derivative_order + 2]{};  ///< first derivative of each order
+};
+constexpr DerivativeTable derivative_table = [] {
+  DerivativeTable table;
+  int count = 0;
+  for (int order = 0; order <= max_derivative_order; ++order) {
+    table.first[order] = count;
+    for (int i = order; i >= 0; --i) {
+      for (int j = order - i; j >= 0; --j) {
+        const int k = order - i - j;
+        table.degree[count][0] = i, table.degree[count][1] = j, table.degree[count][2] = k;
+        table.index[i][j][k] = count++;
+      }
+    }
+  }
+  table.first[max_derivative_order + 1] = count;
+  return table;
+}();
+
+/// Returns the index in DerivativeTable of the sum of two derivatives.
+constexpr int sum_of_derivatives(int d, int e) {
+  const auto &p = derivative_table.degree[d], &q = derivative_table.degree[e];
+  return derivative_table.index[p[0] + q[0]][p[1] + q[1]][p[2] + q[2]];
+}
+
+/// Index of the sum of two derivatives of orders up to 3, by a table.
+struct DerivativeSums {
+  unsigned char of[20][20]{};
+};
+constexpr DerivativeSums derivative_sums = [] {
+  DerivativeSums sums;
+  for (int d = 0; d < 20; ++d)
+    for (int e = 0; e < 20; ++e) sums.of[d][e] = static_cast<unsigned char>(sum_of_derivatives(d, e));
+  return sums;
+}();
+
+/// Sets result[d] to the derivative d of a function f of r, for all derivatives up to `order`. radial[n]:
+/// ((1/r) d/dr)^n f, n = 0 to `order`. Value: double, or a vector of doubles with one lane per pair.
+template <int order, class Value>
+BEADSWIM_KERNEL void cartesian_derivatives(const Value (&r)[3], const Value* radial, Value* result) {
+  constexpr const DerivativeTable& table = derivative_table;
+  Value other[DerivativeTable::size];
+  Value *now = (order % 2 == 0) ? result : other, *above = (order % 2 == 0) ? other : result;
+  now[0] = radial[order];
+  for (int n = order - 1; n >= 0; --n) {
+    Value* const swapped = above;
+    above = now;
+    now = swapped;
+    now[0] = radial[n];
+    for (int d = 1; d < table.first[order - n + 1]; ++d) {
+      int degree[3] = {table.degree[d][0], table.degree[d][1], table.degree[d][2]};
+      const int axis = degree[0] > 0 ? 0 : (degree[1] > 0 ? 1 : 2);
+      --degree[axis];
+      Value sum = r[axis] * above[table.index[degree[0]][degree[1]][degree[2]]];
+      if (degree[axis] > 0) {
+        const double factor = degree[axis];
+        --degree[axis];
+        sum += factor * above[table.index[degree[0]][degree[1]][degree[2]]];
+      }
+      now[d] = sum;
+    }
+  }
+}
+
+/// Derivatives of the radial functions of a pair, divided by 8 pi eta. For spheres of finite size, chi is
+/// replaced by chi + (c_i a_i^2 + c_j a_j^2) laplacian chi.
+template <class Value>
+struct PairDerivatives {
+  Value chi[DerivativeTable::size], laplacian[DerivativeTable::size], bilaplacian[DerivativeTable::size];
+};
+
+/// Adds the flow at a sphere to `flow`, component c, derivative d at c * count + d, where count is the number
+/// of derivatives up to `order`. sign[d]: -1 for odd derivatives if the vector r of the pair is reversed.
+///   source  A_c^d of the other sphere;  sized: c_l a^2 A_c^d for its radius a
+///   size    c_l a^2 for the radius a of the sphere itself, l = 0, 1, 2
+template <int order, class Value>
+BEADSWIM_KERNEL void add_moment_flow(const PairDerivatives<Value>& pair, const Value* source,
+                                     const Value* sized, const Value (&size)[3], Value* flow) {
+  constexpr int count = order == 0 ? 1 : (order == 1 ? 4 : 10),
+                next = order == 0 ? 4 : (order == 1 ? 10 : 20);
+  // Divergences of the sources, derived: their flow and its Laplacian.
+  Value push[next], sized_push[next];
+  for (int e = 1; e < next; ++e) {
+    Value sum{}, sized_sum{};
+    for (int b = 0; b < 3; ++b) {
+      const unsigned char* const by_b = derivative_sums.of[1 + b];
+      for (int d = 0; d < count; ++d) {
+        const int all = derivative_sums.of[by_b[d]][e];
+        sum += source[b * count + d] * pair.chi[all] + sized[b * count + d] * pair.laplacian[all];
+        sized_sum += source[b * count + d] * pair.laplacian[all];
+      }
+    }
+    push[e] = sum;
+    sized_push[e] = sized_sum;
+  }
+  for (int c = 0; c < 3; ++c) {
+    for (int e = 0; e < count; ++e) {
+      Value sum{}, sized_sum{};
+      for (int d = 0; d < count; ++d) {
+        const int both = derivative_sums.of[d][e];
+        sum += source[c * count + d] * pair.laplacian[both] + sized[c * count + d] * pair.bilaplacian[both];
+        sized_sum += source[c * count + d] * pair.bilaplacian[both];
+      }
+      const int with_c = derivative_sums.of[1 + c][e], l = e == 0 ? 0 : (e < 4 ? 1 : 2);
+      flow[c * count + e] += sum - push[with_c] + size[l] * (sized_sum - sized_push[with_c]);
+    }
+  }
+}
+
+}  // namespace beadswim

@@ -1,0 +1,195 @@
+// Compiled once per instruction set. BEADSWIM_INSTRUCTION_SET is the namespace of the instruction set.
+#include "moment_kernels.hpp"
+
+#include "mesh_window.hpp"
+#include "moment_flow.hpp"
+
+namespace beadswim::BEADSWIM_INSTRUCTION_SET {
+
+constexpr int lanes = MomentPairs::lanes;
+using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
+
+BEADSWIM_KERNEL Lanes load(const double* from) {
+  Lanes value;
+  __builtin_memcpy(&value, from, sizeof value);
+  return value;
+}
+BEADSWIM_KERNEL void store(double* to, const Lanes& value) {
+  __builtin_memcpy(to, &value, sizeof value);
+}
+
+template <int order>
+BEADSWIM_KERNEL void moment_pairs_of(const OneSphere& one, MomentPairs& pairs) {
+  constexpr int count = order == 1 ? 4 : 10, highest = 2 + 2 * order;
+  const Lanes r[3]{load(pairs.r[0]), load(pairs.r[1]), load(pairs.r[2])};
+  Lanes radial[highest + 1];
+  PairDerivatives<Lanes> pair;
+  const auto derive = [&]<int upto>(const double(*functions)[lanes], Lanes* result)
+      __attribute__((always_inline)) {
+    for (int n = 0; n <= upto; ++n) radial[n] = load(functions[n]);
+    cartesian_derivatives<upto>(r, radial, result);
+  };
+  derive.template operator()<highest>(pairs.chi, pair.chi);
+  derive.template operator()<highest>(pairs.laplacian, pair.laplacian);
+  derive.template operator()<2 * order>(pairs.bilaplacian, pair.bilaplacian);
+
+  Lanes source[3 * count], sized[3 * count], flow[3 * count]{};
+  const Lanes other_size[3]{load(pairs.size[0]), load(pairs.size[1]), load(pairs.size[2])};
+  const Lanes own_size[3]{Lanes{} + one.size[0], Lanes{} + one.size[1], Lanes{} + one.size[2]};
+  const auto degree = [](int s) { return s % count == 0 ? 0 : (s % count < 4 ? 1 : 2); };
+  for (int s = 0; s < 3 * count; ++s) {
+    source[s] = load(pairs.source[s]);
+    sized[s] = other_size[degree(s)] * source[s];
+  }
+  add_moment_flow<order>(pair, source, sized, own_size, flow);
+  for (int s = 0; s < 3 * count; ++s) {
+    double sum = 0;
+    for (int l = 0; l < lanes; ++l) sum += flow[s][l];
+    one.flow[s] += sum;
+  }
+  // At the other spheres, r is reversed: odd derivatives of source and flow change their sign.
+  for (int s = 0; s < 3 * count; ++s) {
+    source[s] = Lanes{} + (degree(s) == 1 ? -one.source[s] : one.source[s]);
+    sized[s] = own_size[degree(s)] * source[s];
+    flow[s] = Lanes{};
+  }
+  add_moment_flow<order>(pair, source, sized, other_size, flow);
+  for (int s = 0; s < 3 * count; ++s) store(pairs.flow[s], degree(s) == 1 ? -flow[s] : flow[s]);
+}
+
+void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs) {
+  order == 1 ? moment_pairs_of<1>(one, pairs) : moment_pairs_of<2>(one, pairs);
+}
+
+/// Weights of the window of a bead along one axis and their first and second derivatives by the mesh
+/// coordinate, in units of [length].
+template <int P>
+struct DerivedWindow {
+  Window<P> window;
+  double weight[3][3][P];  ///< [derivative][axis][point]
+
+  BEADSWIM_KERNEL void set_position(const WindowMesh& mesh, const double* position) {
+    window.set_position(mesh, position);
+    for (int a = 0; a < 3; ++a) {
+      const double slope = -2 * mesh.decay[a] * mesh.inverse_spacing[a];
+      for (int p = 0; p < P; ++p) {
+        const double w = window.weight[a][p], g = slope * (window.offset[a] + p);
+        weight[0][a][p] = w;
+        weight[1][a][p] = g * w;
+        weight[2][a][p] = (g * g + slope * mesh.inverse_spacing[a]) * w;
+      }
+    }
+  }
+};
+
+template <int P, int order>
+BEADSWIM_KERNEL void spread_moments_of(const WindowMesh& mesh, const WindowBeads& beads,
+                                       const double* sources, MeshValues onto) {
+  constexpr int count = order == 1 ? 4 : 10;
+  DerivedWindow<P> w;
+  for (long b = 0; b < beads.count; ++b) {
+    w.set_position(mesh, beads.positions + 3 * b);
+    const bool wraps = w.window.wraps(mesh);
+    for (int c = 0; c < 3; ++c) {
+      const double* const A = sources + (3 * b + c) * count;
+      for (int p = 0; p < P; ++p) {
+        if (w.window.planes[p] < 0) continue;
+        const double x0 = w.weight[0][0][p], x1 = w.weight[1][0][p], x2 = w.weight[2][0][p];
+        for (int q = 0; q < P; ++q) {
+          const double y0 = w.weight[0][1][q], y1 = w.weight[1][1][q], y2 = w.weight[2][1][q];
+          double along[3]{A[0] * x0 * y0 + A[1] * x1 * y0 + A[2] * x0 * y1, A[3] * x0 * y0, 0};
+          if constexpr (order == 2) {
+            along[0] += A[4] * x2 * y0 + A[5] * x1 * y1 + A[7] * x0 * y2;
+            along[1] += A[6] * x1 * y0 + A[8] * x0 * y1;
+            along[2] = A[9] * x0 * y0;
+          }
+          double* const row = onto[c] + w.window.row(mesh, p, q);
+          double values[P];
+          for (int s = 0; s < P; ++s) {
+            values[s] = along[0] * w.weight[0][2][s] + along[1] * w.weight[1][2][s];
+            if constexpr (order == 2) values[s] += along[2] * w.weight[2][2][s];
+          }
+          if (wraps) {
+            for (int s = 0; s < P; ++s)
+              row[Window<P>::wrapped(w.window.first[2] + s, mesh.points[2])] += values[s];
+          } else {
+            double* const at = row + w.window.first[2];
+#pragma GCC ivdep
+            for (int s = 0; s < P; ++s) at[s] += values[s];
+          }
+        }
+      }
+    }
+  }
+}
+
+template <int P, int order>
+BEADSWIM_KERNEL void gather_moments_of(const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,
+                                       double* flows) {
+  constexpr int count = order == 1 ? 4 : 10, across = order == 1 ? 3 : 6;
+  DerivedWindow<P> w;
+  for (long b = 0; b < beads.count; ++b) {
+    w.set_position(mesh, beads.positions + 3 * b);
+    const bool wraps = w.window.wraps(mesh);
+    for (int c = 0; c < 3; ++c) {
+      // Sums over the window points of the first two axes, weighted by 1, x, y, xx, xy, yy derivatives.
+      double along[across][P]{};
+      for (int p = 0; p < P; ++p) {
+        if (w.window.planes[p] < 0) continue;
+        const double x0 = w.weight[0][0][p], x1 = w.weight[1][0][p], x2 = w.weight[2][0][p];
+        for (int q = 0; q < P; ++q) {
+          const double y0 = w.weight[0][1][q], y1 = w.weight[1][1][q], y2 = w.weight[2][1][q];
+          const double weight[6]{x0 * y0, x1 * y0, x0 * y1, x2 * y0, x1 * y1, x0 * y2};
+          const double* const row = from[c] + w.window.row(mesh, p, q);
+          double values[P];
+          if (wraps) {
+            for (int s = 0; s < P; ++s)
+              values[s] = row[Window<P>::wrapped(w.window.first[2] + s, mesh.points[2])];
+          } else {
+            for (int s = 0; s < P; ++s) values[s] = row[w.window.first[2] + s];
+          }
+          for (int k = 0; k < across; ++k)
+            for (int s = 0; s < P; ++s) along[k][s] += weight[k] * values[s];
+        }
+      }
+      double sum[across][3]{};
+      for (int k = 0; k < across; ++k)
+        for (int z = 0; z < 3; ++z)
+          for (int s = 0; s < P; ++s) sum[k][z] += along[k][s] * w.weight[z][2][s];
+      // The bead moves against the mesh: first derivatives change their sign.
+      double* const flow = flows + (3 * b + c) * count;
+      flow[0] += sum[0][0];
+      flow[1] -= sum[1][0];
+      flow[2] -= sum[2][0];
+      flow[3] -= sum[0][1];
+      if constexpr (order == 2) {
+        flow[4] += sum[3][0];
+        flow[5] += sum[4][0];
+        flow[6] += sum[1][1];
+        flow[7] += sum[5][0];
+        flow[8] += sum[2][1];
+        flow[9] += sum[0][2];
+      }
+    }
+  }
+}
+
+void spread_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources,
+                    MeshValues onto) {
+  with_window(
+      mesh.window, [&]<int P>() __attribute__((always_inline)) {
+        order == 1 ? spread_moments_of<P, 1>(mesh, beads, sources, onto)
+                   : spread_moments_of<P, 2>(mesh, beads, sources, onto);
+      });
+}
+
+void gather_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,
+                    double* flows) {
+  with_window(
+      mesh.window, [&]<int P>() __attribute__((always_inline)) {
+        order == 1 ? gather_moments_of<P, 1>(mesh, beads, from, flows)
+                   : gather_moments_of<P, 2>(mesh, beads, from, flows);
+      });
+}
+
+}  // namespace beadswim::BEADSWIM_INSTRUCTION_SET

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "mobility_kernels.hpp"
+
+// Kernels of a mobility product with force moments (force_moments.hpp), compiled once per instruction set, as
+// those of mobility_kernels.hpp.
+
+namespace beadswim {
+
+/// Pairs of one sphere with up to 8 other spheres, one in each lane. The vector r of a pair is the position
+/// of the one sphere minus the position of the other. Unused lanes contain a copy of another pair and sources
+/// of zero.
+struct MomentPairs {
+  static constexpr int lanes = 8;
+  double r[3][lanes];
+  /// ((1/r) d/dr)^n of chi, of its Laplacian and of its second Laplacian, divided by 8 pi eta. chi[0] is not
+  /// used.
+  double chi[7][lanes], laplacian[7][lanes], bilaplacian[5][lanes];
+  double source[30][lanes];  ///< derivatives of point forces of the other spheres
+  double size[3][lanes];     ///< c_l a^2 of the other spheres
+  double flow[30][lanes];    ///< flow of the one sphere at the other spheres
+};
+
+/// The one sphere of MomentPairs.
+struct OneSphere {
+  const double* source;
+  double size[3];
+  double* flow;  ///< the flow of the other spheres is added to it
+};
+
+/// A mesh of three components that beads spread to or gather from: component c at values[c].
+using MeshValues = double* const*;
+using ConstMeshValues = const double* const*;
+
+#define BEADSWIM_DECLARE_MOMENT_KERNELS(instruction_set)                                                  \
+  namespace instruction_set {                                                                             \
+  void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs);                                 \
+  void spread_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources, \
+                      MeshValues onto);                                                                   \
+  void gather_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,  \
+                      double* flows);                                                                     \
+  }
+
+BEADSWIM_DECLARE_MOMENT_KERNELS(baseline)
+#if defined(__x86_64__)
+BEADSWIM_DECLARE_MOMENT_KERNELS(x86_64_v3)
+BEADSWIM_DECLARE_MOMENT_KERNELS(x86_64_v4)
+#endif
+
+struct MomentKernels {
+  /// Evaluates the flows of all pairs in both directions.
+  void (*moment_pairs)(int order, const OneSphere&, MomentPairs&);
+  /// Adds the derivatives of the windows of the beads, multiplied by `sources`, to the three meshes.
+  /// `sources`: 3 * derivative_count(order) numbers per bead.
+  void (*spread_moments)(int order, const WindowMesh&, const WindowBeads&, const double* sources,
+                         MeshValues onto);
+  /// Adds to `flows` the derivatives of the mesh values at the beads, interpolated with their windows and
+  /// divided by the volume of a mesh cell.
+  void (*gather_moments)(int order, const WindowMesh&, const WindowBeads&, ConstMeshValues from,
+                         double* flows);
+};
+
+/// Returns the kernels of the best instruction set that this processor supports.
+const MomentKernels& moment_kernels();
+
+}  // namespace beadswim

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/mobility/force_moments.hpp"
+#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/particle_mesh.hpp"
+#include "moment_sum.hpp"
+
+namespace beadswim {
+
+/// Velocities of free spheres from the forces on them, where the higher moments of the force on each sphere
+/// make its surface move as a rigid body (force_moments.hpp). With the matrix M from moments to projections,
+/// F the forces and S all higher moments:
+///
+///   v = M_FF F + M_FS S,   M_SF F + M_SS S = 0
+///
+/// S is found by the method of conjugate gradients, with the self-mobility of each sphere as preconditioner.
+class MomentProduct {
+ public:
+  /// plan: of the Ewald sum; none: all pairs are summed. All ranks must call the constructor (collective).
+  MomentProduct(const MobilityScene& scene, const std::optional<EwaldPlan>& plan,
+                const Communicator& communicator);
+
+  /// Arguments as of MobilityProduct::apply(). Collective.
+  ProductWork solve(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                    std::span<Vec3> velocities) const;
+
+  /// Sets `projections` to M `moments`, moment_count() numbers per sphere each. Collective.
+  void apply(std::span<const Vec3> positions, std::span<const double> moments,
+             std::span<double> projections) const;
+  /// Returns the moments S that give the rates of strain `projections` of each sphere alone; F is zero.
+  std::vector<double> precondition(std::span<const double> projections) const;
+
+  MobilityScene scene_;
+  const Communicator& communicator_;
+  MomentSum pairs_;
+  std::unique_ptr<ParticleMesh> mesh_;  ///< null: all pairs are summed without a mesh
+  Eigen::MatrixXd self_,
+      inverse_self_;  ///< of a sphere of radius 1 (blocks of equal degree), without F in the second
+};
+
+}  // namespace beadswim

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+// clang-format off
+// Radial functions of the flow of force moments (moment_flow.hpp): chi of the Oseen tensor, its Laplacian and its
+// second Laplacian, each with its derivatives by (1/r) d/dr. In open space chi = r. An Ewald sum splits chi = near + far
+// (ewald_split.hpp), with B_n = (-(1/r) d/dr)^n erfc(xi r)/r and G = exp(-xi^2 r^2):
+//
+//   near:   (1/r) chi' = B_0,   laplacian = 2 B_0 - 2 xi G/sqrt(pi),   bilaplacian = xi^3 (20 - 8 xi^2 r^2) G/sqrt(pi)
+//   B_n = [ (2 n - 1) B_(n-1) + (2 xi^2)^n G/(sqrt(pi) xi) ] / r^2
+//   far:    erf in place of erfc:   (-(1/r) d/dr)^n erf(xi r)/r = (2 xi^2)^n 2 xi/sqrt(pi) F_n(xi^2 r^2)
+//
+//   F_n  Boys function, integral of t^2n exp(-T t^2) over t from 0 to 1
+//
+// Spheres that overlap: with moments of the degrees l and m on the spheres, chi is
+//
+//   r X(r) = integral p_l(s) p_m(t) (r + s + t) |r + s + t| ds dt,   p_l(s) proportional to (1 - s^2/a^2)^l on [-a, a]
+//
+// because the Fourier transform of p_l is the form factor of the moment (force_moments.hpp). If the spheres cut each
+// other or one holds the other, X is a polynomial of r, divided by r.
+// clang-format on
+
+namespace beadswim {
+
+/// Values of ((1/r) d/dr)^n of the functions, divided by 8 pi eta; chi[0] is not set.
+struct MomentRadials {
+  double chi[7]{}, laplacian[7]{}, bilaplacian[5]{};
+};
+
+/// Radial functions at the distance r > 0 in open space [length]. viscosity: dynamic.
+MomentRadials open_radials(double r, double viscosity);
+/// Near part at r > 0, and far part at r >= 0, of an Ewald sum with the splitting parameter xi [1/length].
+MomentRadials near_radials(double xi, double r, double viscosity);
+MomentRadials far_radials(double xi, double r, double viscosity);
+
+/// Coefficients x_n of X(r) = sum of x_n r^(n - 1) for moments of the degrees l and m of two spheres of radii
+/// a and b that overlap at the distance r.
+std::vector<double> overlap_polynomial(int l, int m, double a, double b, double r);
+
+/// Returns the radial functions of a polynomial X (overlap_polynomial()) at r; bilaplacian is not set.
+MomentRadials polynomial_radials(const std::vector<double>& polynomial, double r, double viscosity);
+
+}  // namespace beadswim

@@ -1,0 +1,333 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <numbers>
+#include <random>
+#include <utility>
+
+#include "beadswim/mobility/gauss_legendre.hpp"
+#include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/multipole_mobility.hpp"
+#include "direct_ewald.hpp"
+#include "moment_product.hpp"
+
+// Mobility products with force moments, against integrals over the surfaces of spheres, exact flows and
+// limits.
+
+namespace beadswim {
+namespace {
+
+constexpr double pi = std::numbers::pi, viscosity = 0.7;
+
+struct Node {
+  Eigen::Vector3d normal;
+  double weight;  ///< the sum over a sphere is 1
+};
+
+std::vector<Node> sphere_nodes(int heights) {
+  std::vector<Node> nodes;
+  for (const auto& [z, weight] : gauss_legendre(heights, -1, 1)) {
+    for (int k = 0; k < 2 * heights; ++k) {
+      const double phi = pi * k / heights, rho = std::sqrt(1 - z * z);
+      nodes.push_back({{rho * std::cos(phi), rho * std::sin(phi), z}, weight / (4.0 * heights)});
+    }
+  }
+  return nodes;
+}
+
+/// Returns the force densities of all moments at a normal, times the area: one column per moment.
+Eigen::MatrixXd densities(int order, double radius, const Eigen::Vector3d& n) {
+  std::array<Eigen::Matrix3d, 5> basis;
+  basis.fill(Eigen::Matrix3d::Zero());
+  basis[0].diagonal() << 1, -1, 0;
+  basis[1].diagonal() << -1, -1, 2;
+  basis[2](0, 1) = basis[2](1, 0) = basis[3](0, 2) = basis[3](2, 0) = basis[4](1, 2) = basis[4](2, 1) = 1;
+  for (Eigen::Matrix3d& tensor : basis) tensor /= tensor.norm();
+  Eigen::MatrixXd f = Eigen::MatrixXd::Zero(3, moment_count(order));
+  f.leftCols<3>().setIdentity();
+  for (int m = 0; m < 5 && order >= 1; ++m) f.col(3 + m) = 3 / radius * basis[m] * n;
+  for (int c = 0; c < 3 && order >= 2; ++c)
+    for (int m = 0; m < 5; ++m) f(c, 8 + 5 * c + m) = n.dot(basis[m] * n);
+  return f;
+}
+
+struct Two {
+  std::array<double, 2> radii;
+  Vec3 apart;  ///< from the second to the first
+};
+
+/// Returns the matrix from moments of the second sphere to projections on the first, by integrals over both
+/// surfaces.
+Eigen::MatrixXd surface_matrix(int order, const Two& two, int heights) {
+  const std::vector<Node> nodes = sphere_nodes(heights);
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(moment_count(order), moment_count(order));
+  for (const Node& p : nodes) {
+    for (const Node& q : nodes) {
+      const Eigen::Vector3d r = two.apart + two.radii[0] * p.normal - two.radii[1] * q.normal;
+      const double d = r.norm();
+      const Eigen::Matrix3d oseen =
+          (Eigen::Matrix3d::Identity() + r * r.transpose() / (d * d)) / (8 * pi * viscosity * d);
+      matrix += p.weight * q.weight * densities(order, two.radii[0], p.normal).transpose() * oseen *
+                densities(order, two.radii[1], q.normal);
+    }
+  }
+  return matrix;
+}
+
+/// Returns the matrix from the moments of sphere `from` of several to the projections on sphere `to`, by
+/// MomentSum.
+Eigen::MatrixXd summed_matrix(int order, const MomentSum::Law& law, const std::vector<Vec3>& places, int from,
+                              int to) {
+  const Communicator self(MPI_COMM_SELF);
+  const MomentSum sum(law);
+  const int count = moment_count(order), numbers = 3 * derivative_count(order);
+  Eigen::MatrixXd matrix(count, count);
+  for (int m = 0; m < count; ++m) {
+    std::vector<double> moments(count, 0.0), sources(numbers * places.size(), 0.0),
+        flows(sources.size(), 0.0), result(count);
+    moments[m] = 1;
+    derivatives_of_moments(order, law.radii[from], moments.data(), &sources[numbers * from]);
+    sum.add_flows(places, sources, flows, self);
+    moments_of_derivatives(order, law.radii[to], &flows[numbers * to], result.data());
+    for (int k = 0; k < count; ++k) matrix(k, m) = result[k];
+  }
+  return matrix;
+}
+
+Eigen::MatrixXd open_matrix(int order, const Two& two, int from, int to) {
+  return summed_matrix(order,
+                       {.order = order,
+                        .viscosity = viscosity,
+                        .radii = {two.radii[0], two.radii[1]},
+                        .lengths = Vec3::Zero(),
+                        .xi = 0,
+                        .cutoff = 0},
+                       {two.apart, Vec3::Zero()}, from, to);
+}
+
+class OfOrder : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Orders, OfOrder, testing::Values(1, 2));
+
+// Catches a wrong derivative, sign, basis or factor c_l.
+TEST_P(OfOrder, FlowOfAPairIsTheIntegralOverBothSurfaces) {
+  const int order = GetParam();
+  for (const Two& two : {Two{{1, 1}, {2.5, 0.4, -1.1}}, Two{{1.3, 0.6}, {-1.2, 2, 1.7}}}) {
+    const Eigen::MatrixXd expected = surface_matrix(order, two, 16), found = open_matrix(order, two, 1, 0);
+    EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm());
+    for (int m = 0; m < moment_count(order); ++m)
+      EXPECT_LT((found.col(m) - expected.col(m)).norm(), 1e-8 * expected.col(m).norm()) << m;
+    EXPECT_LT((open_matrix(order, two, 0, 1) - found.transpose()).norm(), 1e-14 * found.norm());
+  }
+}
+
+// The pair becomes the sphere itself as two equal spheres come together.
+TEST_P(OfOrder, FlowOfSpheresThatCoincideIsTheirOwn) {
+  const int order = GetParam();
+  const Eigen::MatrixXd own = moment_self_mobility(order, 1.3, viscosity);
+  for (const double r : {0.0, 1e-5, 1e-3})  // closer than 1e-6 radii, the flow is that at this distance
+    EXPECT_LT((open_matrix(order, {{1.3, 1.3}, r * Vec3(0.6, 0, -0.8)}, 1, 0) - own).norm(),
+              2 * (r + 1e-6) * own.norm())
+        << r;
+}
+
+// Catches a wrong polynomial of overlapping spheres: the flow has no jump where they touch, and one holds the
+// other.
+TEST_P(OfOrder, FlowOfOverlappingSpheresIsContinuous) {
+  const int order = GetParam();
+  const std::array<double, 2> radii{1.3, 0.6};
+  for (const double edge : {1.9, 0.7}) {
+    const Vec3 along = Vec3(2, -1, 2) / 3;
+    const Eigen::MatrixXd before = open_matrix(order, {radii, (edge - 1e-7) * along}, 1, 0),
+                          after = open_matrix(order, {radii, (edge + 1e-7) * along}, 1, 0);
+    EXPECT_LT((before - after).norm(), 1e-5 * before.norm()) << edge;
+  }
+}
+
+/// Returns the projections, on each sphere in a box, of the flow of all moments, by a direct sum over images
+/// and wavevectors of points on the surfaces. A sphere's own flow in open space, which points do not resolve,
+/// is replaced by the known one.
+std::vector<double> direct_projections(int order, const std::vector<double>& radii,
+                                       const direct::Vectors& centres, const Box& box,
+                                       const std::vector<double>& moments) {
+  const std::vector<Node> nodes = sphere_nodes(6);
+  const int count = moment_count(order);
+  const auto points_of = [&](std::size_t sphere) {
+    direct::Spheres points;
+    for (const Node& node : nodes) {
+      points.places.push_back(centres[sphere] + radii[sphere] * node.normal);
+      points.radii.push_back(1);
+      points.forces.push_back(node.weight * densities(order, radii[sphere], node.normal) *
+                              Eigen::Map<const Eigen::VectorXd>(&moments[count * sphere], count));
+    }
+    return points;
+  };
+  direct::Spheres all = points_of(0);
+  const direct::Spheres second = points_of(1);
+  all.places.insert(all.places.end(), second.places.begin(), second.places.end());
+  all.radii.insert(all.radii.end(), second.radii.begin(), second.radii.end());
+  all.forces.insert(all.forces.end(), second.forces.begin(), second.forces.end());
+  const direct::Vectors flow = direct::box_velocities(direct::Law::oseen, all, viscosity, box);
+  std::vector<double> projections(2 * count);
+  for (std::size_t sphere = 0; sphere < 2; ++sphere) {
+    const direct::Vectors own = direct::open_velocities(direct::Law::oseen, points_of(sphere), viscosity);
+    Eigen::VectorXd sum = moment_self_mobility(order, radii[sphere], viscosity) *
+                          Eigen::Map<const Eigen::VectorXd>(&moments[count * sphere], count);
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      sum += nodes[k].weight * densities(order, radii[sphere], nodes[k].normal).transpose() *
+             (flow[nodes.size() * sphere + k] - own[k]);
+    std::ranges::copy(sum, projections.begin() + count * sphere);
+  }
+  return projections;
+}
+
+// Catches a wrong window derivative, mirror image or far flow at a sphere itself.
+TEST_P(OfOrder, FlowInABoxIsTheDirectSum) {
+  const int order = GetParam(), count = moment_count(order);
+  const Communicator world(MPI_COMM_WORLD);
+  const std::vector<double> radii{1.2, 0.7};
+  const direct::Vectors centres{{3, 2.5, 4}, {6.2, 4.5, 2.2}};
+  const std::vector<Vec3> places(centres.begin(), centres.end());
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  std::vector<double> moments(2 * count), found(2 * count);
+  for (double& moment : moments) moment = uniform(random);
+  for (const Box& box : {Box{{9, 8, 10}, {}},
+                         Box{{9, 8, 10}, {Boundary::periodic, Boundary::free_slip, Boundary::periodic}}}) {
+    const std::vector<double> expected = direct_projections(order, radii, centres, box, moments);
+    for (const double tolerance : {1e-3, 1e-5, 1e-6}) {
+      const MobilityScene scene{.model = MobilityModel::multipole,
+                                .viscosity = viscosity,
+                                .box = box,
+                                .radii = radii,
+                                .tolerance = tolerance,
+                                .moment_order = order};
+      const MomentProduct product(scene, MobilityProduct(scene, places, world).plan(), world);
+      product.apply(places, moments, found);
+      double difference = 0, size = 0;
+      for (int k = 0; k < 2 * count; ++k)
+        difference += std::pow(found[k] - expected[k], 2), size += expected[k] * expected[k];
+      EXPECT_LT(std::sqrt(difference / size), tolerance);
+    }
+  }
+}
+
+/// Returns the velocities of spheres by a product.
+direct::Vectors velocities(const MobilityScene& scene, const direct::Vectors& places,
+                           const direct::Vectors& forces) {
+  const Communicator world(MPI_COMM_WORLD);
+  const std::vector<Vec3> x(places.begin(), places.end()), f(forces.begin(), forces.end());
+  std::vector<Vec3> v(x.size());
+  MobilityProduct(scene, x, world).apply(x, f, v);
+  return {v.begin(), v.end()};
+}
+
+MobilityScene scene_of(int order, const std::vector<double>& radii, double tolerance) {
+  return {.model = MobilityModel::multipole,
+          .viscosity = viscosity,
+          .box = {},
+          .radii = radii,
+          .tolerance = tolerance,
+          .moment_order = order};
+}
+
+direct::Spheres random_spheres(int count, double edge) {
+  std::mt19937 random(static_cast<unsigned>(count));
+  std::uniform_real_distribution<double> uniform(0, 1);
+  direct::Spheres spheres;
+  for (int b = 0; b < count; ++b) {
+    spheres.places.push_back(edge * Eigen::Vector3d(uniform(random), uniform(random), uniform(random)));
+    spheres.radii.push_back(1 + 0.8 * uniform(random));
+    spheres.forces.push_back(Eigen::Vector3d(uniform(random), uniform(random), uniform(random)).array() -
+                             0.5);
+  }
+  return spheres;
+}
+
+double relative_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double difference = 0, size = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) difference += std::pow(a[k] - b[k], 2), size += b[k] * b[k];
+  return std::sqrt(difference / size);
+}
+
+// Against the sum over all pairs. Catches a wrong kernel of the mesh, and pairs that are lost.
+TEST_P(OfOrder, FlowInOpenSpaceByAMeshIsTheSumOfAllPairs) {
+  const int order = GetParam(), count = 1000;
+  const Communicator world(MPI_COMM_WORLD);
+  const direct::Spheres spheres = random_spheres(count, 40);
+  const std::vector<Vec3> places(spheres.places.begin(), spheres.places.end());
+  const MobilityScene scene = scene_of(order, spheres.radii, 1e-5);
+  const MomentProduct all(scene, std::nullopt, world),
+      meshed(scene, MobilityProduct(scene, places, world).plan(), world);
+  std::vector<double> moments(count * moment_count(order), 0.0), expected(moments.size()),
+      found(moments.size());
+  for (int b = 0; b < count; ++b)
+    std::ranges::copy(spheres.forces[b], moments.begin() + b * moment_count(order));
+  all.apply(places, moments, expected);
+  meshed.apply(places, moments, found);
+  EXPECT_LT(relative_difference(found, expected), 1e-5);
+}
+
+// Spheres anywhere, also within one another, dissipate energy whatever the forces.
+TEST_P(OfOrder, MobilityIsPositiveDefiniteAtAllSeparations) {
+  direct::Spheres spheres = random_spheres(9, 4);
+  spheres.places[1] = spheres.places[0] + Eigen::Vector3d(0, 0.2, 0.1);
+  spheres.radii[1] = spheres.radii[0];
+  spheres.places[3] = spheres.places[2];
+  const Eigen::MatrixXd mobility = direct::mobility_matrix(spheres, [&](const direct::Spheres& pushed) {
+    return velocities(scene_of(GetParam(), pushed.radii, 1e-7), pushed.places, pushed.forces);
+  });
+  EXPECT_LT((mobility - mobility.transpose()).norm(), 1e-6 * mobility.norm());
+  const Eigen::VectorXd eigenvalues =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mobility + mobility.transpose()).eigenvalues();
+  EXPECT_GT(eigenvalues.minCoeff(), 1e-5 * eigenvalues.maxCoeff());
+}
+
+TEST(MultipoleProduct, OfOrderZeroIsRotnePragerBitForBit) {
+  for (const int count : {12, 1200}) {
+    const direct::Spheres spheres = random_spheres(count, 30);
+    MobilityScene scene = scene_of(0, spheres.radii, 1e-4);
+    const direct::Vectors multipole = velocities(scene, spheres.places, spheres.forces);
+    scene.model = MobilityModel::rpy;
+    EXPECT_EQ(multipole, velocities(scene, spheres.places, spheres.forces));
+  }
+}
+
+// Each order comes nearer to the exact flow of two spheres: its error falls with two more powers of a/r.
+TEST(MultipoleProduct, TendsToTheExactFlowOfTwoSpheres) {
+  for (int order = 0; order <= 2; ++order) {
+    std::array<double, 3> errors{};
+    for (int k = 0; k < 3; ++k) {
+      const double r = std::array{3.0, 4.5, 6.75}[k];
+      const MultipoleMobility exact = multipole_mobility(std::array{1.0, 1.0}, std::array{0.0, r}, viscosity);
+      const direct::Vectors v =
+          velocities(scene_of(order, {1, 1}, 1e-10), {Eigen::Vector3d::Zero(), r * Eigen::Vector3d::UnitX()},
+                     {Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero()});
+      errors[k] = std::abs(v[0][0] / exact.value(0, 0) - 1);
+    }
+    constexpr std::array measured{0.0403, 0.00711, 0.00118};
+    EXPECT_LT(errors[0], 1.01 * measured[order]);
+    for (int k = 0; k < 2; ++k)
+      EXPECT_NEAR(std::log(errors[k] / errors[k + 1]) / std::log(1.5), 4 + 2 * order, 0.3) << order;
+  }
+}
+
+// Drag of a simple cubic array (Zick & Homsy, J. Fluid Mech. 115 (1982) 13). A cubic array strains none of
+// its spheres, so order 1 adds nothing to order 0; order 2 does.
+TEST(MultipoleProduct, TendsToTheDragOfACubicArray) {
+  for (const auto& [fraction, drag] : {std::pair{0.027, 2.008}, std::pair{0.064, 2.810}}) {
+    std::array<double, 3> errors{};
+    for (int order = 0; order <= 2; ++order) {
+      MobilityScene scene = scene_of(order, {1}, 1e-8);
+      const double edge = std::cbrt(4 * pi / 3 / fraction);
+      scene.box = Box{{edge, edge, edge}, {}};
+      const direct::Vectors v = velocities(scene, {{0.3, 0.1, 0.2}}, {Eigen::Vector3d::UnitX()});
+      errors[order] = std::abs(1 / (6 * pi * viscosity * v[0][0]) / drag - 1);
+    }
+    EXPECT_NEAR(errors[1], errors[0], 1e-6);
+    EXPECT_GT(errors[0], 1.5e-3);
+    EXPECT_LT(errors[2], 4e-4);
+  }
+}
+
+}  // namespace
+}  // namespace beadswim
