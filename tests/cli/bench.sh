@@ -31,6 +31,11 @@ out_has 'mr beads'
 out_has 'coupled-swarm'
 check "one precision alone" test "$(grep -c double out)" = 1  # in the head of the table
 
+run beadswim-bench --json --beads 1500 --rounds 1 --tolerance 1e-3 --multipole-order 1
+has_status 0
+check "moments need iterations, and their product is as accurate as asked" \
+  holds '.mobility_products | length == 2 and all(.[]; .multipole_order == 1 and .iterations > 1 and .error < 1e-3)' out
+refuses '^beadswim-bench: --multipole-order: ' beadswim-bench --beads 90 --multipole-order 3
 run mpirun -n 2 beadswim-bench --json --beads 90,1500 --rounds 1 --tolerance 1e-3
 has_status 0
 cp out products.json

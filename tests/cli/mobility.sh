@@ -91,10 +91,10 @@ beadswim-theory open.json --method multipole-ode,rpy-ode >exact.json
 for order in 1 2; do
   run small 1 open.json --model multipole --multipole-order $order -o order.h5md --cycles 2
   has_status 0
-  check "order $order is $order % of the difference from rpy, or less, off exact flow" holds --argjson order $order --slurpfile theory exact.json '
-    [$theory[0].predictions[] | {(.method): .velocity}] | add as $v
-    | input | .mobility.multipole_order == $order and .mobility.residual < 1e-4
-      and ((.swimmers[0].cycles[-1].speed_along_axis - $v["multipole-ode"]) / ($v["rpy-ode"] - $v["multipole-ode"]) | . > 0 and . < [0.06, 0.01][$order - 1])' exact.json out
+  check "order $order is near exact flow" holds --argjson order $order --slurpfile theory exact.json '
+    ([$theory[0].predictions[] | {(.method): .velocity}] | add) as $v
+    | .mobility.multipole_order == $order and .mobility.residual < 1e-4
+      and ((.swimmers[0].cycles[-1].speed_along_axis - $v["multipole-ode"]) / ($v["rpy-ode"] - $v["multipole-ode"]) | . > 0 and . < [0.06, 0.01][$order - 1])' out
 done
 run small 1 swarm.json --model multipole --plan
 check "its plan has a cost and an error" holds '.runs | length == 1 and (.[0] | .model == "multipole" and .cost.core_seconds > 0 and .error.velocity > 0 and (.flags | endswith("--multipole-order 1")))' out

@@ -5,6 +5,7 @@
 #include <random>
 #include <utility>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/mobility/gauss_legendre.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/mobility/multipole_mobility.hpp"
@@ -51,24 +52,24 @@ Eigen::MatrixXd densities(int order, double radius, const Eigen::Vector3d& n) {
   return f;
 }
 
-struct Two {
+struct SpherePair {
   std::array<double, 2> radii;
   Vec3 apart;  ///< from the second to the first
 };
 
 /// Returns the matrix from moments of the second sphere to projections on the first, by integrals over both
 /// surfaces.
-Eigen::MatrixXd surface_matrix(int order, const Two& two, int heights) {
+Eigen::MatrixXd surface_matrix(int order, const SpherePair& pair, int heights) {
   const std::vector<Node> nodes = sphere_nodes(heights);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(moment_count(order), moment_count(order));
   for (const Node& p : nodes) {
     for (const Node& q : nodes) {
-      const Eigen::Vector3d r = two.apart + two.radii[0] * p.normal - two.radii[1] * q.normal;
+      const Eigen::Vector3d r = pair.apart + pair.radii[0] * p.normal - pair.radii[1] * q.normal;
       const double d = r.norm();
       const Eigen::Matrix3d oseen =
           (Eigen::Matrix3d::Identity() + r * r.transpose() / (d * d)) / (8 * pi * viscosity * d);
-      matrix += p.weight * q.weight * densities(order, two.radii[0], p.normal).transpose() * oseen *
-                densities(order, two.radii[1], q.normal);
+      matrix += p.weight * q.weight * densities(order, pair.radii[0], p.normal).transpose() * oseen *
+                densities(order, pair.radii[1], q.normal);
     }
   }
   return matrix;
@@ -94,34 +95,35 @@ Eigen::MatrixXd summed_matrix(int order, const MomentSum::Law& law, const std::v
   return matrix;
 }
 
-Eigen::MatrixXd open_matrix(int order, const Two& two, int from, int to) {
+Eigen::MatrixXd open_matrix(int order, const SpherePair& pair, int from, int to) {
   return summed_matrix(order,
                        {.order = order,
                         .viscosity = viscosity,
-                        .radii = {two.radii[0], two.radii[1]},
+                        .radii = {pair.radii[0], pair.radii[1]},
                         .lengths = Vec3::Zero(),
                         .xi = 0,
                         .cutoff = 0},
-                       {two.apart, Vec3::Zero()}, from, to);
+                       {pair.apart, Vec3::Zero()}, from, to);
 }
 
-class OfOrder : public testing::TestWithParam<int> {};
-INSTANTIATE_TEST_SUITE_P(Orders, OfOrder, testing::Values(1, 2));
+class MomentOrder : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Orders, MomentOrder, testing::Values(1, 2));
 
 // Catches a wrong derivative, sign, basis or factor c_l.
-TEST_P(OfOrder, FlowOfAPairIsTheIntegralOverBothSurfaces) {
+TEST_P(MomentOrder, FlowOfAPairIsTheIntegralOverBothSurfaces) {
   const int order = GetParam();
-  for (const Two& two : {Two{{1, 1}, {2.5, 0.4, -1.1}}, Two{{1.3, 0.6}, {-1.2, 2, 1.7}}}) {
-    const Eigen::MatrixXd expected = surface_matrix(order, two, 16), found = open_matrix(order, two, 1, 0);
+  for (const SpherePair& pair :
+       {SpherePair{{1, 1}, {2.5, 0.4, -1.1}}, SpherePair{{1.3, 0.6}, {-1.2, 2, 1.7}}}) {
+    const Eigen::MatrixXd expected = surface_matrix(order, pair, 16), found = open_matrix(order, pair, 1, 0);
     EXPECT_LT((found - expected).norm(), 1e-9 * expected.norm());
     for (int m = 0; m < moment_count(order); ++m)
       EXPECT_LT((found.col(m) - expected.col(m)).norm(), 1e-8 * expected.col(m).norm()) << m;
-    EXPECT_LT((open_matrix(order, two, 0, 1) - found.transpose()).norm(), 1e-14 * found.norm());
+    EXPECT_LT((open_matrix(order, pair, 0, 1) - found.transpose()).norm(), 1e-14 * found.norm());
   }
 }
 
 // The pair becomes the sphere itself as two equal spheres come together.
-TEST_P(OfOrder, FlowOfSpheresThatCoincideIsTheirOwn) {
+TEST_P(MomentOrder, FlowOfSpheresThatCoincideIsTheirOwn) {
   const int order = GetParam();
   const Eigen::MatrixXd own = moment_self_mobility(order, 1.3, viscosity);
   for (const double r : {0.0, 1e-5, 1e-3})  // closer than 1e-6 radii, the flow is that at this distance
@@ -132,10 +134,11 @@ TEST_P(OfOrder, FlowOfSpheresThatCoincideIsTheirOwn) {
 
 // Catches a wrong polynomial of overlapping spheres: the flow has no jump where they touch, and one holds the
 // other.
-TEST_P(OfOrder, FlowOfOverlappingSpheresIsContinuous) {
+TEST_P(MomentOrder, FlowOfOverlappingSpheresIsContinuous) {
   const int order = GetParam();
-  const std::array<double, 2> radii{1.3, 0.6};
-  for (const double edge : {1.9, 0.7}) {
+  for (const auto& [radii, edge] :
+       {std::pair{std::array{1.3, 0.6}, 1.9}, std::pair{std::array{1.3, 0.6}, 0.7},
+        std::pair{std::array{1.0, 1.01}, 0.01}}) {
     const Vec3 along = Vec3(2, -1, 2) / 3;
     const Eigen::MatrixXd before = open_matrix(order, {radii, (edge - 1e-7) * along}, 1, 0),
                           after = open_matrix(order, {radii, (edge + 1e-7) * along}, 1, 0);
@@ -181,7 +184,7 @@ std::vector<double> direct_projections(int order, const std::vector<double>& rad
 }
 
 // Catches a wrong window derivative, mirror image or far flow at a sphere itself.
-TEST_P(OfOrder, FlowInABoxIsTheDirectSum) {
+TEST_P(MomentOrder, FlowInABoxIsTheDirectSum) {
   const int order = GetParam(), count = moment_count(order);
   const Communicator world(MPI_COMM_WORLD);
   const std::vector<double> radii{1.2, 0.7};
@@ -250,25 +253,26 @@ double relative_difference(const std::vector<double>& a, const std::vector<doubl
 }
 
 // Against the sum over all pairs. Catches a wrong kernel of the mesh, and pairs that are lost.
-TEST_P(OfOrder, FlowInOpenSpaceByAMeshIsTheSumOfAllPairs) {
+TEST_P(MomentOrder, FlowInOpenSpaceByAMeshIsTheSumOfAllPairs) {
   const int order = GetParam(), count = 1000;
   const Communicator world(MPI_COMM_WORLD);
-  const direct::Spheres spheres = random_spheres(count, 40);
+  const direct::Spheres spheres = random_spheres(count, 25);  // many overlap
   const std::vector<Vec3> places(spheres.places.begin(), spheres.places.end());
   const MobilityScene scene = scene_of(order, spheres.radii, 1e-5);
   const MomentProduct all(scene, std::nullopt, world),
       meshed(scene, MobilityProduct(scene, places, world).plan(), world);
   std::vector<double> moments(count * moment_count(order), 0.0), expected(moments.size()),
       found(moments.size());
-  for (int b = 0; b < count; ++b)
-    std::ranges::copy(spheres.forces[b], moments.begin() + b * moment_count(order));
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (double& moment : moments) moment = uniform(random);
   all.apply(places, moments, expected);
   meshed.apply(places, moments, found);
   EXPECT_LT(relative_difference(found, expected), 1e-5);
 }
 
 // Spheres anywhere, also within one another, dissipate energy whatever the forces.
-TEST_P(OfOrder, MobilityIsPositiveDefiniteAtAllSeparations) {
+TEST_P(MomentOrder, MobilityIsPositiveDefiniteAtAllSeparations) {
   direct::Spheres spheres = random_spheres(9, 4);
   spheres.places[1] = spheres.places[0] + Eigen::Vector3d(0, 0.2, 0.1);
   spheres.radii[1] = spheres.radii[0];
@@ -280,6 +284,46 @@ TEST_P(OfOrder, MobilityIsPositiveDefiniteAtAllSeparations) {
   const Eigen::VectorXd eigenvalues =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(mobility + mobility.transpose()).eigenvalues();
   EXPECT_GT(eigenvalues.minCoeff(), 1e-5 * eigenvalues.maxCoeff());
+}
+
+// Spheres without forces, a sphere alone and positions that are no numbers need no iterations and crash
+// nothing.
+TEST_P(MomentOrder, ProductsOfUnusualInputEnd) {
+  const Communicator world(MPI_COMM_WORLD);
+  for (const bool is_periodic : {false, true}) {
+    direct::Spheres spheres = random_spheres(1200, 80);
+    MobilityScene scene = scene_of(GetParam(), spheres.radii, 1e-4);
+    if (is_periodic) scene.box = Box{{80, 80, 80}, {}};
+    const MobilityProduct mobility(scene, spheres.places, world);
+    direct::Vectors velocities(spheres.places.size()), again = velocities;
+    EXPECT_GT(mobility.apply(spheres.places, spheres.forces, velocities).iterations, 1);
+    mobility.apply(spheres.places, spheres.forces, again);
+    EXPECT_EQ(velocities, again);
+    const direct::Vectors nothing(spheres.places.size(), Eigen::Vector3d::Zero());
+    const ProductWork idle = mobility.apply(spheres.places, nothing, velocities);
+    EXPECT_EQ(velocities, nothing);
+    EXPECT_EQ(idle.iterations, 0);
+    EXPECT_EQ(idle.residual, 0);
+    spheres.places[7] = Vec3::Constant(std::nan(""));
+    try {
+      mobility.apply(spheres.places, spheres.forces, velocities);
+      EXPECT_FALSE(velocities[7].allFinite());
+    } catch (const SolverError&) {  // no mesh spans it
+      EXPECT_FALSE(is_periodic);
+    }
+  }
+  const std::vector<Vec3> origin{Vec3::Zero()}, force{Vec3(0, 2, 0)};
+  std::vector<Vec3> velocity(1);
+  const MobilityProduct lone(scene_of(GetParam(), {1.5}, 1e-4), origin, world);
+  EXPECT_EQ(lone.apply(origin, force, velocity).iterations, 0);
+  EXPECT_DOUBLE_EQ(velocity[0].y(), 2 / (6 * pi * viscosity * 1.5));
+}
+
+TEST(MultipoleProduct, RefusesOrdersThatItDoesNotKnow) {
+  const Communicator world(MPI_COMM_WORLD);
+  const std::vector<Vec3> origin{Vec3::Zero()};
+  for (const int order : {-1, 3})
+    EXPECT_THROW(MobilityProduct(scene_of(order, {1}, 1e-4), origin, world), InputError);
 }
 
 TEST(MultipoleProduct, OfOrderZeroIsRotnePragerBitForBit) {
@@ -294,20 +338,34 @@ TEST(MultipoleProduct, OfOrderZeroIsRotnePragerBitForBit) {
 
 // Each order comes nearer to the exact flow of two spheres: its error falls with two more powers of a/r.
 TEST(MultipoleProduct, TendsToTheExactFlowOfTwoSpheres) {
-  for (int order = 0; order <= 2; ++order) {
-    std::array<double, 3> errors{};
-    for (int k = 0; k < 3; ++k) {
-      const double r = std::array{3.0, 4.5, 6.75}[k];
-      const MultipoleMobility exact = multipole_mobility(std::array{1.0, 1.0}, std::array{0.0, r}, viscosity);
-      const direct::Vectors v =
-          velocities(scene_of(order, {1, 1}, 1e-10), {Eigen::Vector3d::Zero(), r * Eigen::Vector3d::UnitX()},
-                     {Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero()});
-      errors[k] = std::abs(v[0][0] / exact.value(0, 0) - 1);
+  for (const std::vector<double>& radii : {std::vector{1.0, 1.0}, std::vector{1.0, 1.6}}) {
+    for (int order = 0; order <= 2; ++order) {
+      std::array<double, 3> errors{};
+      for (int k = 0; k < 3; ++k) {
+        const double r = std::array{4.0, 6.0, 9.0}[k];
+        const MultipoleMobility exact = multipole_mobility(radii, std::array{0.0, r}, viscosity);
+        const direct::Vectors v =
+            velocities(scene_of(order, radii, 1e-11), {Eigen::Vector3d::Zero(), r * Eigen::Vector3d::UnitX()},
+                       {Eigen::Vector3d::UnitX(), Eigen::Vector3d::Zero()});
+        errors[k] = std::abs(v[0][0] / exact.value(0, 0) - 1);
+      }
+      for (int k = 0; k < 2; ++k)
+        EXPECT_NEAR(std::log(errors[k] / errors[k + 1]) / std::log(1.5), 4 + 2 * order, 0.35)
+            << "order " << order << ", radius " << radii[1];
     }
-    constexpr std::array measured{0.0403, 0.00711, 0.00118};
-    EXPECT_LT(errors[0], 1.01 * measured[order]);
-    for (int k = 0; k < 2; ++k)
-      EXPECT_NEAR(std::log(errors[k] / errors[k + 1]) / std::log(1.5), 4 + 2 * order, 0.3) << order;
+  }
+}
+
+// One of two equal spheres is pulled across their line: 6 pi eta a v/F = 1 - 17/16 (a/r)^6 + O((a/r)^8)
+// (Jeffrey & Onishi, J. Fluid Mech. 139 (1984) 261). Second moments give this term, Rotne-Prager theory
+// gives 1.
+TEST(MultipoleProduct, TendsToTheExactFlowAcrossTheLine) {
+  for (const double r : {5.0, 7.0}) {
+    const direct::Vectors v =
+        velocities(scene_of(2, {1, 1}, 1e-11), {Eigen::Vector3d::Zero(), r * Eigen::Vector3d::UnitX()},
+                   {Eigen::Vector3d::UnitY(), Eigen::Vector3d::Zero()});
+    const double term = 17.0 / 16 * std::pow(r, -6);
+    EXPECT_NEAR(1 - 6 * pi * viscosity * v[0][1], term, 3 * term / (r * r));
   }
 }
 

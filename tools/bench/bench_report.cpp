@@ -22,14 +22,16 @@ Json products_to_json(const BenchReport& report, const Json& provenance) {
 
 std::string product_table(const BenchReport& report) {
   std::string table = fmt::format(
-      "{}, {}; medians of {} rounds\n\n  beads surroundings ranks tolerance  seconds     best     error  "
+      "{}, {}; medians of {} rounds\n\n  beads surroundings ranks tolerance order iterations  seconds     "
+      "best     error  "
       "MB\n",
       processor_name(), sweep_instruction_set(), report.rounds);
   for (const ProductRow& row : report.products) {
-    table += fmt::format("{:7} {:12} {:5} {:9.1e} {:8.4f} {:8.4f} {:>9} {:4.0f}\n", row.beads,
-                         to_text(row.surroundings), row.ranks, row.tolerance, row.seconds, row.seconds_best,
-                         row.error ? fmt::format("{:.1e}", *row.error) : "-",
-                         1e-6 * static_cast<double>(row.memory_bytes));
+    table +=
+        fmt::format("{:7} {:12} {:5} {:9.1e} {:5} {:10} {:8.4f} {:8.4f} {:>9} {:4.0f}\n", row.beads,
+                    to_text(row.surroundings), row.ranks, row.tolerance, row.multipole_order, row.iterations,
+                    row.seconds, row.seconds_best, row.error ? fmt::format("{:.1e}", *row.error) : "-",
+                    1e-6 * static_cast<double>(row.memory_bytes));
   }
   return table;
 }

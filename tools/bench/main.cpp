@@ -54,6 +54,13 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       ->needs(beads)
       ->check(product_tolerance())
       ->capture_default_str();
+  program
+      ->add_option("--multipole-order", options.products.multipole_order,
+                   "Highest moment of the force on each bead in the products of --beads, as in beadswim-run")
+      ->type_name("N")
+      ->needs(beads)
+      ->check(whole_number(0, 2))
+      ->capture_default_str();
   begin_group(*program, "Options");
   program
       ->add_option("--rounds", options.request.rounds,

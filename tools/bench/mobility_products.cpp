@@ -71,17 +71,19 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
   constexpr double min_tolerance_for_error = 1e-9;
   bool is_on_mesh = false;
   const Beads beads = random_beads(count);
-  MobilityScene scene{.model = MobilityModel::rpy,
+  MobilityScene scene{.model = MobilityModel::multipole,
                       .viscosity = 1.0 / 3,
                       .box = surroundings == Surroundings::periodic
                                  ? std::optional(Box{{beads.edge, beads.edge, beads.edge}, {}})
                                  : std::nullopt,
                       .radii = std::vector<double>(count, 6),
-                      .tolerance = request.tolerance};
+                      .tolerance = request.tolerance,
+                      .moment_order = request.multipole_order};
   ProductRow row{.beads = count,
                  .surroundings = surroundings,
                  .ranks = communicator.size(),
-                 .tolerance = request.tolerance};
+                 .tolerance = request.tolerance,
+                 .multipole_order = request.multipole_order};
   std::vector<Vec3> velocities(count), reference(count);
   {
     const std::int64_t before = resident_bytes(communicator);
@@ -92,7 +94,7 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
     for (int n = 0; n < request.rounds; ++n) {
       MPI_Barrier(communicator.get());
       const double start = MPI_Wtime();
-      product.apply(beads.positions, beads.forces, velocities);
+      row.iterations = product.apply(beads.positions, beads.forces, velocities).iterations;
       seconds.push_back(MPI_Wtime() - start);
     }
     row.memory_bytes = resident_bytes(communicator) - before;

@@ -21,6 +21,7 @@ inline constexpr auto name_table<Surroundings> = std::to_array<NamedValue<Surrou
 struct ProductRequest {
   std::vector<int> beads;   ///< numbers of beads
   double tolerance = 1e-4;  ///< relative error of the velocities
+  int multipole_order = 0;  ///< highest moment of the force on each bead (mobility/force_moments.hpp)
   int rounds = 9;           ///< repetitions of each product
 };
 
@@ -31,6 +32,8 @@ struct ProductRow {
   Surroundings surroundings = Surroundings::open;
   int ranks = 1;
   double tolerance = 0;
+  int multipole_order = 0;
+  int iterations = 0;                    ///< of the moments, in one product
   double seconds = 0, seconds_best = 0;  ///< time per product: median and minimum over the rounds [s]
   /// Relative error of the velocities, measured relative to a product with 1/1000 of the tolerance. Empty if
   /// the product sums all pairs directly, for more than 100,000 beads, and for tolerances below 1e-9.
@@ -42,6 +45,8 @@ struct ProductRow {
     visit("surroundings", row.surroundings);
     visit("ranks", row.ranks);
     visit("tolerance", row.tolerance);
+    visit("multipole_order", row.multipole_order, omitted_if_zero);
+    visit("iterations", row.iterations, omitted_if_zero);
     visit("seconds", row.seconds);
     visit("seconds_best", row.seconds_best);
     visit("error", row.error);

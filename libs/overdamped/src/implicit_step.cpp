@@ -108,12 +108,14 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   ImplicitStepResult result;
   Beads places = start;
   flat(places) += flat(expansion_point);
+  bool are_products_converged = true;
   const auto product = [&](const Beads& forces) {
     Beads velocities(forces.size());
     const ProductWork work = mobility_.apply(places, forces, velocities);
     ++result.products;
     result.iterations += work.iterations;
     result.residual = std::max(result.residual, work.residual);
+    are_products_converged = are_products_converged && work.is_converged;
     return velocities;
   };
   struct Direction {
@@ -132,7 +134,7 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
     // False if a norm is NaN, which check_faults() reports later.
     const bool is_missing = missing > residual_share * scene_.tolerance * speed;
     if (!is_missing || result.products >= max_products) {
-      result.is_converged = !is_missing;
+      result.is_converged = !is_missing && are_products_converged;
       result.distant = velocities;
       flat(result.distant) -= flat(balance.own_velocities(forces));
       flat(velocities) += flat(answer);

@@ -43,16 +43,21 @@ QuasiStaticMotion motion_in_box(const Question& question, const char* method_in_
   return motion;
 }
 
-const char* method_of(MobilityModel model) {
-  if (model == MobilityModel::oseen) return "oseen-ode";
-  return model == MobilityModel::rpy ? "rpy-ode" : "multipole-ode";
+/// Returns true if the model neglects everything about the size of beads that Rotne-Prager theory neglects.
+bool is_rotne_prager(MobilityModel model, const MobilitySettings& settings) {
+  return model == MobilityModel::rpy || (model == MobilityModel::multipole && settings.multipole_order == 0);
 }
 
-/// Returns the error of the velocity by force moments up to the order of the model, divided by that by
-/// Rotne-Prager theory, relative to exact flow (docs/method/force-moments.md).
-double truncation(MobilityModel model, int order) {
-  constexpr std::array<double, 3> parts{1, 0.06, 0.025};
-  return model == MobilityModel::multipole ? parts[order] : 0;
+const char* method_of(MobilityModel model, const MobilitySettings& settings) {
+  if (model == MobilityModel::oseen) return "oseen-ode";
+  return is_rotne_prager(model, settings) ? "rpy-ode" : "multipole-ode";
+}
+
+/// Returns the truncation error of force moments, divided by the error of Rotne-Prager theory, both relative
+/// to exact flow (docs/method/force-moments.md); 0 for other models.
+double truncation(MobilityModel model, const MobilitySettings& settings) {
+  if (model != MobilityModel::multipole || is_rotne_prager(model, settings)) return 0;
+  return settings.multipole_order == 1 ? 0.06 : 0.025;
 }
 
 /// Error estimates below this value have not been validated, because the reference velocities of
@@ -173,24 +178,27 @@ double velocity_error_of_steps(const MobilitySettings& settings) {
 
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              const MobilitySettings& settings) {
-  const QuasiStaticMotion motion = question.box ? motion_in_box(question, method_of(model))
-                                                : motion_of(predicted(method_of(model), question));
-  const double truncated = truncation(model, settings.multipole_order);
-  const std::optional<QuasiStaticMotion> pairs =
-      truncated == 0 ? std::nullopt
-                     : std::optional(question.box ? motion_in_box(question, "rpy-ode")
-                                                  : motion_of(predicted("rpy-ode", question)));
+  const auto motion_by = [&](const char* method) {
+    return question.box ? motion_in_box(question, method) : motion_of(predicted(method, question));
+  };
+  const QuasiStaticMotion motion = motion_by(method_of(model, settings));
   constexpr double margin = 1.15;  // the motion of the model in a box is known to 15 % of the difference
   ErrorEstimate error = best.uncertainty;
   if (best.is_swimming)
     error.velocity += margin * relative(motion.velocity, best.velocity) + velocity_error_of_steps(settings);
   for (int arm = 0; arm < 2; ++arm)
     error.arm_amplitudes[arm] += margin * relative(motion.arm_amplitudes[arm], best.arm_amplitudes[arm]);
-  if (!pairs) return error;
+  const double truncated = truncation(model, settings);
+  if (truncated == 0) return error;
+  const QuasiStaticMotion pairs = motion_by("rpy-ode");
   if (best.is_swimming)
-    error.velocity += truncated * std::abs((pairs->velocity - motion.velocity) / best.velocity);
-  for (int arm = 0; arm < 2; ++arm)
-    error.arm_amplitudes[arm] += truncated * relative(pairs->arm_amplitudes[arm], motion.arm_amplitudes[arm]);
+    error.velocity += truncated * std::abs((pairs.velocity - motion.velocity) / best.velocity);
+  for (int arm = 0; arm < 2; ++arm) {
+    if (best.arm_amplitudes[arm] > 0)
+      error.arm_amplitudes[arm] += truncated *
+                                   std::abs(pairs.arm_amplitudes[arm] - motion.arm_amplitudes[arm]) /
+                                   best.arm_amplitudes[arm];
+  }
   return error;
 }
 

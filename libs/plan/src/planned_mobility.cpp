@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
@@ -49,8 +51,9 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator&
   });
   const bool is_alone = setup.scene.swimmers.size() == 1 && !setup.scene.box;
   const double products_per_step = is_alone ? 1 : has_dashpots ? 2.1 : 1.6;
-  constexpr double first_products = 13, rest_of_step = 1e-5;  // rest_of_step: per swimmer and step [s]
-  constexpr double bytes_in_box = 700, bytes_in_open = 2700;  // per bead, including the mesh [byte]
+  constexpr double first_products = 13, rest_of_step = 1e-5;        // rest_of_step: per swimmer and step [s]
+  constexpr double bytes_in_box = 700, bytes_in_open = 2700;        // per bead, including the mesh [byte]
+  constexpr std::array<double, 3> bytes_of_moments{0, 2000, 4000};  // per bead or mirror image, on each rank
   const std::size_t beads = bead_radii(setup.scene).size();
   const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
   const double steps = static_cast<double>(total_steps(run.settings.cycles, setup.steps_per_cycle));
@@ -58,6 +61,8 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator&
       start_seconds * communicator.size() + rest_of_step * swimmers * steps +
       (products_per_step * steps + first_products) * product_seconds(setup.scene, communicator);
   run.memory_bytes = static_cast<double>(beads) * (setup.scene.box ? bytes_in_box : bytes_in_open) +
+                     std::ldexp(static_cast<double>(beads), mirror_count(setup.scene.box)) *
+                         bytes_of_moments[setup.scene.moment_order] * communicator.size() +
                      program_bytes * communicator.size();
   run.output_bytes = output_bytes(run.settings, beads, 0, 0);
 }

@@ -64,8 +64,8 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
   program
       .add_option(
           "--multipole-order", mobility.multipole_order,
-          "Highest moment of the force on each bead, for --model multipole: 0 (force, as rpy), 1 (with "
-          "stresslets), 2")
+          "Highest moment of the force on each bead, for --model multipole: 0 (force alone, as rpy), 1 (with "
+          "stresslets), 2 (with second moments)")
       ->type_name("N")
       ->check(whole_number(0, 2));
   begin_group(program, "Length and sampling");

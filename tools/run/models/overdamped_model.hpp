@@ -23,7 +23,7 @@ struct OverdampedPlan : ModelPlan {
   double kinematic_viscosity = 0;
 };
 
-/// The mobility models rpy, rpy+near and oseen: beads without inertia in a fluid without inertia.
+/// The mobility models rpy, rpy+near, multipole and oseen: beads without inertia in a fluid without inertia.
 class OverdampedModel : public Model {
  public:
   explicit OverdampedModel(const OverdampedPlan& plan);

@@ -20,8 +20,8 @@ Vec3 interpolate(double part, const Vec3& first, const Vec3& last) {
   return result;
 }
 
-/// Returns the method of theory with the mobility of the model; for the model lbm, which resolves the flow,
-/// the exact mobility.
+/// Returns the method of theory with the mobility of the model; for the models lbm and multipole, the exact
+/// mobility.
 const Method& towing_method(RunModel model) {
   const bool has_pairs = model == RunModel::oseen || model == RunModel::rpy;
   return find_method(has_pairs ? to_text(model) + "-ode" : "multipole-ode");

@@ -16,8 +16,8 @@
 namespace beadswim {
 namespace {
 
-/// Smallest number of spheres for which a mesh is used in open space. For fewer spheres a sum over all pairs
-/// takes no longer.
+/// Smallest number of spheres for which a mesh is used in open space. For fewer spheres and forces alone, a
+/// sum over all pairs takes no longer.
 constexpr std::size_t min_spheres_on_mesh = 1000;
 
 void check(const MobilityScene& scene) {
@@ -33,18 +33,15 @@ void check(const MobilityScene& scene) {
     throw InputError("mobility",
                      fmt::format("the viscosity {} is invalid; a finite number greater than 0 is needed",
                                  scene.viscosity));
+  if (scene.moment_order < 0 || scene.moment_order > max_moment_order)
+    throw InputError("mobility", fmt::format("the order {} of the force moments is invalid; give 0, 1 or 2",
+                                             scene.moment_order));
   if (!scene.box) return;
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
       throw InputError(
           "mobility",
           fmt::format("the box edge {} is invalid; a finite number greater than 0 is needed", length));
-}
-
-int mirrors(const std::optional<Box>& box) {
-  int count = 0;
-  for (int a = 0; a < 3 && box; ++a) count += box->has_mirrors(a) ? 1 : 0;
-  return count;
 }
 
 int highest_moment(const MobilityScene& scene) {
@@ -54,7 +51,7 @@ int highest_moment(const MobilityScene& scene) {
 EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {
   EwaldScene ewald{.lengths = mirrored_lengths(scene.box),
                    .is_periodic = scene.box.has_value(),
-                   .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirrors(scene.box)),
+                   .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirror_count(scene.box)),
                    .largest_radius = *std::ranges::max_element(scene.radii),
                    .moment_order = highest_moment(scene),
                    .tolerance = scene.tolerance};
@@ -90,7 +87,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   check(scene);
   const Vec3 lengths = mirrored_lengths(scene.box);
   std::vector<double> radii = scene.radii;
-  for (int m = 0; m < mirrors(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
+  for (int m = 0; m < mirror_count(scene.box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
   parts_.reset(new Parts{.scene = scene,
                          .communicator = communicator,
                          .plan = {},

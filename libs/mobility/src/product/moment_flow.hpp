@@ -4,14 +4,15 @@
 
 // clang-format off
 // Flow of the force moments of one sphere at another sphere (force_moments.hpp), from derivatives of two radial
-// functions of the vector r from the one to the other. chi is the function of the Oseen tensor:
+// functions of the vector r from the one to the other:
 //
-//   G = (I laplacian - grad grad) chi / (8 pi eta),   u_c = sum_d [ A_c^d D^d L - sum_b A_b^d D^(d + e_b + e_c) chi ] / (8 pi eta)
+//   8 pi eta u_c = sum_d [ A_c^d D^d L - sum_b A_b^d D^(d + e_b + e_c) chi ]
 //
-//   A_c^d  coefficients of the derivatives of a point force at the one sphere;  D^d derivative, e_b that by component b
-//   L      laplacian chi
+//   chi    function of the Oseen tensor, (I laplacian - grad grad) chi/(8 pi eta);  L = laplacian chi
+//   A_c^d  coefficients of the derivatives of a point force at the one sphere
+//   D^d    derivative;  e_b  derivative by component b
 //
-// Cartesian derivatives of a function of r follow from R(n, d) = D^d ((1/r) d/dr)^n f:
+// Cartesian derivatives of a function f of the distance follow from R(n, d) = D^d ((1/r) d/dr)^n f:
 //
 //   R(n, d + e_a) = d_a R(n + 1, d - e_a) + r_a R(n + 1, d)
 //
@@ -100,38 +101,40 @@ struct PairDerivatives {
 
 /// Adds the flow at a sphere to `flow`, component c, derivative d at c * count + d, where count is the number
 /// of derivatives up to `order`. sign[d]: -1 for odd derivatives if the vector r of the pair is reversed.
-///   source  A_c^d of the other sphere;  sized: c_l a^2 A_c^d for its radius a
+///   source  A_c^d of the other sphere;  scaled_source: c_l a^2 A_c^d for its radius a
 ///   size    c_l a^2 for the radius a of the sphere itself, l = 0, 1, 2
 template <int order, class Value>
 BEADSWIM_KERNEL void add_moment_flow(const PairDerivatives<Value>& pair, const Value* source,
-                                     const Value* sized, const Value (&size)[3], Value* flow) {
+                                     const Value* scaled_source, const Value (&size)[3], Value* flow) {
   constexpr int count = order == 0 ? 1 : (order == 1 ? 4 : 10),
                 next = order == 0 ? 4 : (order == 1 ? 10 : 20);
   // Divergences of the sources, derived: their flow and its Laplacian.
-  Value push[next], sized_push[next];
+  Value divergence_flow[next], scaled_divergence_flow[next];
   for (int e = 1; e < next; ++e) {
-    Value sum{}, sized_sum{};
+    Value sum{}, scaled_sum{};
     for (int b = 0; b < 3; ++b) {
       const unsigned char* const by_b = derivative_sums.of[1 + b];
       for (int d = 0; d < count; ++d) {
         const int all = derivative_sums.of[by_b[d]][e];
-        sum += source[b * count + d] * pair.chi[all] + sized[b * count + d] * pair.laplacian[all];
-        sized_sum += source[b * count + d] * pair.laplacian[all];
+        sum += source[b * count + d] * pair.chi[all] + scaled_source[b * count + d] * pair.laplacian[all];
+        scaled_sum += source[b * count + d] * pair.laplacian[all];
       }
     }
-    push[e] = sum;
-    sized_push[e] = sized_sum;
+    divergence_flow[e] = sum;
+    scaled_divergence_flow[e] = scaled_sum;
   }
   for (int c = 0; c < 3; ++c) {
     for (int e = 0; e < count; ++e) {
-      Value sum{}, sized_sum{};
+      Value sum{}, scaled_sum{};
       for (int d = 0; d < count; ++d) {
         const int both = derivative_sums.of[d][e];
-        sum += source[c * count + d] * pair.laplacian[both] + sized[c * count + d] * pair.bilaplacian[both];
-        sized_sum += source[c * count + d] * pair.bilaplacian[both];
+        sum += source[c * count + d] * pair.laplacian[both] +
+               scaled_source[c * count + d] * pair.bilaplacian[both];
+        scaled_sum += source[c * count + d] * pair.bilaplacian[both];
       }
       const int with_c = derivative_sums.of[1 + c][e], l = e == 0 ? 0 : (e < 4 ? 1 : 2);
-      flow[c * count + e] += sum - push[with_c] + size[l] * (sized_sum - sized_push[with_c]);
+      flow[c * count + e] +=
+          sum - divergence_flow[with_c] + size[l] * (scaled_sum - scaled_divergence_flow[with_c]);
     }
   }
 }

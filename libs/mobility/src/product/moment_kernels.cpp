@@ -33,15 +33,15 @@ BEADSWIM_KERNEL void moment_pairs_of(const OneSphere& one, MomentPairs& pairs) {
   derive.template operator()<highest>(pairs.laplacian, pair.laplacian);
   derive.template operator()<2 * order>(pairs.bilaplacian, pair.bilaplacian);
 
-  Lanes source[3 * count], sized[3 * count], flow[3 * count]{};
+  Lanes source[3 * count], scaled_source[3 * count], flow[3 * count]{};
   const Lanes other_size[3]{load(pairs.size[0]), load(pairs.size[1]), load(pairs.size[2])};
   const Lanes own_size[3]{Lanes{} + one.size[0], Lanes{} + one.size[1], Lanes{} + one.size[2]};
   const auto degree = [](int s) { return s % count == 0 ? 0 : (s % count < 4 ? 1 : 2); };
   for (int s = 0; s < 3 * count; ++s) {
     source[s] = load(pairs.source[s]);
-    sized[s] = other_size[degree(s)] * source[s];
+    scaled_source[s] = other_size[degree(s)] * source[s];
   }
-  add_moment_flow<order>(pair, source, sized, own_size, flow);
+  add_moment_flow<order>(pair, source, scaled_source, own_size, flow);
   for (int s = 0; s < 3 * count; ++s) {
     double sum = 0;
     for (int l = 0; l < lanes; ++l) sum += flow[s][l];
@@ -50,10 +50,10 @@ BEADSWIM_KERNEL void moment_pairs_of(const OneSphere& one, MomentPairs& pairs) {
   // At the other spheres, r is reversed: odd derivatives of source and flow change their sign.
   for (int s = 0; s < 3 * count; ++s) {
     source[s] = Lanes{} + (degree(s) == 1 ? -one.source[s] : one.source[s]);
-    sized[s] = own_size[degree(s)] * source[s];
+    scaled_source[s] = own_size[degree(s)] * source[s];
     flow[s] = Lanes{};
   }
-  add_moment_flow<order>(pair, source, sized, other_size, flow);
+  add_moment_flow<order>(pair, source, scaled_source, other_size, flow);
   for (int s = 0; s < 3 * count; ++s) store(pairs.flow[s], degree(s) == 1 ? -flow[s] : flow[s]);
 }
 
@@ -156,7 +156,8 @@ BEADSWIM_KERNEL void gather_moments_of(const WindowMesh& mesh, const WindowBeads
       for (int k = 0; k < across; ++k)
         for (int z = 0; z < 3; ++z)
           for (int s = 0; s < P; ++s) sum[k][z] += along[k][s] * w.weight[z][2][s];
-      // The bead moves against the mesh: first derivatives change their sign.
+      // The window depends on mesh point minus bead position: first derivatives by the bead position have the
+      // opposite sign.
       double* const flow = flows + (3 * b + c) * count;
       flow[0] += sum[0][0];
       flow[1] -= sum[1][0];

@@ -1,26 +1,22 @@
 #include "moment_product.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sum_over_ranks.hpp"
 
 namespace beadswim {
 namespace {
 
-/// Largest residual of S, in the norm of the dissipation, relative to the power of the forces and to the
-/// tolerance of the product.
+/// The iteration ends when ProductWork::residual is below this factor times the tolerance.
 constexpr double residual_share = 0.3;
 constexpr int max_iterations = 100;
 
-int mirrors(const std::optional<Box>& box) {
-  int count = 0;
-  for (int a = 0; a < 3 && box; ++a) count += box->has_mirrors(a) ? 1 : 0;
-  return count;
-}
-
+/// Returns the radii of all spheres and their mirror images.
 std::vector<double> with_images(std::vector<double> radii, const std::optional<Box>& box) {
-  for (int m = 0; m < mirrors(box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
+  for (int m = 0; m < mirror_count(box); ++m) radii.insert(radii.end(), radii.begin(), radii.end());
   return radii;
 }
 
@@ -44,8 +40,8 @@ int degree_of(int m) {
   return m < 3 ? 0 : (m < 8 ? 1 : 2);
 }
 
-/// Returns the exponent of the radius in the self-mobility of a degree: 1/a for F and Q, 1/a^3 for S.
-double scale(int degree, double radius) {
+/// Returns the factor of the self-mobility that depends on the radius: 1/a for F and Q, 1/a^3 for S.
+double size_factor(int degree, double radius) {
   return degree == 1 ? 1 / (radius * radius * radius) : 1 / radius;
 }
 
@@ -69,7 +65,6 @@ MomentProduct::MomentProduct(const MobilityScene& scene, const std::optional<Ewa
               .cutoff = plan ? plan->cutoff : 0}),
       self_(moment_self_mobility(scene.moment_order, 1, scene.viscosity)),
       inverse_self_(self_.inverse()) {
-  inverse_self_.topLeftCorner<3, 3>().setZero();
   if (!plan) return;
   ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order};
   for (const double radius : with_images(scene.radii, scene.box))
@@ -96,7 +91,8 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
     moments_of_derivatives(order, radius, &flows[numbers * b], &projections[count * b]);
     for (int m = 0; m < count; ++m)
       for (int k = 0; k < count; ++k)
-        projections[count * b + m] += scale(degree_of(m), radius) * self_(m, k) * moments[count * b + k];
+        projections[count * b + m] +=
+            size_factor(degree_of(m), radius) * self_(m, k) * moments[count * b + k];
   }
 }
 
@@ -107,55 +103,72 @@ std::vector<double> MomentProduct::precondition(std::span<const double> projecti
     for (int m = 3; m < count; ++m)
       for (int k = 3; k < count; ++k)
         moments[count * b + m] +=
-            inverse_self_(m, k) / scale(degree_of(m), scene_.radii[b]) * projections[count * b + k];
+            inverse_self_(m, k) / size_factor(degree_of(m), scene_.radii[b]) * projections[count * b + k];
   return moments;
 }
+
+namespace {
+
+/// Method of conjugate gradients for M_SS S = -M_SF F: residual -(M_SF F + M_SS S), step K residual with the
+/// preconditioner K, and the direction of the next change of S. The elements of forces in `direction` and
+/// `step` are zero, so those in `residual` have no effect.
+struct ConjugateGradients {
+  std::vector<double> residual, step, direction;
+  double square = 0;  ///< residual . step
+};
+
+void add_velocities(double factor, std::span<const double> flow, std::span<Vec3> velocities) {
+  const std::size_t count = flow.size() / velocities.size();
+  for (std::size_t b = 0; b < velocities.size(); ++b)
+    for (int a = 0; a < 3; ++a) velocities[b][a] += factor * flow[count * b + a];
+}
+
+double power(std::span<const Vec3> forces, std::span<const Vec3> velocities) {
+  double sum = 0;
+  for (std::size_t b = 0; b < forces.size(); ++b) sum += forces[b].dot(velocities[b]);
+  return sum;
+}
+
+}  // namespace
 
 ProductWork MomentProduct::solve(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                  std::span<Vec3> velocities) const {
   const int count = moment_count(scene_.moment_order);
-  const std::size_t spheres = positions.size();
-  std::vector<double> moments(count * spheres, 0.0), flow(count * spheres);
-  for (std::size_t b = 0; b < spheres; ++b)
-    for (int a = 0; a < 3; ++a) moments[count * b + a] = forces[b][a];
-  apply(positions, moments, flow);
-  const auto add_velocities = [&](double factor) {
-    for (std::size_t b = 0; b < spheres; ++b)
-      for (int a = 0; a < 3; ++a) {
-        velocities[b][a] += factor * flow[count * b + a];
-        flow[count * b + a] = 0;
-      }
-  };
-  std::ranges::fill(velocities, Vec3::Zero());
-  add_velocities(1);
-  const auto power = [&] {
-    double sum = 0;
-    for (std::size_t b = 0; b < spheres; ++b) sum += forces[b].dot(velocities[b]);
-    return sum;
-  };
-  std::vector<double> residual(flow.size());
-  for (std::size_t k = 0; k < flow.size(); ++k) residual[k] = -flow[k];
-  std::vector<double> step = precondition(residual), direction = step;
-  ProductWork work;
   // Roundoff may differ between processors, so all ranks use the numbers of rank 0.
-  const auto of_root = [&](double value) {
+  const auto from_root = [&](double value) {
     MPI_Bcast(&value, 1, MPI_DOUBLE, 0, communicator_.get());
     return value;
   };
-  double square = of_root(dot(residual, step));
+  ConjugateGradients cg;
+  cg.direction.assign(count * positions.size(), 0.0);
+  for (std::size_t b = 0; b < positions.size(); ++b)
+    for (int a = 0; a < 3; ++a) cg.direction[count * b + a] = forces[b][a];
+  std::vector<double> flow(cg.direction.size());
+  apply(positions, cg.direction, flow);
+  std::ranges::fill(velocities, Vec3::Zero());
+  add_velocities(1, flow, velocities);
+  cg.residual = flow;
+  for (double& missing : cg.residual) missing = -missing;
+  cg.direction = cg.step = precondition(cg.residual);
+  cg.square = from_root(dot(cg.residual, cg.step));
+  ProductWork work;
   for (;; ++work.iterations) {
-    const double available = of_root(power());
-    work.residual = square > 0 ? std::sqrt(square / available) : 0;
-    if (!(work.residual > residual_share * scene_.tolerance) || work.iterations == max_iterations) break;
-    apply(positions, direction, flow);
-    const double length = square / of_root(dot(direction, flow));
-    add_velocities(length);
-    for (std::size_t k = 0; k < residual.size(); ++k) residual[k] -= length * flow[k];
-    step = precondition(residual);
-    const double next = of_root(dot(residual, step));
-    for (std::size_t k = 0; k < direction.size(); ++k) direction[k] = step[k] + next / square * direction[k];
-    square = next;
+    work.residual = cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(forces, velocities)));
+    if (!(work.residual > residual_share * scene_.tolerance)) break;  // NaN ends the loop too
+    apply(positions, cg.direction, flow);
+    const double curvature = from_root(dot(cg.direction, flow));
+    work.is_converged = curvature > 0 && work.iterations < max_iterations;
+    if (!work.is_converged) break;
+    const double length = cg.square / curvature;
+    add_velocities(length, flow, velocities);
+    for (std::size_t k = 0; k < flow.size(); ++k) cg.residual[k] -= length * flow[k];
+    cg.step = precondition(cg.residual);
+    const double before = std::exchange(cg.square, from_root(dot(cg.residual, cg.step)));
+    for (std::size_t k = 0; k < flow.size(); ++k)
+      cg.direction[k] = cg.step[k] + cg.square / before * cg.direction[k];
   }
+  MPI_Bcast(velocities[0].data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0,
+            communicator_.get());
   return work;
 }
 

@@ -22,7 +22,7 @@ namespace beadswim {
 /// S is found by the method of conjugate gradients, with the self-mobility of each sphere as preconditioner.
 class MomentProduct {
  public:
-  /// plan: of the Ewald sum; none: all pairs are summed. All ranks must call the constructor (collective).
+  /// `plan`: parameters of the Ewald sum; nullopt: all pairs are summed directly. Collective.
   MomentProduct(const MobilityScene& scene, const std::optional<EwaldPlan>& plan,
                 const Communicator& communicator);
 
@@ -33,15 +33,16 @@ class MomentProduct {
   /// Sets `projections` to M `moments`, moment_count() numbers per sphere each. Collective.
   void apply(std::span<const Vec3> positions, std::span<const double> moments,
              std::span<double> projections) const;
-  /// Returns the moments S that give the rates of strain `projections` of each sphere alone; F is zero.
+
+ private:
+  /// Returns the moments S and Q that would cause `projections` on each sphere alone; F is zero.
   std::vector<double> precondition(std::span<const double> projections) const;
 
   MobilityScene scene_;
   const Communicator& communicator_;
   MomentSum pairs_;
-  std::unique_ptr<ParticleMesh> mesh_;  ///< null: all pairs are summed without a mesh
-  Eigen::MatrixXd self_,
-      inverse_self_;  ///< of a sphere of radius 1 (blocks of equal degree), without F in the second
+  std::unique_ptr<ParticleMesh> mesh_;   ///< null: all pairs are summed without a mesh
+  Eigen::MatrixXd self_, inverse_self_;  ///< self-mobility of a sphere of radius 1, and its inverse
 };
 
 }  // namespace beadswim

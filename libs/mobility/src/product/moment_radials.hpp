@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 // clang-format off
 // Radial functions of the flow of force moments (moment_flow.hpp): chi of the Oseen tensor, its Laplacian and its
 // second Laplacian, each with its derivatives by (1/r) d/dr. In open space chi = r. An Ewald sum splits chi = near + far
@@ -13,12 +11,13 @@
 //
 //   F_n  Boys function, integral of t^2n exp(-T t^2) over t from 0 to 1
 //
-// Spheres that overlap: with moments of the degrees l and m on the spheres, chi is
+// Spheres that overlap: with moments of the degrees l and m on the spheres, chi is replaced by X(r),
 //
 //   r X(r) = integral p_l(s) p_m(t) (r + s + t) |r + s + t| ds dt,   p_l(s) proportional to (1 - s^2/a^2)^l on [-a, a]
 //
-// because the Fourier transform of p_l is the form factor of the moment (force_moments.hpp). If the spheres cut each
-// other or one holds the other, X is a polynomial of r, divided by r.
+// because the Fourier transform of p_l, whose integral is 1, is the form factor of the moment (force_moments.hpp).
+// For overlapping spheres r X is a polynomial of r: one if one sphere contains the other, and another one if the
+// surfaces intersect.
 // clang-format on
 
 namespace beadswim {
@@ -34,11 +33,8 @@ MomentRadials open_radials(double r, double viscosity);
 MomentRadials near_radials(double xi, double r, double viscosity);
 MomentRadials far_radials(double xi, double r, double viscosity);
 
-/// Coefficients x_n of X(r) = sum of x_n r^(n - 1) for moments of the degrees l and m of two spheres of radii
-/// a and b that overlap at the distance r.
-std::vector<double> overlap_polynomial(int l, int m, double a, double b, double r);
-
-/// Returns the radial functions of a polynomial X (overlap_polynomial()) at r; bilaplacian is not set.
-MomentRadials polynomial_radials(const std::vector<double>& polynomial, double r, double viscosity);
+/// Radial functions of moments of the degrees l and m on two spheres of radii a and b that overlap at the
+/// distance r > 0; bilaplacian is not set.
+MomentRadials overlap_radials(int l, int m, double a, double b, double r, double viscosity);
 
 }  // namespace beadswim

@@ -66,8 +66,9 @@ void MomentSum::add_pair(Work& work, int one, int other, const Vec3& d) const {
   const double r = d.norm();
   const bool overlaps = r < work.radii[one] + work.radii[other];
   if (overlaps) add_overlap(work, one, other, d);
-  MomentRadials radials;  // zero in open space if the spheres overlap
-  if (law_.xi == 0 && !overlaps) radials = open_radials(r, law_.viscosity);
+  if (overlaps && law_.xi == 0) return;  // there is no far part to subtract
+  MomentRadials radials;
+  if (law_.xi == 0) radials = open_radials(r, law_.viscosity);
   if (law_.xi > 0)
     radials = overlaps ? far_radials(law_.xi, r, law_.viscosity) : near_radials(law_.xi, r, law_.viscosity);
   if (law_.xi > 0 && overlaps)  // the near part is the exact flow without the far part
@@ -95,8 +96,8 @@ void MomentSum::add_overlap(Work& work, int one, int other, const Vec3& d) const
   constexpr std::array<int, 4> first{0, 1, 4, 10};  // derivative of each degree
   for (int l = 0; l <= law_.order; ++l) {
     for (int m = 0; m <= law_.order; ++m) {
-      const MomentRadials radials = polynomial_radials(
-          overlap_polynomial(l, m, work.radii[one], work.radii[other], r), r, law_.viscosity);
+      const MomentRadials radials =
+          overlap_radials(l, m, work.radii[one], work.radii[other], r, law_.viscosity);
       double chi[DerivativeTable::size], laplacian[DerivativeTable::size];
       cartesian_derivatives<6>(vector, radials.chi, chi);
       cartesian_derivatives<6>(vector, radials.laplacian, laplacian);
@@ -178,10 +179,11 @@ void MomentSum::subtract_far_flow(std::span<const double> sources, std::span<dou
   const int n = 3 * derivative_count(law_.order);
   MomentPairs pairs{};
   set_radials(pairs, 0, far_radials(law_.xi, 0, law_.viscosity));
-  std::vector<double> none(n, 0.0);
+  const std::vector<double> none(n, 0.0);
+  std::vector<double> flow(n);
   for (std::size_t b = 0; std::size_t(n) * b < flows.size(); ++b) {
     const std::array<double, 3> size = sizes(law_.radii[b]);
-    std::vector<double> flow(n, 0.0);
+    std::ranges::fill(flow, 0.0);
     OneSphere one{.source = none.data(), .size = {}, .flow = flow.data()};
     for (int l = 0; l < 3; ++l) one.size[l] = pairs.size[l][0] = size[l];
     for (int k = 0; k < n; ++k) pairs.source[k][0] = sources[n * b + k];

@@ -77,6 +77,13 @@ inline Vec3 mirrored_lengths(const std::optional<Box>& box) {
   return lengths;
 }
 
+/// Returns the number of axes with free-slip walls; each doubles the number of spheres in the mirrored box.
+inline int mirror_count(const std::optional<Box>& box) {
+  int count = 0;
+  for (int a = 0; a < 3 && box; ++a) count += box->has_mirrors(a) ? 1 : 0;
+  return count;
+}
+
 /// Appends to `vectors` (positions or other vectors) their mirror images at the free-slip walls through the
 /// origin. Each axis with free-slip walls doubles the number of vectors: the component along this axis
 /// changes sign in the image.

@@ -9,20 +9,23 @@
 //
 //   f(n) = [ F + 3/a S n + Q : (nn - I/3) ] / (4 pi a^2)
 //
-//   F  force;  S  stresslet, symmetric and traceless;  Q_abc  second moment, symmetric and traceless in b, c
+//   F  force;  S  stresslet, symmetric and traceless
+//   Q  second moment Q_abc, symmetric and traceless in b, c
 //
-// In Fourier space, and as derivatives of a point force, with j_l the spherical Bessel functions:
+// Its Fourier transform, with the spherical Bessel functions j_l, and the same as derivatives of a point force:
 //
-//   f(k) = F j_0(ka) - i S k 3 j_1(ka)/(ka) - Q : kk/k^2 j_2(ka)
-//        = P_0 F - P_1 S grad + (a^2/15) P_2 Q : grad grad,    P_l = 1 + c_l a^2 laplacian + ...,   c = 1/6, 1/10, 1/14
+//   F j_0(ka) - i S k 3 j_1(ka)/(ka) - Q : kk/k^2 j_2(ka)
+//   = P_0 F - P_1 S grad + (a^2/15) P_2 Q : grad grad,   P_l = 1 + c_l a^2 laplacian + ...,   c = 1/6, 1/10, 1/14
 //
-// The flow u of all forces, projected on the same functions, gives the velocity U, the rate of strain E and the
-// second moment of the velocity of each sphere. For spheres apart, the further terms of P_l do not act:
+// The flow u of all forces is projected on the same functions:
 //
-//   U = P_0 u,   E = P_1 [grad u], symmetric and traceless part,   (a^2/15) P_2 [grad grad u], traceless part
+//   velocity U = P_0 u,   rate of strain E: symmetric traceless part of P_1 grad u,
+//   second moment of the velocity: (a^2/15) P_2 [grad grad u], traceless in the derivatives
 //
-// Moments are stored as coefficients in an orthonormal basis: 3 of F; then 5 of S; then 15 of Q, for each component
-// a the 5 of Q_a. The matrix of the flow from moments to projections is symmetric and positive definite in it.
+// If spheres do not overlap, the further terms of P_l have no effect. Moments are stored as coefficients in an
+// orthonormal basis: 3 of F, then 5 of S, then 15 of Q (5 for each component a of Q_abc). The basis of symmetric
+// traceless tensors is xx - yy, 2 zz - xx - yy, xy, xz, yz, each normalised. In this basis the matrix from moments
+// to projections is symmetric and positive definite.
 //
 // Mazur & van Saarloos, Physica A 115 (1982) 21. Page: docs/method/force-moments.md.
 // clang-format on
@@ -61,14 +64,13 @@ constexpr int order_of_derivative(int d) {
 /// c_l of the equation above.
 constexpr std::array<double, 3> size_factors{1.0 / 6, 1.0 / 10, 1.0 / 14};
 
-/// Coefficients of the derivatives of a point force: component c, derivative d at c * derivative_count + d.
-/// As a flow: the derivatives of its components.
-using Derivatives = std::array<double, 30>;
+// Sources are coefficients of the derivatives of a point force, flows are derivatives of a velocity. Component
+// c, derivative d is element c * derivative_count(order) + d.
 
-/// Converts moments of a sphere to derivatives of a point force, without the factors P_l.
+/// Converts moments of a sphere to a source, without the factors P_l.
 void derivatives_of_moments(int order, double radius, const double* moments, double* derivatives);
 
-/// Projects the flow of which the derivatives are given, with the factors P_l, on the moments of a sphere.
+/// Converts a flow to which the factors P_l have been applied to projections on the moments of a sphere.
 void moments_of_derivatives(int order, double radius, const double* derivatives, double* moments);
 
 /// Returns the matrix from the moments of a sphere to the projections of its own flow in open space, as

@@ -18,11 +18,10 @@
 //
 // The model (MobilityModel) determines mu_ij for i != j:
 //
-//   oseen     Oseen tensor of point forces (rotne_prager_tensor.hpp)
-//   rpy       Rotne-Prager-Yamakawa tensor of spheres; mu is positive definite even if spheres overlap
-//   rpy+near  S^T mu S instead of mu, with mu of rpy and a map S of the forces (near_field.hpp)
-//   multipole higher moments of the force on each sphere make its surface move as a rigid body
-//   (force_moments.hpp)
+//   oseen      Oseen tensor of point forces (rotne_prager_tensor.hpp)
+//   rpy        Rotne-Prager-Yamakawa tensor of spheres; mu is positive definite even if spheres overlap
+//   rpy+near   S^T mu S instead of mu, with mu of rpy and a map S of the forces (near_field.hpp)
+//   multipole  higher moments of the forces keep the surfaces of the spheres rigid (force_moments.hpp)
 //
 // The map S makes the mobility of close spheres exact along the lines between their centres. S^T mu S is
 // positive definite. The additional cost of the map is small.
@@ -52,11 +51,11 @@ struct MobilityScene {
   int moment_order = 0;  ///< model multipole: highest moment of the force on each sphere, 0 to 2
 };
 
-/// Work of a product with force moments.
+/// Iterations for the force moments of a product; without moments there are none.
 struct ProductWork {
-  int iterations = 0;  ///< sums of moments, in addition to the sum of the forces
-  double residual =
-      0;  ///< square root of the dissipation that the residual causes, relative to the power of the forces
+  int iterations = 0;        ///< of the method of conjugate gradients; each needs one sum over all moments
+  double residual = 0;       ///< square root of (dissipation by the residual/power of the forces)
+  bool is_converged = true;  ///< false if 100 iterations did not suffice
 };
 
 class MobilityProduct {
@@ -66,7 +65,7 @@ class MobilityProduct {
   /// mesh. If they differ from the positions in apply(), results change within the tolerance. Throws
   /// InputError in these cases:
   ///   - There is no sphere.
-  ///   - A radius, the viscosity, a length of the box or the tolerance is invalid.
+  ///   - A radius, the viscosity, a length of the box, the tolerance or the order of moments is invalid.
   MobilityProduct(MobilityScene scene, std::span<const Vec3> positions, const Communicator& communicator);
   ~MobilityProduct();
   MobilityProduct(const MobilityProduct&) = delete;
@@ -75,7 +74,7 @@ class MobilityProduct {
   /// Sets velocities[i] to the velocity v_i of each sphere i [length/time]. `positions` are in [length],
   /// `forces` in [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal
   /// number of ranks, equal arguments give the same bits. On different numbers of ranks, results agree to
-  /// roundoff. All ranks must call the function (collective).
+  /// roundoff, and with force moments to the tolerance. All ranks must call the function (collective).
   ProductWork apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
                     std::span<Vec3> velocities) const;
 

@@ -60,9 +60,8 @@ class ParticleMesh {
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities);
 
-  /// Does the same for force moments, if Beads::moment_order is not zero. `sources` contains the derivatives of
-  /// point forces of all beads; the derivatives of the flow at the first beads are added to `flows` (Derivatives
-  /// in force_moments.hpp, without unused elements).
+  /// Does the same for force moments, if Beads::moment_order is not zero. `sources` contains the sources of all
+  /// beads; the flows at the first beads are added to `flows` (force_moments.hpp).
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows);
 
  private:
