@@ -291,9 +291,9 @@ TEST_P(MomentOrder, MobilityIsPositiveDefiniteAtAllSeparations) {
 TEST_P(MomentOrder, ProductsOfUnusualInputEnd) {
   const Communicator world(MPI_COMM_WORLD);
   for (const bool is_periodic : {false, true}) {
-    direct::Spheres spheres = random_spheres(1200, 80);
+    direct::Spheres spheres = random_spheres(1000, 90);
     MobilityScene scene = scene_of(GetParam(), spheres.radii, 1e-4);
-    if (is_periodic) scene.box = Box{{80, 80, 80}, {}};
+    if (is_periodic) scene.box = Box{{90, 90, 90}, {}};
     const MobilityProduct mobility(scene, spheres.places, world);
     direct::Vectors velocities(spheres.places.size()), again = velocities;
     EXPECT_GT(mobility.apply(spheres.places, spheres.forces, velocities).iterations, 1);
