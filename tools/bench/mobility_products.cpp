@@ -67,7 +67,7 @@ double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& 
 /// Times one mobility product. Evaluates its error relative to a product with 1/1000 of the tolerance.
 ProductRow measure(const ProductRequest& request, int count, Surroundings surroundings,
                    const Communicator& communicator) {
-  constexpr int max_beads_for_error = 100000;
+  const int max_beads_for_error = request.multipole_order == 0 ? 100000 : 5000;
   constexpr double min_tolerance_for_error = 1e-9;
   bool is_on_mesh = false;
   const Beads beads = random_beads(count);

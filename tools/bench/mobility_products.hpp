@@ -36,7 +36,8 @@ struct ProductRow {
   int iterations = 0;                    ///< of the moments, in one product
   double seconds = 0, seconds_best = 0;  ///< time per product: median and minimum over the rounds [s]
   /// Relative error of the velocities, measured relative to a product with 1/1000 of the tolerance. Empty if
-  /// the product sums all pairs directly, for more than 100,000 beads, and for tolerances below 1e-9.
+  /// the product sums all pairs directly, for more than 100,000 beads (5000 with force moments), and for
+  /// tolerances below 1e-9.
   std::optional<double> error{};
   std::int64_t memory_bytes = 0;  ///< growth of the resident memory of all ranks [byte]
 
