@@ -87,9 +87,9 @@ Eigen::MatrixXd summed_matrix(int order, const MomentSum::Law& law, const std::v
     std::vector<double> moments(count, 0.0), sources(numbers * places.size(), 0.0),
         flows(sources.size(), 0.0), result(count);
     moments[m] = 1;
-    derivatives_of_moments(order, law.radii[from], moments.data(), &sources[numbers * from]);
+    source_of_moments(order, law.radii[from], moments.data(), &sources[numbers * from]);
     sum.add_flows(places, sources, flows, self);
-    moments_of_derivatives(order, law.radii[to], &flows[numbers * to], result.data());
+    project_flow(order, law.radii[to], &flows[numbers * to], result.data());
     for (int k = 0; k < count; ++k) matrix(k, m) = result[k];
   }
   return matrix;

@@ -3,6 +3,7 @@
 // could keep the AVX-512 copy, which other processors cannot execute.
 #include "row_kernels.hpp"
 
+#include "beadswim/core/lanes.hpp"
 #include "beadswim/core/order_free_cut.hpp"
 #include "beadswim/lattice/body_force.hpp"
 #include "beadswim/lattice/moments.hpp"
@@ -54,17 +55,6 @@ void sweep_row(const SweepRow<Real>& row) {
 }
 template void sweep_row(const SweepRow<double>&);
 template void sweep_row(const SweepRow<float>&);
-
-/// Number of cells in one vector.
-constexpr long lanes = 8;
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
-
-template <class Real>
-BEADSWIM_KERNEL Lanes load(const Real* from) {
-  Real __attribute__((vector_size(lanes * sizeof(Real)))) stored;
-  __builtin_memcpy(&stored, from, sizeof stored);
-  return __builtin_convertvector(stored, Lanes);
-}
 
 /// Sums of the density deviation and of the three momentum components over cells, one sum per lane of a
 /// vector. Each sum is split into a coarse and a fine part (order_free_cut.hpp).

@@ -2,20 +2,12 @@
 // functions outside this namespace (reason: lattice/src/row_kernels.cpp).
 #include "saturated_kernel.hpp"
 
+#include "beadswim/core/lanes.hpp"
 #include "beadswim/core/order_free_terms.hpp"
 #include "beadswim/coupling/saturated_cell.hpp"
 #include "beadswim/lattice/moments.hpp"
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
-
-constexpr int lanes = SaturatedSums::lanes;
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
-
-BEADSWIM_KERNEL Lanes load(const double* from) {
-  Lanes values;
-  __builtin_memcpy(&values, from, sizeof values);
-  return values;
-}
 
 /// Loads one population of each of `cells` cells, cells <= lanes. The other lanes are zero.
 template <class Real>

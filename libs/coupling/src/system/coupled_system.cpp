@@ -1,7 +1,5 @@
 #include "beadswim/coupling/coupled_system.hpp"
 
-#include "beadswim/swimmers/swimmer_shape.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/message.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
 
 namespace beadswim {
 namespace {

@@ -23,46 +23,43 @@ const std::array<Eigen::Matrix3d, 5>& basis() {
   return tensors;
 }
 
-/// Returns the component of a symmetric tensor that belongs to derivatives[d], where d >= 4.
+/// Returns the component of a symmetric tensor that belongs to derivative d of order 2. A mixed derivative
+/// stands for two equal components.
 double component(const Eigen::Matrix3d& tensor, int d) {
-  constexpr std::array<std::array<int, 2>, 6> places{{{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
-  return tensor(places[d - 4][0], places[d - 4][1]);
-}
-
-/// Returns 2 for mixed derivatives, which stand for two components of a symmetric tensor, otherwise 1.
-double multiplicity(int d) {
-  return d == 5 || d == 6 || d == 8 ? 2 : 1;
+  const auto& degree = derivative_table.degree[d];
+  for (int a = 0; a < 3; ++a)
+    if (degree[a] == 2) return tensor(a, a);
+  const int absent = degree[0] == 0 ? 0 : (degree[1] == 0 ? 1 : 2);
+  return 2 * tensor((absent + 1) % 3, (absent + 2) % 3);
 }
 
 }  // namespace
 
-void derivatives_of_moments(int order, double radius, const double* moments, double* result) {
+void source_of_moments(int order, double radius, const double* moments, double* source) {
   const int count = derivative_count(order);
   for (int c = 0; c < 3; ++c) {
-    double* const of_component = result + c * count;
+    double* const of_component = source + c * count;
     of_component[0] = moments[c];
     for (int d = 1; d < count; ++d) of_component[d] = 0;
     for (int m = 0; m < 5 && order >= 1; ++m)
       for (int g = 0; g < 3; ++g) of_component[1 + g] -= moments[3 + m] * basis()[m](c, g);
     for (int m = 0; m < 5 && order >= 2; ++m)
       for (int d = 4; d < 10; ++d)
-        of_component[d] +=
-            radius * radius / 15 * moments[8 + 5 * c + m] * multiplicity(d) * component(basis()[m], d);
+        of_component[d] += radius * radius / 15 * moments[8 + 5 * c + m] * component(basis()[m], d);
   }
 }
 
-void moments_of_derivatives(int order, double radius, const double* flow, double* moments) {
+void project_flow(int order, double radius, const double* flow, double* projections) {
   const int count = derivative_count(order);
-  for (int m = 0; m < moment_count(order); ++m) moments[m] = 0;
+  for (int m = 0; m < moment_count(order); ++m) projections[m] = 0;
   for (int c = 0; c < 3; ++c) {
     const double* const of_component = flow + c * count;
-    moments[c] = of_component[0];
+    projections[c] = of_component[0];
     for (int m = 0; m < 5 && order >= 1; ++m)
-      for (int g = 0; g < 3; ++g) moments[3 + m] += of_component[1 + g] * basis()[m](c, g);
+      for (int g = 0; g < 3; ++g) projections[3 + m] += of_component[1 + g] * basis()[m](c, g);
     for (int m = 0; m < 5 && order >= 2; ++m)
       for (int d = 4; d < 10; ++d)
-        moments[8 + 5 * c + m] +=
-            radius * radius / 15 * of_component[d] * multiplicity(d) * component(basis()[m], d);
+        projections[8 + 5 * c + m] += radius * radius / 15 * of_component[d] * component(basis()[m], d);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "beadswim/core/kernel.hpp"
+#include "beadswim/mobility/derivative_table.hpp"
 
 // clang-format off
 // Flow of the force moments of one sphere at another sphere (force_moments.hpp), from derivatives of two radial
@@ -21,46 +22,19 @@
 
 namespace beadswim {
 
-constexpr int max_derivative_order = 6;
-
-/// Tables of the derivatives (i, j, k) by x, y, z with i + j + k <= 6, in ascending order of i + j + k.
-struct DerivativeTable {
-  static constexpr int size = 84;
-  int degree[size][3]{};
-  int index[7][7][7]{};
-  int first[max_derivative_order + 2]{};  ///< first derivative of each order
-};
-constexpr DerivativeTable derivative_table = [] {
-  DerivativeTable table;
-  int count = 0;
-  for (int order = 0; order <= max_derivative_order; ++order) {
-    table.first[order] = count;
-    for (int i = order; i >= 0; --i) {
-      for (int j = order - i; j >= 0; --j) {
-        const int k = order - i - j;
-        table.degree[count][0] = i, table.degree[count][1] = j, table.degree[count][2] = k;
-        table.index[i][j][k] = count++;
-      }
-    }
-  }
-  table.first[max_derivative_order + 1] = count;
-  return table;
-}();
-
-/// Returns the index in DerivativeTable of the sum of two derivatives.
-constexpr int sum_of_derivatives(int d, int e) {
-  const auto &p = derivative_table.degree[d], &q = derivative_table.degree[e];
-  return derivative_table.index[p[0] + q[0]][p[1] + q[1]][p[2] + q[2]];
-}
-
-/// Index of the sum of two derivatives of orders up to 3, by a table.
+/// Number of the sum of two derivatives of orders up to 3.
 struct DerivativeSums {
   unsigned char of[20][20]{};
 };
 constexpr DerivativeSums derivative_sums = [] {
   DerivativeSums sums;
-  for (int d = 0; d < 20; ++d)
-    for (int e = 0; e < 20; ++e) sums.of[d][e] = static_cast<unsigned char>(sum_of_derivatives(d, e));
+  for (int d = 0; d < 20; ++d) {
+    for (int e = 0; e < 20; ++e) {
+      const auto &p = derivative_table.degree[d], &q = derivative_table.degree[e];
+      sums.of[d][e] =
+          static_cast<unsigned char>(derivative_table.index[p[0] + q[0]][p[1] + q[1]][p[2] + q[2]]);
+    }
+  }
   return sums;
 }();
 
@@ -99,16 +73,16 @@ struct PairDerivatives {
   Value chi[DerivativeTable::size], laplacian[DerivativeTable::size], bilaplacian[DerivativeTable::size];
 };
 
-/// Adds the flow at a sphere to `flow`, component c, derivative d at c * count + d, where count is the number
-/// of derivatives up to `order`. sign[d]: -1 for odd derivatives if the vector r of the pair is reversed.
-///   source  A_c^d of the other sphere;  scaled_source: c_l a^2 A_c^d for its radius a
-///   size    c_l a^2 for the radius a of the sphere itself, l = 0, 1, 2
+/// Adds the flow at a sphere, up to its derivatives of `order`, to `flow` (order of elements:
+/// force_moments.hpp).
+///   source         A_c^d of the other sphere
+///   scaled_source  c_l a^2 A_c^d for the radius a of the other sphere
+///   size           c_l a^2 for the radius a of the sphere itself, l = 0, 1, 2
 template <int order, class Value>
 BEADSWIM_KERNEL void add_moment_flow(const PairDerivatives<Value>& pair, const Value* source,
                                      const Value* scaled_source, const Value (&size)[3], Value* flow) {
-  constexpr int count = order == 0 ? 1 : (order == 1 ? 4 : 10),
-                next = order == 0 ? 4 : (order == 1 ? 10 : 20);
-  // Divergences of the sources, derived: their flow and its Laplacian.
+  constexpr int count = derivative_count(order), next = derivative_count(order + 1);
+  // Derivatives of div(A chi), and of its Laplacian, for all derivatives up to the next order.
   Value divergence_flow[next], scaled_divergence_flow[next];
   for (int e = 1; e < next; ++e) {
     Value sum{}, scaled_sum{};
@@ -132,9 +106,9 @@ BEADSWIM_KERNEL void add_moment_flow(const PairDerivatives<Value>& pair, const V
                scaled_source[c * count + d] * pair.bilaplacian[both];
         scaled_sum += source[c * count + d] * pair.bilaplacian[both];
       }
-      const int with_c = derivative_sums.of[1 + c][e], l = e == 0 ? 0 : (e < 4 ? 1 : 2);
-      flow[c * count + e] +=
-          sum - divergence_flow[with_c] + size[l] * (scaled_sum - scaled_divergence_flow[with_c]);
+      const int by_c = derivative_sums.of[1 + c][e];
+      flow[c * count + e] += sum - divergence_flow[by_c] +
+                             size[derivative_table.order[e]] * (scaled_sum - scaled_divergence_flow[by_c]);
     }
   }
 }

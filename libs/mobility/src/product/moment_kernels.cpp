@@ -6,21 +6,9 @@
 
 namespace beadswim::BEADSWIM_INSTRUCTION_SET {
 
-constexpr int lanes = MomentPairs::lanes;
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
-
-BEADSWIM_KERNEL Lanes load(const double* from) {
-  Lanes value;
-  __builtin_memcpy(&value, from, sizeof value);
-  return value;
-}
-BEADSWIM_KERNEL void store(double* to, const Lanes& value) {
-  __builtin_memcpy(to, &value, sizeof value);
-}
-
 template <int order>
 BEADSWIM_KERNEL void moment_pairs_of(const OneSphere& one, MomentPairs& pairs) {
-  constexpr int count = order == 1 ? 4 : 10, highest = 2 + 2 * order;
+  constexpr int count = derivative_count(order), highest = 2 + 2 * order;
   const Lanes r[3]{load(pairs.r[0]), load(pairs.r[1]), load(pairs.r[2])};
   Lanes radial[highest + 1];
   PairDerivatives<Lanes> pair;
@@ -36,7 +24,7 @@ BEADSWIM_KERNEL void moment_pairs_of(const OneSphere& one, MomentPairs& pairs) {
   Lanes source[3 * count], scaled_source[3 * count], flow[3 * count]{};
   const Lanes other_size[3]{load(pairs.size[0]), load(pairs.size[1]), load(pairs.size[2])};
   const Lanes own_size[3]{Lanes{} + one.size[0], Lanes{} + one.size[1], Lanes{} + one.size[2]};
-  const auto degree = [](int s) { return s % count == 0 ? 0 : (s % count < 4 ? 1 : 2); };
+  const auto degree = [](int s) { return derivative_table.order[s % count]; };
   for (int s = 0; s < 3 * count; ++s) {
     source[s] = load(pairs.source[s]);
     scaled_source[s] = other_size[degree(s)] * source[s];
@@ -85,7 +73,7 @@ struct DerivedWindow {
 template <int P, int order>
 BEADSWIM_KERNEL void spread_moments_of(const WindowMesh& mesh, const WindowBeads& beads,
                                        const double* sources, MeshValues onto) {
-  constexpr int count = order == 1 ? 4 : 10;
+  constexpr int count = derivative_count(order);
   DerivedWindow<P> w;
   for (long b = 0; b < beads.count; ++b) {
     w.set_position(mesh, beads.positions + 3 * b);
@@ -126,7 +114,7 @@ BEADSWIM_KERNEL void spread_moments_of(const WindowMesh& mesh, const WindowBeads
 template <int P, int order>
 BEADSWIM_KERNEL void gather_moments_of(const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,
                                        double* flows) {
-  constexpr int count = order == 1 ? 4 : 10, across = order == 1 ? 3 : 6;
+  constexpr int count = derivative_count(order), across = order == 1 ? 3 : 6;
   DerivedWindow<P> w;
   for (long b = 0; b < beads.count; ++b) {
     w.set_position(mesh, beads.positions + 3 * b);
@@ -177,6 +165,7 @@ BEADSWIM_KERNEL void gather_moments_of(const WindowMesh& mesh, const WindowBeads
 
 void spread_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources,
                     MeshValues onto) {
+  if (order == 0) return spread_windows(mesh, beads, sources, onto);
   with_window(
       mesh.window, [&]<int P>() __attribute__((always_inline)) {
         order == 1 ? spread_moments_of<P, 1>(mesh, beads, sources, onto)
@@ -186,6 +175,7 @@ void spread_moments(int order, const WindowMesh& mesh, const WindowBeads& beads,
 
 void gather_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,
                     double* flows) {
+  if (order == 0) return gather_windows(mesh, beads, from, flows);
   with_window(
       mesh.window, [&]<int P>() __attribute__((always_inline)) {
         order == 1 ? gather_moments_of<P, 1>(mesh, beads, from, flows)

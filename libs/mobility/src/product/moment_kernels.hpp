@@ -1,5 +1,6 @@
 #pragma once
 
+#include "beadswim/core/lanes.hpp"
 #include "mobility_kernels.hpp"
 
 // Kernels of a mobility product with force moments (force_moments.hpp), compiled once per instruction set, as
@@ -11,7 +12,6 @@ namespace beadswim {
 /// of the one sphere minus the position of the other. Unused lanes contain a copy of another pair and sources
 /// of zero.
 struct MomentPairs {
-  static constexpr int lanes = 8;
   double r[3][lanes];
   /// ((1/r) d/dr)^n of chi, of its Laplacian and of its second Laplacian, divided by 8 pi eta. chi[0] is not
   /// used.

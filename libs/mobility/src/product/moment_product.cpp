@@ -29,7 +29,7 @@ void add_mirror_sources(const std::optional<Box>& box, int order, std::vector<do
     const std::size_t present = sources.size();
     for (std::size_t k = 0; k < present; ++k) {
       const int d = static_cast<int>(k % count), c = static_cast<int>(k / count % 3);
-      const int changes = derivatives[d][a] + (c == a ? 1 : 0);
+      const int changes = derivative_table.degree[d][a] + (c == a ? 1 : 0);
       sources.push_back(changes % 2 == 0 ? sources[k] : -sources[k]);
     }
   }
@@ -41,7 +41,7 @@ int degree_of(int m) {
 }
 
 /// Returns the factor of the self-mobility that depends on the radius: 1/a for F and Q, 1/a^3 for S.
-double size_factor(int degree, double radius) {
+double self_mobility_scale(int degree, double radius) {
   return degree == 1 ? 1 / (radius * radius * radius) : 1 / radius;
 }
 
@@ -80,7 +80,7 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
   add_mirror_images(scene_.box, places);
   std::vector<double> sources(numbers * spheres), flows(numbers * spheres, 0.0);
   for (std::size_t b = 0; b < spheres; ++b)
-    derivatives_of_moments(order, scene_.radii[b], &moments[count * b], &sources[numbers * b]);
+    source_of_moments(order, scene_.radii[b], &moments[count * b], &sources[numbers * b]);
   add_mirror_sources(scene_.box, order, sources);
   pairs_.add_flows(places, sources, flows, communicator_);
   if (mesh_) mesh_->add_flows(places, sources, flows);
@@ -88,11 +88,11 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
   if (mesh_) pairs_.subtract_far_flow(sources, flows);
   for (std::size_t b = 0; b < spheres; ++b) {
     const double radius = scene_.radii[b];
-    moments_of_derivatives(order, radius, &flows[numbers * b], &projections[count * b]);
+    project_flow(order, radius, &flows[numbers * b], &projections[count * b]);
     for (int m = 0; m < count; ++m)
       for (int k = 0; k < count; ++k)
         projections[count * b + m] +=
-            size_factor(degree_of(m), radius) * self_(m, k) * moments[count * b + k];
+            self_mobility_scale(degree_of(m), radius) * self_(m, k) * moments[count * b + k];
   }
 }
 
@@ -102,18 +102,19 @@ std::vector<double> MomentProduct::precondition(std::span<const double> projecti
   for (std::size_t b = 0; count * b < projections.size(); ++b)
     for (int m = 3; m < count; ++m)
       for (int k = 3; k < count; ++k)
-        moments[count * b + m] +=
-            inverse_self_(m, k) / size_factor(degree_of(m), scene_.radii[b]) * projections[count * b + k];
+        moments[count * b + m] += inverse_self_(m, k) / self_mobility_scale(degree_of(m), scene_.radii[b]) *
+                                  projections[count * b + k];
   return moments;
 }
 
 namespace {
 
-/// Method of conjugate gradients for M_SS S = -M_SF F: residual -(M_SF F + M_SS S), step K residual with the
-/// preconditioner K, and the direction of the next change of S. The elements of forces in `direction` and
-/// `step` are zero, so those in `residual` have no effect.
+/// State of the method of conjugate gradients for M_HH H = -M_HF F. The elements of `direction` and `step` that
+/// belong to forces are zero, so those of `residual` have no effect.
 struct ConjugateGradients {
-  std::vector<double> residual, step, direction;
+  std::vector<double> residual;   ///< -(M_HF F + M_HH H)
+  std::vector<double> step;       ///< preconditioned residual
+  std::vector<double> direction;  ///< direction of the next change of H
   double square = 0;  ///< residual . step
 };
 

@@ -13,13 +13,12 @@
 
 namespace beadswim {
 
-/// Velocities of free spheres from the forces on them, where the higher moments of the force on each sphere
-/// make its surface move as a rigid body (force_moments.hpp). With the matrix M from moments to projections,
-/// F the forces and S all higher moments:
+/// Velocities v of free spheres from the forces F on them. The higher moments H of the force on each sphere make
+/// its surface move as a rigid body (force_moments.hpp). M is the matrix from moments to projections:
 ///
-///   v = M_FF F + M_FS S,   M_SF F + M_SS S = 0
+///   v = M_FF F + M_FH H,   M_HF F + M_HH H = 0
 ///
-/// S is found by the method of conjugate gradients, with the self-mobility of each sphere as preconditioner.
+/// The method of conjugate gradients finds H, with the self-mobility of each sphere as preconditioner.
 class MomentProduct {
  public:
   /// `plan`: parameters of the Ewald sum; nullopt: all pairs are summed directly. Collective.
@@ -35,7 +34,7 @@ class MomentProduct {
              std::span<double> projections) const;
 
  private:
-  /// Returns the moments S and Q that would cause `projections` on each sphere alone; F is zero.
+  /// Returns the moments H that would cause `projections` on each sphere alone; F is zero.
   std::vector<double> precondition(std::span<const double> projections) const;
 
   MobilityScene scene_;

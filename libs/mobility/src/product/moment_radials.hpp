@@ -25,6 +25,13 @@ namespace beadswim {
 /// Values of ((1/r) d/dr)^n of the functions, divided by 8 pi eta; chi[0] is not set.
 struct MomentRadials {
   double chi[7]{}, laplacian[7]{}, bilaplacian[5]{};
+
+  MomentRadials operator-() const {
+    MomentRadials negative;
+    for (int n = 0; n < 7; ++n) negative.chi[n] = -chi[n], negative.laplacian[n] = -laplacian[n];
+    for (int n = 0; n < 5; ++n) negative.bilaplacian[n] = -bilaplacian[n];
+    return negative;
+  }
 };
 
 /// Radial functions at the distance r > 0 in open space [length]. viscosity: dynamic.

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beadswim/core/cell_list.hpp"
-#include "beadswim/core/rank_share.hpp"
 #include "moment_flow.hpp"
 #include "moment_kernels.hpp"
 #include "moment_radials.hpp"
+#include "near_search.hpp"
 
 namespace beadswim {
 namespace {
@@ -33,14 +32,13 @@ struct MomentSum::Work {
   MomentPairs pairs{};
   int count = 0;  ///< lanes in use
   int one = 0;    ///< the one sphere of the pairs
-  std::array<int, MomentPairs::lanes> other{};
-  int numbers = 0;  ///< per sphere
+  std::array<int, lanes> other{};
 };
 
 void MomentSum::flush(Work& work) const {
   if (work.count == 0) return;
   MomentPairs& pairs = work.pairs;
-  for (int lane = work.count; lane < MomentPairs::lanes; ++lane) {  // copies without sources
+  for (int lane = work.count; lane < lanes; ++lane) {  // copies without sources
     for (auto& component : pairs.r) component[lane] = component[0];
     for (auto* functions : {pairs.chi, pairs.laplacian})
       for (int n = 0; n < 7; ++n) functions[n][lane] = functions[n][0];
@@ -48,52 +46,46 @@ void MomentSum::flush(Work& work) const {
     for (auto& size : pairs.size) size[lane] = 0;
     for (auto& source : pairs.source) source[lane] = 0;
   }
-  const int n = work.numbers;
-  OneSphere one{.source = &work.sources[std::size_t(n) * work.one],
-                .size = {},
-                .flow = &work.flows[std::size_t(n) * work.one]};
+  const std::size_t n = elements();
+  OneSphere one{.source = &work.sources[n * work.one], .size = {}, .flow = &work.flows[n * work.one]};
   std::ranges::copy(sizes(work.radii[work.one]), one.size);
   moment_kernels().moment_pairs(law_.order, one, pairs);
   for (int lane = 0; lane < work.count; ++lane)
-    for (int k = 0; k < n; ++k) work.flows[std::size_t(n) * work.other[lane] + k] += pairs.flow[k][lane];
+    for (std::size_t k = 0; k < n; ++k) work.flows[n * work.other[lane] + k] += pairs.flow[k][lane];
   work.count = 0;
 }
 
 /// Adds a pair at the vector d from sphere `other` to sphere `one`.
 void MomentSum::add_pair(Work& work, int one, int other, const Vec3& d) const {
-  if (work.one != one || work.count == MomentPairs::lanes) flush(work);
+  if (work.one != one || work.count == lanes) flush(work);
   work.one = one;
   const double r = d.norm();
   const bool overlaps = r < work.radii[one] + work.radii[other];
   if (overlaps) add_overlap(work, one, other, d);
   if (overlaps && law_.xi == 0) return;  // there is no far part to subtract
-  MomentRadials radials;
-  if (law_.xi == 0) radials = open_radials(r, law_.viscosity);
-  if (law_.xi > 0)
-    radials = overlaps ? far_radials(law_.xi, r, law_.viscosity) : near_radials(law_.xi, r, law_.viscosity);
-  if (law_.xi > 0 && overlaps)  // the near part is the exact flow without the far part
-    for (int n = 0; n < 7; ++n) {
-      radials.chi[n] *= -1, radials.laplacian[n] *= -1;
-      if (n < 5) radials.bilaplacian[n] *= -1;
-    }
+  // The near part of spheres that overlap is the exact flow minus the far part.
+  const MomentRadials radials = law_.xi == 0 ? open_radials(r, law_.viscosity)
+                                : overlaps   ? -far_radials(law_.xi, r, law_.viscosity)
+                                             : near_radials(law_.xi, r, law_.viscosity);
   const int lane = work.count++;
   work.other[lane] = other;
   for (int a = 0; a < 3; ++a) work.pairs.r[a][lane] = d[a];
   set_radials(work.pairs, lane, radials);
   const std::array<double, 3> size = sizes(work.radii[other]);
   for (int l = 0; l < 3; ++l) work.pairs.size[l][lane] = size[l];
-  for (int k = 0; k < work.numbers; ++k)
-    work.pairs.source[k][lane] = work.sources[std::size_t(work.numbers) * other + k];
+  const std::size_t n = elements();
+  for (std::size_t k = 0; k < n; ++k) work.pairs.source[k][lane] = work.sources[n * other + k];
 }
 
 /// Adds the exact flow of two spheres that overlap, in both directions, for each pair of degrees of their
 /// moments.
 void MomentSum::add_overlap(Work& work, int one, int other, const Vec3& d) const {
-  const int count = derivative_count(law_.order), n = work.numbers;
+  const int count = derivative_count(law_.order);
+  const std::size_t n = elements();
   const double r = std::max(d.norm(), 1e-6 * std::min(work.radii[one], work.radii[other]));
   const Vec3 place = d.norm() > 0 ? Vec3(d * (r / d.norm())) : Vec3(r, 0, 0);
   const double vector[3]{place[0], place[1], place[2]};
-  constexpr std::array<int, 4> first{0, 1, 4, 10};  // derivative of each degree
+  constexpr auto& first = derivative_table.first;
   for (int l = 0; l <= law_.order; ++l) {
     for (int m = 0; m <= law_.order; ++m) {
       const MomentRadials radials =
@@ -116,79 +108,67 @@ void MomentSum::add_overlap(Work& work, int one, int other, const Vec3& d) const
         }
       };
       const double reversed = (l + m) % 2 == 0 ? 1 : -1;
-      add_flow(&work.sources[std::size_t(n) * other], m, &work.flows[std::size_t(n) * one], l, 1);
-      add_flow(&work.sources[std::size_t(n) * one], l, &work.flows[std::size_t(n) * other], m, reversed);
+      add_flow(&work.sources[n * other], m, &work.flows[n * one], l, 1);
+      add_flow(&work.sources[n * one], l, &work.flows[n * other], m, reversed);
     }
   }
 }
 
 void MomentSum::add_flows(std::span<const Vec3> positions, std::span<const double> sources,
                           std::span<double> flows, const Communicator& communicator) const {
-  const int n = 3 * derivative_count(law_.order), count = static_cast<int>(positions.size());
-  Work work;
-  work.numbers = n;
-  if (law_.xi == 0) {
-    work.radii = law_.radii;
-    work.sources.assign(sources.begin(), sources.end());
-    work.flows.assign(sources.size(), 0.0);
-    for (int i = communicator.rank(); i < count; i += communicator.size())
-      for (int j = i + 1; j < count; ++j) add_pair(work, i, j, positions[i] - positions[j]);
-    flush(work);
-    for (std::size_t k = 0; k < flows.size(); ++k) flows[k] += work.flows[k];
-    return;
-  }
-  const CellList cells(positions, law_.cutoff, law_.lengths);
-  const std::vector<int>& order = cells.order();
-  std::vector<double> places[3];
-  std::vector<unsigned char> is_receiver;
+  law_.xi == 0 ? add_all_pairs(positions, sources, flows, communicator)
+               : add_near_pairs(positions, sources, flows, communicator);
+}
+
+void MomentSum::add_all_pairs(std::span<const Vec3> positions, std::span<const double> sources,
+                              std::span<double> flows, const Communicator& communicator) const {
+  Work work{.radii = law_.radii,
+            .sources = {sources.begin(), sources.end()},
+            .flows = std::vector<double>(sources.size(), 0.0)};
+  const int count = static_cast<int>(positions.size());
+  for (int i = communicator.rank(); i < count; i += communicator.size())
+    for (int j = i + 1; j < count; ++j) add_pair(work, i, j, positions[i] - positions[j]);
+  flush(work);
+  for (std::size_t k = 0; k < flows.size(); ++k) flows[k] += work.flows[k];
+}
+
+void MomentSum::add_near_pairs(std::span<const Vec3> positions, std::span<const double> sources,
+                               std::span<double> flows, const Communicator& communicator) const {
+  const std::size_t n = elements();
+  const NearSearch search(positions, flows.size() / n, law_.cutoff, law_.lengths);
+  const std::vector<int>& order = search.order();
+  Work work{.radii = {}, .sources = {}, .flows = std::vector<double>(sources.size(), 0.0)};
   for (const int b : order) {
-    for (int a = 0; a < 3; ++a) places[a].push_back(positions[b][a]);
-    is_receiver.push_back(std::size_t(n) * b < flows.size() ? 1 : 0);
     work.radii.push_back(law_.radii[b]);
-    work.sources.insert(work.sources.end(), sources.begin() + std::size_t(n) * b,
-                        sources.begin() + std::size_t(n) * (b + 1));
+    const std::span<const double> source = sources.subspan(n * b, n);
+    work.sources.insert(work.sources.end(), source.begin(), source.end());
   }
-  work.flows.assign(work.sources.size(), 0.0);
-  SortedSpheres spheres{.x = places[0].data(),
-                        .y = places[1].data(),
-                        .z = places[2].data(),
-                        .is_receiver = is_receiver.data(),
-                        .lengths = {}};
-  std::copy_n(law_.lengths.data(), 3, spheres.lengths);
   PairBatch batch;
-  const auto add_batch = [&](int one) {
+  search.for_each_batch(batch, communicator, [&](int one) {
     for (int t = 0; t < batch.count; ++t)
       add_pair(work, one, batch.other[t], Vec3(batch.d[0][t], batch.d[1][t], batch.d[2][t]));
     batch.count = 0;
-  };
-  const auto [first, last] = rank_share(std::ssize(order), communicator.rank(), communicator.size());
-  for (int s = static_cast<int>(first); s < last; ++s) {
-    cells.for_each_range_after(s, [&](int begin, int end) {
-      while ((begin = mobility_kernels().find_near_spheres(spheres, s, begin, end, law_.cutoff, batch)) < end)
-        add_batch(s);
-    });
-    add_batch(s);
-  }
+  });
   flush(work);
   for (std::size_t s = 0; s < order.size(); ++s)
-    if (is_receiver[s] != 0)
-      for (int k = 0; k < n; ++k) flows[std::size_t(n) * order[s] + k] += work.flows[std::size_t(n) * s + k];
+    if (search.is_receiver(s))
+      for (std::size_t k = 0; k < n; ++k) flows[n * order[s] + k] += work.flows[n * s + k];
 }
 
 void MomentSum::subtract_far_flow(std::span<const double> sources, std::span<double> flows) const {
-  const int n = 3 * derivative_count(law_.order);
+  const std::size_t n = elements();
   MomentPairs pairs{};
   set_radials(pairs, 0, far_radials(law_.xi, 0, law_.viscosity));
   const std::vector<double> none(n, 0.0);
   std::vector<double> flow(n);
-  for (std::size_t b = 0; std::size_t(n) * b < flows.size(); ++b) {
+  for (std::size_t b = 0; n * b < flows.size(); ++b) {
     const std::array<double, 3> size = sizes(law_.radii[b]);
     std::ranges::fill(flow, 0.0);
     OneSphere one{.source = none.data(), .size = {}, .flow = flow.data()};
     for (int l = 0; l < 3; ++l) one.size[l] = pairs.size[l][0] = size[l];
-    for (int k = 0; k < n; ++k) pairs.source[k][0] = sources[n * b + k];
+    for (std::size_t k = 0; k < n; ++k) pairs.source[k][0] = sources[n * b + k];
     moment_kernels().moment_pairs(law_.order, one, pairs);
-    for (int k = 0; k < n; ++k) flows[n * b + k] -= flow[k];
+    for (std::size_t k = 0; k < n; ++k) flows[n * b + k] -= flow[k];
   }
 }
 

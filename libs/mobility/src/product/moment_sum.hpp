@@ -23,9 +23,8 @@ class MomentSum {
 
   explicit MomentSum(Law law) : law_(std::move(law)) {}
 
-  /// Adds the part of the flow that this rank evaluates. `sources`: derivatives of point forces of all
-  /// spheres; `flows`: derivatives of the flow at the first spheres; 3 * derivative_count(order) numbers per
-  /// sphere each.
+  /// Adds the part of the flow that this rank evaluates. `sources`: sources of all spheres; `flows`: flows at
+  /// the first spheres (force_moments.hpp).
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows,
                  const Communicator& communicator) const;
 
@@ -34,6 +33,12 @@ class MomentSum {
 
  private:
   struct Work;
+  /// Returns the number of elements of the source or flow of a sphere.
+  std::size_t elements() const { return 3 * derivative_count(law_.order); }
+  void add_all_pairs(std::span<const Vec3> positions, std::span<const double> sources,
+                     std::span<double> flows, const Communicator& communicator) const;
+  void add_near_pairs(std::span<const Vec3> positions, std::span<const double> sources,
+                      std::span<double> flows, const Communicator& communicator) const;
   void add_pair(Work& work, int one, int other, const Vec3& d) const;
   void add_overlap(Work& work, int one, int other, const Vec3& d) const;
   void flush(Work& work) const;

@@ -6,9 +6,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "beadswim/core/cell_list.hpp"
-#include "beadswim/core/rank_share.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
+#include "near_search.hpp"
 
 namespace beadswim {
 namespace {
@@ -88,11 +87,9 @@ void NearPairs::tabulate() {
   table_.coefficients = coefficients_.data();
 }
 
-/// Beads sorted by the cells of the cell list, and the current batch of pairs of one bead.
+/// Forces, velocities and radii of the beads in the order of the search, and the current batch of pairs of
+/// one bead.
 struct NearPairs::Work {
-  CellList cells;
-  std::vector<double> places[3];
-  std::vector<unsigned char> is_receiver;
   std::vector<Vec3> forces, velocities;
   std::vector<double> radii;
   PairBatch batch;
@@ -100,38 +97,17 @@ struct NearPairs::Work {
 
 void NearPairs::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                std::span<Vec3> velocities, const Communicator& communicator) const {
-  Work work{.cells = CellList(positions, law_.cutoff, law_.lengths),
-            .places = {},
-            .is_receiver = {},
-            .forces = {},
-            .velocities = {},
-            .radii = {},
-            .batch = {}};
-  const std::vector<int>& order = work.cells.order();
-  work.velocities.assign(order.size(), Vec3::Zero());
+  const NearSearch search(positions, velocities.size(), law_.cutoff, law_.lengths);
+  const std::vector<int>& order = search.order();
+  Work work{
+      .forces = {}, .velocities = std::vector<Vec3>(order.size(), Vec3::Zero()), .radii = {}, .batch = {}};
   for (const int b : order) {
-    for (int a = 0; a < 3; ++a) work.places[a].push_back(positions[b][a]);
-    work.is_receiver.push_back(b < std::ssize(velocities) ? 1 : 0);
     work.forces.push_back(forces[b]);
     work.radii.push_back(law_.radii[b]);
   }
-  const auto& kernels = mobility_kernels();
-  SortedSpheres spheres{.x = work.places[0].data(),
-                        .y = work.places[1].data(),
-                        .z = work.places[2].data(),
-                        .is_receiver = work.is_receiver.data(),
-                        .lengths = {}};
-  std::copy_n(law_.lengths.data(), 3, spheres.lengths);
-  const auto [first, last] = rank_share(std::ssize(order), communicator.rank(), communicator.size());
-  for (int s = static_cast<int>(first); s < last; ++s) {
-    work.cells.for_each_range_after(s, [&](int begin, int end) {
-      while ((begin = kernels.find_near_spheres(spheres, s, begin, end, law_.cutoff, work.batch)) < end)
-        flush(work, s);
-    });
-    flush(work, s);
-  }
+  search.for_each_batch(work.batch, communicator, [&](int one) { flush(work, one); });
   for (std::size_t s = 0; s < order.size(); ++s)
-    if (work.is_receiver[s] != 0) velocities[order[s]] += work.velocities[s];
+    if (search.is_receiver(s)) velocities[order[s]] += work.velocities[s];
 }
 
 void NearPairs::flush(Work& work, int one) const {

@@ -106,8 +106,8 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 //
 //   u_i = (K F + L D) + a_i^2 (L F),     K: kernel of the Oseen tensor, L: kernel of its Laplacian/6
 //
-// With force moments, F are the derivatives of the point forces, and 6 c_l a^2 (force_moments.hpp) replaces
-// a^2.
+// With force moments, F is the source of a bead, and 6 c_l a^2 (force_moments.hpp) replaces a^2. Forces are
+// the source of order 0.
 struct ParticleMesh::Mesh {
   EwaldPlan plan;
   Vec3 lengths;
@@ -126,12 +126,9 @@ struct ParticleMesh::Mesh {
   void set_points(const std::array<int, 3>& points);
   void fit_to_beads(std::span<const Vec3> positions);
   void sample_kernel();
-  void spread(std::span<const Vec3> positions, std::span<const Vec3> forces);
-  void gather(std::span<const Vec3> positions, std::span<Vec3> velocities);
-  void spread_moments(std::span<const Vec3> positions, std::span<const double> sources);
-  void gather_moments(std::span<const Vec3> positions, std::span<double> flows);
-  double moment_size(int field, int bead, int derivative) const;
-  void clear_meshes();
+  void spread(std::span<const Vec3> positions, std::span<const double> sources);
+  void gather(std::span<const Vec3> positions, std::span<double> flows);
+  double size_of_bead(int field, int bead, int derivative) const;
   void sort(std::span<const Vec3> positions);
   void multiply();
   void multiply_periodic();
@@ -284,66 +281,34 @@ std::vector<Vec3> in_order(const std::vector<int>& order, std::span<const Vec3> 
 
 }  // namespace
 
-void ParticleMesh::Mesh::spread(std::span<const Vec3> positions, std::span<const Vec3> forces) {
+/// Returns the factor of a derivative of a bead in a field: 1, or 6 c_l a^2 in the second field.
+double ParticleMesh::Mesh::size_of_bead(int field, int bead, int derivative) const {
+  return field == 0 ? 1 : 6 * size_factors[derivative_table.order[derivative]] * beads.squared_radii[bead];
+}
+
+void ParticleMesh::Mesh::spread(std::span<const Vec3> positions, std::span<const double> sources) {
   sort(positions);
   const std::vector<Vec3> places = in_order(order, positions);
-  std::vector<Vec3> sources = in_order(order, forces);
+  const std::size_t count = derivative_count(beads.moment_order);
+  std::vector<double> sorted(3 * count * order.size());
   for (int f = 0; f < fields; ++f) {
-    if (f == 1)
-      for (std::size_t s = 0; s < sources.size(); ++s) sources[s] *= beads.squared_radii[order[s]];
+    for (std::size_t s = 0; s < order.size(); ++s)
+      for (std::size_t n = 0; n < 3 * count; ++n)
+        sorted[3 * count * s + n] =
+            size_of_bead(f, order[s], static_cast<int>(n % count)) * sources[3 * count * order[s] + n];
     std::array<double*, 3> onto;
     for (int c = 0; c < 3; ++c) {
       onto[c] = values[f][c].get();
       std::fill_n(onto[c], transform->reals(), 0.0);
     }
-    mobility_kernels().spread_windows(geometry, {std::ssize(places), places[0].data()}, sources[0].data(),
-                                      onto.data());
-  }
-}
-
-void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<Vec3> velocities) {
-  std::erase_if(order, [&](int b) { return b >= std::ssize(velocities); });
-  const std::vector<Vec3> places = in_order(order, positions);
-  const double volume = spacing[0] * spacing[1] * spacing[2];
-  for (int f = 0; f < fields; ++f) {
-    const std::array<const double*, 3> from{values[f][0].get(), values[f][1].get(), values[f][2].get()};
-    std::vector<Vec3> sums(places.size(), Vec3::Zero());
-    mobility_kernels().gather_windows(geometry, {std::ssize(sums), places[0].data()}, from.data(),
-                                      sums[0].data());
-    for (std::size_t s = 0; s < sums.size(); ++s)
-      velocities[order[s]] += volume * (f == 0 ? 1 : beads.squared_radii[order[s]]) * sums[s];
-  }
-}
-
-/// Returns the factor of a derivative of a bead in a field: 1, or 6 c_l a^2 in the second field.
-double ParticleMesh::Mesh::moment_size(int field, int bead, int derivative) const {
-  return field == 0 ? 1 : 6 * size_factors[order_of_derivative(derivative)] * beads.squared_radii[bead];
-}
-
-void ParticleMesh::Mesh::clear_meshes() {
-  for (auto& field : values)
-    for (FftwArray& component : field) std::fill_n(component.get(), transform->reals(), 0.0);
-}
-
-void ParticleMesh::Mesh::spread_moments(std::span<const Vec3> positions, std::span<const double> sources) {
-  sort(positions);
-  clear_meshes();
-  const std::vector<Vec3> places = in_order(order, positions);
-  const int count = derivative_count(beads.moment_order);
-  std::vector<double> sorted(3 * count * order.size());
-  for (int f = 0; f < fields; ++f) {
-    for (std::size_t s = 0; s < order.size(); ++s)
-      for (int n = 0; n < 3 * count; ++n)
-        sorted[3 * count * s + n] = moment_size(f, order[s], n % count) * sources[3 * count * order[s] + n];
-    const std::array<double*, 3> onto{values[f][0].get(), values[f][1].get(), values[f][2].get()};
     moment_kernels().spread_moments(beads.moment_order, geometry, {std::ssize(places), places[0].data()},
                                     sorted.data(), onto.data());
   }
 }
 
-void ParticleMesh::Mesh::gather_moments(std::span<const Vec3> positions, std::span<double> flows) {
-  const int count = derivative_count(beads.moment_order);
-  std::erase_if(order, [&](int b) { return 3 * count * b >= std::ssize(flows); });
+void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<double> flows) {
+  const std::size_t count = derivative_count(beads.moment_order);
+  std::erase_if(order, [&](int b) { return 3 * count * b >= flows.size(); });
   const std::vector<Vec3> places = in_order(order, positions);
   const double volume = spacing[0] * spacing[1] * spacing[2];
   for (int f = 0; f < fields; ++f) {
@@ -352,9 +317,9 @@ void ParticleMesh::Mesh::gather_moments(std::span<const Vec3> positions, std::sp
     moment_kernels().gather_moments(beads.moment_order, geometry, {std::ssize(places), places[0].data()},
                                     from.data(), sums.data());
     for (std::size_t s = 0; s < places.size(); ++s)
-      for (int n = 0; n < 3 * count; ++n)
+      for (std::size_t n = 0; n < 3 * count; ++n)
         flows[3 * count * order[s] + n] +=
-            volume * moment_size(f, order[s], n % count) * sums[3 * count * s + n];
+            volume * size_of_bead(f, order[s], static_cast<int>(n % count)) * sums[3 * count * s + n];
   }
 }
 
@@ -428,20 +393,16 @@ void ParticleMesh::Mesh::multiply_open() {
 
 void ParticleMesh::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                   std::span<Vec3> velocities) {
-  Mesh& mesh = *mesh_;
-  if (!mesh.is_periodic) mesh.fit_to_beads(positions);
-  mesh.spread(positions, forces);
-  mesh.multiply();
-  mesh.gather(positions, velocities);
+  add_flows(positions, {forces[0].data(), 3 * forces.size()}, {velocities[0].data(), 3 * velocities.size()});
 }
 
 void ParticleMesh::add_flows(std::span<const Vec3> positions, std::span<const double> sources,
                              std::span<double> flows) {
   Mesh& mesh = *mesh_;
   if (!mesh.is_periodic) mesh.fit_to_beads(positions);
-  mesh.spread_moments(positions, sources);
+  mesh.spread(positions, sources);
   mesh.multiply();
-  mesh.gather_moments(positions, flows);
+  mesh.gather(positions, flows);
 }
 
 }  // namespace beadswim

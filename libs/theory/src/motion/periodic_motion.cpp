@@ -11,10 +11,10 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/core/trigonometric_nodes.hpp"
 #include "beadswim/mobility/pair_mobility.hpp"
 #include "beadswim/theory/linear_response.hpp"
 #include "beadswim/theory/perturbation.hpp"
-#include "beadswim/core/trigonometric_nodes.hpp"
 
 namespace beadswim {
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "beadswim/core/lanes.hpp"
 #include "beadswim/core/order_free_cut.hpp"
 #include "beadswim/core/order_free_sum.hpp"
 
@@ -13,7 +14,7 @@ namespace beadswim {
 /// (order_free_cut.hpp).
 template <int N>
 struct OrderFreeLanes {
-  static constexpr int lanes = 8;
+  static constexpr int lanes = beadswim::lanes;
 
   double coarse[N][lanes] = {}, fine[N][lanes] = {};
   int terms = 0;  ///< terms added to each lane since it was last emptied, at most order_free::max_terms

@@ -7,9 +7,6 @@
 
 namespace beadswim::order_free {
 
-constexpr int lanes = OrderFreeLanes<1>::lanes;
-using Lanes = double __attribute__((vector_size(lanes * sizeof(double))));
-
 /// Adds the terms terms[n][0], ..., terms[n][places - 1] to sum n, for each of the N sums. `places` is a
 /// multiple of the number of lanes. If a term is NaN or |term| >= largest_term, adds nothing and returns
 /// false.

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "beadswim/mobility/derivative_table.hpp"
+
 // clang-format off
 // Moments of the force that a sphere exerts on the fluid at its surface, up to the second. Fluid fills the
 // insides of spheres too. The force per area on a sphere of radius a, with the normal n, is
@@ -39,39 +41,18 @@ constexpr int moment_count(int order) {
   return std::array{3, 8, 23}[order];
 }
 
-/// Returns the number of derivatives of a function up to `order`: 1, 4 or 10.
-constexpr int derivative_count(int order) {
-  return std::array{1, 4, 10}[order];
-}
-
-/// Degrees of the derivatives by x, y and z, in the order in which they are stored.
-constexpr std::array<std::array<int, 3>, 10> derivatives{{{0, 0, 0},
-                                                          {1, 0, 0},
-                                                          {0, 1, 0},
-                                                          {0, 0, 1},
-                                                          {2, 0, 0},
-                                                          {1, 1, 0},
-                                                          {1, 0, 1},
-                                                          {0, 2, 0},
-                                                          {0, 1, 1},
-                                                          {0, 0, 2}}};
-
-/// Returns the order of derivatives[d].
-constexpr int order_of_derivative(int d) {
-  return d == 0 ? 0 : (d < 4 ? 1 : 2);
-}
-
 /// c_l of the equation above.
 constexpr std::array<double, 3> size_factors{1.0 / 6, 1.0 / 10, 1.0 / 14};
 
-// Sources are coefficients of the derivatives of a point force, flows are derivatives of a velocity. Component
-// c, derivative d is element c * derivative_count(order) + d.
+// A source contains the coefficients of the derivatives of a point force, a flow the derivatives of a
+// velocity, up to the order of the moments. Element c * derivative_count(order) + d is component c,
+// derivative d (derivative_table.hpp).
 
 /// Converts moments of a sphere to a source, without the factors P_l.
-void derivatives_of_moments(int order, double radius, const double* moments, double* derivatives);
+void source_of_moments(int order, double radius, const double* moments, double* source);
 
-/// Converts a flow to which the factors P_l have been applied to projections on the moments of a sphere.
-void moments_of_derivatives(int order, double radius, const double* derivatives, double* moments);
+/// Projects a flow, to which the factors P_l have been applied, on the moments of a sphere.
+void project_flow(int order, double radius, const double* flow, double* projections);
 
 /// Returns the matrix from the moments of a sphere to the projections of its own flow in open space, as
 /// blocks of moments of equal degree: F gives 1/(6 pi eta a), S gives 3/(20 pi eta a^3).
