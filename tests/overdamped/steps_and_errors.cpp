@@ -108,7 +108,7 @@ Run by_steps(OverdampedScene scene, int cycles, int steps_per_cycle) {
     const Beads start(system.positions().begin(), system.positions().end());
     for (int n = 0; n < steps && !system.fault(); ++n) system.step();
     Run run{.name = fmt::format("own steps, {}", steps_per_cycle),
-            .products = system.state().products,
+            .products = system.state().work.products,
             .steps = system.fault() ? system.fault()->step : steps,
             .displacements = {}};
     if (!system.fault())

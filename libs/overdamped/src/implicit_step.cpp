@@ -66,8 +66,7 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
   Beads expansion_point = guess;
   ImplicitStepResult result;
   result.distant = distant;
-  long products = 0, iterations = 0;
-  double residual = 0;
+  ProductWork work;
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;
     for (int alone = 1;; ++alone) {
@@ -80,9 +79,7 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
       expansion_point = std::move(ends);
     }
     result = solve_linearised(*balance, expansion_point, start);
-    products += result.products;
-    iterations += result.iterations;
-    residual = std::max(residual, result.residual);
+    work.add(result.work);
     const double move = largest_move(expansion_point, result.displacements);
     // If an arm of rest length l rotates, the linearised forces stretch it by about move^2/l. This error must
     // be below the tolerance times `way`, the root mean square displacement of the beads. `turn` is the
@@ -97,9 +94,7 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
     }
     expansion_point = result.displacements;
   }
-  result.products = products;
-  result.iterations = iterations;
-  result.residual = residual;
+  result.work = work;
   return result;
 }
 
@@ -108,14 +103,9 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   ImplicitStepResult result;
   Beads places = start;
   flat(places) += flat(expansion_point);
-  bool are_products_converged = true;
   const auto product = [&](const Beads& forces) {
     Beads velocities(forces.size());
-    const ProductWork work = mobility_.apply(places, forces, velocities);
-    ++result.products;
-    result.iterations += work.iterations;
-    result.residual = std::max(result.residual, work.residual);
-    are_products_converged = are_products_converged && work.is_converged;
+    result.work.add(mobility_.apply(places, forces, velocities));
     return velocities;
   };
   struct Direction {
@@ -133,8 +123,8 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
     const auto [missing, speed] = norms;
     // False if a norm is NaN, which check_faults() reports later.
     const bool is_missing = missing > residual_share * scene_.tolerance * speed;
-    if (!is_missing || result.products >= max_products) {
-      result.is_converged = !is_missing && are_products_converged;
+    if (!is_missing || result.work.products >= max_products) {
+      result.is_converged = !is_missing && result.work.is_converged;
       result.distant = velocities;
       flat(result.distant) -= flat(balance.own_velocities(forces));
       flat(velocities) += flat(answer);

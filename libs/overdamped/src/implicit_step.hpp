@@ -43,9 +43,7 @@ struct ImplicitStepResult {
   Beads displacements;  ///< u, displacements of the beads in the step
   Beads velocities;     ///< v, velocities of the beads at the end of the step
   Beads distant;        ///< d, velocities of the beads in the flow of all other swimmers
-  long products = 0;    ///< number of mobility products evaluated
-  long iterations = 0;  ///< number of iterations of these products
-  double residual = 0;  ///< largest residual of these products
+  ProductWork work;     ///< of all mobility products evaluated
   /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
   bool is_converged = true;

@@ -62,13 +62,11 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
   return rank_share(std::ssize(scene_.swimmers), communicator_.rank(), communicator_.size());
 }
 
-/// Solves one step from the present positions. Adds the mobility products that this needs to state_.products.
+/// Solves one step from the present positions. Adds the mobility products that this needs to state_.work.
 ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
                                                 const Beads& distant) {
   ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
-  state_.products += result.products;
-  state_.iterations += result.iterations;
-  state_.residual = std::max(state_.residual, result.residual);
+  state_.work.add(result.work);
   is_converged_ = is_converged_ && result.is_converged;
   return result;
 }

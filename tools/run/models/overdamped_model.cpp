@@ -158,10 +158,10 @@ void OverdampedModel::describe(RunRecord& record) const {
       .time_step = plan_.time_step,
       .steps_per_cycle = plan_.steps_per_cycle,
       .tolerance = plan_.scene.tolerance,
-      .products = state.products,
+      .products = state.work.products,
       .multipole_order = is_multipole ? std::optional(plan_.scene.moment_order) : std::nullopt,
-      .iterations = is_multipole ? std::optional<std::int64_t>(state.iterations) : std::nullopt,
-      .residual = is_multipole ? std::optional(state.residual) : std::nullopt,
+      .iterations = is_multipole ? std::optional<std::int64_t>(state.work.iterations) : std::nullopt,
+      .residual = is_multipole ? std::optional(state.work.residual) : std::nullopt,
       .cut_off = sums ? std::optional(sums->cutoff) : std::nullopt,
       .mesh_spacing = sums ? std::optional(sums->spacing) : std::nullopt,
       .smallest_gap = std::isfinite(state.smallest_gap) ? std::optional(state.smallest_gap) : std::nullopt};

@@ -163,7 +163,7 @@ ProductWork MobilityProduct::apply(std::span<const Vec3> positions, std::span<co
   std::ranges::fill(velocities, Vec3::Zero());
   if (!parts_->near_field) {
     parts_->add_velocities(positions, forces, velocities);
-    return {};
+    return {.products = 1};
   }
   const NearMap& map = parts_->near_map_at(positions);
   std::vector<Vec3> mapped(forces.begin(), forces.end());
@@ -173,7 +173,7 @@ ProductWork MobilityProduct::apply(std::span<const Vec3> positions, std::span<co
   // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
   MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0,
             parts_->communicator.get());
-  return {};
+  return {.products = 1};
 }
 
 }  // namespace beadswim

@@ -152,7 +152,7 @@ ProductWork MomentProduct::solve(std::span<const Vec3> positions, std::span<cons
   for (double& missing : cg.residual) missing = -missing;
   cg.direction = cg.step = precondition(cg.residual);
   cg.square = from_root(dot(cg.residual, cg.step));
-  ProductWork work;
+  ProductWork work{.products = 1};
   for (;; ++work.iterations) {
     work.residual = cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(forces, velocities)));
     if (!(work.residual > residual_share * scene_.tolerance)) break;  // NaN ends the loop too

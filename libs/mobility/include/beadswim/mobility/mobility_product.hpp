@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <span>
@@ -51,11 +52,19 @@ struct MobilityScene {
   int moment_order = 0;  ///< model multipole: highest moment of the force on each sphere, 0 to 2
 };
 
-/// Iterations for the force moments of a product; without moments there are none.
+/// Work of products. Only products with force moments need iterations.
 struct ProductWork {
-  int iterations = 0;        ///< of the method of conjugate gradients; each needs one sum over all moments
-  double residual = 0;       ///< square root of (dissipation by the residual/power of the forces)
-  bool is_converged = true;  ///< false if 100 iterations did not suffice
+  long products = 0;
+  long iterations = 0;       ///< of the method of conjugate gradients; each needs one sum over all moments
+  double residual = 0;       ///< largest square root of (dissipation by the residual/power of the forces)
+  bool is_converged = true;  ///< false if 100 iterations did not suffice for a product
+
+  void add(const ProductWork& other) {
+    products += other.products;
+    iterations += other.iterations;
+    residual = std::max(residual, other.residual);
+    is_converged = is_converged && other.is_converged;
+  }
 };
 
 class MobilityProduct {

@@ -62,9 +62,7 @@ struct OverdampedFault {
 /// State from which a run continues, and statistics of all steps so far.
 struct OverdampedState {
   long steps_done = 0;
-  long products = 0;         ///< number of mobility products so far
-  long iterations = 0;       ///< number of iterations of all products so far (ProductWork)
-  double residual = 0;       ///< largest residual of all products so far (ProductWork)
+  ProductWork work;          ///< of all mobility products so far
   double largest_speed = 0;  ///< largest speed of any bead in any step [length/time]
   /// Smallest gap of any contact in any step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
@@ -76,9 +74,9 @@ struct OverdampedState {
 
   /// Visits the statistics.
   static void visit_fields(auto&& visit, auto& state) {
-    visit("products", state.products);
-    visit("iterations", state.iterations);
-    visit("residual", state.residual);
+    visit("products", state.work.products);
+    visit("iterations", state.work.iterations);
+    visit("residual", state.work.residual);
     visit("largest_speed", state.largest_speed);
     visit("smallest_gap", state.smallest_gap);
   }
