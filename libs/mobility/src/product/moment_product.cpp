@@ -109,8 +109,8 @@ std::vector<double> MomentProduct::precondition(std::span<const double> projecti
 
 namespace {
 
-/// State of the method of conjugate gradients for M_HH H = -M_HF F. The elements of `direction` and `step` that
-/// belong to forces are zero, so those of `residual` have no effect.
+/// State of the method of conjugate gradients for M_HH H = -M_HF F. The elements of `direction` and `step`
+/// that belong to forces are zero, so those of `residual` have no effect.
 struct ConjugateGradients {
   std::vector<double> residual;   ///< -(M_HF F + M_HH H)
   std::vector<double> step;       ///< preconditioned residual

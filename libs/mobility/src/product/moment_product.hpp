@@ -13,8 +13,8 @@
 
 namespace beadswim {
 
-/// Velocities v of free spheres from the forces F on them. The higher moments H of the force on each sphere make
-/// its surface move as a rigid body (force_moments.hpp). M is the matrix from moments to projections:
+/// Velocities v of free spheres from the forces F on them. The higher moments H of the force on each sphere
+/// make its surface move as a rigid body (force_moments.hpp). M is the matrix from moments to projections:
 ///
 ///   v = M_FF F + M_FH H,   M_HF F + M_HH H = 0
 ///

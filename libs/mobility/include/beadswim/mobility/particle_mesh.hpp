@@ -60,8 +60,8 @@ class ParticleMesh {
   void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                       std::span<Vec3> velocities);
 
-  /// Does the same for force moments up to Beads::moment_order. `sources` contains the sources of all beads; the
-  /// flows at the first beads are added to `flows` (force_moments.hpp).
+  /// Does the same for force moments up to Beads::moment_order. `sources` contains the sources of all beads.
+  /// The flows at the first beads are added to `flows` (force_moments.hpp).
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows);
 
  private:
