@@ -2,7 +2,8 @@
 # Makes the records of docs/swarm-figures.md.
 #   docs/results/swarms.sh FOLDER [GROUP...]     (two hours on one core; the programs on PATH)
 # Groups: uniform, defect: figures 5 and 6 at several resolutions; sensitivity: the defect swarm with other springs, dampers,
-# beads and initial positions; fine: the defect swarm at the paper's resolution. Existing files are kept.
+# beads and initial positions; fine: the defect swarm at the paper's resolution; inertia: both swarms by models without a lattice
+# (half an hour). Existing files are kept.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 folder=${1:?name a folder for the records}
@@ -55,6 +56,18 @@ sensitivity() {
   for value in 2.048 204.8 20480; do defect_swarm --angular-stiffness $value | simulate "K_A = $value" "${coarse[@]}"; done
   defect_swarm | simulate 'staircase beads' "${coarse[@]}" --bead-boundary staircase --radius-correction off --delay-correction off
   defect_swarm | beadswim-layout defect jitter --sigma 0.5 | simulate 'each moved by 0.5' "${coarse[@]}"
+}
+inertia() {
+  local stiffness order
+  for model in "rpy" "multipole --multipole-order 2" "unsteady --multipole-order 0" "unsteady --multipole-order 1" \
+    "unsteady --multipole-order 2" "unsteady --multipole-order 2 --reynolds-stress off"; do
+    # shellcheck disable=SC2086  # flags
+    uniform_cell | simulate "one cell, $model" --cycles 124 --model $model
+    for stiffness in 0.2 0.0347; do
+      # shellcheck disable=SC2086  # flags
+      defect_swarm --stiffness $stiffness | simulate "k = $stiffness, $model" --cycles 124 --frames-per-cycle 12 --model $model
+    done
+  done
 }
 fine() { defect_swarm | simulate reference --cycles 124 --cells-per-radius 6 --precision single --frames-per-cycle 12; }
 

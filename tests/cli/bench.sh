@@ -35,6 +35,11 @@ run beadswim-bench --json --beads 1500 --rounds 1 --tolerance 1e-3 --multipole-o
 has_status 0
 check "moments need iterations, and their product is as accurate as asked" \
   holds '.mobility_products | length == 2 and all(.[]; .multipole_order == 1 and .iterations > 1 and .error < 1e-3)' out
+run mpirun -n 2 beadswim-bench --json --beads 150 --rounds 1 --tolerance 1e-3 --unsteady
+has_status 0
+check "a fluid with inertia has a mesh and ends of steps" \
+  holds '.mobility_products | length == 2 and all(.[]; .surroundings == "periodic" and .mesh_seconds > 0 and .end_of_step_seconds > 0)' out
+refuses '^beadswim-bench: --unsteady: ' beadswim-bench --unsteady
 refuses '^beadswim-bench: --multipole-order: ' beadswim-bench --beads 90 --multipole-order 3
 run mpirun -n 2 beadswim-bench --json --beads 90,1500 --rounds 1 --tolerance 1e-3
 has_status 0

@@ -114,7 +114,7 @@ refuses '^beadswim-run: --sum-tolerance: the flag applies to mobility models onl
 refuses '^beadswim-run: --sum-tolerance: .*0.5.* a number from 1e-12 to 0.01' \
   beadswim-run open.json --model rpy -o x.h5md --sum-tolerance 0.5
 
-refuses '^beadswim-run: --multipole-order: the flag applies to the model multipole only' beadswim-run open.json --model rpy -o x.h5md --multipole-order 1
+refuses '^beadswim-run: --multipole-order: the flag applies to the models multipole and unsteady only' beadswim-run open.json --model rpy -o x.h5md --multipole-order 1
 refuses '^beadswim-run: --multipole-order: .*3.* 0 to 2' beadswim-run open.json --model multipole -o x.h5md --multipole-order 3
 
 # --- --tolerance, the former name of --sum-tolerance, where no plan is asked for

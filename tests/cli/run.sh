@@ -241,7 +241,7 @@ refuses 'friction: "-1": the value must be' beadswim-run layout.json -o x.h5md -
 refuses 'relaxation-time: the relaxation time 0.5 is not above 0.5' beadswim-run layout.json -o x.h5md --relaxation-time 0.5
 refuses 'cannot be created' beadswim-run layout.json -o no/such/folder/x.h5md
 refuses 'cannot be read' beadswim-run missing.json -o x.h5md
-refuses '--model: unknown value "lbn"; did you mean "lbm"\? Valid values: lbm, rpy, rpy\+near, multipole, oseen, auto' \
+refuses '--model: unknown value "lbn"; did you mean "lbm"\? Valid values: lbm, rpy, rpy\+near, multipole, unsteady, oseen, auto' \
   beadswim-run layout.json -o x.h5md --model lbn
 refuses '--progress: unknown value "quiet"\. Valid values:' beadswim-run layout.json -o x.h5md --progress quiet
 refuses '--frames-per-cycle: "3": the value must be a whole number from 4 to 1000000' \

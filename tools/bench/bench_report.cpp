@@ -20,18 +20,22 @@ Json products_to_json(const BenchReport& report, const Json& provenance) {
           {"provenance", Json::array({provenance})}};
 }
 
+std::string optional_seconds(const std::optional<double>& seconds) {
+  return seconds ? fmt::format("{:.4f}", *seconds) : "-";
+}
+
 std::string product_table(const BenchReport& report) {
   std::string table = fmt::format(
       "{}, {}; medians of {} rounds\n\n  beads surroundings ranks tolerance order iterations  seconds     "
-      "best     error  "
-      "MB\n",
+      "best     error   MB     mesh end of step\n",
       processor_name(), sweep_instruction_set(), report.rounds);
   for (const ProductRow& row : report.products) {
-    table +=
-        fmt::format("{:7} {:12} {:5} {:9.1e} {:5} {:10} {:8.4f} {:8.4f} {:>9} {:4.0f}\n", row.beads,
-                    to_text(row.surroundings), row.ranks, row.tolerance, row.multipole_order, row.iterations,
-                    row.seconds, row.seconds_best, row.error ? fmt::format("{:.1e}", *row.error) : "-",
-                    1e-6 * static_cast<double>(row.memory_bytes));
+    table += fmt::format("{:7} {:12} {:5} {:9.1e} {:5} {:10} {:8.4f} {:8.4f} {:>9} {:4.0f} {:>8} {:>11}\n",
+                         row.beads, to_text(row.surroundings), row.ranks, row.tolerance, row.multipole_order,
+                         row.iterations, row.seconds, row.seconds_best,
+                         row.error ? fmt::format("{:.1e}", *row.error) : "-",
+                         1e-6 * static_cast<double>(row.memory_bytes), optional_seconds(row.mesh_seconds),
+                         optional_seconds(row.end_of_step_seconds));
   }
   return table;
 }

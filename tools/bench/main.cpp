@@ -61,6 +61,11 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       ->needs(beads)
       ->check(whole_number(0, 2))
       ->capture_default_str();
+  program
+      ->add_flag("--unsteady", options.products.is_unsteady,
+                 "Measure products of --beads in a fluid with inertia (periodic box, 100 steps a period of "
+                 "2000), with the part on the mesh and the end of a time step")
+      ->needs(beads);
   begin_group(*program, "Options");
   program
       ->add_option("--rounds", options.request.rounds,

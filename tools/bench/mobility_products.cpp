@@ -10,7 +10,9 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/median.hpp"
+#include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
+#include "beadswim/mobility/particle_mesh.hpp"
 #include "first_ranks.hpp"
 
 namespace beadswim {
@@ -64,21 +66,53 @@ double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& 
   return std::sqrt(difference / size);
 }
 
+/// Returns the median time of a collective operation over the rounds, after one that is not timed [s].
+template <class Operation>
+double median_seconds(int rounds, const Communicator& communicator, const Operation& operation) {
+  operation();
+  std::vector<double> seconds;
+  for (int n = 0; n < rounds; ++n) {
+    MPI_Barrier(communicator.get());
+    const double start = MPI_Wtime();
+    operation();
+    seconds.push_back(MPI_Wtime() - start);
+  }
+  return median(seconds);
+}
+
+/// Returns the median time of one sum of a product on the mesh alone [s].
+double mesh_seconds(const MobilityScene& scene, const EwaldPlan& plan, const Beads& beads, int rounds,
+                    const Communicator& communicator) {
+  const std::size_t count = beads.positions.size(), each = 3 * derivative_count(scene.moment_order);
+  std::vector<double> sources(each * count, 1.0), flows(each * count);
+  ParticleMesh mesh(plan, scene.box->lengths,
+                    {.squared_radii = std::vector<double>(count, scene.radii[0] * scene.radii[0]),
+                     .viscosity = scene.viscosity,
+                     .moment_order = scene.moment_order,
+                     .memory = scene.memory},
+                    communicator);
+  return median_seconds(rounds, communicator,
+                        [&] { mesh.add_flows(beads.positions, sources, FlowPart::of_forces, flows); });
+}
+
 /// Times one mobility product. Evaluates its error relative to a product with 1/1000 of the tolerance.
 ProductRow measure(const ProductRequest& request, int count, Surroundings surroundings,
                    const Communicator& communicator) {
   const int max_beads_for_error = request.multipole_order == 0 ? 100000 : 5000;
-  constexpr double min_tolerance_for_error = 1e-9;
+  constexpr double min_tolerance_for_error = 1e-9, radius = 6;
   bool is_on_mesh = false;
   const Beads beads = random_beads(count);
-  MobilityScene scene{.model = MobilityModel::multipole,
+  MobilityScene scene{.model = request.is_unsteady ? MobilityModel::unsteady : MobilityModel::multipole,
                       .viscosity = 1.0 / 3,
                       .box = surroundings == Surroundings::periodic
                                  ? std::optional(Box{{beads.edge, beads.edge, beads.edge}, {}})
                                  : std::nullopt,
-                      .radii = std::vector<double>(count, 6),
+                      .radii = std::vector<double>(count, radius),
                       .tolerance = request.tolerance,
                       .moment_order = request.multipole_order};
+  if (request.is_unsteady)
+    scene.memory =
+        FluidMemory{.density = 1, .step = 20, .spacing = 1.2 * radius, .has_reynolds_stress = true};
   ProductRow row{.beads = count,
                  .surroundings = surroundings,
                  .ranks = communicator.size(),
@@ -87,7 +121,7 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
   std::vector<Vec3> velocities(count), reference(count);
   {
     const std::int64_t before = resident_bytes(communicator);
-    const MobilityProduct product(scene, beads.positions, communicator);
+    MobilityProduct product(scene, beads.positions, communicator);
     is_on_mesh = product.plan().has_value();
     product.apply(beads.positions, beads.forces, velocities);  // plans the Fourier transforms; not timed
     std::vector<double> seconds;
@@ -101,6 +135,12 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
     row.memory_bytes = resident_bytes(communicator) - before;
     row.seconds = median(seconds);
     row.seconds_best = *std::ranges::min_element(seconds);
+    if (request.is_unsteady) {
+      row.mesh_seconds = mesh_seconds(scene, *product.plan(), beads, request.rounds, communicator);
+      row.end_of_step_seconds = median_seconds(request.rounds, communicator, [&] {
+        product.end_step(beads.positions, beads.forces, Vec3::Zero());
+      });
+    }
   }
   if (is_on_mesh && count <= max_beads_for_error && request.tolerance >= min_tolerance_for_error) {
     scene.tolerance = request.tolerance / 1000;
@@ -116,6 +156,7 @@ std::vector<ProductRow> measure_products(const ProductRequest& request, const Co
   std::vector<ProductRow> rows;
   for (const int count : request.beads) {
     for (const Surroundings surroundings : all_values<Surroundings>) {
+      if (request.is_unsteady && surroundings != Surroundings::periodic) continue;
       for (int ranks = 1; ranks <= world.size(); ranks += std::max(1, world.size() - 1)) {
         if (world.is_root())
           print_to_stderr(fmt::format(

@@ -19,10 +19,11 @@ inline constexpr auto name_table<Surroundings> = std::to_array<NamedValue<Surrou
 
 /// The mobility products that the command line requests.
 struct ProductRequest {
-  std::vector<int> beads;   ///< numbers of beads
-  double tolerance = 1e-4;  ///< relative error of the velocities
-  int multipole_order = 0;  ///< highest moment of the force on each bead (mobility/force_moments.hpp)
-  int rounds = 9;           ///< repetitions of each product
+  std::vector<int> beads;    ///< numbers of beads
+  double tolerance = 1e-4;   ///< relative error of the velocities
+  int multipole_order = 0;   ///< highest moment of the force on each bead (mobility/force_moments.hpp)
+  bool is_unsteady = false;  ///< a fluid with inertia in a periodic box (mobility/fluid_memory.hpp)
+  int rounds = 9;            ///< repetitions of each product
 };
 
 /// Time, error and memory of a mobility product (class MobilityProduct): the evaluation of the velocities of
@@ -35,6 +36,8 @@ struct ProductRow {
   int multipole_order = 0;
   int iterations = 0;                    ///< of the moments, in one product
   double seconds = 0, seconds_best = 0;  ///< time per product: median and minimum over the rounds [s]
+  /// Only in a fluid with inertia: the part of a product on the mesh, and the end of a step [s].
+  std::optional<double> mesh_seconds{}, end_of_step_seconds{};
   /// Relative error of the velocities, measured relative to a product with 1/1000 of the tolerance. Empty if
   /// the product sums all pairs directly, for more than 100,000 beads (5000 with force moments), and for
   /// tolerances below 1e-9.
@@ -50,6 +53,8 @@ struct ProductRow {
     visit("iterations", row.iterations, omitted_if_zero);
     visit("seconds", row.seconds);
     visit("seconds_best", row.seconds_best);
+    visit("mesh_seconds", row.mesh_seconds, omitted_if_none);
+    visit("end_of_step_seconds", row.end_of_step_seconds, omitted_if_none);
     visit("error", row.error);
     visit("memory_bytes", row.memory_bytes);
   }

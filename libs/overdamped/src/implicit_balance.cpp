@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "beadswim/core/rank_share.hpp"
+#include "beadswim/mobility/step_mobility.hpp"
 
 namespace beadswim {
 namespace {
@@ -33,10 +34,11 @@ void add_contact_force(const Contact& c, double force, Beads& forces) {
 }  // namespace
 
 ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start,
-                                 const Beads& history, const Beads& expansion_point, const Beads& distant)
+                                 const StepHistory& history, const Beads& expansion_point,
+                                 const Beads& distant)
     : communicator_(step.communicator),
       rule_(rule),
-      history_(history),
+      history_(history.displacements),
       expansion_point_(expansion_point),
       bead_ranges_(step.bead_ranges) {
   const auto& scene = step.scene;
@@ -67,6 +69,15 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
           share * c.law.stiffness * c.normal * c.normal.transpose();
     }
   }
+  Beads inertia = zero_vectors(start.size()), inertia_forces = inertia;
+  double kappa = 0;
+  if (scene.memory && scene.memory->density > 0 && rule.span > 0) {
+    kappa = step_wavenumber(scene.viscosity / scene.memory->density * rule.span);
+    for (std::size_t b = 0; b < start.size(); ++b) {
+      inertia[b].setConstant(step.excess_masses[b] * rule.weight / rule.span);
+      inertia_forces[b] = step.excess_masses[b] / rule.span * history.velocities[b];
+    }
+  }
   parts_.reserve(last_ - first_);
   const auto add_part = [&]<int Size>(std::integral_constant<int, Size>, std::size_t s) {
     const BeadRange& range = bead_ranges_[s];
@@ -74,12 +85,15 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
         implicit_swimmer<Size>(rule, {.type = scene.type_of(scene.swimmers[s]),
                                       .initial_orientation = scene.swimmers[s].orientation,
                                       .start = swimmer_vector<Size>(start, range),
-                                      .history = swimmer_vector<Size>(history, range),
+                                      .history = swimmer_vector<Size>(history_, range),
                                       .expansion_point = swimmer_vector<Size>(expansion_point, range),
                                       .distant = swimmer_vector<Size>(distant, range),
+                                      .inertia = swimmer_vector<Size>(inertia, range),
+                                      .inertia_forces = swimmer_vector<Size>(inertia_forces, range),
                                       .external_forces = swimmer_vector<Size>(external_forces, range),
                                       .external_stiffness = stiffness[s - first_],
                                       .viscosity = scene.viscosity,
+                                      .step_wavenumber = kappa,
                                       .scale = step.contact_scale}));
   };
   for (std::size_t s = first_; s < last_; ++s) {

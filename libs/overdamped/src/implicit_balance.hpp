@@ -18,7 +18,14 @@ struct StepScene {
   std::span<const double> radii;  ///< radius of each bead [length]
   const ContactScale& contact_scale;
   std::span<const BeadRange> bead_ranges;  ///< of each swimmer
+  std::span<const double> excess_masses;   ///< m' of each bead (implicit_swimmer.hpp); empty without memory
   const Communicator& communicator;
+};
+
+/// Histories r of a time step (StepRule).
+struct StepHistory {
+  Beads displacements;  ///< in w u - r = h v [length]
+  Beads velocities;     ///< in w v - r = h dv/dt [length/time]; used only with memory of the fluid
 };
 
 /// Linear system of a time step, F + D v = drive and v = mu F, linearised at the expansion point u*
@@ -29,9 +36,9 @@ struct StepScene {
 class ImplicitBalance {
  public:
   /// Evaluates forces and contacts at the expansion point. `start`: positions of the beads at the start of
-  /// the step; `history`: r in w u - r = h v (StepRule); `expansion_point`: u*; `distant`: d. `history` and
-  /// `expansion_point` must outlive this object.
-  ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start, const Beads& history,
+  /// the step; `history`: histories r of displacements and velocities; `expansion_point`: u*;
+  /// `distant`: d. `history` and `expansion_point` must outlive this object.
+  ImplicitBalance(const StepScene& step, const StepRule& rule, const Beads& start, const StepHistory& history,
                   const Beads& expansion_point, const Beads& distant);
 
   /// Return u and F if each swimmer is solved alone, in the flow d passed to the constructor.
@@ -60,8 +67,8 @@ class ImplicitBalance {
 
   const Communicator& communicator_;
   StepRule rule_;
-  const Beads &history_, &expansion_point_;
-  std::size_t first_ = 0, last_ = 0;  ///< this rank has the swimmers [first_, last_)
+  const Beads &history_, &expansion_point_;  ///< r, u*
+  std::size_t first_ = 0, last_ = 0;         ///< this rank has the swimmers [first_, last_)
   std::span<const BeadRange> bead_ranges_;
   std::vector<Part> parts_;
   std::vector<Contact> internal_contacts_, external_contacts_;  ///< within one swimmer; all others

@@ -37,6 +37,7 @@ ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double>
       mobility_(mobility),
       communicator_(communicator),
       bead_ranges_(bead_ranges(scene)),
+      excess_masses_(excess_masses(scene)),
       contact_scale_(scene),
       smallest_radius_(*std::ranges::min_element(radii)) {
   for (const SwimmerType& type : scene.types)
@@ -56,13 +57,44 @@ double ImplicitStep::largest_move(const Beads& from, const Beads& to) const {
   return farthest;
 }
 
-ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start, const Beads& from,
+StepScene ImplicitStep::step_scene() const {
+  return {.scene = scene_,
+          .radii = radii_,
+          .contact_scale = contact_scale_,
+          .bead_ranges = bead_ranges_,
+          .excess_masses = excess_masses_,
+          .communicator = communicator_};
+}
+
+Beads ImplicitStep::forces_at_rest(const StepRule& rule, const Beads& start) const {
+  const Beads nothing(start.size(), Vec3::Zero());
+  const StepHistory history{.displacements = nothing, .velocities = nothing};
+  return ImplicitBalance(step_scene(), rule, start, history, nothing, nothing).residual(nothing, nothing);
+}
+
+// The momentum of the fluid in the volume V of the box, with the insides of the beads, is rho V u_0:
+//
+//   rho V u_0 + sum m' v = 0,   m': mass of a bead minus that of the displaced fluid
+Vec3 ImplicitStep::mean_flow(const Beads& velocities) const {
+  Vec3 momentum = Vec3::Zero();
+  if (!scene_.memory || scene_.memory->density == 0) return momentum;
+  for (std::size_t b = 0; b < excess_masses_.size(); ++b) momentum += excess_masses_[b] * velocities[b];
+  Vec3 flow = -momentum / (scene_.memory->density * scene_.box->lengths.prod());
+  for (int a = 0; a < 3; ++a)
+    if (scene_.box->has_mirrors(a)) flow[a] = 0;
+  return flow;
+}
+
+Vec3 ImplicitStep::momentum(const Beads& velocities, const Vec3& mean_flow) const {
+  if (!scene_.memory) return Vec3::Zero();
+  Vec3 momentum = scene_.memory->density * scene_.box->lengths.prod() * mean_flow;
+  for (std::size_t b = 0; b < excess_masses_.size(); ++b) momentum += excess_masses_[b] * velocities[b];
+  return momentum;
+}
+
+ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start, const StepHistory& history,
                                        const Beads& guess, const Beads& distant) const {
-  const StepScene scene{.scene = scene_,
-                        .radii = radii_,
-                        .contact_scale = contact_scale_,
-                        .bead_ranges = bead_ranges_,
-                        .communicator = communicator_};
+  const StepScene scene = step_scene();
   Beads expansion_point = guess;
   ImplicitStepResult result;
   result.distant = distant;
@@ -70,7 +102,7 @@ ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start,
   for (int round = 1;; ++round) {
     std::optional<ImplicitBalance> balance;
     for (int alone = 1;; ++alone) {
-      balance.emplace(scene, rule, start, from, expansion_point, result.distant);
+      balance.emplace(scene, rule, start, history, expansion_point, result.distant);
       Beads ends = balance->initial_displacements();
       const double move = largest_move(expansion_point, ends);
       // True also if `move` is NaN, which check_faults() reports later.
@@ -103,9 +135,16 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   ImplicitStepResult result;
   Beads places = start;
   flat(places) += flat(expansion_point);
-  const auto product = [&](const Beads& forces) {
+  // The mean flow u_0 depends on the velocities y + u_0 themselves: u_0 = u_0(y)/(1 + sum m'/(rho V)).
+  double share = 0;
+  if (scene_.memory && scene_.memory->density > 0)
+    for (const double mass : excess_masses_)
+      share += mass / (scene_.memory->density * scene_.box->lengths.prod());
+  const auto product = [&](const Beads& forces, FlowPart part) {
     Beads velocities(forces.size());
-    result.work.add(mobility_.apply(places, forces, velocities));
+    result.work.add(mobility_.apply(places, forces, velocities, part));
+    if (const Vec3 flow = mean_flow(velocities) / (1 + share); !flow.isZero(0))
+      for (Vec3& v : velocities) v += flow;
     return velocities;
   };
   struct Direction {
@@ -113,7 +152,7 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   };
   std::deque<Direction> directions;
   Beads forces = balance.initial_forces();
-  Beads velocities = product(forces);
+  Beads velocities = product(forces, FlowPart::with_memory);
   Beads residual = balance.residual(forces, velocities);
   for (;;) {
     Beads own = balance.own_forces(residual);
@@ -128,10 +167,11 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
       result.distant = velocities;
       flat(result.distant) -= flat(balance.own_velocities(forces));
       flat(velocities) += flat(answer);
+      flat(forces) += flat(own);
       break;
     }
     Direction next{.forces = std::move(own), .velocities = {}, .left_hand_side = {}};
-    next.velocities = product(next.forces);
+    next.velocities = product(next.forces, FlowPart::of_forces);
     next.left_hand_side = balance.left_hand_side(next.forces, next.velocities);
     for (const Direction& old : directions) {
       const double along = flat(old.left_hand_side).dot(flat(next.left_hand_side));
@@ -151,6 +191,8 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   result.displacements = balance.displacements(velocities);
   result.smallest_gap = balance.smallest_gap(velocities);
   result.velocities = std::move(velocities);
+  result.forces = std::move(forces);
+  result.places = std::move(places);
   return result;
 }
 

@@ -42,6 +42,8 @@ namespace beadswim {
 struct ImplicitStepResult {
   Beads displacements;  ///< u, displacements of the beads in the step
   Beads velocities;     ///< v, velocities of the beads at the end of the step
+  Beads forces;         ///< F, forces of the beads on the fluid at the end of the step
+  Beads places;         ///< positions at which the mobility was evaluated
   Beads distant;        ///< d, velocities of the beads in the flow of all other swimmers
   ProductWork work;     ///< of all mobility products evaluated
   /// Smallest gap of all contacts at the end of the step [length]; infinity without contacts.
@@ -55,22 +57,35 @@ class ImplicitStep {
   ImplicitStep(const OverdampedScene& scene, std::span<const double> radii, const MobilityProduct& mobility,
                const Communicator& communicator);
 
-  /// Solves one step. `start`: positions at the start of the step; `from`: r in w u - r = h v (StepRule);
+  /// Solves one step. `start`: positions at the start of the step; `history`: r (StepRule);
   /// `guess`: initial guess of the displacements u; `distant`: extrapolated velocities d in the flow of all
   /// other swimmers. All arrays contain all beads and are equal on all ranks. Collective.
-  ImplicitStepResult solve(const StepRule& rule, const Beads& start, const Beads& from, const Beads& guess,
-                           const Beads& distant) const;
+  ImplicitStepResult solve(const StepRule& rule, const Beads& start, const StepHistory& history,
+                           const Beads& guess, const Beads& distant) const;
+
+  /// Returns the forces on beads at rest at `start`, at the time of the rule.
+  Beads forces_at_rest(const StepRule& rule, const Beads& start) const;
+
+  /// Returns the mean velocity of the fluid with the insides of the beads. Fluid and beads together have no
+  /// momentum.
+  Vec3 mean_flow(const Beads& velocities) const;
+
+  /// Returns the momentum of fluid and beads.
+  Vec3 momentum(const Beads& velocities, const Vec3& mean_flow) const;
 
  private:
   ImplicitStepResult solve_linearised(const ImplicitBalance& balance, const Beads& expansion_point,
                                       const Beads& start) const;
   double largest_move(const Beads& from, const Beads& to) const;
 
+  StepScene step_scene() const;
+
   const OverdampedScene& scene_;
   std::span<const double> radii_;
   const MobilityProduct& mobility_;
   const Communicator& communicator_;
   std::vector<BeadRange> bead_ranges_;
+  std::vector<double> excess_masses_;  ///< empty without memory of the fluid
   ContactScale contact_scale_;
   double smallest_radius_;                                         ///< radius of the smallest bead [length]
   double shortest_arm_ = std::numeric_limits<double>::infinity();  ///< smallest rest length [length]

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "beadswim/mobility/mobility_matrix.hpp"
+#include "beadswim/mobility/step_mobility.hpp"
 
 namespace beadswim {
 namespace {
@@ -41,11 +42,14 @@ ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurrou
   const BeadVectors beads = Eigen::Map<const Eigen::Matrix3Xd>(places.data(), 3, places.size() / 3);
   const double compliance = rule.span / rule.weight;  // du/dv
   ImplicitSwimmer<Size> result;
+  const double kappa = s.step_wavenumber;
   // A lambda instead of the function: the compiler inlines it.
-  const auto law = [](double a_i, double a_j, double r, double eta) {
-    return rotne_prager_tensor(a_i, a_j, r, eta);
+  const auto law = [&](double a_i, double a_j, double r, double eta) {
+    return kappa == 0 ? rotne_prager_tensor(a_i, a_j, r, eta) : step_tensor(a_i, a_j, r, eta, kappa);
   };
   result.mobility = mobility_matrix<Matrix>(law, s.type.beads, beads, s.viscosity);
+  for (Eigen::Index k = 0; k < places.size() && kappa > 0; ++k)
+    result.mobility(k, k) *= step_self_ratio(kappa * s.type.beads[k / 3].radius);
   const BeadVectors driving = driving_forces(s.type, rule.time, beads, s.initial_orientation);
   Vector forces = own_forces<Size>(s.type, rule.time, beads) + as_vector<Size>(driving);
   Matrix stiffness = own_stiffness<Size>(s.type, rule.time, beads);
@@ -55,6 +59,10 @@ ImplicitSwimmer<Size> implicit_swimmer(const StepRule& rule, const SwimmerSurrou
   result.resistance = compliance * stiffness;
   if (std::ranges::any_of(s.type.bonds, [](const Bond& bond) { return bond.damping > 0; }))
     result.resistance += own_damping<Size>(s.type, beads);
+  if (kappa > 0) {
+    result.resistance.diagonal() += s.inertia;
+    result.drive += s.inertia_forces;
+  }
   Matrix resistance = result.resistance;
   Vector drive = result.drive + s.external_forces;
   if (s.external_stiffness.size() > 0) {

@@ -15,6 +15,9 @@
 //   C  damping of the dashpots [mass/time]
 //   d  velocities of the beads in the flow caused by all other swimmers [length/time]
 //
+// In a fluid with memory, F is the force on the fluid. It contains the inertia of the bead beyond that of the
+// displaced fluid, -m' dv/dt with h dv/dt = w v - (history of the velocities), which adds m' w/h to D.
+//
 // With the mobility mu_own of the swimmer alone, v and F satisfy for given d
 //
 //   v = mu_own F + d,   (1 + D mu_own) F = drive - D d
@@ -40,9 +43,12 @@ struct SwimmerSurroundings {
   Vector start;                                ///< positions of the beads at the start of the step [length]
   Vector history, expansion_point;  ///< history r, expansion point u* of the displacements [length]
   Vector distant;                   ///< d, velocities in the flow of all other swimmers [length/time]
+  Vector inertia;                   ///< m' w/h, for the force of inertia -m' dv/dt [mass/time]
+  Vector inertia_forces;            ///< m' times the history of the velocities, divided by h [force]
   Vector external_forces;           ///< forces of the external contacts at u* [force]
   const Eigen::MatrixXd& external_stiffness;  ///< of the external contacts [mass/time^2]; empty: no contacts
   double viscosity = 0;                       ///< dynamic viscosity eta [mass/(length time)]
+  double step_wavenumber = 0;                 ///< kappa of step_mobility.hpp [1/length]; 0: steady flow
   const ContactScale& scale;
 };
 
@@ -54,7 +60,7 @@ struct ImplicitSwimmer {
 
   SwimmerVector<Size> drive;       ///< drive without external contacts [force]
   SwimmerMatrix<Size> resistance;  ///< D without external contacts [mass/time]
-  SwimmerMatrix<Size> mobility;    ///< mu_own, mobility of the swimmer in open space [time/mass]
+  SwimmerMatrix<Size> mobility;    ///< mu_own, mobility of the swimmer alone in open space [time/mass]
   Eigen::PartialPivLU<SwimmerMatrix<Size>> balance{};  ///< 1 + D mu_own, where D includes external contacts
   SwimmerVector<Size> forces;                          ///< F, forces on the beads [force]
   SwimmerVector<Size> end;  ///< u, displacements of the beads at the end of the step [length]

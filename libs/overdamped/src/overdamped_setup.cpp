@@ -7,6 +7,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/overdamped/memory_setup.hpp"
 
 namespace beadswim {
 namespace {
@@ -52,16 +53,19 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   OverdampedSetup setup;
   OverdampedScene& scene = setup.scene;
   scene.model = model;
-  scene.moment_order = model == MobilityModel::multipole ? settings.multipole_order : 0;
+  scene.moment_order = has_moment_order(model) ? settings.multipole_order : 0;
   scene.viscosity = layout.fluid.dynamic_viscosity();
   check_no_slip_walls(layout, source);
   scene.box = layout.domain;
   scene.tolerance = settings.tolerance;
   static_cast<Swarm&>(scene) = placed_swimmers(layout);
+  if (model == MobilityModel::unsteady && !scene.box) scene.box = box_for_open_space(scene);
   require_room(scene, source);
   setup.base_period = base_period(layout);
   setup.steps_per_cycle = steps_in_base_period(layout, settings, frames_per_cycle);
   scene.step = setup.base_period / static_cast<double>(setup.steps_per_cycle);
+  if (model == MobilityModel::unsteady)
+    scene.memory = fluid_memory(layout, scene, settings.reynolds_stress, source);
   return setup;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_share.hpp"
@@ -34,13 +35,24 @@ MobilityScene mobility_scene(const OverdampedScene& scene) {
                          .box = scene.box,
                          .radii = bead_radii(scene),
                          .tolerance = scene.tolerance,
-                         .moment_order = scene.moment_order};
+                         .moment_order = scene.moment_order,
+                         .memory = scene.memory};
   const std::vector<BeadRange> ranges = bead_ranges(scene);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     if (has_three_beads_in_order(scene.type_of(scene.swimmers[s])))
       mobility.lines.push_back(static_cast<int>(ranges[s].first));
   }
   return mobility;
+}
+
+std::vector<double> excess_masses(const OverdampedScene& scene) {
+  std::vector<double> masses;
+  if (!scene.memory) return masses;
+  for (const PlacedSwimmer& swimmer : scene.swimmers)
+    for (const Bead& bead : scene.type_of(swimmer).beads)
+      masses.push_back((bead.density - scene.memory->density) * 4 / 3 * std::numbers::pi *
+                       std::pow(bead.radius, 3));
+  return masses;
 }
 
 OverdampedSystem::OverdampedSystem(OverdampedScene scene, const Communicator& communicator)
@@ -63,20 +75,25 @@ std::pair<std::size_t, std::size_t> OverdampedSystem::own_swimmers() const {
 }
 
 /// Solves one step from the present positions. Adds the mobility products that this needs to state_.work.
-ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
-                                                const Beads& distant) {
-  ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], from, guess, distant);
+ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const StepHistory& history,
+                                                const Beads& guess, const Beads& distant) {
+  ImplicitStepResult result = implicit_step_->solve(rule, state_.positions[0], history, guess, distant);
   state_.work.add(result.work);
   is_converged_ = is_converged_ && result.is_converged;
   return result;
 }
 
 /// Sets the velocities of the beads at their initial positions, as the velocities of a time step of length
-/// zero.
+/// zero. In a fluid with memory, beads and fluid begin at rest.
 void OverdampedSystem::solve_initial_velocities() {
   const Beads nowhere(radii_.size(), Vec3::Zero());
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
-  ImplicitStepResult result = solve_step(rule, nowhere, nowhere, state_.distant[0]);
+  if (scene_.memory) {
+    const Beads forces = implicit_step_->forces_at_rest(rule, state_.positions[0]);
+    state_.work.add(mobility_.start(state_.positions[0], forces));
+    return;
+  }
+  ImplicitStepResult result = solve_step(rule, {nowhere, {}}, nowhere, state_.distant[0]);
   state_.smallest_gap = result.smallest_gap;
   state_.velocities[0] = std::move(result.velocities);
   state_.distant[0] = std::move(result.distant);
@@ -103,7 +120,7 @@ OverdampedSystem::Step OverdampedSystem::take_euler_steps(int parts) {
     const StepRule rule{.weight = 1, .span = span, .time = time() + k * span};
     Beads guess = weighted_sum({{1, &step.displacements}, {span, &step.velocities}});
     if (moves_far(step.displacements, guess)) guess = step.displacements;
-    ImplicitStepResult result = solve_step(rule, step.displacements, guess, step.distant);
+    ImplicitStepResult result = solve_step(rule, {step.displacements, {}}, guess, step.distant);
     step = {.displacements = std::move(result.displacements),
             .velocities = std::move(result.velocities),
             .distant = std::move(result.distant)};
@@ -127,20 +144,80 @@ void OverdampedSystem::take_first_step() {
 /// positions, because coordinates may be large and would lose significance.
 void OverdampedSystem::take_bdf_step() {
   const auto& [x, x1, x2] = state_.positions;
-  const auto& [v, v1] = state_.velocities;
+  const auto& [v, v1, v2] = state_.velocities;
   const auto& [d, d1, d2] = state_.distant;
   const double h = scene_.step;
   const Beads u1 = weighted_sum({{1, &x1}, {-1, &x}}), u2 = weighted_sum({{1, &x2}, {-1, &x}});
   const StepRule rule{.weight = 11.0 / 6, .span = h, .time = time() + h};
   // The initial guess of the new positions is the cubic polynomial in time through the positions x and x_1
   // with the velocities v and v_1 as slopes.
-  ImplicitStepResult result = solve_step(rule, weighted_sum({{-1.5, &u1}, {1.0 / 3, &u2}}),
-                                         weighted_sum({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
+  StepHistory history{.displacements = weighted_sum({{-1.5, &u1}, {1.0 / 3, &u2}}), .velocities = {}};
+  if (scene_.memory) history.velocities = weighted_sum({{3, &v}, {-1.5, &v1}, {1.0 / 3, &v2}});
+  ImplicitStepResult result = solve_step(rule, history, weighted_sum({{5, &u1}, {4 * h, &v}, {2 * h, &v1}}),
                                          weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
+  if (scene_.memory)
+    state_.work.add(
+        mobility_.end_step(result.places, result.forces, implicit_step_->mean_flow(result.velocities)));
   accept({.displacements = std::move(result.displacements),
           .velocities = std::move(result.velocities),
           .distant = std::move(result.distant)});
+}
+
+Vec3 OverdampedSystem::mean_flow() const {
+  return implicit_step_->mean_flow(state_.velocities[0]);
+}
+
+Vec3 OverdampedSystem::momentum() const {
+  return implicit_step_->momentum(state_.velocities[0], mean_flow());
+}
+
+namespace {
+
+/// Numbers of the memory on each rank, and of the flow that the mesh does not resolve, which all ranks have.
+struct MemoryParts {
+  std::vector<int> counts, starts;
+  int modes = 0;
+};
+
+MemoryParts memory_parts(const MemoryState& own, const Communicator& communicator) {
+  MemoryParts parts{.counts = std::vector<int>(communicator.size()), .starts = {}};
+  const int count = static_cast<int>(own.modes.size());
+  MPI_Allgather(&count, 1, MPI_INT, parts.counts.data(), 1, MPI_INT, communicator.get());
+  for (const int each : parts.counts) {
+    parts.starts.push_back(parts.modes);
+    parts.modes += each;
+  }
+  return parts;
+}
+
+}  // namespace
+
+std::vector<double> OverdampedSystem::gather_memory() const {
+  const MemoryState own = mobility_.memory_state();
+  const MemoryParts parts = memory_parts(own, communicator_);
+  std::vector<double> all(communicator_.is_root() ? parts.modes : 0);
+  MPI_Gatherv(own.modes.data(), static_cast<int>(own.modes.size()), MPI_DOUBLE, all.data(),
+              parts.counts.data(), parts.starts.data(), MPI_DOUBLE, 0, communicator_.get());
+  if (communicator_.is_root())
+    for (const auto* list : {&own.unresolved, &own.moments})
+      all.insert(all.end(), list->begin(), list->end());
+  return all;
+}
+
+void OverdampedSystem::restore_memory(std::span<const double> memory) {
+  MemoryState own = mobility_.memory_state();
+  const MemoryParts parts = memory_parts(own, communicator_);
+  if (memory.size() != parts.modes + own.unresolved.size() + own.moments.size())
+    throw SolverError(
+        fmt::format("the memory of the fluid in the checkpoint differs in size from that of the scene; begin "
+                    "without {}",
+                    Setting::restart));
+  std::copy_n(memory.begin() + parts.starts[communicator_.rank()], own.modes.size(), own.modes.begin());
+  const auto rest = memory.begin() + parts.modes;
+  std::copy_n(rest, own.unresolved.size(), own.unresolved.begin());
+  std::copy_n(rest + own.unresolved.size(), own.moments.size(), own.moments.begin());
+  mobility_.restore(own);
 }
 
 void OverdampedSystem::accept(Step step) {
@@ -162,7 +239,7 @@ void OverdampedSystem::step() {
     ++state_.steps_done;
     return;
   }
-  state_.steps_done < 2 ? take_first_step() : take_bdf_step();
+  state_.steps_done < 2 && !scene_.memory ? take_first_step() : take_bdf_step();
   for (const Vec3& v : state_.velocities[0]) state_.largest_speed = std::max(state_.largest_speed, v.norm());
 }
 

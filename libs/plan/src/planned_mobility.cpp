@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/plan/reason_against.hpp"
 #include "beadswim/plan/run_length.hpp"
@@ -13,18 +15,26 @@
 namespace beadswim {
 namespace {
 
-/// Returns the measured core-seconds of one product of the mobility matrix and the forces on all beads.
-/// Collective.
+/// Returns the measured core-seconds of one product of the mobility matrix and the forces on all beads; with
+/// memory of the fluid, of one product and the end of a step, with forces that oscillate. Collective.
 double product_seconds(const OverdampedScene& scene, const Communicator& communicator) {
   const Beads places = rest_positions(scene);
   Beads forces(places.size()), velocities(places.size());
-  for (std::size_t b = 0; b < forces.size(); ++b) forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2.0 : 1.0);
-  const MobilityProduct product(mobility_scene(scene), places, communicator);
-  product.apply(places, forces, velocities);  // the first product also prepares tables
+  MobilityProduct product(mobility_scene(scene), places, communicator);
+  int count = 0;
+  const auto evaluate = [&] {
+    const double factor = std::cos(2 * std::numbers::pi / 100 * count++);
+    for (std::size_t b = 0; b < forces.size(); ++b)
+      forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2 : 1) * factor;
+    product.apply(places, forces, velocities, FlowPart::with_memory);
+    if (scene.memory) product.end_step(places, forces, Vec3::Zero());
+  };
+  evaluate();  // the first products also prepare tables, and moments from which later ones begin
+  if (scene.memory) evaluate();
   const auto seconds_of = [&](int products) {
     MPI_Barrier(communicator.get());
     const double begin = MPI_Wtime();
-    for (int n = 0; n < products; ++n) product.apply(places, forces, velocities);
+    for (int n = 0; n < products; ++n) evaluate();
     MPI_Barrier(communicator.get());
     double seconds = (MPI_Wtime() - begin) / products;
     MPI_Bcast(&seconds, 1, MPI_DOUBLE, 0, communicator.get());
@@ -41,6 +51,13 @@ std::string mobility_obstacle(const SceneFacts& facts) {
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts)
     if (const std::string film = film_obstacle(swimmer_facts); !film.empty()) return film;
   return {};
+}
+
+/// Returns the memory for the mesh and the modes of a fluid with memory [byte].
+double mesh_bytes(const OverdampedScene& scene) {
+  constexpr double bytes_per_point = 120;
+  if (!scene.memory) return 0;
+  return bytes_per_point * (mirrored_lengths(scene.box) / scene.memory->spacing).prod();
 }
 
 /// Sets the cost of the candidate `run`: core-seconds for products of mobility matrix and forces and for
@@ -63,15 +80,17 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator&
   run.memory_bytes = static_cast<double>(beads) * (setup.scene.box ? bytes_in_box : bytes_in_open) +
                      std::ldexp(static_cast<double>(beads), mirror_count(setup.scene.box)) *
                          bytes_of_moments[setup.scene.moment_order] * communicator.size() +
-                     program_bytes * communicator.size();
+                     mesh_bytes(setup.scene) + program_bytes * communicator.size();
   run.output_bytes = output_bytes(run.settings, beads, 0, 0);
 }
 
 PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const PlanRequest& request,
-                        MobilityModel model, const std::string& source, const Communicator& communicator) {
+                        MobilityModel model, int multipole_order, const std::string& source,
+                        const Communicator& communicator) {
   PlannedRun run;
   run.settings = request.settings;
   run.settings.model = run_model(model);
+  run.settings.mobility.multipole_order = multipole_order;
   run.refused = reason_against([&] {
     request.require_choices_apply(run.settings);
     const MobilitySettings& settings = run.settings.mobility;
@@ -97,12 +116,16 @@ std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& fa
                                       const PlanRequest& request, const std::string& source,
                                       const Communicator& communicator) {
   std::vector<PlannedRun> runs;
-  const auto add_run = [&](MobilityModel model) {
-    runs.push_back(mobility_run(layout, facts, request, model, source, communicator));
+  const int usual_order = request.multipole_order.value_or(MobilitySettings{}.multipole_order);
+  const auto add_run = [&](MobilityModel model, int order) {
+    if (!request.model || *request.model == run_model(model))
+      runs.push_back(mobility_run(layout, facts, request, model, order, source, communicator));
   };
   for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near})
-    if (!request.model || *request.model == run_model(model)) add_run(model);
-  if (request.model == RunModel::multipole) add_run(MobilityModel::multipole);
+    add_run(model, usual_order);
+  if (request.model == RunModel::multipole) add_run(MobilityModel::multipole, usual_order);
+  for (int order = 0; order <= max_moment_order; ++order)
+    if (request.multipole_order.value_or(order) == order) add_run(MobilityModel::unsteady, order);
   return runs;
 }
 

@@ -20,10 +20,10 @@ CLI::Validator relaxation_time() {
 
 void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
-  add_choice(
-      program, "--model", options.settings.model,
-      "Model of the fluid: lbm (lattice), the mobilities rpy, rpy+near (near field), multipole, oseen, or "
-      "auto (the cheapest within --tolerance, else lbm)");
+  add_choice(program, "--model", options.settings.model,
+             "Model of the fluid: lbm (lattice), the mobilities rpy, rpy+near, multipole, oseen, unsteady "
+             "(with fluid "
+             "inertia), or auto (the cheapest within --tolerance, else lbm)");
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
@@ -62,12 +62,14 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
       ->type_name("E")
       ->check(product_tolerance());
   program
-      .add_option(
-          "--multipole-order", mobility.multipole_order,
-          "Highest moment of the force on each bead, for --model multipole: 0 (force alone, as rpy), 1 (with "
-          "stresslets), 2 (with second moments)")
+      .add_option("--multipole-order", mobility.multipole_order,
+                  "Highest moment of the force on each bead, for the models multipole and unsteady: 0 (force "
+                  "alone, as "
+                  "rpy), 1 (with stresslets), 2 (with second moments)")
       ->type_name("N")
       ->check(whole_number(0, 2));
+  add_switch(program, "--reynolds-stress", mobility.reynolds_stress,
+             "Add the Reynolds stress of the flow, for --model unsteady");
   begin_group(program, "Length and sampling");
   program
       .add_option("--steps-per-cycle", mobility.steps_per_cycle,
@@ -250,13 +252,25 @@ void refuse_lattice_flags(const RunOptions& options, RunModel model) {
                    to_text(model));
 }
 
+void refuse_mobility_flags(const RunOptions& options, MobilityModel model) {
+  if (!has_moment_order(model))
+    refuse_flags(options, {"--multipole-order"},
+                 "the flag applies to the models multipole and unsteady only; leave it out, or add --model "
+                 "multipole");
+  if (model != MobilityModel::unsteady)
+    refuse_flags(options, {"--reynolds-stress"},
+                 "the flag applies to the model unsteady only; leave it out, or add --model unsteady");
+}
+
 FlagValues result_flags(const RunSettings& settings) {
   if (settings.model != RunModel::lbm) {
     FlagValues values{{"--model", to_text(settings.model)},
                       {"--frames-per-cycle", fmt::format("{}", settings.frames_per_cycle)},
                       {"--sum-tolerance", fmt::format("{}", settings.mobility.tolerance)}};
-    if (settings.model == RunModel::multipole)
+    if (has_moment_order(*mobility_model(settings.model)))
       values["--multipole-order"] = fmt::format("{}", settings.mobility.multipole_order);
+    if (settings.model == RunModel::unsteady)
+      values["--reynolds-stress"] = on_or_off(settings.mobility.reynolds_stress);
     if (settings.mobility.steps_per_cycle)
       values["--steps-per-cycle"] = fmt::format("{}", *settings.mobility.steps_per_cycle);
     return values;

@@ -57,6 +57,9 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
 /// model of the run, for the message.
 void refuse_lattice_flags(const RunOptions& options, RunModel model);
 
+/// Throws InputError if the command line contains a flag of other mobility models than `model`.
+void refuse_mobility_flags(const RunOptions& options, MobilityModel model);
+
 /// Returns the flags that affect the motion of the beads, with their values in `settings`. These values must
 /// stay the same when a run continues from a checkpoint.
 FlagValues result_flags(const RunSettings& settings);

@@ -51,9 +51,9 @@ BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead)
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
                          const Communicator& ranks)
     : communicator(ranks), on_lattice(put_on_lattice(layout, requested.settings.lattice, source)) {
-  refuse_flags(requested, {"--sum-tolerance", "--steps-per-cycle", "--multipole-order"},
+  refuse_flags(requested, {"--sum-tolerance", "--steps-per-cycle", "--multipole-order", "--reynolds-stress"},
                "the flag applies to mobility models only; leave it out, or add --model rpy, rpy+near, "
-               "multipole or oseen");
+               "multipole, oseen or unsteady");
   require_memory(on_lattice.scene, communicator);
   const LatticeChoice& lattice = on_lattice.lattice;
   options = requested;

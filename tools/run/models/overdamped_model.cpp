@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
@@ -12,7 +13,11 @@
 namespace beadswim {
 namespace {
 
-constexpr const char* beads_section = "overdamped";
+constexpr const char *beads_section = "overdamped", *memory_section = "memory";
+
+std::span<const char> as_chars(const std::vector<double>& numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
+}
 
 }  // namespace
 
@@ -20,9 +25,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
                                const Communicator& ranks)
     : communicator(ranks), kinematic_viscosity(layout.fluid.kinematic_viscosity) {
   refuse_lattice_flags(requested, requested.settings.model);
-  if (requested.settings.model != RunModel::multipole)
-    refuse_flags(requested, {"--multipole-order"},
-                 "the flag applies to the model multipole only; leave it out, or add --model multipole");
+  refuse_mobility_flags(requested, *mobility_model(requested.settings.model));
   options = requested;
   OverdampedSetup setup =
       overdamped_setup(layout, *mobility_model(requested.settings.model), requested.settings.mobility,
@@ -41,10 +44,16 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
     warnings.push_back(
         {"tolerance-flag",
          "the flag --tolerance is used as --sum-tolerance; with a mobility model write --sum-tolerance"});
+  if (scene.memory && !layout.domain)
+    warnings.push_back(
+        {"periodic-cube",
+         fmt::format("the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
+                     "change the velocity of a lone swimmer by some 0.2 %",
+                     scene.box->lengths[0])});
   announcement = fmt::format(
       "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
       "on {} ranks",
-      to_text(scene.model), swimmers.size(), scene.box ? "a box" : "open space", scene.tolerance,
+      to_text(scene.model), swimmers.size(), layout.domain ? "a box" : "open space", scene.tolerance,
       steps_per_cycle, communicator.size());
 }
 
@@ -100,6 +109,17 @@ std::vector<SwimmerPose> OverdampedModel::gather_swimmers(double ahead) const {
   return poses;
 }
 
+// Without inertia, momentum is not defined and the mean flow is zero. With inertia, all is at rest at first.
+ModelTotals OverdampedModel::first_totals() const {
+  if (!plan_.scene.memory) return {};
+  return {.momentum = Vec3::Zero(), .mean_flow = Vec3::Zero(), .mass_excess = std::nullopt};
+}
+
+ModelTotals OverdampedModel::totals() {
+  if (!plan_.scene.memory) return {};
+  return {.momentum = system_.momentum(), .mean_flow = system_.mean_flow(), .mass_excess = std::nullopt};
+}
+
 std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
   const Vec3& p = fault.position;
   const std::string place =
@@ -153,13 +173,15 @@ void OverdampedModel::describe(RunRecord& record) const {
   record.dimensionless = dimensionless_numbers(plan_.scene.types, state.largest_speed,
                                                plan_.kinematic_viscosity, plan_.base_period);
   const std::optional<EwaldPlan>& sums = system_.mobility().plan();
-  const bool is_multipole = plan_.scene.model == MobilityModel::multipole;
+  const bool is_multipole = has_moment_order(plan_.scene.model);
   record.mobility = MobilityRecord{
       .time_step = plan_.time_step,
       .steps_per_cycle = plan_.steps_per_cycle,
       .tolerance = plan_.scene.tolerance,
       .products = state.work.products,
       .multipole_order = is_multipole ? std::optional(plan_.scene.moment_order) : std::nullopt,
+      .reynolds_stress =
+          plan_.scene.memory ? std::optional(plan_.scene.memory->has_reynolds_stress) : std::nullopt,
       .iterations = is_multipole ? std::optional<std::int64_t>(state.work.iterations) : std::nullopt,
       .residual = is_multipole ? std::optional(state.work.residual) : std::nullopt,
       .cut_off = sums ? std::optional(sums->cutoff) : std::nullopt,
@@ -195,6 +217,9 @@ void OverdampedModel::write_state(CheckpointWriter& checkpoint) {
     OverdampedState::visit_bead_fields([&](const char*, const auto& lists) { message(lists); },
                                        system_.state());
   checkpoint.add(beads_section, message.bytes());
+  if (!plan_.scene.memory) return;
+  const std::vector<double> memory = system_.gather_memory();
+  checkpoint.add(memory_section, as_chars(memory));
 }
 
 void OverdampedModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
@@ -209,6 +234,11 @@ void OverdampedModel::restore(long steps_done, IncomingMessage& history, const C
         "with that version, "
         "or begin without --restart");
   system_.restore(std::move(state));
+  if (!plan_.scene.memory) return;
+  const std::vector<char> bytes = checkpoint.bytes(memory_section, 0, checkpoint.size(memory_section));
+  std::vector<double> memory(bytes.size() / sizeof(double));
+  std::memcpy(memory.data(), bytes.data(), memory.size() * sizeof(double));
+  system_.restore_memory(memory);
 }
 
 }  // namespace beadswim

@@ -36,8 +36,8 @@ class OverdampedModel : public Model {
   std::vector<Vec3> bead_positions(int number, double ahead) const override;
   std::vector<SwimmerPose> gather_swimmers(double ahead) const override;
 
-  ModelTotals first_totals() const override { return {}; }
-  ModelTotals totals() override { return {}; }  // no inertia: momentum and mean flow not evaluated
+  ModelTotals first_totals() const override;
+  ModelTotals totals() override;
   std::optional<ModelFault> fault() const override;
 
   void write_flow() override {}

@@ -14,15 +14,16 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
   request.has_advice = options.plan;
   if (options.settings.model != RunModel::automatic) request.model = options.settings.model;
   if (options.given.contains("--precision")) request.precision = options.settings.lattice.precision;
+  if (options.given.contains("--multipole-order"))
+    request.multipole_order = options.settings.mobility.multipole_order;
   request.tolerance = options.tolerance;
   request.require_choices_apply = [&options](const RunSettings& settings) {
     if (settings.model != RunModel::lbm) {
       refuse_lattice_flags(options, settings.model);
-      if (settings.model != RunModel::multipole)
-        refuse_flags(options, {"--multipole-order"},
-                     "the flag applies to the model multipole only; leave it out");
+      refuse_mobility_flags(options, *mobility_model(settings.model));
     } else {
-      refuse_flags(options, {"--sum-tolerance", "--steps-per-cycle", "--multipole-order"},
+      refuse_flags(options,
+                   {"--sum-tolerance", "--steps-per-cycle", "--multipole-order", "--reynolds-stress"},
                    "the flag applies to mobility models only; leave it out");
     }
   };
@@ -42,11 +43,11 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
     if (lattice.bead_boundary != usual.bead_boundary)
       flags += " --bead-boundary " + to_text(lattice.bead_boundary);
   }
-  if (settings.model == RunModel::multipole)
+  if (settings.model == RunModel::multipole || settings.model == RunModel::unsteady)
     flags += fmt::format(" --multipole-order {}", settings.mobility.multipole_order);
   const FlagValues course = result_flags(settings);
   for (const char* asked : {"--delay-correction", "--radius-correction", "--lubrication", "--friction",
-                            "--sum-tolerance", "--steps-per-cycle"}) {
+                            "--sum-tolerance", "--steps-per-cycle", "--reynolds-stress"}) {
     if (const auto flag = course.find(asked); flag != course.end() && options.given.contains(asked))
       flags += fmt::format(" {} {}", asked, flag->second);
   }

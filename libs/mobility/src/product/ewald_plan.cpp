@@ -77,7 +77,7 @@ EwaldPlan plan_with(const EwaldScene& scene, double xi) {
   const double minimum = std::numbers::pi * window / shape(window) / (2 * std::sqrt(0.6));
   return {.xi = xi,
           .cutoff = s / xi,
-          .spacing = std::numbers::pi / (2 * std::max(s, minimum) * xi),
+          .spacing = std::min(std::numbers::pi / (2 * std::max(s, minimum) * xi), scene.max_spacing),
           .window = window,
           .window_shape = shape(window)};
 }

@@ -65,23 +65,36 @@ void project_flow(int order, double radius, const double* flow, double* projecti
 
 namespace {
 
-/// Returns the mean over all directions n of the product of the transverse parts of Q : nn, for each pair of
-/// basis elements of Q.
-Eigen::Matrix<double, 15, 15> transverse_mean() {
-  Eigen::Matrix<double, 15, 15> mean = Eigen::Matrix<double, 15, 15>::Zero();
-  constexpr int heights = 8, angles = 16;  // exact for polynomials of degree 6
-  for (const auto& [height, weight] : gauss_legendre(heights, -1, 1)) {
-    for (int k = 0; k < angles; ++k) {
-      const double phi = 2 * std::numbers::pi * k / angles, rho = std::sqrt(1 - height * height);
-      const Eigen::Vector3d n(rho * std::cos(phi), rho * std::sin(phi), height);
-      Eigen::Matrix<double, 3, 15> force = Eigen::Matrix<double, 3, 15>::Zero();
-      for (int c = 0; c < 3; ++c)
-        for (int m = 0; m < 5; ++m) force(c, 5 * c + m) = n.dot(basis()[m] * n);
-      force -= n * (n.transpose() * force).eval();
-      mean += weight / (2 * angles) * force.transpose() * force;
+using MomentMatrix = Eigen::Matrix<double, moment_count(max_moment_order), moment_count(max_moment_order)>;
+
+/// Returns the mean over all directions n of the product of the transverse parts of F, S n and Q : nn, for
+/// each pair of basis elements. F and Q do not couple with S.
+const MomentMatrix& transverse_mean() {
+  static const MomentMatrix all = [] {
+    MomentMatrix mean = MomentMatrix::Zero();
+    constexpr int heights = 8, angles = 16;  // exact for polynomials of degree 6
+    for (const auto& [height, weight] : gauss_legendre(heights, -1, 1)) {
+      for (int k = 0; k < angles; ++k) {
+        const double phi = 2 * std::numbers::pi * k / angles, rho = std::sqrt(1 - height * height);
+        const Eigen::Vector3d n(rho * std::cos(phi), rho * std::sin(phi), height);
+        Eigen::Matrix<double, 3, moment_count(max_moment_order)> force =
+            Eigen::Matrix<double, 3, moment_count(max_moment_order)>::Zero();
+        force.leftCols<3>().setIdentity();
+        for (int m = 0; m < 5; ++m) {
+          force.col(3 + m) = basis()[m] * n;
+          for (int c = 0; c < 3; ++c) force(c, 8 + 5 * c + m) = n.dot(basis()[m] * n);
+        }
+        force -= n * (n.transpose() * force).eval();
+        mean += weight / (2 * angles) * force.transpose() * force;
+      }
     }
-  }
-  return mean;
+    mean.block<5, 3>(3, 0).setZero();
+    mean.block<3, 5>(0, 3).setZero();
+    mean.block<5, 15>(3, 8).setZero();
+    mean.block<15, 5>(8, 3).setZero();
+    return mean;
+  }();
+  return all;
 }
 
 }  // namespace
@@ -95,9 +108,31 @@ Eigen::MatrixXd moment_self_mobility(int order, double radius, double viscosity)
     mobility.block<5, 5>(3, 3).diagonal().setConstant(
         3 / (20 * std::numbers::pi * viscosity * std::pow(radius, 3)));
   if (order >= 2) {
-    static const Eigen::Matrix<double, 15, 15> mean = transverse_mean();
+    const Eigen::Matrix<double, 15, 15> mean = transverse_mean().block<15, 15>(8, 8);
     mobility.block<15, 15>(8, 8) = mean / (20 * std::numbers::pi * viscosity * radius);
   }
+  return mobility;
+}
+
+// The Fourier transform of the moments has the factors j_0(ka), 3 j_1(ka)/a and -j_2(ka).
+Eigen::MatrixXd moment_self_mobility_below(double wavenumber, int order, double radius, double viscosity) {
+  Eigen::Matrix3d integrals = Eigen::Matrix3d::Zero();
+  const int panels = static_cast<int>(std::ceil(wavenumber * radius));
+  for (int p = 0; p < panels; ++p) {
+    for (const auto& [k, weight] :
+         gauss_legendre(10, wavenumber * p / panels, wavenumber * (p + 1) / panels)) {
+      const double x = k * radius;
+      const Eigen::Vector3d factors(std::sph_bessel(0, x), 3 * std::sph_bessel(1, x) / radius,
+                                    -std::sph_bessel(2, x));
+      integrals += weight * factors * factors.transpose();
+    }
+  }
+  const int count = moment_count(order);
+  Eigen::MatrixXd mobility = transverse_mean().topLeftCorner(count, count);
+  for (int m = 0; m < count; ++m)
+    for (int k = 0; k < count; ++k)
+      mobility(m, k) *= integrals(degree_of_moment(m), degree_of_moment(k)) /
+                        (2 * std::numbers::pi * std::numbers::pi * viscosity);
   return mobility;
 }
 

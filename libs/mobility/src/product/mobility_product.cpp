@@ -9,9 +9,11 @@
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/near_field.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"
+#include "memory_field.hpp"
 #include "moment_product.hpp"
 #include "near_pairs.hpp"
 #include "sum_over_ranks.hpp"
+#include "unresolved_memory.hpp"
 
 namespace beadswim {
 namespace {
@@ -19,6 +21,11 @@ namespace {
 /// Smallest number of spheres for which a mesh is used in open space. For fewer spheres and forces alone, a
 /// sum over all pairs takes no longer.
 constexpr std::size_t min_spheres_on_mesh = 1000;
+
+/// Returns a view of the components of all vectors.
+auto flat(auto&& vectors) {
+  return std::span(vectors[0].data(), 3 * vectors.size());
+}
 
 void check(const MobilityScene& scene) {
   if (scene.radii.empty())
@@ -36,6 +43,7 @@ void check(const MobilityScene& scene) {
   if (scene.moment_order < 0 || scene.moment_order > max_moment_order)
     throw InputError("mobility", fmt::format("the order {} of the force moments is invalid; give 0, 1 or 2",
                                              scene.moment_order));
+  if (scene.memory && !scene.box) throw InputError("mobility", "fluid with memory needs a box");
   if (!scene.box) return;
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
@@ -45,7 +53,12 @@ void check(const MobilityScene& scene) {
 }
 
 int highest_moment(const MobilityScene& scene) {
-  return scene.model == MobilityModel::multipole ? scene.moment_order : 0;
+  return has_moment_order(scene.model) ? scene.moment_order : 0;
+}
+
+/// Returns the memory of a fluid of finite density; nullopt for steady flow.
+std::optional<FluidMemory> with_inertia(const std::optional<FluidMemory>& memory) {
+  return memory && memory->density > 0 ? memory : std::nullopt;
 }
 
 EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {
@@ -55,6 +68,7 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
                    .largest_radius = *std::ranges::max_element(scene.radii),
                    .moment_order = highest_moment(scene),
                    .tolerance = scene.tolerance};
+  if (scene.memory) ewald.max_spacing = scene.memory->spacing;
   if (scene.box) return ewald;
   const Bounds bounds(positions);
   for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.high[a] - bounds.low[a] + 2 * ewald.largest_radius;
@@ -73,13 +87,19 @@ struct MobilityProduct::Parts {
   /// Self-mobility of each sphere, minus the part of it that the far part of the Ewald sum contains
   /// [time/mass].
   std::vector<double> self;
+  std::optional<UnresolvedMemory> unresolved;  ///< of forces without moments; nullopt: without memory
   std::optional<NearField> near_field;
   std::optional<NearMap> near_map;  ///< map S of the forces at the positions mapped_places
   std::vector<Vec3> mapped_places;
 
   const NearMap& near_map_at(std::span<const Vec3> positions);
-  void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
+  void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces, FlowPart part,
                       std::span<Vec3> velocities) const;
+  void add_corrected_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                std::span<Vec3> velocities);
+  template <class Change>
+  ProductWork change_memory(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                            const Change& change);
 };
 
 MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> positions,
@@ -95,6 +115,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                          .mesh = {},
                          .moments = {},
                          .self = {},
+                         .unresolved = {},
                          .near_field = {},
                          .near_map = {},
                          .mapped_places = {}});
@@ -116,13 +137,16 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                                                                   .lengths = lengths,
                                                                   .xi = plan.xi,
                                                                   .cutoff = plan.cutoff});
-  ParticleMesh::Beads beads{{}, scene.viscosity};
+  ParticleMesh::Beads beads{{}, scene.viscosity, 0, with_inertia(scene.memory)};
   const bool is_sphere = has_finite_radii(scene.model);
   if (is_sphere)
     for (const double radius : radii) beads.squared_radii.push_back(radius * radius);
   parts_->mesh = std::make_unique<ParticleMesh>(plan, lengths, beads, communicator);
   for (std::size_t b = 0; b < scene.radii.size(); ++b)
     parts_->self[b] -= far_self_mobility(plan.xi, is_sphere ? radii[b] * radii[b] : 0, scene.viscosity);
+  if (beads.memory)
+    parts_->unresolved.emplace(scene.radii, 0, scene.viscosity, *beads.memory,
+                               parts_->mesh->memory()->cutoff());
 }
 
 MobilityProduct::~MobilityProduct() = default;
@@ -144,12 +168,12 @@ const NearMap& MobilityProduct::Parts::near_map_at(std::span<const Vec3> positio
 /// Adds the velocities of all spheres due to the forces, evaluated with pairs and mesh. `velocities` must be
 /// zero on entry.
 void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                                            std::span<Vec3> velocities) const {
+                                            FlowPart part, std::span<Vec3> velocities) const {
   std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
   for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
   if (mesh) {
     near_pairs->add_velocities(places, sources, velocities, communicator);
-    mesh->add_velocities(places, sources, velocities);
+    mesh->add_velocities(places, sources, part, velocities);
   } else {
     add_all_pairs(scene.model, scene.viscosity, scene.radii, places, sources, velocities, communicator);
   }
@@ -158,22 +182,90 @@ void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std
 }
 
 ProductWork MobilityProduct::apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                                   std::span<Vec3> velocities) const {
-  if (parts_->moments) return parts_->moments->solve(positions, forces, velocities);
+                                   std::span<Vec3> velocities, FlowPart part) const {
+  ProductWork work{.products = 1};
   std::ranges::fill(velocities, Vec3::Zero());
-  if (!parts_->near_field) {
-    parts_->add_velocities(positions, forces, velocities);
-    return {.products = 1};
+  if (parts_->moments) {
+    work = parts_->moments->solve(positions, forces, velocities, part);
+  } else if (!parts_->near_field) {
+    parts_->add_velocities(positions, forces, part, velocities);
+    if (parts_->unresolved) parts_->unresolved->add_projections(flat(forces), part, flat(velocities));
+  } else {
+    parts_->add_corrected_velocities(positions, forces, velocities);
   }
-  const NearMap& map = parts_->near_map_at(positions);
+  return work;
+}
+
+/// Adds the velocities by the model rpy+near.
+void MobilityProduct::Parts::add_corrected_velocities(std::span<const Vec3> positions,
+                                                      std::span<const Vec3> forces,
+                                                      std::span<Vec3> velocities) {
+  const NearMap& map = near_map_at(positions);
   std::vector<Vec3> mapped(forces.begin(), forces.end());
   map.map_forces(mapped);
-  parts_->add_velocities(positions, mapped, velocities);
+  add_velocities(positions, mapped, FlowPart::of_forces, velocities);
   map.map_velocities(velocities);
   // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
-  MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0,
-            parts_->communicator.get());
-  return {.products = 1};
+  MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0, communicator.get());
+}
+
+/// Evaluates the forces and their moments on the mesh, and calls change(memory, moments) for the memory on
+/// the mesh and for the unresolved memory.
+template <class Change>
+ProductWork MobilityProduct::Parts::change_memory(std::span<const Vec3> positions,
+                                                  std::span<const Vec3> forces, const Change& change) {
+  if (moments) {
+    if (!moments->unresolved()) return {};
+    const ProductWork work = moments->read_memory(positions, forces);
+    change(*moments->mesh()->memory(), *moments->unresolved(),
+           std::span(moments->history()).first(moments->history().size() / 2));
+    return work;
+  }
+  if (!unresolved) return {};
+  std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
+  for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
+  mesh->read_memory(places, flat(sources));
+  change(*mesh->memory(), *unresolved, flat(forces));
+  return {};
+}
+
+ProductWork MobilityProduct::start(std::span<const Vec3> positions, std::span<const Vec3> forces) {
+  return parts_->change_memory(
+      positions, forces,
+      [](MemoryField& modes, UnresolvedMemory& unresolved, std::span<const double> moments) {
+        modes.start();
+        unresolved.start(moments);
+      });
+}
+
+ProductWork MobilityProduct::end_step(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                      const Vec3& mean_flow) {
+  return parts_->change_memory(
+      positions, forces,
+      [&](MemoryField& modes, UnresolvedMemory& unresolved, std::span<const double> moments) {
+        modes.end_step(mean_flow);
+        unresolved.end_step(moments);
+      });
+}
+
+MemoryState MobilityProduct::memory_state() const {
+  if (parts_->moments && parts_->moments->unresolved())
+    return {.modes = parts_->moments->mesh()->memory()->state(),
+            .unresolved = parts_->moments->unresolved()->state(),
+            .moments = parts_->moments->history()};
+  if (!parts_->unresolved) return {};
+  return {.modes = parts_->mesh->memory()->state(), .unresolved = parts_->unresolved->state(), .moments = {}};
+}
+
+void MobilityProduct::restore(const MemoryState& state) {
+  if (parts_->moments) {
+    parts_->moments->mesh()->memory()->restore(state.modes);
+    parts_->moments->unresolved()->restore(state.unresolved);
+    parts_->moments->restore(state.moments);
+  } else {
+    parts_->mesh->memory()->restore(state.modes);
+    parts_->unresolved->restore(state.unresolved);
+  }
 }
 
 }  // namespace beadswim

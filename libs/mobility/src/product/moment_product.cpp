@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "memory_field.hpp"
 #include "sum_over_ranks.hpp"
 
 namespace beadswim {
@@ -35,11 +36,6 @@ void add_mirror_sources(const std::optional<Box>& box, int order, std::vector<do
   }
 }
 
-/// Returns the degree of moment m of a sphere.
-int degree_of(int m) {
-  return m < 3 ? 0 : (m < 8 ? 1 : 2);
-}
-
 /// Returns the factor of the self-mobility that depends on the radius: 1/a for F and Q, 1/a^3 for S.
 double self_mobility_scale(int degree, double radius) {
   return degree == 1 ? 1 / (radius * radius * radius) : 1 / radius;
@@ -66,24 +62,36 @@ MomentProduct::MomentProduct(const MobilityScene& scene, const std::optional<Ewa
       self_(moment_self_mobility(scene.moment_order, 1, scene.viscosity)),
       inverse_self_(self_.inverse()) {
   if (!plan) return;
-  ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order};
+  ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, scene.memory};
+  if (beads.memory && beads.memory->density == 0) beads.memory.reset();
   for (const double radius : with_images(scene.radii, scene.box))
     beads.squared_radii.push_back(radius * radius);
   mesh_ = std::make_unique<ParticleMesh>(*plan, mirrored_lengths(scene.box), beads, communicator);
+  if (beads.memory)
+    unresolved_.emplace(scene.radii, scene.moment_order, scene.viscosity, *beads.memory,
+                        mesh_->memory()->cutoff());
+}
+
+MomentProduct::Sources MomentProduct::sources_of(std::span<const Vec3> positions,
+                                                 std::span<const double> moments) const {
+  const int order = scene_.moment_order, count = moment_count(order), numbers = 3 * derivative_count(order);
+  Sources all{.places = {positions.begin(), positions.end()},
+              .sources = std::vector<double>(numbers * positions.size())};
+  add_mirror_images(scene_.box, all.places);
+  for (std::size_t b = 0; b < positions.size(); ++b)
+    source_of_moments(order, scene_.radii[b], &moments[count * b], &all.sources[numbers * b]);
+  add_mirror_sources(scene_.box, order, all.sources);
+  return all;
 }
 
 void MomentProduct::apply(std::span<const Vec3> positions, std::span<const double> moments,
-                          std::span<double> projections) const {
+                          std::span<double> projections, FlowPart part) const {
   const int order = scene_.moment_order, count = moment_count(order), numbers = 3 * derivative_count(order);
   const std::size_t spheres = positions.size();
-  std::vector<Vec3> places(positions.begin(), positions.end());
-  add_mirror_images(scene_.box, places);
-  std::vector<double> sources(numbers * spheres), flows(numbers * spheres, 0.0);
-  for (std::size_t b = 0; b < spheres; ++b)
-    source_of_moments(order, scene_.radii[b], &moments[count * b], &sources[numbers * b]);
-  add_mirror_sources(scene_.box, order, sources);
+  const auto [places, sources] = sources_of(positions, moments);
+  std::vector<double> flows(numbers * spheres, 0.0);
   pairs_.add_flows(places, sources, flows, communicator_);
-  if (mesh_) mesh_->add_flows(places, sources, flows);
+  if (mesh_) mesh_->add_flows(places, sources, part, flows);
   sum_over_ranks(flows, communicator_);
   if (mesh_) pairs_.subtract_far_flow(sources, flows);
   for (std::size_t b = 0; b < spheres; ++b) {
@@ -92,8 +100,9 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
     for (int m = 0; m < count; ++m)
       for (int k = 0; k < count; ++k)
         projections[count * b + m] +=
-            self_mobility_scale(degree_of(m), radius) * self_(m, k) * moments[count * b + k];
+            self_mobility_scale(degree_of_moment(m), radius) * self_(m, k) * moments[count * b + k];
   }
+  if (unresolved_) unresolved_->add_projections(moments, part, projections);
 }
 
 std::vector<double> MomentProduct::precondition(std::span<const double> projections) const {
@@ -102,7 +111,8 @@ std::vector<double> MomentProduct::precondition(std::span<const double> projecti
   for (std::size_t b = 0; count * b < projections.size(); ++b)
     for (int m = 3; m < count; ++m)
       for (int k = 3; k < count; ++k)
-        moments[count * b + m] += inverse_self_(m, k) / self_mobility_scale(degree_of(m), scene_.radii[b]) *
+        moments[count * b + m] += inverse_self_(m, k) /
+                                  self_mobility_scale(degree_of_moment(m), scene_.radii[b]) *
                                   projections[count * b + k];
   return moments;
 }
@@ -115,7 +125,7 @@ struct ConjugateGradients {
   std::vector<double> residual;   ///< -(M_HF F + M_HH H)
   std::vector<double> step;       ///< preconditioned residual
   std::vector<double> direction;  ///< direction of the next change of H
-  double square = 0;  ///< residual . step
+  double square = 0;              ///< residual . step
 };
 
 void add_velocities(double factor, std::span<const double> flow, std::span<Vec3> velocities) {
@@ -124,16 +134,57 @@ void add_velocities(double factor, std::span<const double> flow, std::span<Vec3>
     for (int a = 0; a < 3; ++a) velocities[b][a] += factor * flow[count * b + a];
 }
 
-double power(std::span<const Vec3> forces, std::span<const Vec3> velocities) {
-  double sum = 0;
-  for (std::size_t b = 0; b < forces.size(); ++b) sum += forces[b].dot(velocities[b]);
-  return sum;
-}
 
 }  // namespace
 
+/// Returns the power of the forces, to which the residual is compared. With memory of the fluid, whose flow
+/// can oppose the forces, it is the mean of F^2 mu and v^2/mu with the self-mobility mu of each sphere, which
+/// is at least as large.
+double MomentProduct::power(std::span<const Vec3> forces, std::span<const Vec3> velocities) const {
+  double sum = 0;
+  for (std::size_t b = 0; b < forces.size(); ++b) {
+    if (unresolved_) {
+      const double mobility = self_(0, 0) / scene_.radii[b];
+      sum += (mobility * forces[b].squaredNorm() + velocities[b].squaredNorm() / mobility) / 2;
+    } else {
+      sum += forces[b].dot(velocities[b]);
+    }
+  }
+  return sum;
+}
+
 ProductWork MomentProduct::solve(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                                 std::span<Vec3> velocities) const {
+                                 std::span<Vec3> velocities, FlowPart part) {
+  std::vector<double> moments(moment_count(scene_.moment_order) * positions.size(), 0.0);
+  if (part == FlowPart::of_forces || !unresolved_)
+    return solve_from(positions, forces, velocities, part, moments);
+  in_step_ = extrapolated_moments(positions.size());
+  return solve_from(positions, forces, velocities, part, in_step_);
+}
+
+std::vector<double> MomentProduct::extrapolated_moments(std::size_t spheres) const {
+  std::vector<double> moments(moment_count(scene_.moment_order) * spheres, 0.0);
+  for (std::size_t k = 0; 2 * k < history_.size(); ++k)
+    moments[k] = 2 * history_[k] - history_[moments.size() + k];
+  return moments;
+}
+
+ProductWork MomentProduct::read_memory(std::span<const Vec3> positions, std::span<const Vec3> forces) {
+  std::vector<double> moments = in_step_;
+  moments.resize(moment_count(scene_.moment_order) * positions.size(), 0.0);
+  std::vector<Vec3> velocities(positions.size());
+  const ProductWork work = solve_from(positions, forces, velocities, FlowPart::with_memory, moments);
+  const auto [places, sources] = sources_of(positions, moments);
+  mesh_->read_memory(places, sources);
+  if (history_.empty()) history_ = moments;
+  history_.resize(moments.size());
+  history_.insert(history_.begin(), moments.begin(), moments.end());
+  return work;
+}
+
+ProductWork MomentProduct::solve_from(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                      std::span<Vec3> velocities, FlowPart part,
+                                      std::vector<double>& moments) const {
   const int count = moment_count(scene_.moment_order);
   // Roundoff may differ between processors, so all ranks use the numbers of rank 0.
   const auto from_root = [&](double value) {
@@ -141,11 +192,10 @@ ProductWork MomentProduct::solve(std::span<const Vec3> positions, std::span<cons
     return value;
   };
   ConjugateGradients cg;
-  cg.direction.assign(count * positions.size(), 0.0);
   for (std::size_t b = 0; b < positions.size(); ++b)
-    for (int a = 0; a < 3; ++a) cg.direction[count * b + a] = forces[b][a];
-  std::vector<double> flow(cg.direction.size());
-  apply(positions, cg.direction, flow);
+    for (int a = 0; a < 3; ++a) moments[count * b + a] = forces[b][a];
+  std::vector<double> flow(moments.size());
+  apply(positions, moments, flow, part);
   std::ranges::fill(velocities, Vec3::Zero());
   add_velocities(1, flow, velocities);
   cg.residual = flow;
@@ -162,7 +212,10 @@ ProductWork MomentProduct::solve(std::span<const Vec3> positions, std::span<cons
     if (!work.is_converged) break;
     const double length = cg.square / curvature;
     add_velocities(length, flow, velocities);
-    for (std::size_t k = 0; k < flow.size(); ++k) cg.residual[k] -= length * flow[k];
+    for (std::size_t k = 0; k < flow.size(); ++k) {
+      cg.residual[k] -= length * flow[k];
+      moments[k] += length * cg.direction[k];
+    }
     cg.step = precondition(cg.residual);
     const double before = std::exchange(cg.square, from_root(dot(cg.residual, cg.step)));
     for (std::size_t k = 0; k < flow.size(); ++k)

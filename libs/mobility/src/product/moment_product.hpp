@@ -10,6 +10,7 @@
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/mobility/particle_mesh.hpp"
 #include "moment_sum.hpp"
+#include "unresolved_memory.hpp"
 
 namespace beadswim {
 
@@ -26,22 +27,50 @@ class MomentProduct {
                 const Communicator& communicator);
 
   /// Arguments as of MobilityProduct::apply(). Collective.
-  ProductWork solve(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                    std::span<Vec3> velocities) const;
+  ProductWork solve(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
+                    FlowPart part = FlowPart::of_forces);
 
-  /// Sets `projections` to M `moments`, moment_count() numbers per sphere each. Collective.
-  void apply(std::span<const Vec3> positions, std::span<const double> moments,
-             std::span<double> projections) const;
+  /// Sets `projections` to M `moments`, moment_count() numbers per sphere each, with the projections of the
+  /// flow that earlier forces have left if `part` asks for it. Collective.
+  void apply(std::span<const Vec3> positions, std::span<const double> moments, std::span<double> projections,
+             FlowPart part = FlowPart::of_forces) const;
+
+  /// Finds the moments at the end of a step and evaluates them on the mesh, for MemoryField::start() or
+  /// end_step(). Collective.
+  ProductWork read_memory(std::span<const Vec3> positions, std::span<const Vec3> forces);
+
+  /// Moments at the end of the last two steps, from which the solution for the next step begins, the last
+  /// step first; equal on all ranks.
+  const std::vector<double>& history() const { return history_; }
+  void restore(std::vector<double> history) { history_ = std::move(history); }
+
+  ParticleMesh* mesh() const { return mesh_.get(); }
+  std::optional<UnresolvedMemory>& unresolved() { return unresolved_; }
 
  private:
+  double power(std::span<const Vec3> forces, std::span<const Vec3> velocities) const;
+  /// Returns the moments at the end of a step, extrapolated from earlier steps.
+  std::vector<double> extrapolated_moments(std::size_t spheres) const;
+  /// As solve(), beginning with the higher moments in `moments`, and returns all moments there.
+  ProductWork solve_from(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                         std::span<Vec3> velocities, FlowPart part, std::vector<double>& moments) const;
+  /// Positions and sources of all spheres and their mirror images.
+  struct Sources {
+    std::vector<Vec3> places;
+    std::vector<double> sources;
+  };
+  Sources sources_of(std::span<const Vec3> positions, std::span<const double> moments) const;
   /// Returns the moments H that would cause `projections` on each sphere alone; F is zero.
   std::vector<double> precondition(std::span<const double> projections) const;
 
   MobilityScene scene_;
   const Communicator& communicator_;
   MomentSum pairs_;
-  std::unique_ptr<ParticleMesh> mesh_;   ///< null: all pairs are summed without a mesh
-  Eigen::MatrixXd self_, inverse_self_;  ///< self-mobility of a sphere of radius 1, and its inverse
+  std::unique_ptr<ParticleMesh> mesh_;          ///< null: all pairs are summed without a mesh
+  std::optional<UnresolvedMemory> unresolved_;  ///< nullopt: steady flow
+  Eigen::MatrixXd self_, inverse_self_;         ///< self-mobility of a sphere of radius 1, and its inverse
+  std::vector<double> history_;  ///< moments at the end of the last step, and of the step before
+  std::vector<double> in_step_;  ///< moments that the last solution with memory has found
 };
 
 }  // namespace beadswim

@@ -1,11 +1,8 @@
 #include "beadswim/mobility/particle_mesh.hpp"
 
-#include <fftw3-mpi.h>
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <complex>
-#include <new>
 #include <numbers>
 #include <numeric>
 
@@ -13,83 +10,13 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/ewald_split.hpp"
 #include "beadswim/mobility/force_moments.hpp"
+#include "memory_field.hpp"
+#include "mesh_transform.hpp"
 #include "moment_kernels.hpp"
+#include "source_classes.hpp"
 
 namespace beadswim {
 namespace {
-
-using Complex = std::complex<double>;
-
-struct FftwFree {
-  void operator()(double* memory) const { fftw_free(memory); }
-};
-using FftwArray = std::unique_ptr<double[], FftwFree>;
-
-struct PlanFree {
-  void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
-};
-using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanFree>;
-
-Complex* as_complex(const FftwArray& array) {
-  return reinterpret_cast<Complex*>(array.get());
-}
-
-/// In-place Fourier transforms of real meshes. Each rank owns planes of the mesh, perpendicular to the first
-/// axis. Of the Fourier transform, each rank owns planes perpendicular to the second axis.
-class Transform {
- public:
-  Transform(const std::array<int, 3>& points, const Communicator& communicator) : points_(points) {
-    static const bool started = (fftw_mpi_init(), true);
-    (void)started;
-    const std::array<std::ptrdiff_t, 3> n{points[0], points[1], points[2]};
-    size_ = fftw_mpi_local_size_3d_transposed(n[0], n[1], n[2] / 2 + 1, communicator.get(), &planes_,
-                                              &first_plane_, &waves_, &first_wave_);
-    const FftwArray scratch = array();
-    auto* complex = reinterpret_cast<fftw_complex*>(scratch.get());
-    // FFTW_ESTIMATE selects an algorithm without timing, so every run uses the same algorithm and gets the
-    // same bits.
-    forward_.reset(fftw_mpi_plan_dft_r2c_3d(n[0], n[1], n[2], scratch.get(), complex, communicator.get(),
-                                            FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_OUT));
-    backward_.reset(fftw_mpi_plan_dft_c2r_3d(n[0], n[1], n[2], complex, scratch.get(), communicator.get(),
-                                             FFTW_ESTIMATE | FFTW_MPI_TRANSPOSED_IN));
-  }
-
-  FftwArray array() const {
-    FftwArray memory(fftw_alloc_real(2 * std::max<std::ptrdiff_t>(size_, 1)));
-    if (!memory) throw std::bad_alloc();
-    return memory;
-  }
-  std::ptrdiff_t reals() const { return 2 * size_; }
-  void forward(const FftwArray& a) const {
-    fftw_mpi_execute_dft_r2c(forward_.get(), a.get(), reinterpret_cast<fftw_complex*>(a.get()));
-  }
-  void backward(const FftwArray& a) const {
-    fftw_mpi_execute_dft_c2r(backward_.get(), reinterpret_cast<fftw_complex*>(a.get()), a.get());
-  }
-
-  int planes() const { return static_cast<int>(planes_); }
-  int first_plane() const { return static_cast<int>(first_plane_); }
-  std::ptrdiff_t wave_count() const { return waves_ * points_[0] * (points_[2] / 2 + 1); }
-
-  /// Calls visit(place, i, j, k) for each wavevector of this rank. `place` is the index of the wavevector in
-  /// the array. i, j and k are the components along x, y and z in units of 2 pi/edge of the mesh; they have a
-  /// sign.
-  template <class Visitor>
-  void for_each_wave(const Visitor& visit) const {
-    const auto signed_index = [](int i, int n) { return 2 * i > n ? i - n : i; };
-    std::ptrdiff_t place = 0;
-    for (int j = 0; j < waves_; ++j)
-      for (int i = 0; i < points_[0]; ++i)
-        for (int k = 0; k <= points_[2] / 2; ++k, ++place)
-          visit(place, signed_index(i, points_[0]),
-                signed_index(static_cast<int>(first_wave_) + j, points_[1]), k);
-  }
-
- private:
-  std::array<int, 3> points_;
-  std::ptrdiff_t size_ = 0, planes_ = 0, first_plane_ = 0, waves_ = 0, first_wave_ = 0;
-  FftwPlan forward_, backward_;
-};
 
 /// Returns the product of a symmetric tensor, stored as (xx, xy, xz, yy, yz, zz), and a vector.
 template <class T>
@@ -108,30 +35,40 @@ std::array<Complex, 3> times(const std::array<T, 6>& t, const std::array<Complex
 //
 // With force moments, F is the source of a bead, and 6 c_l a^2 (force_moments.hpp) replaces a^2. Forces are
 // the source of order 0.
+//
+// With memory of the fluid, each class of sources has its own field, because its form factor matters at all
+// wavenumbers. F is the sum of all fields, D the sum of the fields times their 6 c_l a^2.
 struct ParticleMesh::Mesh {
   EwaldPlan plan;
   Vec3 lengths;
   Beads beads;
   const Communicator& communicator;
   bool is_periodic;
-  int fields = 1;
+  std::size_t fields = 1;
+  std::optional<SourceClasses> classes;  ///< nullopt: F, or F and D
   double shared_size = 0;  ///< a_i^2 + a_j^2, equal for all pairs if there is one field [length^2]
   WindowMesh geometry;
   std::array<double, 3> spacing{};  ///< h [length]
-  std::unique_ptr<Transform> transform;
+  std::unique_ptr<MeshTransform> transform;
   std::vector<std::array<FftwArray, 3>> values;  ///< mesh values per field: forces, replaced by velocities
   std::vector<int> order;                        ///< beads sorted by rows of the mesh, for memory locality
   std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: Fourier transforms of K and L
+  std::unique_ptr<MemoryField> memory;                     ///< null: steady flow
 
   void set_points(const std::array<int, 3>& points);
   void fit_to_beads(std::span<const Vec3> positions);
   void sample_kernel();
   void spread(std::span<const Vec3> positions, std::span<const double> sources);
   void gather(std::span<const Vec3> positions, std::span<double> flows);
-  double size_of_bead(int field, int bead, int derivative) const;
+  double weight_of(std::size_t field, int bead, std::size_t derivative) const;
   void sort(std::span<const Vec3> positions);
-  void multiply();
+  void transform_forces();
+  void multiply(FlowPart part);
+  void set_memory();
   void multiply_periodic();
+  void multiply_classes();
+  template <class Kernel>
+  void for_each_kernel(const Kernel& kernel) const;
   void multiply_open();
 };
 
@@ -143,18 +80,24 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads bea
                      .communicator = communicator,
                      .is_periodic = lengths[0] > 0,
                      .fields = 1,
+                     .classes = {},
                      .shared_size = 0,
                      .geometry = {},
                      .spacing = {},
                      .transform = {},
                      .values = {},
                      .order = {},
-                     .kernel = {}}) {
+                     .kernel = {},
+                     .memory = {}}) {
   const std::vector<double>& squares = mesh_->beads.squared_radii;
   const auto [smallest, largest] = std::ranges::minmax_element(squares);
   const bool is_shared = mesh_->beads.moment_order == 0 && !squares.empty() && *smallest == *largest;
   if (is_shared) mesh_->shared_size = 2 * *largest;
   if (!squares.empty() && !is_shared) mesh_->fields = 2;
+  if (mesh_->beads.memory) {
+    mesh_->classes.emplace(squares, mesh_->beads.moment_order);
+    mesh_->fields = mesh_->classes->size();
+  }
   if (!mesh_->is_periodic) return;
   std::array<int, 3> points;
   for (int a = 0; a < 3; ++a) {
@@ -162,12 +105,13 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads bea
     mesh_->spacing[a] = lengths[a] / points[a];
   }
   mesh_->set_points(points);
+  if (mesh_->beads.memory) mesh_->set_memory();
 }
 
 ParticleMesh::~ParticleMesh() = default;
 
 void ParticleMesh::Mesh::set_points(const std::array<int, 3>& points) {
-  transform = std::make_unique<Transform>(points, communicator);
+  transform = std::make_unique<MeshTransform>(points, communicator);
   geometry.window = plan.window;
   geometry.row_length = 2 * (points[2] / 2 + 1);  // padded for transforms in place
   geometry.first_plane = transform->first_plane();
@@ -198,6 +142,17 @@ double share_of(const EwaldPlan& plan, const WindowMesh& mesh, int axis) {
 
 }  // namespace
 
+void ParticleMesh::Mesh::set_memory() {
+  MemoryField::Law law{.fluid = *beads.memory,
+                       .viscosity = beads.viscosity,
+                       .lengths = lengths,
+                       .points = {geometry.points[0], geometry.points[1], geometry.points[2]},
+                       .exponent = {},
+                       .classes = classes->classes()};
+  for (int a = 0; a < 3; ++a) law.exponent[a] = share_of(plan, geometry, a) / (8 * plan.xi * plan.xi);
+  memory = std::make_unique<MemoryField>(law, *transform);
+}
+
 void ParticleMesh::Mesh::fit_to_beads(std::span<const Vec3> positions) {
   const auto& [low, high] = Bounds(positions);
   constexpr double max_points = 1e10;
@@ -225,7 +180,7 @@ void ParticleMesh::Mesh::sample_kernel() {
   const auto& n = geometry.points;
   const double scale = std::pow(plan.spacing, 3) / (double(n[0]) * n[1] * n[2]);
   std::array<FftwArray, 6> samples;
-  for (int k = 0; k < fields; ++k) {
+  for (std::size_t k = 0; k < fields; ++k) {
     for (FftwArray& s : samples) s = transform->array();
     const auto displacement = [&](int i, int axis) {
       return (2 * i >= n[axis] ? i - n[axis] : i) * plan.spacing;
@@ -281,9 +236,11 @@ std::vector<Vec3> in_order(const std::vector<int>& order, std::span<const Vec3> 
 
 }  // namespace
 
-/// Returns the factor of a derivative of a bead in a field: 1, or 6 c_l a^2 in the second field.
-double ParticleMesh::Mesh::size_of_bead(int field, int bead, int derivative) const {
-  return field == 0 ? 1 : 6 * size_factors[derivative_table.order[derivative]] * beads.squared_radii[bead];
+/// Returns the factor of a derivative of a bead in a field: 1 in F, 6 c_l a^2 in D, or the share of a class.
+double ParticleMesh::Mesh::weight_of(std::size_t field, int bead, std::size_t derivative) const {
+  const int degree = derivative_table.order[derivative];
+  if (classes) return classes->share(field, bead, degree);
+  return field == 0 ? 1 : 6 * size_factors[degree] * beads.squared_radii[bead];
 }
 
 void ParticleMesh::Mesh::spread(std::span<const Vec3> positions, std::span<const double> sources) {
@@ -291,11 +248,10 @@ void ParticleMesh::Mesh::spread(std::span<const Vec3> positions, std::span<const
   const std::vector<Vec3> places = in_order(order, positions);
   const std::size_t count = derivative_count(beads.moment_order);
   std::vector<double> sorted(3 * count * order.size());
-  for (int f = 0; f < fields; ++f) {
+  for (std::size_t f = 0; f < fields; ++f) {
     for (std::size_t s = 0; s < order.size(); ++s)
       for (std::size_t n = 0; n < 3 * count; ++n)
-        sorted[3 * count * s + n] =
-            size_of_bead(f, order[s], static_cast<int>(n % count)) * sources[3 * count * order[s] + n];
+        sorted[3 * count * s + n] = weight_of(f, order[s], n % count) * sources[3 * count * order[s] + n];
     std::array<double*, 3> onto;
     for (int c = 0; c < 3; ++c) {
       onto[c] = values[f][c].get();
@@ -311,7 +267,7 @@ void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<doubl
   std::erase_if(order, [&](int b) { return 3 * count * b >= flows.size(); });
   const std::vector<Vec3> places = in_order(order, positions);
   const double volume = spacing[0] * spacing[1] * spacing[2];
-  for (int f = 0; f < fields; ++f) {
+  for (std::size_t f = 0; f < fields; ++f) {
     const std::array<const double*, 3> from{values[f][0].get(), values[f][1].get(), values[f][2].get()};
     std::vector<double> sums(3 * count * places.size(), 0.0);
     moment_kernels().gather_moments(beads.moment_order, geometry, {std::ssize(places), places[0].data()},
@@ -319,19 +275,42 @@ void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<doubl
     for (std::size_t s = 0; s < places.size(); ++s)
       for (std::size_t n = 0; n < 3 * count; ++n)
         flows[3 * count * order[s] + n] +=
-            volume * size_of_bead(f, order[s], static_cast<int>(n % count)) * sums[3 * count * s + n];
+            volume * weight_of(f, order[s], n % count) * sums[3 * count * s + n];
   }
 }
 
-void ParticleMesh::Mesh::multiply() {
+void ParticleMesh::Mesh::transform_forces() {
   for (auto& field : values)
     for (FftwArray& component : field) transform->forward(component);
-  is_periodic ? multiply_periodic() : multiply_open();
+  if (memory) memory->read_forces(values);
+}
+
+void ParticleMesh::Mesh::multiply(FlowPart part) {
+  if (!is_periodic) {
+    multiply_open();
+  } else if (classes) {
+    multiply_classes();
+  } else {
+    multiply_periodic();
+  }
+  if (memory) memory->add_flow(values, part == FlowPart::with_memory);
   for (auto& field : values)
     for (FftwArray& component : field) transform->backward(component);
 }
 
-void ParticleMesh::Mesh::multiply_periodic() {
+namespace {
+
+std::array<Complex, 3> transverse(const Vec3& k, double k2, const std::array<Complex, 3>& f) {
+  const Complex along = (k[0] * f[0] + k[1] * f[1] + k[2] * f[2]) / k2;
+  return {f[0] - along * k[0], f[1] - along * k[1], f[2] - along * k[2]};
+}
+
+}  // namespace
+
+/// Calls kernel(place, k, k2, factor) for each wavevector k of this rank, with k2 = k^2 and the factor of the
+/// flow of point forces; the factor is 0 for k = 0, so that the mean flow is zero.
+template <class Kernel>
+void ParticleMesh::Mesh::for_each_kernel(const Kernel& kernel) const {
   std::array<double, 3> wave, remaining;  // wavenumber per index; exponent of the kernel per squared index
   for (int a = 0; a < 3; ++a) {
     wave[a] = 2 * std::numbers::pi / lengths[a];
@@ -340,35 +319,51 @@ void ParticleMesh::Mesh::multiply_periodic() {
   const auto& n = geometry.points;
   const double scale = 1 / (double(n[0]) * n[1] * n[2]);  // h^3/V: mesh cell over box volume
   transform->for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
+    const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
+    const double k2 = k.squaredNorm();
+    if (k2 == 0) return kernel(place, Vec3(1, 0, 0), 1.0, 0.0);
+    const double exponent = i * i * remaining[0] + j * j * remaining[1] + l * l * remaining[2];
+    kernel(place, k, k2, scale * far_spectrum(plan.xi, k2, exponent, beads.viscosity));
+  });
+}
+
+void ParticleMesh::Mesh::multiply_periodic() {
+  for_each_kernel([&](std::ptrdiff_t place, const Vec3& k, double k2, double factor) {
     std::array<Complex*, 3> force, second;
     for (int c = 0; c < 3; ++c) {
       force[c] = as_complex(values[0][c]) + place;
       second[c] = fields == 2 ? as_complex(values[1][c]) + place : nullptr;
     }
-    if (i == 0 && j == 0 && l == 0) {  // wavevector 0: the mean flow is zero
-      for (int c = 0; c < 3; ++c) *force[c] = 0;
-      if (fields == 2)
-        for (int c = 0; c < 3; ++c) *second[c] = 0;
-      return;
-    }
-    const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
-    const double k2 = k.squaredNorm();
-    const double exponent = i * i * remaining[0] + j * j * remaining[1] + l * l * remaining[2];
-    const double factor = scale * far_spectrum(plan.xi, k2, exponent, beads.viscosity);
-    const auto transverse = [&](const std::array<Complex*, 3>& f) {
-      const Complex along = (k[0] * *f[0] + k[1] * *f[1] + k[2] * *f[2]) / k2;
-      return std::array<Complex, 3>{*f[0] - along * k[0], *f[1] - along * k[1], *f[2] - along * k[2]};
-    };
-    const auto F = transverse(force);
+    const auto F = transverse(k, k2, {*force[0], *force[1], *force[2]});
     if (fields == 1) {
       for (int c = 0; c < 3; ++c) *force[c] = factor * (1 - shared_size * k2 / 6) * F[c];
       return;
     }
-    const auto D = transverse(second);
+    const auto D = transverse(k, k2, {*second[0], *second[1], *second[2]});
     for (int c = 0; c < 3; ++c) {
       *force[c] = factor * (F[c] - k2 / 6 * D[c]);
       *second[c] = -factor * k2 / 6 * F[c];
     }
+  });
+}
+
+void ParticleMesh::Mesh::multiply_classes() {
+  std::vector<double> sizes;  // 6 c_l a^2 of each class
+  for (const SourceClass& each : classes->classes())
+    sizes.push_back(6 * size_factors[each.degree] * each.radius * each.radius);
+  for_each_kernel([&](std::ptrdiff_t place, const Vec3& k, double k2, double factor) {
+    std::array<Complex, 3> sum{}, sized{};
+    for (std::size_t f = 0; f < fields; ++f) {
+      for (int c = 0; c < 3; ++c) {
+        const Complex value = as_complex(values[f][c])[place];
+        sum[c] += value;
+        sized[c] += sizes[f] * value;
+      }
+    }
+    const auto F = transverse(k, k2, sum), D = transverse(k, k2, sized);
+    for (std::size_t f = 0; f < fields; ++f)
+      for (int c = 0; c < 3; ++c)
+        as_complex(values[f][c])[place] = factor * (F[c] - k2 / 6 * (D[c] + sizes[f] * F[c]));
   });
 }
 
@@ -392,17 +387,28 @@ void ParticleMesh::Mesh::multiply_open() {
 }
 
 void ParticleMesh::add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                                  std::span<Vec3> velocities) {
-  add_flows(positions, {forces[0].data(), 3 * forces.size()}, {velocities[0].data(), 3 * velocities.size()});
+                                  FlowPart part, std::span<Vec3> velocities) {
+  add_flows(positions, {forces[0].data(), 3 * forces.size()}, part,
+            {velocities[0].data(), 3 * velocities.size()});
 }
 
-void ParticleMesh::add_flows(std::span<const Vec3> positions, std::span<const double> sources,
+void ParticleMesh::add_flows(std::span<const Vec3> positions, std::span<const double> sources, FlowPart part,
                              std::span<double> flows) {
   Mesh& mesh = *mesh_;
   if (!mesh.is_periodic) mesh.fit_to_beads(positions);
   mesh.spread(positions, sources);
-  mesh.multiply();
+  mesh.transform_forces();
+  mesh.multiply(part);
   mesh.gather(positions, flows);
+}
+
+void ParticleMesh::read_memory(std::span<const Vec3> positions, std::span<const double> sources) {
+  mesh_->spread(positions, sources);
+  mesh_->transform_forces();
+}
+
+MemoryField* ParticleMesh::memory() const {
+  return mesh_->memory.get();
 }
 
 }  // namespace beadswim

@@ -41,6 +41,11 @@ constexpr int moment_count(int order) {
   return std::array{3, 8, 23}[order];
 }
 
+/// Returns the degree of moment m of a sphere.
+constexpr int degree_of_moment(int m) {
+  return m < 3 ? 0 : (m < 8 ? 1 : 2);
+}
+
 /// c_l of the equation above.
 constexpr std::array<double, 3> size_factors{1.0 / 6, 1.0 / 10, 1.0 / 14};
 
@@ -57,5 +62,8 @@ void project_flow(int order, double radius, const double* flow, double* projecti
 /// Returns the matrix from the moments of a sphere to the projections of its own flow in open space, as
 /// blocks of moments of equal degree: F gives 1/(6 pi eta a), S gives 3/(20 pi eta a^3).
 Eigen::MatrixXd moment_self_mobility(int order, double radius, double viscosity);
+
+/// Returns the part of moment_self_mobility() by wavenumbers below `wavenumber`. In it, F and Q couple.
+Eigen::MatrixXd moment_self_mobility_below(double wavenumber, int order, double radius, double viscosity);
 
 }  // namespace beadswim

@@ -10,6 +10,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
+#include "beadswim/mobility/fluid_memory.hpp"
 #include "beadswim/mobility/mobility_model.hpp"
 
 // Velocities v_i of many spheres in Stokes flow from the forces f_j on them. a_i are the radii, eta is the
@@ -23,6 +24,7 @@
 //   rpy        Rotne-Prager-Yamakawa tensor of spheres; mu is positive definite even if spheres overlap
 //   rpy+near   S^T mu S instead of mu, with mu of rpy and a map S of the forces (near_field.hpp)
 //   multipole  higher moments of the forces keep the surfaces of the spheres rigid (force_moments.hpp)
+//   unsteady   as multipole, in a fluid with inertia (fluid_memory.hpp)
 //
 // The map S makes the mobility of close spheres exact along the lines between their centres. S^T mu S is
 // positive definite. The additional cost of the map is small.
@@ -49,7 +51,9 @@ struct MobilityScene {
   /// Index of the first sphere of each swimmer of three consecutive spheres that stay on a line. The model
   /// rpy_near corrects such a swimmer as a whole, and all other close spheres as pairs.
   std::vector<int> lines{};
-  int moment_order = 0;  ///< model multipole: highest moment of the force on each sphere, 0 to 2
+  int moment_order =
+      0;  ///< models multipole and unsteady: highest moment of the force on each sphere, 0 to 2
+  std::optional<FluidMemory> memory{};  ///< model unsteady
 };
 
 /// Work of products. Only products with force moments need iterations.
@@ -65,6 +69,13 @@ struct ProductWork {
     residual = std::max(residual, other.residual);
     is_converged = is_converged && other.is_converged;
   }
+};
+
+/// State of the memory of the fluid, on one rank.
+struct MemoryState {
+  std::vector<double> modes;       ///< of the flow on the mesh, those of this rank
+  std::vector<double> unresolved;  ///< flow of each sphere that the mesh does not resolve
+  std::vector<double> moments;     ///< moments of the spheres in earlier steps
 };
 
 class MobilityProduct {
@@ -84,8 +95,16 @@ class MobilityProduct {
   /// `forces` in [mass length/time^2]. All arrays contain all spheres and are equal on all ranks. On an equal
   /// number of ranks, equal arguments give the same bits. On different numbers of ranks, results agree to
   /// roundoff, and with force moments to the tolerance. All ranks must call the function (collective).
-  ProductWork apply(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                    std::span<Vec3> velocities) const;
+  ProductWork apply(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
+                    FlowPart part = FlowPart::of_forces) const;
+
+  /// Begins with fluid at rest, on which the forces begin to act. Only with memory; collective.
+  ProductWork start(std::span<const Vec3> positions, std::span<const Vec3> forces);
+  /// Ends a time step, at whose end the spheres exert `forces` on the fluid. `mean_flow`: mean velocity of
+  /// the fluid, with the insides of the spheres. Only with memory; collective.
+  ProductWork end_step(std::span<const Vec3> positions, std::span<const Vec3> forces, const Vec3& mean_flow);
+  MemoryState memory_state() const;
+  void restore(const MemoryState& state);
 
   /// Returns the parameters of the Ewald sum; nullopt if all pairs are summed directly, without an Ewald sum.
   const std::optional<EwaldPlan>& plan() const;

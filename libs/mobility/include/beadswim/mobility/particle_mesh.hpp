@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
+#include "beadswim/mobility/fluid_memory.hpp"
 
 // Far part of an Ewald sum for the velocities of beads, evaluated on a mesh ("spectral Ewald"). Each bead
 // acts on the mesh points near it, weighted by a Gaussian W around its centre (its window). The forces are
@@ -35,13 +37,16 @@
 
 namespace beadswim {
 
+class MemoryField;
+
 class ParticleMesh {
  public:
   /// Radii of the beads and viscosity of the fluid.
   struct Beads {
-    std::vector<double> squared_radii;  ///< a_i^2 of each bead [length^2]; empty: point forces (Oseen)
-    double viscosity = 0;               ///< dynamic [mass/(length time)]
-    int moment_order = 0;               ///< highest moment of the forces (force_moments.hpp)
+    std::vector<double> squared_radii;    ///< a_i^2 of each bead [length^2]; empty: point forces (Oseen)
+    double viscosity = 0;                 ///< dynamic [mass/(length time)]
+    int moment_order = 0;                 ///< highest moment of the forces (force_moments.hpp)
+    std::optional<FluidMemory> memory{};  ///< periodic box only; nullopt: steady flow
   };
 
   /// Sets up the mesh for the parameters `plan`. `lengths` are the edges of the periodic box [length]. They
@@ -57,12 +62,18 @@ class ParticleMesh {
   /// [length] and `forces` [mass length/time^2] contain all beads and are equal on all ranks. `velocities`
   /// may be shorter than these arrays: it contains only the first beads, whose velocities are required. All
   /// ranks must call the function (collective).
-  void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
+  void add_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces, FlowPart part,
                       std::span<Vec3> velocities);
 
   /// Does the same for force moments up to Beads::moment_order. `sources` contains the sources of all beads.
   /// The flows at the first beads are added to `flows` (force_moments.hpp).
-  void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows);
+  void add_flows(std::span<const Vec3> positions, std::span<const double> sources, FlowPart part,
+                 std::span<double> flows);
+
+  /// Evaluates the forces on the mesh for MemoryField::start() or end_step(). Collective.
+  void read_memory(std::span<const Vec3> positions, std::span<const double> sources);
+  /// Returns the memory of the fluid; null for steady flow.
+  MemoryField* memory() const;
 
  private:
   struct Mesh;

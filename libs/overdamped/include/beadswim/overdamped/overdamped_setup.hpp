@@ -13,8 +13,10 @@ struct MobilitySettings {
   /// Largest error of the bead velocities that the product of mobility and forces returns, divided by the
   /// root mean square of these velocities.
   double tolerance = 1e-4;
-  /// Model multipole: highest moment of the force on each bead, 0 to 2 (mobility/force_moments.hpp).
+  /// Models multipole and unsteady: highest moment of the force on each bead, 0 to 2
+  /// (mobility/force_moments.hpp).
   int multipole_order = 1;
+  bool reynolds_stress = true;  ///< model unsteady: Reynolds stress of the flow (mobility/fluid_memory.hpp)
   /// Time steps per shortest driving period of all swimmers; nullopt: at least `default_steps_per_cycle`, so
   /// many that each frame is taken at the end of a step.
   std::optional<int> steps_per_cycle;

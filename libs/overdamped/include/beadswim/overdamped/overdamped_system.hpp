@@ -12,7 +12,7 @@
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
-// Swimmers in a fluid without inertia. The velocities v of the beads depend on the present positions x of all
+// Swimmers in a fluid without inertia, or with memory (mobility/fluid_memory.hpp). Without inertia, the velocities v of the beads depend on the present positions x of all
 // beads and on the present forces F:
 //
 //   dx/dt = v,   v = mu(x) F(x, v, t)
@@ -32,10 +32,14 @@
 //   C       damping of the dashpots
 //   h       time step
 //
+// With memory of the fluid, mu is the mobility in a step, v' contains the flow that earlier forces have left,
+// and F the inertia of the beads beyond that of the displaced fluid. All begins at rest.
+//
 // The forces at the end of the step are solved for all swimmers together. The time step may therefore exceed
 // the relaxation times of the springs, even if swimmers are close. One product mu F per step suffices if the
 // flow changes smoothly. Otherwise a step evaluates a few more products (implicit_step.hpp). Each of the
-// first two steps is extrapolated to third order from implicit Euler steps.
+// first two steps is extrapolated to third order from implicit Euler steps; with memory, earlier positions are
+// those at rest.
 //
 // References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
 // Page: docs/method/mobility-swarms.md.
@@ -67,7 +71,7 @@ struct OverdampedState {
   /// Smallest gap of any contact in any step [length]; infinity without contacts.
   double smallest_gap = std::numeric_limits<double>::infinity();
   std::array<Beads, 3> positions;   ///< positions now, one step ago and two steps ago [length]
-  std::array<Beads, 2> velocities;  ///< velocities now and one step ago [length/time]
+  std::array<Beads, 3> velocities;  ///< velocities now, one step ago and two steps ago [length/time]
   /// Part of the velocities of the beads that is due to the flow of all other swimmers: now, one step and two
   /// steps ago [length/time].
   std::array<Beads, 3> distant;
@@ -90,6 +94,7 @@ struct OverdampedState {
 
 class ImplicitStep;
 struct ImplicitStepResult;
+struct StepHistory;
 struct StepRule;
 
 class OverdampedSystem {
@@ -107,6 +112,18 @@ class OverdampedSystem {
   const OverdampedScene& scene() const { return scene_; }
   const OverdampedState& state() const { return state_; }
   const MobilityProduct& mobility() const { return mobility_; }
+
+  /// Returns the mean velocity of fluid and beads, where beads count with the mass of the displaced fluid; 0
+  /// without memory of the fluid.
+  Vec3 mean_flow() const;
+  /// Returns the momentum of fluid and beads [mass length/time]; 0 without memory of the fluid.
+  Vec3 momentum() const;
+
+  /// Returns the memory of the fluid on rank 0, and an empty list on other ranks. Collective.
+  std::vector<double> gather_memory() const;
+  /// Replaces the memory of the fluid, for example by that of a checkpoint. `memory` is equal on all ranks.
+  /// Throws SolverError if its size is different. Collective.
+  void restore_memory(std::span<const double> memory);
 
   /// Return positions [length] and velocities [length/time]: one vector per bead, in order of the
   /// swimmers.
@@ -127,7 +144,7 @@ class OverdampedSystem {
     Beads displacements, velocities, distant;
   };
 
-  ImplicitStepResult solve_step(const StepRule& rule, const Beads& from, const Beads& guess,
+  ImplicitStepResult solve_step(const StepRule& rule, const StepHistory& history, const Beads& guess,
                                 const Beads& distant);
   void solve_initial_velocities();
   bool moves_far(const Beads& from, const Beads& to) const;

@@ -53,12 +53,13 @@ ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b);
 
 /// Returns the relative error of the velocity in a run with a mobility model by its time steps and by the
 /// accuracy of the products of mobility and forces.
-double velocity_error_of_steps(const MobilitySettings& settings);
+double velocity_error_of_steps(MobilityModel model, const MobilitySettings& settings);
 
 /// Returns the expected relative error of a run with a mobility model. It is the sum of 1.15 times the
 /// relative difference between the model and `best`, the uncertainty of `best` and, for the velocity, the
-/// errors by the time step and by the tolerance of mobility products. Throws InputError if beads touch,
-/// because no periodic motion exists then.
+/// errors by the time step and by the tolerance of mobility products. The model unsteady is more accurate
+/// than `best`; its error follows from its approximations alone. Throws InputError if beads touch, because no
+/// periodic motion exists then.
 ErrorEstimate mobility_error(const Question& question, const BestPrediction& best, MobilityModel model,
                              const MobilitySettings& settings);
 

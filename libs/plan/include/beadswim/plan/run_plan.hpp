@@ -24,8 +24,11 @@ struct PlanRequest {
   RunSettings settings;
   std::optional<RunModel> model;       ///< nullopt: all models
   std::optional<Precision> precision;  ///< nullopt: both precisions
-  std::optional<double> tolerance;     ///< largest accepted relative error; nullopt: 0.03
-  bool has_advice = false;             ///< true: RunPlan::hard and RunPlan::proposals are filled
+  /// Highest moment of the forces in the models multipole and unsteady; nullopt: the default for multipole,
+  /// every order for unsteady.
+  std::optional<int> multipole_order;
+  std::optional<double> tolerance;  ///< largest accepted relative error; nullopt: 0.03
+  bool has_advice = false;          ///< true: RunPlan::hard and RunPlan::proposals are filled
 
   /// Throws InputError if the user has set an option that has no effect in a run with these settings.
   std::function<void(const RunSettings&)> require_choices_apply;

@@ -13,6 +13,7 @@ enum class RunModel {
   rpy,
   rpy_near,
   multipole,
+  unsteady,
   oseen,
   automatic,  ///< the cheapest model whose expected error is within the tolerance
 };
@@ -23,6 +24,7 @@ inline constexpr auto name_table<RunModel> =
                                          {RunModel::rpy, "rpy"},
                                          {RunModel::rpy_near, "rpy+near"},
                                          {RunModel::multipole, "multipole"},
+                                         {RunModel::unsteady, "unsteady"},
                                          {RunModel::oseen, "oseen"},
                                          {RunModel::automatic, "auto"}});
 

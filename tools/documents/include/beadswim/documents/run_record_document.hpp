@@ -148,9 +148,10 @@ struct NearContactRecord {
 struct MobilityRecord {
   double time_step = 0;  ///< [time]
   std::int64_t steps_per_cycle = 0;
-  double tolerance = 0;                         ///< relative error of bead velocities
-  std::int64_t products = 0;                    ///< number of evaluations of mobility times forces
-  std::optional<int> multipole_order;           ///< highest moment of the force on each bead; nullopt: other models
+  double tolerance = 0;                 ///< relative error of bead velocities
+  std::int64_t products = 0;            ///< number of evaluations of mobility times forces
+  std::optional<int> multipole_order;   ///< highest moment of the force on each bead; nullopt: other models
+  std::optional<bool> reynolds_stress;  ///< only with the model unsteady
   std::optional<std::int64_t> iterations;       ///< number of iterations of all products
   std::optional<double> residual;               ///< largest residual of a product
   std::optional<double> cut_off, mesh_spacing;  ///< parameters of the Ewald sum [length]; nullopt: direct sum
@@ -162,6 +163,7 @@ struct MobilityRecord {
     visit("tolerance", mobility.tolerance);
     visit("products", mobility.products);
     visit("multipole_order", mobility.multipole_order, omitted_if_none);
+    visit("reynolds_stress", mobility.reynolds_stress, omitted_if_none);
     visit("iterations", mobility.iterations, omitted_if_none);
     visit("residual", mobility.residual, omitted_if_none);
     visit("cut_off", mobility.cut_off);

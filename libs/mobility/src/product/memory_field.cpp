@@ -1,0 +1,160 @@
+#include "memory_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace beadswim {
+
+StepFactors step_factors(double z) {
+  if (z < 1e-3)  // series: the differences cancel
+    return {std::exp(-z), 1 - z / 2 * (1 - z / 3 * (1 - z / 4)), 0.5 - z / 6 * (1 - z / 4 * (1 - z / 5))};
+  const double delay = -std::expm1(-z) / z;
+  return {std::exp(-z), delay, (1 - delay) / z};
+}
+
+namespace {
+
+/// Form factor P_l of a source of degree l: j_0(x), 3 j_1(x)/x or 15 j_2(x)/x^2.
+double form_factor(int degree, double x) {
+  if (degree == 0) return std::sph_bessel(0, x);
+  return degree == 1 ? 3 * std::sph_bessel(1, x) / x : 15 * std::sph_bessel(2, x) / (x * x);
+}
+
+template <class Vector>
+void make_transverse(const Vec3& k, Vector& v) {
+  const auto along = (k[0] * v[0] + k[1] * v[1] + k[2] * v[2]) / k.squaredNorm();
+  for (int c = 0; c < 3; ++c) v[c] -= along * k[c];
+}
+
+}  // namespace
+
+MemoryField::MemoryField(const Law& law, const MeshTransform& transform) : law_(law), transform_(transform) {
+  const auto& n = law.points;
+  Vec3 wave;
+  cutoff_ = INFINITY;
+  for (int a = 0; a < 3; ++a) {
+    wave[a] = 2 * std::numbers::pi / law.lengths[a];
+    cutoff_ = std::min(cutoff_, wave[a] * (n[a] / 3.0) * (1 - 1e-12));
+  }
+  const double scale = 1 / (double(n[0]) * n[1] * n[2]);
+  const double diffusion = law.viscosity / law.fluid.density * law.fluid.step;  // nu h
+  transform.for_each_wave([&](std::ptrdiff_t place, int i, int j, int l) {
+    const Vec3 k(i * wave[0], j * wave[1], l * wave[2]);
+    const double k2 = k.squaredNorm();
+    if (k2 == 0) has_mean_ = true;
+    if (k2 == 0 || k2 > cutoff_ * cutoff_) return;
+    for (const SourceClass& each : law.classes)
+      forms_.push_back(form_factor(each.degree, std::sqrt(k2) * each.radius));
+    const StepFactors step = step_factors(diffusion * k2);
+    double exponent = 0;
+    for (int a = 0; a < 3; ++a) exponent += law.exponent[a] * k[a] * k[a];
+    const double window = std::exp(exponent);
+    modes_.push_back({.place = place,
+                      .k = k,
+                      .window = window,
+                      .unit = scale * window / (law.viscosity * k2),
+                      .decay = step.decay,
+                      .delay = step.delay,
+                      .ramp = step.ramp});
+  });
+  for (auto* fields : {&steady_, &left_, &stress_before_}) fields->assign(modes_.size(), Velocity::Zero());
+}
+
+void MemoryField::read_forces(Values values) {
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const Mode& mode = modes_[m];
+    const double* const forms = &forms_[m * values.size()];
+    Velocity& steady = steady_[m];
+    for (int c = 0; c < 3; ++c) {
+      Complex force = 0;
+      for (std::size_t f = 0; f < values.size(); ++f)
+        force += forms[f] * as_complex(values[f][c])[mode.place];
+      steady[c] = mode.unit * force;
+    }
+    make_transverse(mode.k, steady);
+  }
+}
+
+void MemoryField::add_flow(Values values, bool with_memory) const {
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const Mode& mode = modes_[m];
+    const double* const forms = &forms_[m * values.size()];
+    for (int c = 0; c < 3; ++c) {
+      Complex flow = -mode.delay * steady_[m][c];
+      if (with_memory) flow += left_[m][c];
+      flow *= mode.window;
+      for (std::size_t f = 0; f < values.size(); ++f) as_complex(values[f][c])[mode.place] += forms[f] * flow;
+    }
+  }
+}
+
+void MemoryField::start() {
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    left_[m] = (modes_[m].delay - modes_[m].decay) * steady_[m];
+    stress_before_[m].setZero();
+  }
+}
+
+void MemoryField::end_step(const Vec3& mean_flow) {
+  std::vector<Velocity> flow;
+  if (law_.fluid.has_reynolds_stress) flow.resize(modes_.size());
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const Mode& mode = modes_[m];
+    if (!flow.empty()) flow[m] = left_[m] + (1 - mode.delay) * steady_[m];
+    left_[m] = mode.decay * left_[m] + mode.delay * (1 - mode.decay) * steady_[m];
+  }
+  if (law_.fluid.has_reynolds_stress) add_reynolds_stress(flow, mean_flow);
+}
+
+void MemoryField::add_reynolds_stress(std::span<const Velocity> flow, const Vec3& mean_flow) {
+  for (FftwArray& component : work_) {
+    if (!component) component = transform_.array();
+    std::fill_n(component.get(), transform_.reals(), 0.0);
+  }
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const Vec3& k = modes_[m].k;
+    for (int c = 0; c < 3; ++c) {
+      const int d = (c + 1) % 3, e = (c + 2) % 3;
+      as_complex(work_[c])[modes_[m].place] = flow[m][c];
+      as_complex(work_[3 + c])[modes_[m].place] = Complex(0, 1) * (k[d] * flow[m][e] - k[e] * flow[m][d]);
+    }
+  }
+  if (has_mean_)
+    for (int c = 0; c < 3; ++c) as_complex(work_[c])[0] = mean_flow[c];
+  for (const FftwArray& component : work_) transform_.backward(component);
+  for (std::ptrdiff_t p = 0; p < transform_.reals(); ++p) {
+    const Vec3 u(work_[0][p], work_[1][p], work_[2][p]), curl(work_[3][p], work_[4][p], work_[5][p]);
+    const Vec3 force = -law_.fluid.density * curl.cross(u);
+    for (int c = 0; c < 3; ++c) work_[c][p] = force[c];
+  }
+  for (int c = 0; c < 3; ++c) transform_.forward(work_[c]);
+  const double scale = 1 / (double(law_.points[0]) * law_.points[1] * law_.points[2]);
+  for (std::size_t m = 0; m < modes_.size(); ++m) {
+    const Mode& mode = modes_[m];
+    Velocity stress;
+    for (int c = 0; c < 3; ++c) stress[c] = scale * as_complex(work_[c])[mode.place];
+    make_transverse(mode.k, stress);
+    left_[m] += law_.fluid.step / law_.fluid.density *
+                (mode.delay * stress + mode.ramp * (stress - stress_before_[m]));
+    stress_before_[m] = stress;
+  }
+}
+
+std::vector<double> MemoryField::state() const {
+  std::vector<double> state;
+  state.reserve(12 * modes_.size());
+  for (std::size_t m = 0; m < modes_.size(); ++m)
+    for (const auto* field : {&left_, &stress_before_})
+      for (int c = 0; c < 3; ++c) state.insert(state.end(), {(*field)[m][c].real(), (*field)[m][c].imag()});
+  return state;
+}
+
+void MemoryField::restore(std::span<const double> state) {
+  std::size_t next = 0;
+  for (std::size_t m = 0; m < modes_.size(); ++m)
+    for (auto* field : {&left_, &stress_before_})
+      for (int c = 0; c < 3; ++c, next += 2) (*field)[m][c] = {state[next], state[next + 1]};
+}
+
+}  // namespace beadswim

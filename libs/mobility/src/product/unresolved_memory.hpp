@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "beadswim/mobility/fluid_memory.hpp"
+
+namespace beadswim {
+
+// clang-format off
+/// Memory of the fluid at wavenumbers above the cutoff k_c of the mesh, in the flow of each sphere at itself. The part
+/// mu of the self-mobility (moment_self_mobility) above the cutoff decays as one mode. Its rate gives the velocity of
+/// a force the exact delay at low frequency:
+///
+///   1/rate = integral_kc^oo j_0(ka)^2/(nu k^2) dk / integral_kc^oo j_0(ka)^2 dk
+// clang-format on
+class UnresolvedMemory {
+ public:
+  /// `order`: highest moment of the forces.
+  UnresolvedMemory(std::span<const double> radii, int order, double viscosity, const FluidMemory& fluid,
+                   double cutoff);
+
+  /// Adds the flow by this memory (fluid_memory.hpp) to the projections on the moments of all spheres.
+  void add_projections(std::span<const double> moments, FlowPart part, std::span<double> projections) const;
+  void start(std::span<const double> moments);
+  void end_step(std::span<const double> moments);
+
+  /// g, projections of the flow that earlier forces leave at the end of the next step.
+  const std::vector<double>& state() const { return left_; }
+  void restore(std::vector<double> state) { left_ = std::move(state); }
+
+ private:
+  struct Sphere {
+    Eigen::MatrixXd mobility;  ///< mu, from moments to projections
+    StepFactors step;          ///< of the mode
+  };
+  /// Sets g = share of g + factor mu moments, for the factors of each sphere.
+  template <class Share, class Factor>
+  void update(const Share& share, const Factor& factor, std::span<const double> moments);
+
+  std::vector<std::shared_ptr<const Sphere>> spheres_;  ///< spheres of equal radius share one
+  std::size_t count_;                                   ///< moments of a sphere
+  std::vector<double> left_;
+};
+
+}  // namespace beadswim
