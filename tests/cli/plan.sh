@@ -15,7 +15,7 @@ err_has '<- cheapest'
 err_has '^hard: swimmer 0: inertia'
 cp out plan.json
 check "no run was made" test "$(echo *.h5md*)" = '*.h5md*'
-check "all models are in it" holds '[.runs[].model] | unique == ["lbm", "oseen", "rpy", "rpy+near"]' plan.json
+check "all models are in it" holds '[.runs[].model] | unique == ["lbm", "oseen", "rpy", "rpy+near", "unsteady"]' plan.json
 check "many resolutions are" holds '[.runs[] | .resolution // empty] | length > 40 and (map(.cells_per_radius * 16 | . % 3 == 0) | all)' plan.json
 check "more cells cost more and err less" holds '[.runs[] | select(.resolution.relaxation_time == 1 and .resolution.precision == "double")]
   | (map(.cost.core_seconds) | . == sort) and (map(.error.velocity) | . == (sort | reverse))' plan.json
@@ -42,7 +42,7 @@ done
 run beadswim-run cell.json --plan --cells-per-radius 3 --relaxation-time 0.8 --bead-boundary psm --precision single
 check "one lattice is left" holds '[.runs[] | select(.model == "lbm")] | length == 1 and (.[0].flags
   == "--model lbm --cells-per-radius 3 --relaxation-time 0.8 --precision single --bead-boundary psm")' out
-check "mobility models are refused" holds '[.runs[] | select(.model != "lbm") | .refused] | length == 3 and all(test("applies to the lattice only"))' out
+check "mobility models are refused" holds '[.runs[] | select(.model != "lbm") | .refused] | length == 6 and all(test("applies to the lattice only"))' out
 run beadswim-run cell.json --plan --model rpy
 check "one model is left" holds '[.runs[].model] == ["rpy"]' out
 

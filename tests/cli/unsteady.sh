@@ -78,6 +78,8 @@ limit 'the radius 6 of a bead is .* times the penetration depth .*--model lbm' '
 limit 'the largest bead radius is 5 times the smallest, .*--model lbm' '.types[].beads[0].radius = 1.2'
 limit 'a bead of density 0.01 .*is too light for the time steps .* at least .*--model lbm' '.types[].beads[1].density = 0.01 | .types[].driving.period = 400'
 limit 'the box needs a mesh of .* points .*--model rpy' '.domain.lengths = [6000, 6000, 6000]'
+beadswim-layout shape sphere >towed.json
+refuses '^beadswim-run: towed.json: driving forces that do not sum to zero need a box .*--model rpy' beadswim-run towed.json --model unsteady -o x.h5md
 jq '.domain.boundary[1] = "no-slip"' swarm.json >limit.json
 refuses 'no-slip, but mobility models lack such walls; .*--model lbm' beadswim-run limit.json --model unsteady -o x.h5md
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <complex>
 #include <numbers>
@@ -9,6 +10,7 @@
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/mobility/oscillating_spheres.hpp"
 #include "memory_field.hpp"
+#include "moment_product.hpp"
 #include "oscillation.hpp"
 
 // Spheres in a fluid with memory, against sums over wavevectors, exact multipoles and laws.
@@ -373,6 +375,34 @@ TEST_F(FluidMemoryTest, HasNoReynoldsStressInAVortexOfTaylorAndGreen) {
       },
       Vec3::Zero());
   for (const Eigen::Vector3cd& stress : stresses) EXPECT_LT(stress.norm(), 1e-14);
+}
+
+// Without positive definite mobilities, time steps would be unstable.
+TEST_F(FluidMemoryTest, HasAPositiveDefiniteMobilityOfBeadsInContact) {
+  for (const int order : {1, 2}) {
+    for (const double diffusion : {0.01, 0.1, 1.0}) {  // nu h/a^2
+      Spheres chain{.edge = 24, .places = {{5, 5, 5}, {7, 5, 5}, {9, 5, 5}}, .forces = {}, .order = order};
+      const MobilityScene scene = chain.scene(diffusion);
+      const EwaldPlan plan = plan_ewald({.lengths = Vec3::Constant(chain.edge),
+                                         .beads = 3,
+                                         .largest_radius = 1,
+                                         .moment_order = order,
+                                         .max_spacing = chain.spacing});
+      const MomentProduct product(scene, plan, world);
+      const int size = 3 * moment_count(order);
+      Eigen::MatrixXd mobility(size, size);
+      for (int m = 0; m < size; ++m) {
+        const Eigen::VectorXd moments = Eigen::VectorXd::Unit(size, m);
+        product.apply(chain.places, {moments.data(), moments.data() + size},
+                      {mobility.col(m).data(), mobility.col(m).data() + size});
+      }
+      const Eigen::VectorXd scale = mobility.diagonal().cwiseSqrt().cwiseInverse();
+      const Eigen::MatrixXd scaled = scale.asDiagonal() * mobility * scale.asDiagonal();
+      EXPECT_LT((scaled - scaled.transpose()).norm(), 1e-3);
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver((scaled + scaled.transpose()) / 2);
+      EXPECT_GT(solver.eigenvalues()[0], 0) << "order " << order << ", nu h/a^2 " << diffusion;
+    }
+  }
 }
 
 TEST_F(FluidMemoryTest, NeedsABox) {

@@ -142,6 +142,24 @@ TEST(MobilityError, GrowsWithInertia) {
   }
 }
 
+// docs/fluid-inertia.md and docs/stated-uncertainty.md hold what runs with it are off.
+TEST(MobilityError, OfFluidWithMemoryDecreasesWithTheOrderOfMoments) {
+  const Question question = only_question(single(Vec3(60, 40, 40)));
+  const BestPrediction best = best_prediction(question);
+  const auto error = [&](int order, int steps) {
+    return mobility_error(question, best, MobilityModel::unsteady,
+                          {.multipole_order = order, .steps_per_cycle = steps});
+  };
+  EXPECT_GT(error(0, 100).velocity, 4 * error(1, 100).velocity);
+  EXPECT_GT(error(1, 100).velocity, 1.5 * error(2, 100).velocity);
+  EXPECT_LT(error(2, 100).velocity, 0.02);
+  EXPECT_LT(error(2, 100).arm_amplitudes[1], 0.002);
+  EXPECT_NEAR(error(2, 50).velocity - error(2, 100).velocity, 3 * 5e-4, 1e-6);
+  // With a short period, penetration depth matters.
+  const Question fast = only_question(single(Vec3(60, 40, 40), 200));
+  EXPECT_GT(mobility_error(fast, best_prediction(fast), MobilityModel::unsteady, {}).arm_amplitudes[1], 0.03);
+}
+
 ResolvedRun resolved(double cells_per_radius, double relaxation_time) {
   constexpr double radius = 4, nu = 1.0 / 3;
   const double cell = radius / cells_per_radius, step = (relaxation_time - 0.5) / 3 * cell * cell / nu;

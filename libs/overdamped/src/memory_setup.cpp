@@ -53,6 +53,17 @@ void check_light_beads(const OverdampedScene& scene, double density, const std::
   }
 }
 
+/// Throws InputError if swimmers are towed, whose flow reaches the images of a cube that replaces open space.
+void check_net_forces(const OverdampedScene& scene, const std::string& source) {
+  for (const SwimmerType& type : scene.types) {
+    if (!type.driving.net_force_allowed) continue;
+    throw InputError(
+        source, fmt::format("driving forces that do not sum to zero need a box in the model unsteady, which "
+                            "replaces open space by a periodic cube; give a box, or use {} rpy",
+                            Setting::model));
+  }
+}
+
 }  // namespace
 
 Box box_for_open_space(const OverdampedScene& scene) {
@@ -84,11 +95,18 @@ FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, boo
                             "unsteady resolves up to {} times; use {} lbm",
                             radii.largest / radii.smallest, max_radius_ratio, Setting::model));
   check_light_beads(scene, density, source);
+  if (!layout.domain) check_net_forces(scene, source);
   const FluidMemory memory{.density = density,
                            .step = scene.step,
                            .spacing = std::min(per_radius * radii.smallest, per_depth * depth),
                            .has_reynolds_stress = has_reynolds_stress};
   const double points = (mirrored_lengths(scene.box) / memory.spacing).prod();
+  if (points > max_mesh_points && !layout.domain)
+    throw InputError(source,
+                     fmt::format("the periodic cube of edge {:.4g} that replaces open space in the model "
+                                 "unsteady needs a mesh of {:.2g} points, above the limit of {:.2g}; "
+                                 "move the swimmers closer, give a box, or use {} rpy",
+                                 scene.box->lengths[0], points, max_mesh_points, Setting::model));
   if (points > max_mesh_points)
     throw InputError(source,
                      fmt::format("the box needs a mesh of {:.2g} points of spacing {:.4g} for the model "

@@ -83,6 +83,12 @@ ImplicitStepResult OverdampedSystem::solve_step(const StepRule& rule, const Step
   return result;
 }
 
+/// Adds the work of a solution for the moments at the end of a step.
+void OverdampedSystem::add_work(const ProductWork& work) {
+  state_.work.add(work);
+  is_converged_ = is_converged_ && work.is_converged;
+}
+
 /// Sets the velocities of the beads at their initial positions, as the velocities of a time step of length
 /// zero. In a fluid with memory, beads and fluid begin at rest.
 void OverdampedSystem::solve_initial_velocities() {
@@ -90,7 +96,7 @@ void OverdampedSystem::solve_initial_velocities() {
   const StepRule rule{.weight = 1, .span = 0, .time = time()};
   if (scene_.memory) {
     const Beads forces = implicit_step_->forces_at_rest(rule, state_.positions[0]);
-    state_.work.add(mobility_.start(state_.positions[0], forces));
+    add_work(mobility_.start(state_.positions[0], forces));
     return;
   }
   ImplicitStepResult result = solve_step(rule, {nowhere, {}}, nowhere, state_.distant[0]);
@@ -157,8 +163,7 @@ void OverdampedSystem::take_bdf_step() {
                                          weighted_sum({{3, &d}, {-3, &d1}, {1, &d2}}));
   state_.smallest_gap = std::min(state_.smallest_gap, result.smallest_gap);
   if (scene_.memory)
-    state_.work.add(
-        mobility_.end_step(result.places, result.forces, implicit_step_->mean_flow(result.velocities)));
+    add_work(mobility_.end_step(result.places, result.forces, implicit_step_->mean_flow(result.velocities)));
   accept({.displacements = std::move(result.displacements),
           .velocities = std::move(result.velocities),
           .distant = std::move(result.distant)});

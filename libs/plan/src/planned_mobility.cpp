@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/coupling/lattice_memory.hpp"
 #include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/overdamped/overdamped_setup.hpp"
 #include "beadswim/plan/reason_against.hpp"
@@ -15,35 +17,46 @@
 namespace beadswim {
 namespace {
 
-/// Returns the measured core-seconds of one product of the mobility matrix and the forces on all beads; with
-/// memory of the fluid, of one product and the end of a step, with forces that oscillate. Collective.
-double product_seconds(const OverdampedScene& scene, const Communicator& communicator) {
+/// Core-seconds of one product of the mobility matrix and the forces on all beads, and of the end of a time
+/// step with memory of the fluid.
+struct StepCost {
+  double product = 0, end_of_step = 0;
+};
+
+/// Measures the cost of products with forces that oscillate. Collective.
+StepCost measured_cost(const OverdampedScene& scene, const Communicator& communicator) {
   const Beads places = rest_positions(scene);
   Beads forces(places.size()), velocities(places.size());
   MobilityProduct product(mobility_scene(scene), places, communicator);
   int count = 0;
+  StepCost cost;
   const auto evaluate = [&] {
     const double factor = std::cos(2 * std::numbers::pi / 100 * count++);
     for (std::size_t b = 0; b < forces.size(); ++b)
       forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2 : 1) * factor;
+    const double begin = MPI_Wtime();
     product.apply(places, forces, velocities, FlowPart::with_memory);
+    const double middle = MPI_Wtime();
     if (scene.memory) product.end_step(places, forces, Vec3::Zero());
+    cost.product += middle - begin;
+    cost.end_of_step += MPI_Wtime() - middle;
   };
   evaluate();  // the first products also prepare tables, and moments from which later ones begin
   if (scene.memory) evaluate();
-  const auto seconds_of = [&](int products) {
+  const auto measure = [&](int products) {
+    cost = {};
     MPI_Barrier(communicator.get());
-    const double begin = MPI_Wtime();
     for (int n = 0; n < products; ++n) evaluate();
     MPI_Barrier(communicator.get());
-    double seconds = (MPI_Wtime() - begin) / products;
-    MPI_Bcast(&seconds, 1, MPI_DOUBLE, 0, communicator.get());
-    return seconds;
+    cost = {.product = communicator.size() * cost.product / products,
+            .end_of_step = communicator.size() * cost.end_of_step / products};
+    MPI_Bcast(&cost, sizeof(StepCost), MPI_BYTE, 0, communicator.get());
+    return cost.product / communicator.size();
   };
-  const double once = seconds_of(1);
+  const double once = measure(1);
   constexpr double timing_interval = 0.02;
-  return communicator.size() *
-         (once > timing_interval ? once : seconds_of(static_cast<int>(timing_interval / once) + 1));
+  if (once <= timing_interval) measure(static_cast<int>(timing_interval / once) + 1);
+  return cost;
 }
 
 /// Returns the reason why no mobility model is accurate for this scene; empty if there is none.
@@ -55,8 +68,12 @@ std::string mobility_obstacle(const SceneFacts& facts) {
 
 /// Returns the memory for the mesh and the modes of a fluid with memory [byte].
 double mesh_bytes(const OverdampedScene& scene) {
-  constexpr double bytes_per_point = 120;
   if (!scene.memory) return 0;
+  std::set<double> radii;
+  for (const double radius : bead_radii(scene)) radii.insert(radius);
+  const double classes =
+      (scene.moment_order + 1.0) * static_cast<double>(std::min<std::size_t>(radii.size(), 4));
+  const double bytes_per_point = 24 * classes + 75;
   return bytes_per_point * (mirrored_lengths(scene.box) / scene.memory->spacing).prod();
 }
 
@@ -74,9 +91,9 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator&
   const std::size_t beads = bead_radii(setup.scene).size();
   const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
   const double steps = static_cast<double>(total_steps(run.settings.cycles, setup.steps_per_cycle));
-  run.core_seconds =
-      start_seconds * communicator.size() + rest_of_step * swimmers * steps +
-      (products_per_step * steps + first_products) * product_seconds(setup.scene, communicator);
+  const StepCost cost = measured_cost(setup.scene, communicator);
+  run.core_seconds = start_seconds * communicator.size() + rest_of_step * swimmers * steps +
+                     (products_per_step * steps + first_products) * cost.product + steps * cost.end_of_step;
   run.memory_bytes = static_cast<double>(beads) * (setup.scene.box ? bytes_in_box : bytes_in_open) +
                      std::ldexp(static_cast<double>(beads), mirror_count(setup.scene.box)) *
                          bytes_of_moments[setup.scene.moment_order] * communicator.size() +
@@ -97,6 +114,9 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
     const OverdampedSetup setup =
         overdamped_setup(layout, model, settings, run.settings.frames_per_cycle, source);
     run.error = mobility_scene_error(facts, model, settings);
+    if (const double needed = mesh_bytes(setup.scene); needed > installed_bytes())
+      throw InputError(fmt::format(
+          "the mesh of the fluid's memory needs {:.3g} GB, more than this machine has", 1e-9 * needed));
     add_cost(run, setup, communicator);
   });
   return run;
@@ -107,9 +127,10 @@ PlannedRun mobility_run(const Layout& layout, const SceneFacts& facts, const Pla
 ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
                                    const MobilitySettings& settings) {
   if (const std::string film = mobility_obstacle(facts); !film.empty()) throw InputError(film);
-  return scene_error(facts, [&](const SwimmerFacts& swimmer_facts) {
+  const auto error_of = [&](const SwimmerFacts& swimmer_facts) {
     return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
-  });
+  };
+  return scene_error(facts, error_of, model != MobilityModel::unsteady);
 }
 
 std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,

@@ -58,15 +58,17 @@ inline bool is_simplified(const Representative& representative) {
 constexpr double approximation_factor = 2;
 
 /// Returns the largest expected errors of the swimmers that represent the scene. `error_of` returns the
-/// ErrorEstimate for one SwimmerFacts. All its errors are multiplied by approximation_factor if the
-/// prediction is for a simplified scene, and by the growth of a tilt in half a period if forces act at an
-/// angle to the axis. The error of the velocity is also multiplied by the growth of disorder in the run.
+/// ErrorEstimate for one SwimmerFacts. If it follows from a prediction of the motion, all its errors are
+/// multiplied by approximation_factor if the prediction is for a simplified scene, and by the growth of a
+/// tilt in half a period if forces act at an angle to the axis. The error of the velocity is also multiplied
+/// by the growth of disorder in the run.
 template <class ErrorOf>
-ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of) {
+ErrorEstimate scene_error(const SceneFacts& facts, const ErrorOf& error_of, bool is_predicted = true) {
   ErrorEstimate error;
   for (const SwimmerFacts& swimmer_facts : facts.swimmer_facts) {
-    const double factor = (is_simplified(swimmer_facts.representative) ? approximation_factor : 1) *
-                          (swimmer_facts.representative.is_slanted ? swimmer_facts.tilt_growth : 1);
+    double factor = 1;
+    if (is_predicted && is_simplified(swimmer_facts.representative)) factor = approximation_factor;
+    if (is_predicted && swimmer_facts.representative.is_slanted) factor *= swimmer_facts.tilt_growth;
     error = componentwise_max(error, scaled(factor, error_of(swimmer_facts)));
   }
   error.velocity *= facts.disorder_growth;

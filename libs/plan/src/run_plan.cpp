@@ -71,7 +71,8 @@ void add_hard_cases_of(RunPlan& plan, const SwimmerFacts& swimmer_facts) {
   }
   if (!swimmer_facts.representative.approximation.empty())
     add("error estimates are for a swimmer " + swimmer_facts.representative.approximation +
-        ", because theory cannot treat the swimmer in this scene; to be safe, these estimates are doubled");
+        ", because theory cannot treat the swimmer in this scene; to be safe, these estimates are doubled, "
+        "except for the model unsteady");
   if (constexpr double tips_over = 20; swimmer_facts.tilt_growth > tips_over)
     add(fmt::format(
         "driving along a fixed direction compresses the swimmer for so long that a small tilt grows {:.2g} "

@@ -258,6 +258,7 @@ MemoryState MobilityProduct::memory_state() const {
 }
 
 void MobilityProduct::restore(const MemoryState& state) {
+  if (state.unresolved.empty()) return;  // steady flow
   if (parts_->moments) {
     parts_->moments->mesh()->memory()->restore(state.modes);
     parts_->moments->unresolved()->restore(state.unresolved);

@@ -134,7 +134,6 @@ void add_velocities(double factor, std::span<const double> flow, std::span<Vec3>
     for (int a = 0; a < 3; ++a) velocities[b][a] += factor * flow[count * b + a];
 }
 
-
 }  // namespace
 
 /// Returns the power of the forces, to which the residual is compared. With memory of the fluid, whose flow

@@ -1,5 +1,6 @@
 #include "unresolved_memory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -9,6 +10,10 @@
 
 namespace beadswim {
 namespace {
+
+/// Smallest rate of the mode times the time step. With slower decay, the flow between close beads at
+/// wavenumbers above the cutoff, which has no memory, could exceed that of each bead at itself.
+constexpr double min_decay = 1;
 
 /// Returns the mean of 1/k^2 with the weight j_0(k)^2, over the wavenumbers k above the cutoff.
 double mean_square_wavelength(double cutoff) {
@@ -34,10 +39,13 @@ UnresolvedMemory::UnresolvedMemory(std::span<const double> radii, int order, dou
     std::shared_ptr<const Sphere>& sphere = by_radius[a];
     if (!sphere) {
       const double rate = viscosity / fluid.density / (mean_square_wavelength(cutoff * a) * a * a);
-      sphere =
-          std::make_shared<Sphere>(Sphere{.mobility = moment_self_mobility(order, a, viscosity) -
-                                                      moment_self_mobility_below(cutoff, order, a, viscosity),
-                                          .step = step_factors(rate * fluid.step)});
+      const StepFactors step = step_factors(std::max(rate * fluid.step, min_decay));
+      const Eigen::MatrixXd steady =
+          moment_self_mobility(order, a, viscosity) - moment_self_mobility_below(cutoff, order, a, viscosity);
+      Eigen::VectorXd in_step = Eigen::VectorXd::Ones(steady.rows());
+      in_step.head<3>().setConstant(std::sqrt(1 - step.delay));
+      sphere = std::make_shared<Sphere>(
+          Sphere{.delayed = steady - in_step.asDiagonal() * steady * in_step.asDiagonal(), .step = step});
     }
     spheres_.push_back(sphere);
   }
@@ -49,7 +57,7 @@ void UnresolvedMemory::add_projections(std::span<const double> moments, FlowPart
   for (std::size_t b = 0; b < spheres_.size(); ++b) {
     const Eigen::Map<const Eigen::VectorXd> of_sphere(&moments[count_ * b], count);
     Eigen::Map<Eigen::VectorXd> onto(&projections[count_ * b], count);
-    onto -= spheres_[b]->step.delay * (spheres_[b]->mobility * of_sphere);
+    onto -= spheres_[b]->delayed * of_sphere;
     if (part == FlowPart::with_memory) onto += Eigen::Map<const Eigen::VectorXd>(&left_[count_ * b], count);
   }
 }
@@ -58,21 +66,21 @@ template <class Share, class Factor>
 void UnresolvedMemory::update(const Share& share, const Factor& factor, std::span<const double> moments) {
   const auto count = static_cast<Eigen::Index>(count_);
   for (std::size_t b = 0; b < spheres_.size(); ++b) {
-    const auto& [mobility, step] = *spheres_[b];
+    const auto& [delayed, step] = *spheres_[b];
     Eigen::Map<Eigen::VectorXd> left(&left_[count_ * b], count);
     left = share(step) * left +
-           factor(step) * (mobility * Eigen::Map<const Eigen::VectorXd>(&moments[count_ * b], count));
+           factor(step) * (delayed * Eigen::Map<const Eigen::VectorXd>(&moments[count_ * b], count));
   }
 }
 
 void UnresolvedMemory::start(std::span<const double> moments) {
   update([](const StepFactors&) { return 0.0; },
-         [](const StepFactors& step) { return step.delay - step.decay; }, moments);
+         [](const StepFactors& step) { return 1 - step.decay / step.delay; }, moments);
 }
 
 void UnresolvedMemory::end_step(std::span<const double> moments) {
   update([](const StepFactors& step) { return step.decay; },
-         [](const StepFactors& step) { return step.delay * (1 - step.decay); }, moments);
+         [](const StepFactors& step) { return 1 - step.decay; }, moments);
 }
 
 }  // namespace beadswim

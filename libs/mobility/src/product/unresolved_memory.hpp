@@ -10,11 +10,14 @@
 namespace beadswim {
 
 // clang-format off
-/// Memory of the fluid at wavenumbers above the cutoff k_c of the mesh, in the flow of each sphere at itself. The part
-/// mu of the self-mobility (moment_self_mobility) above the cutoff decays as one mode. Its rate gives the velocity of
-/// a force the exact delay at low frequency:
+/// Memory of the fluid at wavenumbers above the cutoff k_c of the mesh, in the flow of the force of each sphere at
+/// itself; higher moments have none there. mu is the part of the self-mobility (moment_self_mobility) above the cutoff. Of
+/// its flow, only the part mu_h follows the forces in a step; the rest decays as one mode (fluid_memory.hpp):
 ///
+///   mu_h = s mu s,   s = sqrt(1 - phi) for forces, 1 for other moments
 ///   1/rate = integral_kc^oo j_0(ka)^2/(nu k^2) dk / integral_kc^oo j_0(ka)^2 dk
+///
+/// This rate gives the velocity of a force the exact delay at low frequency. mu_h is positive definite.
 // clang-format on
 class UnresolvedMemory {
  public:
@@ -33,10 +36,10 @@ class UnresolvedMemory {
 
  private:
   struct Sphere {
-    Eigen::MatrixXd mobility;  ///< mu, from moments to projections
-    StepFactors step;          ///< of the mode
+    Eigen::MatrixXd delayed;  ///< mu - mu_h
+    StepFactors step;         ///< of the mode
   };
-  /// Sets g = share of g + factor mu moments, for the factors of each sphere.
+  /// Sets g = share of g + factor (mu - mu_h) moments, for the factors of each sphere.
   template <class Share, class Factor>
   void update(const Share& share, const Factor& factor, std::span<const double> moments);
 

@@ -22,6 +22,7 @@ double radius_over_depth(const Layout& layout);
 ///   - radius_over_depth() is above 1.5.
 ///   - The largest radius is more than four times the smallest.
 ///   - A bead is so light that the time steps would be unstable.
+///   - Driving forces in open space do not sum to zero.
 ///   - The mesh would have more than 3e8 points.
 FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, bool has_reynolds_stress,
                          const std::string& source);

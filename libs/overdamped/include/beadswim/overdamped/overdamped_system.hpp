@@ -12,8 +12,8 @@
 #include "beadswim/mobility/mobility_product.hpp"
 #include "beadswim/overdamped/overdamped_scene.hpp"
 
-// Swimmers in a fluid without inertia, or with memory (mobility/fluid_memory.hpp). Without inertia, the velocities v of the beads depend on the present positions x of all
-// beads and on the present forces F:
+// Swimmers in a fluid without inertia, or with memory (mobility/fluid_memory.hpp). Without inertia, the
+// velocities v of the beads depend on the present positions x of all beads and on the present forces F:
 //
 //   dx/dt = v,   v = mu(x) F(x, v, t)
 //
@@ -146,6 +146,7 @@ class OverdampedSystem {
 
   ImplicitStepResult solve_step(const StepRule& rule, const StepHistory& history, const Beads& guess,
                                 const Beads& distant);
+  void add_work(const ProductWork& work);
   void solve_initial_velocities();
   bool moves_far(const Beads& from, const Beads& to) const;
   Step take_euler_steps(int parts);
