@@ -139,13 +139,13 @@ TEST_F(FluidMemoryTest, OfALoneSphereAtOrderTwoIsCloserToTheExactResponse) {
 /// Returns the error of the difference of the velocities of two spheres on a line with opposite forces along
 /// it, relative to exact multipoles in open space.
 double pair_error(int order, double distance, double depth_ratio, const Communicator& world) {
-  const Spheres pair{.edge = 24,
+  const Spheres pair{.edge = 20,
                      .places = {{10, 10, 10}, {10 + distance, 10, 10}},
                      .forces = {1, -1},
                      .order = order,
-                     .spacing = 1.1,
+                     .spacing = 1.2,
                      .omega = 2 * depth_ratio * depth_ratio,
-                     .steps = 50};
+                     .steps = 40};
   const std::vector<Complex> found = oscillating_velocities(pair, world);
   const std::vector<double> radii{1, 1}, on_line{0, distance};
   const OscillatingSpheres exact(radii, on_line, 1, alpha_of_modulus(std::sqrt(pair.omega)), 24);
@@ -252,7 +252,7 @@ TEST_F(FluidMemoryTest, WithoutDensityIsSteadyFlow) {
 
 // A box with free-slip walls is half of a periodic box with mirror images.
 TEST_F(FluidMemoryTest, OfAWallIsThatOfTheMirrorImages) {
-  for (const int order : {0, 2}) {
+  for (const int order : {0, 1}) {
     Spheres half = random_spheres(4, 10), whole = half;
     half.order = whole.order = order;
     for (int b = 0; b < 4; ++b) {

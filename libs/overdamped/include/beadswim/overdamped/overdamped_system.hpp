@@ -38,8 +38,8 @@
 // The forces at the end of the step are solved for all swimmers together. The time step may therefore exceed
 // the relaxation times of the springs, even if swimmers are close. One product mu F per step suffices if the
 // flow changes smoothly. Otherwise a step evaluates a few more products (implicit_step.hpp). Each of the
-// first two steps is extrapolated to third order from implicit Euler steps; with memory, earlier positions are
-// those at rest.
+// first two steps is extrapolated to third order from implicit Euler steps; with memory, earlier positions
+// are those at rest.
 //
 // References: Hairer and Wanner, Solving Ordinary Differential Equations II (Springer 1996), III.1 and IV.9.
 // Page: docs/method/mobility-swarms.md.
