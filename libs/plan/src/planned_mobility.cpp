@@ -23,6 +23,33 @@ struct StepCost {
   double product = 0, end_of_step = 0;
 };
 
+/// Returns the number of points of the mesh of a fluid with memory.
+double mesh_points(const OverdampedScene& scene) {
+  return (mirrored_lengths(scene.box) / scene.memory->spacing).prod();
+}
+
+/// Returns the number of fields on this mesh: one per degree of moments and radius, for up to four radii.
+double mesh_fields(const OverdampedScene& scene) {
+  std::set<double> radii;
+  for (const double radius : bead_radii(scene)) radii.insert(radius);
+  return (scene.moment_order + 1.0) * static_cast<double>(std::min<std::size_t>(radii.size(), 4));
+}
+
+/// Returns the memory for the mesh and the modes of a fluid with memory [byte].
+double mesh_bytes(const OverdampedScene& scene) {
+  return scene.memory ? (24 * mesh_fields(scene) + 75) * mesh_points(scene) : 0;
+}
+
+/// Returns the cost with memory of the fluid, without measuring it on a large mesh. The numbers are from runs
+/// of the paper's swarm (docs/performance.md).
+StepCost estimated_cost(const OverdampedScene& scene) {
+  constexpr double seconds_per_point = 1.25e-7;                        // and field, per sum
+  constexpr std::array<double, 3> seconds_per_bead{2e-6, 2e-5, 5e-5};  // per sum
+  const double sum = seconds_per_point * mesh_points(scene) * mesh_fields(scene) +
+                     seconds_per_bead[scene.moment_order] * static_cast<double>(bead_radii(scene).size());
+  return {.product = (scene.moment_order == 0 ? 1 : 1.3) * sum, .end_of_step = 1.3 * sum};
+}
+
 /// Measures the cost of products with forces that oscillate. Collective.
 StepCost measured_cost(const OverdampedScene& scene, const Communicator& communicator) {
   const Beads places = rest_positions(scene);
@@ -66,17 +93,6 @@ std::string mobility_obstacle(const SceneFacts& facts) {
   return {};
 }
 
-/// Returns the memory for the mesh and the modes of a fluid with memory [byte].
-double mesh_bytes(const OverdampedScene& scene) {
-  if (!scene.memory) return 0;
-  std::set<double> radii;
-  for (const double radius : bead_radii(scene)) radii.insert(radius);
-  const double classes =
-      (scene.moment_order + 1.0) * static_cast<double>(std::min<std::size_t>(radii.size(), 4));
-  const double bytes_per_point = 24 * classes + 75;
-  return bytes_per_point * (mirrored_lengths(scene.box) / scene.memory->spacing).prod();
-}
-
 /// Sets the cost of the candidate `run`: core-seconds for products of mobility matrix and forces and for
 /// other work of each step, memory and disk space (docs/method/mobility-swarms.md, docs/performance.md).
 void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
@@ -91,7 +107,9 @@ void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator&
   const std::size_t beads = bead_radii(setup.scene).size();
   const double swimmers = static_cast<double>(beads) / 3;  // of three beads each
   const double steps = static_cast<double>(total_steps(run.settings.cycles, setup.steps_per_cycle));
-  const StepCost cost = measured_cost(setup.scene, communicator);
+  constexpr double max_measured_points = 1e5;
+  const bool is_large = setup.scene.memory && mesh_points(setup.scene) > max_measured_points;
+  const StepCost cost = is_large ? estimated_cost(setup.scene) : measured_cost(setup.scene, communicator);
   run.core_seconds = start_seconds * communicator.size() + rest_of_step * swimmers * steps +
                      (products_per_step * steps + first_products) * cost.product + steps * cost.end_of_step;
   run.memory_bytes = static_cast<double>(beads) * (setup.scene.box ? bytes_in_box : bytes_in_open) +
