@@ -58,7 +58,7 @@ sensitivity() {
   defect_swarm | beadswim-layout defect jitter --sigma 0.5 | simulate 'each moved by 0.5' "${coarse[@]}"
 }
 inertia() {
-  local stiffness order
+  local model stiffness
   for model in "rpy" "multipole --multipole-order 2" "unsteady --multipole-order 0" "unsteady --multipole-order 1" \
     "unsteady --multipole-order 2" "unsteady --multipole-order 2 --reynolds-stress off"; do
     # shellcheck disable=SC2086  # flags
