@@ -66,9 +66,9 @@ double relative_difference(const std::vector<Vec3>& a, const std::vector<Vec3>& 
   return std::sqrt(difference / size);
 }
 
-/// Returns the median time of a collective operation over the rounds, after one that is not timed [s].
+/// Returns the times of a collective operation, one per round, after one that is not timed [s].
 template <class Operation>
-double median_seconds(int rounds, const Communicator& communicator, const Operation& operation) {
+std::vector<double> times_of(int rounds, const Communicator& communicator, const Operation& operation) {
   operation();
   std::vector<double> seconds;
   for (int n = 0; n < rounds; ++n) {
@@ -77,7 +77,7 @@ double median_seconds(int rounds, const Communicator& communicator, const Operat
     operation();
     seconds.push_back(MPI_Wtime() - start);
   }
-  return median(seconds);
+  return seconds;
 }
 
 /// Returns the median time of one sum of a product on the mesh alone [s].
@@ -91,8 +91,8 @@ double mesh_seconds(const MobilityScene& scene, const EwaldPlan& plan, const Bea
                      .moment_order = scene.moment_order,
                      .memory = scene.memory},
                     communicator);
-  return median_seconds(rounds, communicator,
-                        [&] { mesh.add_flows(beads.positions, sources, FlowPart::of_forces, flows); });
+  return median(times_of(rounds, communicator,
+                         [&] { mesh.add_flows(beads.positions, sources, FlowPart::of_forces, flows); }));
 }
 
 /// Times one mobility product. Evaluates its error relative to a product with 1/1000 of the tolerance.
@@ -123,23 +123,18 @@ ProductRow measure(const ProductRequest& request, int count, Surroundings surrou
     const std::int64_t before = resident_bytes(communicator);
     MobilityProduct product(scene, beads.positions, communicator);
     is_on_mesh = product.plan().has_value();
-    product.apply(beads.positions, beads.forces, velocities);  // plans the Fourier transforms; not timed
-    std::vector<double> seconds;
-    for (int n = 0; n < request.rounds; ++n) {
-      MPI_Barrier(communicator.get());
-      const double start = MPI_Wtime();
+    const std::vector<double> seconds = times_of(request.rounds, communicator, [&] {
       const ProductWork work = product.apply(beads.positions, beads.forces, velocities);
       row.iterations = static_cast<int>(work.iterations);
-      seconds.push_back(MPI_Wtime() - start);
-    }
+    });
     row.memory_bytes = resident_bytes(communicator) - before;
     row.seconds = median(seconds);
     row.seconds_best = *std::ranges::min_element(seconds);
     if (request.is_unsteady) {
       row.mesh_seconds = mesh_seconds(scene, *product.plan(), beads, request.rounds, communicator);
-      row.end_of_step_seconds = median_seconds(request.rounds, communicator, [&] {
+      row.end_of_step_seconds = median(times_of(request.rounds, communicator, [&] {
         product.end_step(beads.positions, beads.forces, Vec3::Zero());
-      });
+      }));
     }
   }
   if (is_on_mesh && count <= max_beads_for_error && request.tolerance >= min_tolerance_for_error) {

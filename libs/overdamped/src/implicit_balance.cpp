@@ -71,7 +71,7 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
   }
   Beads inertia = zero_vectors(start.size()), inertia_forces = inertia;
   double kappa = 0;
-  if (scene.memory && scene.memory->density > 0 && rule.span > 0) {
+  if (scene.memory && rule.span > 0) {
     kappa = step_wavenumber(scene.viscosity / scene.memory->density * rule.span);
     for (std::size_t b = 0; b < start.size(); ++b) {
       inertia[b].setConstant(step.excess_masses[b] * rule.weight / rule.span);

@@ -40,6 +40,8 @@ ImplicitStep::ImplicitStep(const OverdampedScene& scene, std::span<const double>
       excess_masses_(excess_masses(scene)),
       contact_scale_(scene),
       smallest_radius_(*std::ranges::min_element(radii)) {
+  if (scene.memory) fluid_mass_ = scene.memory->density * scene.box->lengths.prod();
+  for (const double mass : excess_masses_) excess_share_ += mass / fluid_mass_;
   for (const SwimmerType& type : scene.types)
     for (const Bond& bond : type.bonds) shortest_arm_ = std::min(shortest_arm_, bond.rest_length);
 }
@@ -72,24 +74,25 @@ Beads ImplicitStep::forces_at_rest(const StepRule& rule, const Beads& start) con
   return ImplicitBalance(step_scene(), rule, start, history, nothing, nothing).residual(nothing, nothing);
 }
 
+Vec3 ImplicitStep::excess_momentum(const Beads& velocities) const {
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t b = 0; b < excess_masses_.size(); ++b) momentum += excess_masses_[b] * velocities[b];
+  return momentum;
+}
+
 // The momentum of the fluid in the volume V of the box, with the insides of the beads, is rho V u_0:
 //
 //   rho V u_0 + sum m' v = 0,   m': mass of a bead minus that of the displaced fluid
 Vec3 ImplicitStep::mean_flow(const Beads& velocities) const {
-  Vec3 momentum = Vec3::Zero();
-  if (!scene_.memory || scene_.memory->density == 0) return momentum;
-  for (std::size_t b = 0; b < excess_masses_.size(); ++b) momentum += excess_masses_[b] * velocities[b];
-  Vec3 flow = -momentum / (scene_.memory->density * scene_.box->lengths.prod());
+  if (!scene_.memory) return Vec3::Zero();
+  Vec3 flow = -excess_momentum(velocities) / fluid_mass_;
   for (int a = 0; a < 3; ++a)
     if (scene_.box->has_mirrors(a)) flow[a] = 0;
   return flow;
 }
 
-Vec3 ImplicitStep::momentum(const Beads& velocities, const Vec3& mean_flow) const {
-  if (!scene_.memory) return Vec3::Zero();
-  Vec3 momentum = scene_.memory->density * scene_.box->lengths.prod() * mean_flow;
-  for (std::size_t b = 0; b < excess_masses_.size(); ++b) momentum += excess_masses_[b] * velocities[b];
-  return momentum;
+Vec3 ImplicitStep::momentum(const Beads& velocities) const {
+  return fluid_mass_ * mean_flow(velocities) + excess_momentum(velocities);
 }
 
 ImplicitStepResult ImplicitStep::solve(const StepRule& rule, const Beads& start, const StepHistory& history,
@@ -136,14 +139,10 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   Beads places = start;
   flat(places) += flat(expansion_point);
   // The mean flow u_0 depends on the velocities y + u_0 themselves: u_0 = u_0(y)/(1 + sum m'/(rho V)).
-  double share = 0;
-  if (scene_.memory && scene_.memory->density > 0)
-    for (const double mass : excess_masses_)
-      share += mass / (scene_.memory->density * scene_.box->lengths.prod());
   const auto product = [&](const Beads& forces, FlowPart part) {
     Beads velocities(forces.size());
     result.work.add(mobility_.apply(places, forces, velocities, part));
-    if (const Vec3 flow = mean_flow(velocities) / (1 + share); !flow.isZero(0))
+    if (const Vec3 flow = mean_flow(velocities) / (1 + excess_share_); !flow.isZero(0))
       for (Vec3& v : velocities) v += flow;
     return velocities;
   };

@@ -71,7 +71,7 @@ class ImplicitStep {
   Vec3 mean_flow(const Beads& velocities) const;
 
   /// Returns the momentum of fluid and beads.
-  Vec3 momentum(const Beads& velocities, const Vec3& mean_flow) const;
+  Vec3 momentum(const Beads& velocities) const;
 
  private:
   ImplicitStepResult solve_linearised(const ImplicitBalance& balance, const Beads& expansion_point,
@@ -79,6 +79,7 @@ class ImplicitStep {
   double largest_move(const Beads& from, const Beads& to) const;
 
   StepScene step_scene() const;
+  Vec3 excess_momentum(const Beads& velocities) const;
 
   const OverdampedScene& scene_;
   std::span<const double> radii_;
@@ -86,6 +87,8 @@ class ImplicitStep {
   const Communicator& communicator_;
   std::vector<BeadRange> bead_ranges_;
   std::vector<double> excess_masses_;  ///< empty without memory of the fluid
+  double fluid_mass_ = 0;              ///< rho V: mass of fluid that would fill the box; 0 without memory
+  double excess_share_ = 0;            ///< sum of the excess masses, divided by fluid_mass_
   ContactScale contact_scale_;
   double smallest_radius_;                                         ///< radius of the smallest bead [length]
   double shortest_arm_ = std::numeric_limits<double>::infinity();  ///< smallest rest length [length]

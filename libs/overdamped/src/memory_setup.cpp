@@ -16,19 +16,6 @@ namespace {
 
 constexpr double max_radius_over_depth = 1.5, max_radius_ratio = 4, max_mesh_points = 3e8;
 
-struct RadiusRange {
-  double smallest = INFINITY, largest = 0;
-};
-
-RadiusRange radius_range(std::span<const double> radii) {
-  const auto [smallest, largest] = std::ranges::minmax_element(radii);
-  return {.smallest = *smallest, .largest = *largest};
-}
-
-double penetration_depth(const Layout& layout) {
-  return std::sqrt(layout.fluid.kinematic_viscosity * shortest_period(layout) / std::numbers::pi);
-}
-
 /// Throws InputError if the displaced mass of a light bead, of which the fluid takes only the part that the
 /// mobility in a step describes, would make the implicit step unstable:
 ///
@@ -37,10 +24,9 @@ void check_light_beads(const OverdampedScene& scene, double density, const std::
   const double kappa = step_wavenumber(scene.viscosity / density * scene.step);
   for (const SwimmerType& type : scene.types) {
     for (const Bead& bead : type.beads) {
-      const double missing = (density - bead.density) * 4 / 3 * std::numbers::pi * std::pow(bead.radius, 3);
       const double mobility =
           self_mobility(bead.radius, scene.viscosity) * step_self_ratio(kappa * bead.radius);
-      const double share = missing * 11 / (6 * scene.step) * mobility;
+      const double share = -excess_mass(bead, density) * 11 / (6 * scene.step) * mobility;
       constexpr double max_share = 0.5;
       if (share <= max_share) continue;
       throw InputError(
@@ -73,32 +59,31 @@ Box box_for_open_space(const OverdampedScene& scene) {
   return {.lengths = Vec3::Constant(extents * extent), .boundary = {}};
 }
 
-double radius_over_depth(const Layout& layout) {
-  return radius_range(bead_radii(placed_swimmers(layout))).largest / penetration_depth(layout);
-}
-
 FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, bool has_reynolds_stress,
                          const std::string& source) {
   constexpr double per_radius = 1.2, per_depth = 0.9;
-  const RadiusRange radii = radius_range(bead_radii(scene));
-  const double depth = penetration_depth(layout), density = layout.fluid.density;
-  if (radii.largest > max_radius_over_depth * depth)
+  const double smallest = smallest_radius(layout), largest = largest_radius(scene.types);
+  const double density = layout.fluid.density;
+  // Penetration depth sqrt(2 nu/omega) of the fastest oscillation.
+  const double depth =
+      std::sqrt(layout.fluid.kinematic_viscosity * shortest_period(layout) / std::numbers::pi);
+  if (largest > max_radius_over_depth * depth)
     throw InputError(
         source,
         fmt::format(
             "the radius {:.4g} of a bead is {:.3g} times the penetration depth {:.4g} of the flow, and "
             "the model unsteady treats up to {} times; use a longer period or {} lbm",
-            radii.largest, radii.largest / depth, depth, max_radius_over_depth, Setting::model));
-  if (radii.largest > max_radius_ratio * radii.smallest)
+            largest, largest / depth, depth, max_radius_over_depth, Setting::model));
+  if (largest > max_radius_ratio * smallest)
     throw InputError(
         source, fmt::format("the largest bead radius is {:.3g} times the smallest, and the mesh of the model "
                             "unsteady resolves up to {} times; use {} lbm",
-                            radii.largest / radii.smallest, max_radius_ratio, Setting::model));
+                            largest / smallest, max_radius_ratio, Setting::model));
   check_light_beads(scene, density, source);
   if (!layout.domain) check_net_forces(scene, source);
   const FluidMemory memory{.density = density,
                            .step = scene.step,
-                           .spacing = std::min(per_radius * radii.smallest, per_depth * depth),
+                           .spacing = std::min(per_radius * smallest, per_depth * depth),
                            .has_reynolds_stress = has_reynolds_stress};
   const double points = (mirrored_lengths(scene.box) / memory.spacing).prod();
   if (points > max_mesh_points && !layout.domain)

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/rank_share.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "implicit_step.hpp"
 
 namespace beadswim {
@@ -45,13 +45,16 @@ MobilityScene mobility_scene(const OverdampedScene& scene) {
   return mobility;
 }
 
+double excess_mass(const Bead& bead, double fluid_density) {
+  return mass({.radius = bead.radius, .density = bead.density - fluid_density});
+}
+
 std::vector<double> excess_masses(const OverdampedScene& scene) {
   std::vector<double> masses;
   if (!scene.memory) return masses;
   for (const PlacedSwimmer& swimmer : scene.swimmers)
     for (const Bead& bead : scene.type_of(swimmer).beads)
-      masses.push_back((bead.density - scene.memory->density) * 4 / 3 * std::numbers::pi *
-                       std::pow(bead.radius, 3));
+      masses.push_back(excess_mass(bead, scene.memory->density));
   return masses;
 }
 
@@ -174,7 +177,7 @@ Vec3 OverdampedSystem::mean_flow() const {
 }
 
 Vec3 OverdampedSystem::momentum() const {
-  return implicit_step_->momentum(state_.velocities[0], mean_flow());
+  return implicit_step_->momentum(state_.velocities[0]);
 }
 
 namespace {

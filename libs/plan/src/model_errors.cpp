@@ -191,9 +191,9 @@ ErrorEstimate unsteady_error(const Question& question, const BestPrediction& bes
   constexpr double floor_of_velocity = 0.006, floor_of_arms = 0.001;
   const CollinearSwimmer& swimmer = question.swimmer;
   const double radius = *std::ranges::max_element(swimmer.radius);
-  const double depth =
-      std::sqrt(2 * swimmer.viscosity / question.fluid_density / swimmer.angular_frequency());
-  const double by_inertia = by_depth * std::pow(radius / depth, 4);
+  // |alpha| is sqrt(2) over the penetration depth.
+  const double over_depth = radius * std::abs(inverse_penetration_depth(swimmer, question.fluid_density));
+  const double by_inertia = by_depth * std::pow(over_depth, 4) / 4;
   const Prediction pairs = predicted("rpy-ode", question), exact = predicted("multipole-ode", question);
   ErrorEstimate error;
   if (best.is_swimming)

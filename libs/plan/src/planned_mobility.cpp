@@ -28,11 +28,11 @@ double mesh_points(const OverdampedScene& scene) {
   return (mirrored_lengths(scene.box) / scene.memory->spacing).prod();
 }
 
-/// Returns the number of fields on this mesh: one per degree of moments and radius, for up to four radii.
+/// Returns the number of fields on this mesh: one per degree of moments and radius.
 double mesh_fields(const OverdampedScene& scene) {
   std::set<double> radii;
   for (const double radius : bead_radii(scene)) radii.insert(radius);
-  return (scene.moment_order + 1.0) * static_cast<double>(std::min<std::size_t>(radii.size(), 4));
+  return (scene.moment_order + 1.0) * static_cast<double>(std::min(radii.size(), max_exact_radii));
 }
 
 /// Returns the memory for the mesh and the modes of a fluid with memory [byte].

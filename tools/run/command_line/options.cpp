@@ -22,8 +22,7 @@ void add_model(CLI::App& program, RunOptions& options) {
   begin_group(program, "Model");
   add_choice(program, "--model", options.settings.model,
              "Model of the fluid: lbm (lattice), the mobilities rpy, rpy+near, multipole, oseen, unsteady "
-             "(with fluid "
-             "inertia), or auto (the cheapest within --tolerance, else lbm)");
+             "(with fluid inertia), or auto (the cheapest within --tolerance, else lbm)");
   program.add_flag(
       "--plan", options.plan,
       "Run nothing; print the expected error and cost of all possible runs, and the cheapest run within "
@@ -64,8 +63,7 @@ void add_mobility(CLI::App& program, MobilitySettings& mobility) {
   program
       .add_option("--multipole-order", mobility.multipole_order,
                   "Highest moment of the force on each bead, for the models multipole and unsteady: 0 (force "
-                  "alone, as "
-                  "rpy), 1 (with stresslets), 2 (with second moments)")
+                  "alone, as rpy), 1 (with stresslets), 2 (with second moments)")
       ->type_name("N")
       ->check(whole_number(0, 2));
   add_switch(program, "--reynolds-stress", mobility.reynolds_stress,

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/sha256.hpp"
@@ -14,10 +13,6 @@ namespace beadswim {
 namespace {
 
 constexpr const char *beads_section = "overdamped", *memory_section = "memory";
-
-std::span<const char> as_chars(const std::vector<double>& numbers) {
-  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(double)};
-}
 
 }  // namespace
 
@@ -218,8 +213,9 @@ void OverdampedModel::write_state(CheckpointWriter& checkpoint) {
                                        system_.state());
   checkpoint.add(beads_section, message.bytes());
   if (!plan_.scene.memory) return;
-  const std::vector<double> memory = system_.gather_memory();
-  checkpoint.add(memory_section, as_chars(memory));
+  OutgoingMessage memory;
+  memory(system_.gather_memory());
+  checkpoint.add(memory_section, memory.bytes());
 }
 
 void OverdampedModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
@@ -235,9 +231,9 @@ void OverdampedModel::restore(long steps_done, IncomingMessage& history, const C
         "or begin without --restart");
   system_.restore(std::move(state));
   if (!plan_.scene.memory) return;
-  const std::vector<char> bytes = checkpoint.bytes(memory_section, 0, checkpoint.size(memory_section));
-  std::vector<double> memory(bytes.size() / sizeof(double));
-  std::memcpy(memory.data(), bytes.data(), memory.size() * sizeof(double));
+  IncomingMessage bytes(checkpoint.bytes(memory_section, 0, checkpoint.size(memory_section)));
+  std::vector<double> memory;
+  bytes(memory);
   system_.restore_memory(memory);
 }
 

@@ -43,7 +43,7 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
     if (lattice.bead_boundary != usual.bead_boundary)
       flags += " --bead-boundary " + to_text(lattice.bead_boundary);
   }
-  if (settings.model == RunModel::multipole || settings.model == RunModel::unsteady)
+  if (const auto mobility = mobility_model(settings.model); mobility && has_moment_order(*mobility))
     flags += fmt::format(" --multipole-order {}", settings.mobility.multipole_order);
   const FlagValues course = result_flags(settings);
   for (const char* asked : {"--delay-correction", "--radius-correction", "--lubrication", "--friction",

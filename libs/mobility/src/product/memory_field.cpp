@@ -15,16 +15,10 @@ StepFactors step_factors(double z) {
 
 namespace {
 
-/// Form factor P_l of a source of degree l: j_0(x), 3 j_1(x)/x or 15 j_2(x)/x^2.
+/// Returns the form factor P_l of a source of degree l: j_0(x), 3 j_1(x)/x or 15 j_2(x)/x^2.
 double form_factor(int degree, double x) {
   if (degree == 0) return std::sph_bessel(0, x);
   return degree == 1 ? 3 * std::sph_bessel(1, x) / x : 15 * std::sph_bessel(2, x) / (x * x);
-}
-
-template <class Vector>
-void make_transverse(const Vec3& k, Vector& v) {
-  const auto along = (k[0] * v[0] + k[1] * v[1] + k[2] * v[2]) / k.squaredNorm();
-  for (int c = 0; c < 3; ++c) v[c] -= along * k[c];
 }
 
 }  // namespace
@@ -65,14 +59,14 @@ void MemoryField::read_forces(Values values) {
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
     const double* const forms = &forms_[m * values.size()];
-    Velocity& steady = steady_[m];
+    Velocity steady;
     for (int c = 0; c < 3; ++c) {
       Complex force = 0;
       for (std::size_t f = 0; f < values.size(); ++f)
         force += forms[f] * as_complex(values[f][c])[mode.place];
       steady[c] = mode.unit * force;
     }
-    make_transverse(mode.k, steady);
+    steady_[m] = transverse(mode.k, mode.k.squaredNorm(), steady);
   }
 }
 
@@ -134,7 +128,7 @@ void MemoryField::add_reynolds_stress(std::span<const Velocity> flow, const Vec3
     const Mode& mode = modes_[m];
     Velocity stress;
     for (int c = 0; c < 3; ++c) stress[c] = scale * as_complex(work_[c])[mode.place];
-    make_transverse(mode.k, stress);
+    stress = transverse(mode.k, mode.k.squaredNorm(), stress);
     left_[m] += law_.fluid.step / law_.fluid.density *
                 (mode.delay * stress + mode.ramp * (stress - stress_before_[m]));
     stress_before_[m] = stress;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/vec3.hpp"
 
 namespace beadswim {
 
@@ -21,6 +22,13 @@ struct PlanFree {
   void operator()(fftw_plan plan) const { fftw_destroy_plan(plan); }
 };
 using FftwPlan = std::unique_ptr<std::remove_pointer_t<fftw_plan>, PlanFree>;
+
+/// Removes from a Fourier mode f with the wavevector k its part along k. k2: k^2.
+template <class Vector>
+Vector transverse(const Vec3& k, double k2, const Vector& f) {
+  const Complex along = (k[0] * f[0] + k[1] * f[1] + k[2] * f[2]) / k2;
+  return {f[0] - along * k[0], f[1] - along * k[1], f[2] - along * k[2]};
+}
 
 inline Complex* as_complex(const FftwArray& array) {
   return reinterpret_cast<Complex*>(array.get());

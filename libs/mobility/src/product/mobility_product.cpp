@@ -56,11 +56,6 @@ int highest_moment(const MobilityScene& scene) {
   return has_moment_order(scene.model) ? scene.moment_order : 0;
 }
 
-/// Returns the memory of a fluid of finite density; nullopt for steady flow.
-std::optional<FluidMemory> with_inertia(const std::optional<FluidMemory>& memory) {
-  return memory && memory->density > 0 ? memory : std::nullopt;
-}
-
 EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positions) {
   EwaldScene ewald{.lengths = mirrored_lengths(scene.box),
                    .is_periodic = scene.box.has_value(),
@@ -97,9 +92,10 @@ struct MobilityProduct::Parts {
                       std::span<Vec3> velocities) const;
   void add_corrected_velocities(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                 std::span<Vec3> velocities);
-  template <class Change>
-  ProductWork change_memory(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                            const Change& change);
+  MemoryField* modes() const { return moments ? moments->memory() : mesh ? mesh->memory() : nullptr; }
+  UnresolvedMemory& unresolved_memory() { return moments ? *moments->unresolved() : *unresolved; }
+  std::vector<double> read_memory(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                  ProductWork& work);
 };
 
 MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> positions,
@@ -209,64 +205,50 @@ void MobilityProduct::Parts::add_corrected_velocities(std::span<const Vec3> posi
   MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0, communicator.get());
 }
 
-/// Evaluates the forces and their moments on the mesh, and calls change(memory, moments) for the memory on
-/// the mesh and for the unresolved memory.
-template <class Change>
-ProductWork MobilityProduct::Parts::change_memory(std::span<const Vec3> positions,
-                                                  std::span<const Vec3> forces, const Change& change) {
+/// Evaluates the forces and their moments on the mesh, and returns the moments. Adds the work to `work`.
+std::vector<double> MobilityProduct::Parts::read_memory(std::span<const Vec3> positions,
+                                                        std::span<const Vec3> forces, ProductWork& work) {
   if (moments) {
-    if (!moments->unresolved()) return {};
-    const ProductWork work = moments->read_memory(positions, forces);
-    change(*moments->mesh()->memory(), *moments->unresolved(),
-           std::span(moments->history()).first(moments->history().size() / 2));
-    return work;
+    work.add(moments->read_memory(positions, forces));
+    return {moments->history().begin(), moments->history().begin() + moments->history().size() / 2};
   }
-  if (!unresolved) return {};
   std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
   for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
   mesh->read_memory(places, flat(sources));
-  change(*mesh->memory(), *unresolved, flat(forces));
-  return {};
+  return {flat(forces).begin(), flat(forces).end()};
 }
 
 ProductWork MobilityProduct::start(std::span<const Vec3> positions, std::span<const Vec3> forces) {
-  return parts_->change_memory(
-      positions, forces,
-      [](MemoryField& modes, UnresolvedMemory& unresolved, std::span<const double> moments) {
-        modes.start();
-        unresolved.start(moments);
-      });
+  ProductWork work;
+  if (!parts_->modes()) return work;
+  const std::vector<double> moments = parts_->read_memory(positions, forces, work);
+  parts_->modes()->start();
+  parts_->unresolved_memory().start(moments);
+  return work;
 }
 
 ProductWork MobilityProduct::end_step(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                       const Vec3& mean_flow) {
-  return parts_->change_memory(
-      positions, forces,
-      [&](MemoryField& modes, UnresolvedMemory& unresolved, std::span<const double> moments) {
-        modes.end_step(mean_flow);
-        unresolved.end_step(moments);
-      });
+  ProductWork work;
+  if (!parts_->modes()) return work;
+  const std::vector<double> moments = parts_->read_memory(positions, forces, work);
+  parts_->modes()->end_step(mean_flow);
+  parts_->unresolved_memory().end_step(moments);
+  return work;
 }
 
 MemoryState MobilityProduct::memory_state() const {
-  if (parts_->moments && parts_->moments->unresolved())
-    return {.modes = parts_->moments->mesh()->memory()->state(),
-            .unresolved = parts_->moments->unresolved()->state(),
-            .moments = parts_->moments->history()};
-  if (!parts_->unresolved) return {};
-  return {.modes = parts_->mesh->memory()->state(), .unresolved = parts_->unresolved->state(), .moments = {}};
+  if (!parts_->modes()) return {};
+  return {.modes = parts_->modes()->state(),
+          .unresolved = parts_->unresolved_memory().state(),
+          .moments = parts_->moments ? parts_->moments->history() : std::vector<double>()};
 }
 
 void MobilityProduct::restore(const MemoryState& state) {
-  if (state.unresolved.empty()) return;  // steady flow
-  if (parts_->moments) {
-    parts_->moments->mesh()->memory()->restore(state.modes);
-    parts_->moments->unresolved()->restore(state.unresolved);
-    parts_->moments->restore(state.moments);
-  } else {
-    parts_->mesh->memory()->restore(state.modes);
-    parts_->unresolved->restore(state.unresolved);
-  }
+  if (!parts_->modes()) return;
+  parts_->modes()->restore(state.modes);
+  parts_->unresolved_memory().restore(state.unresolved);
+  if (parts_->moments) parts_->moments->restore(state.moments);
 }
 
 }  // namespace beadswim

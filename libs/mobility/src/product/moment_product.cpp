@@ -62,8 +62,7 @@ MomentProduct::MomentProduct(const MobilityScene& scene, const std::optional<Ewa
       self_(moment_self_mobility(scene.moment_order, 1, scene.viscosity)),
       inverse_self_(self_.inverse()) {
   if (!plan) return;
-  ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, scene.memory};
-  if (beads.memory && beads.memory->density == 0) beads.memory.reset();
+  ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, with_inertia(scene.memory)};
   for (const double radius : with_images(scene.radii, scene.box))
     beads.squared_radii.push_back(radius * radius);
   mesh_ = std::make_unique<ParticleMesh>(*plan, mirrored_lengths(scene.box), beads, communicator);

@@ -39,12 +39,13 @@ class MomentProduct {
   /// end_step(). Collective.
   ProductWork read_memory(std::span<const Vec3> positions, std::span<const Vec3> forces);
 
-  /// Moments at the end of the last two steps, from which the solution for the next step begins, the last
-  /// step first; equal on all ranks.
+  /// Returns the moments at the end of the last two steps, the last step first. The solution for the next
+  /// step begins with moments extrapolated from them. They are equal on all ranks.
   const std::vector<double>& history() const { return history_; }
   void restore(std::vector<double> history) { history_ = std::move(history); }
 
-  ParticleMesh* mesh() const { return mesh_.get(); }
+  /// Returns the memory of the fluid on the mesh; null for steady flow.
+  MemoryField* memory() const { return mesh_ ? mesh_->memory() : nullptr; }
   std::optional<UnresolvedMemory>& unresolved() { return unresolved_; }
 
  private:

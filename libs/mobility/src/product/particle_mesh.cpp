@@ -298,15 +298,6 @@ void ParticleMesh::Mesh::multiply(FlowPart part) {
     for (FftwArray& component : field) transform->backward(component);
 }
 
-namespace {
-
-std::array<Complex, 3> transverse(const Vec3& k, double k2, const std::array<Complex, 3>& f) {
-  const Complex along = (k[0] * f[0] + k[1] * f[1] + k[2] * f[2]) / k2;
-  return {f[0] - along * k[0], f[1] - along * k[1], f[2] - along * k[2]};
-}
-
-}  // namespace
-
 /// Calls kernel(place, k, k2, factor) for each wavevector k of this rank, with k2 = k^2 and the factor of the
 /// flow of point forces; the factor is 0 for k = 0, so that the mean flow is zero.
 template <class Kernel>
@@ -334,12 +325,12 @@ void ParticleMesh::Mesh::multiply_periodic() {
       force[c] = as_complex(values[0][c]) + place;
       second[c] = fields == 2 ? as_complex(values[1][c]) + place : nullptr;
     }
-    const auto F = transverse(k, k2, {*force[0], *force[1], *force[2]});
+    const auto F = transverse(k, k2, std::array{*force[0], *force[1], *force[2]});
     if (fields == 1) {
       for (int c = 0; c < 3; ++c) *force[c] = factor * (1 - shared_size * k2 / 6) * F[c];
       return;
     }
-    const auto D = transverse(k, k2, {*second[0], *second[1], *second[2]});
+    const auto D = transverse(k, k2, std::array{*second[0], *second[1], *second[2]});
     for (int c = 0; c < 3; ++c) {
       *force[c] = factor * (F[c] - k2 / 6 * D[c]);
       *second[c] = -factor * k2 / 6 * F[c];

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "beadswim/mobility/fluid_memory.hpp"
+
 namespace beadswim {
 namespace {
 
@@ -12,7 +14,7 @@ namespace {
 std::vector<double> squares_of_classes(std::vector<double> squares) {
   std::ranges::sort(squares);
   squares.erase(std::ranges::unique(squares).begin(), squares.end());
-  constexpr std::size_t points = 4;
+  constexpr std::size_t points = max_exact_radii;
   if (squares.size() <= points) return squares;
   const double middle = (squares.back() + squares.front()) / 2, half = (squares.back() - squares.front()) / 2;
   std::vector<double> nodes;

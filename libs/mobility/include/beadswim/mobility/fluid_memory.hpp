@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 // clang-format off
 // Memory of a fluid with inertia: flow u of forces f on the fluid, at low Reynolds numbers.
 //
@@ -37,9 +40,17 @@ struct FluidMemory {
   bool has_reynolds_stress = true;
 };
 
+/// Returns the memory of a fluid of finite density; nullopt for steady flow.
+inline std::optional<FluidMemory> with_inertia(const std::optional<FluidMemory>& memory) {
+  return memory && memory->density > 0 ? memory : std::nullopt;
+}
+
 /// Flow that a product evaluates. With a memory of the fluid, the flow of forces is the change by the forces
 /// at the end of a time step, and earlier forces have left a flow too. Without memory both are equal.
 enum class FlowPart { of_forces, with_memory };
+
+/// Largest number of radii whose form factors a mesh with memory treats without interpolation.
+constexpr std::size_t max_exact_radii = 4;
 
 /// Factors of a mode in a step, as functions of z = nu k^2 h.
 struct StepFactors {

@@ -12,14 +12,10 @@ namespace beadswim {
 /// beads at rest. Its images change the velocity of a lone swimmer by some 0.2 %.
 Box box_for_open_space(const OverdampedScene& scene);
 
-/// Returns the radius of the largest bead, divided by the depth sqrt(2 nu/omega) to which the fastest
-/// oscillation penetrates the fluid.
-double radius_over_depth(const Layout& layout);
-
 /// Returns the memory of the layout's fluid. The mesh resolves the smallest bead and the penetration depth.
 /// `scene` has box and time step. `source` is the name of the layout in messages. Throws InputError in these
 /// cases:
-///   - radius_over_depth() is above 1.5.
+///   - The largest radius is above 1.5 penetration depths of the fastest oscillation.
 ///   - The largest radius is more than four times the smallest.
 ///   - A bead is so light that the time steps would be unstable.
 ///   - Driving forces in open space do not sum to zero.

@@ -25,6 +25,9 @@ struct OverdampedScene : Swarm {
   std::optional<FluidMemory> memory;  ///< model unsteady
 };
 
+/// Returns the mass of a bead minus the mass of the fluid that it displaces.
+double excess_mass(const Bead& bead, double fluid_density);
+
 /// Returns for each bead its mass minus the mass of the fluid that it displaces; empty without memory of the
 /// fluid.
 std::vector<double> excess_masses(const OverdampedScene& scene);
