@@ -62,9 +62,10 @@ std::unique_ptr<CLI::App> bench_program(BenchOptions& options) {
       ->check(whole_number(0, 2))
       ->capture_default_str();
   program
-      ->add_flag("--unsteady", options.products.is_unsteady,
-                 "Measure products of --beads in a fluid with inertia (periodic box, 100 steps a period of "
-                 "2000), with the part on the mesh and the end of a time step")
+      ->add_flag(
+          "--unsteady", options.products.is_unsteady,
+          "Measure the products of --beads in a periodic box of fluid with inertia, and the end of a time "
+          "step; the step is a hundredth of the period 2000")
       ->needs(beads);
   begin_group(*program, "Options");
   program

@@ -92,7 +92,7 @@ double mesh_seconds(const MobilityScene& scene, const EwaldPlan& plan, const Bea
                      .memory = scene.memory},
                     communicator);
   return median(times_of(rounds, communicator,
-                         [&] { mesh.add_flows(beads.positions, sources, FlowPart::of_forces, flows); }));
+                         [&] { mesh.add_flows(beads.positions, sources, FlowPart::forces, flows); }));
 }
 
 /// Times one mobility product. Evaluates its error relative to a product with 1/1000 of the tolerance.

@@ -151,7 +151,7 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   };
   std::deque<Direction> directions;
   Beads forces = balance.initial_forces();
-  Beads velocities = product(forces, FlowPart::with_memory);
+  Beads velocities = product(forces, FlowPart::forces_and_memory);
   Beads residual = balance.residual(forces, velocities);
   for (;;) {
     Beads own = balance.own_forces(residual);
@@ -170,7 +170,7 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
       break;
     }
     Direction next{.forces = std::move(own), .velocities = {}, .left_hand_side = {}};
-    next.velocities = product(next.forces, FlowPart::of_forces);
+    next.velocities = product(next.forces, FlowPart::forces);
     next.left_hand_side = balance.left_hand_side(next.forces, next.velocities);
     for (const Direction& old : directions) {
       const double along = flat(old.left_hand_side).dot(flat(next.left_hand_side));

@@ -174,9 +174,9 @@ ErrorEstimate difference(const BestPrediction& a, const BestPrediction& b) {
 // the fluid, the error by time steps is 5e-4 and proportional to the square of the time step.
 double velocity_error_of_steps(MobilityModel model, const MobilitySettings& settings) {
   const double steps = settings.steps_per_cycle.value_or(MobilitySettings::default_steps_per_cycle);
-  const double by_steps =
+  const double error_of_time_steps =
       model == MobilityModel::unsteady ? 5e-4 * std::pow(100 / steps, 2) : 3.3e-5 * std::pow(100 / steps, 3);
-  return by_steps + 5 * settings.tolerance;
+  return error_of_time_steps + 5 * settings.tolerance;
 }
 
 namespace {
@@ -187,22 +187,22 @@ namespace {
 ErrorEstimate unsteady_error(const Question& question, const BestPrediction& best,
                              const MobilitySettings& settings) {
   const int order = settings.multipole_order;
-  const double share = std::array{1.6, 0.16, 0.05}[order], by_depth = std::array{0.1, 0.1, 0.006}[order];
-  constexpr double floor_of_velocity = 0.006, floor_of_arms = 0.001;
+  const double share = std::array{1.6, 0.16, 0.05}[order], depth_factor = std::array{0.1, 0.1, 0.006}[order];
+  constexpr double min_velocity_error = 0.006, min_arm_error = 0.001;
   const CollinearSwimmer& swimmer = question.swimmer;
   const double radius = *std::ranges::max_element(swimmer.radius);
   // |alpha| is sqrt(2) over the penetration depth.
   const double over_depth = radius * std::abs(inverse_penetration_depth(swimmer, question.fluid_density));
-  const double by_inertia = by_depth * std::pow(over_depth, 4) / 4;
+  const double inertia_error = depth_factor * std::pow(over_depth, 4) / 4;
   const Prediction pairs = predicted("rpy-ode", question), exact = predicted("multipole-ode", question);
   ErrorEstimate error;
   if (best.is_swimming)
-    error.velocity = best.cancellation * (floor_of_velocity + by_inertia) +
+    error.velocity = best.cancellation * (min_velocity_error + inertia_error) +
                      share * std::abs((pairs.velocity - exact.velocity) / best.velocity) +
                      velocity_error_of_steps(MobilityModel::unsteady, settings);
   for (int arm = 0; arm < 2; ++arm) {
     if (best.arm_amplitudes[arm] == 0) continue;
-    error.arm_amplitudes[arm] = floor_of_arms + by_inertia +
+    error.arm_amplitudes[arm] = min_arm_error + inertia_error +
                                 share * std::abs(pairs.stroke.amplitude[arm] - exact.stroke.amplitude[arm]) /
                                     best.arm_amplitudes[arm];
   }

@@ -43,8 +43,9 @@ double mesh_bytes(const OverdampedScene& scene) {
 /// Returns the cost with memory of the fluid, without measuring it on a large mesh. The numbers are from runs
 /// of the paper's swarm (docs/performance.md).
 StepCost estimated_cost(const OverdampedScene& scene) {
-  constexpr double seconds_per_point = 1.25e-7;                        // and field, per sum
-  constexpr std::array<double, 3> seconds_per_bead{2e-6, 2e-5, 5e-5};  // per sum
+  // Computing time of one sum, per mesh point and field, and per bead [core-seconds]
+  constexpr double seconds_per_point = 1.25e-7;
+  constexpr std::array<double, 3> seconds_per_bead{2e-6, 2e-5, 5e-5};
   const double sum = seconds_per_point * mesh_points(scene) * mesh_fields(scene) +
                      seconds_per_bead[scene.moment_order] * static_cast<double>(bead_radii(scene).size());
   return {.product = (scene.moment_order == 0 ? 1 : 1.3) * sum, .end_of_step = 1.3 * sum};
@@ -62,7 +63,7 @@ StepCost measured_cost(const OverdampedScene& scene, const Communicator& communi
     for (std::size_t b = 0; b < forces.size(); ++b)
       forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2 : 1) * factor;
     const double begin = MPI_Wtime();
-    product.apply(places, forces, velocities, FlowPart::with_memory);
+    product.apply(places, forces, velocities, FlowPart::forces_and_memory);
     const double middle = MPI_Wtime();
     if (scene.memory) product.end_step(places, forces, Vec3::Zero());
     cost.product += middle - begin;

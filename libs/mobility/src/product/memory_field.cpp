@@ -39,7 +39,7 @@ MemoryField::MemoryField(const Law& law, const MeshTransform& transform) : law_(
     if (k2 == 0) has_mean_ = true;
     if (k2 == 0 || k2 > cutoff_ * cutoff_) return;
     for (const SourceClass& each : law.classes)
-      forms_.push_back(form_factor(each.degree, std::sqrt(k2) * each.radius));
+      form_factors_.push_back(form_factor(each.degree, std::sqrt(k2) * each.radius));
     const StepFactors step = step_factors(diffusion * k2);
     double exponent = 0;
     for (int a = 0; a < 3; ++a) exponent += law.exponent[a] * k[a] * k[a];
@@ -52,13 +52,14 @@ MemoryField::MemoryField(const Law& law, const MeshTransform& transform) : law_(
                       .delay = step.delay,
                       .ramp = step.ramp});
   });
-  for (auto* fields : {&steady_, &left_, &stress_before_}) fields->assign(modes_.size(), Velocity::Zero());
+  for (auto* fields : {&steady_, &remaining_flow_, &previous_stress_})
+    fields->assign(modes_.size(), Velocity::Zero());
 }
 
 void MemoryField::read_forces(Values values) {
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
-    const double* const forms = &forms_[m * values.size()];
+    const double* const forms = &form_factors_[m * values.size()];
     Velocity steady;
     for (int c = 0; c < 3; ++c) {
       Complex force = 0;
@@ -73,10 +74,10 @@ void MemoryField::read_forces(Values values) {
 void MemoryField::add_flow(Values values, bool with_memory) const {
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
-    const double* const forms = &forms_[m * values.size()];
+    const double* const forms = &form_factors_[m * values.size()];
     for (int c = 0; c < 3; ++c) {
       Complex flow = -mode.delay * steady_[m][c];
-      if (with_memory) flow += left_[m][c];
+      if (with_memory) flow += remaining_flow_[m][c];
       flow *= mode.window;
       for (std::size_t f = 0; f < values.size(); ++f) as_complex(values[f][c])[mode.place] += forms[f] * flow;
     }
@@ -85,8 +86,8 @@ void MemoryField::add_flow(Values values, bool with_memory) const {
 
 void MemoryField::start() {
   for (std::size_t m = 0; m < modes_.size(); ++m) {
-    left_[m] = (modes_[m].delay - modes_[m].decay) * steady_[m];
-    stress_before_[m].setZero();
+    remaining_flow_[m] = (modes_[m].delay - modes_[m].decay) * steady_[m];
+    previous_stress_[m].setZero();
   }
 }
 
@@ -95,14 +96,14 @@ void MemoryField::end_step(const Vec3& mean_flow) {
   if (law_.fluid.has_reynolds_stress) flow.resize(modes_.size());
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
-    if (!flow.empty()) flow[m] = left_[m] + (1 - mode.delay) * steady_[m];
-    left_[m] = mode.decay * left_[m] + mode.delay * (1 - mode.decay) * steady_[m];
+    if (!flow.empty()) flow[m] = remaining_flow_[m] + (1 - mode.delay) * steady_[m];
+    remaining_flow_[m] = mode.decay * remaining_flow_[m] + mode.delay * (1 - mode.decay) * steady_[m];
   }
   if (law_.fluid.has_reynolds_stress) add_reynolds_stress(flow, mean_flow);
 }
 
 void MemoryField::add_reynolds_stress(std::span<const Velocity> flow, const Vec3& mean_flow) {
-  for (FftwArray& component : work_) {
+  for (FftwArray& component : velocity_and_curl_) {
     if (!component) component = transform_.array();
     std::fill_n(component.get(), transform_.reals(), 0.0);
   }
@@ -110,28 +111,30 @@ void MemoryField::add_reynolds_stress(std::span<const Velocity> flow, const Vec3
     const Vec3& k = modes_[m].k;
     for (int c = 0; c < 3; ++c) {
       const int d = (c + 1) % 3, e = (c + 2) % 3;
-      as_complex(work_[c])[modes_[m].place] = flow[m][c];
-      as_complex(work_[3 + c])[modes_[m].place] = Complex(0, 1) * (k[d] * flow[m][e] - k[e] * flow[m][d]);
+      as_complex(velocity_and_curl_[c])[modes_[m].place] = flow[m][c];
+      as_complex(velocity_and_curl_[3 + c])[modes_[m].place] =
+          Complex(0, 1) * (k[d] * flow[m][e] - k[e] * flow[m][d]);
     }
   }
   if (has_mean_)
-    for (int c = 0; c < 3; ++c) as_complex(work_[c])[0] = mean_flow[c];
-  for (const FftwArray& component : work_) transform_.backward(component);
+    for (int c = 0; c < 3; ++c) as_complex(velocity_and_curl_[c])[0] = mean_flow[c];
+  for (const FftwArray& component : velocity_and_curl_) transform_.backward(component);
   for (std::ptrdiff_t p = 0; p < transform_.reals(); ++p) {
-    const Vec3 u(work_[0][p], work_[1][p], work_[2][p]), curl(work_[3][p], work_[4][p], work_[5][p]);
+    const Vec3 u(velocity_and_curl_[0][p], velocity_and_curl_[1][p], velocity_and_curl_[2][p]),
+        curl(velocity_and_curl_[3][p], velocity_and_curl_[4][p], velocity_and_curl_[5][p]);
     const Vec3 force = -law_.fluid.density * curl.cross(u);
-    for (int c = 0; c < 3; ++c) work_[c][p] = force[c];
+    for (int c = 0; c < 3; ++c) velocity_and_curl_[c][p] = force[c];
   }
-  for (int c = 0; c < 3; ++c) transform_.forward(work_[c]);
+  for (int c = 0; c < 3; ++c) transform_.forward(velocity_and_curl_[c]);
   const double scale = 1 / (double(law_.points[0]) * law_.points[1] * law_.points[2]);
   for (std::size_t m = 0; m < modes_.size(); ++m) {
     const Mode& mode = modes_[m];
     Velocity stress;
-    for (int c = 0; c < 3; ++c) stress[c] = scale * as_complex(work_[c])[mode.place];
+    for (int c = 0; c < 3; ++c) stress[c] = scale * as_complex(velocity_and_curl_[c])[mode.place];
     stress = transverse(mode.k, mode.k.squaredNorm(), stress);
-    left_[m] += law_.fluid.step / law_.fluid.density *
-                (mode.delay * stress + mode.ramp * (stress - stress_before_[m]));
-    stress_before_[m] = stress;
+    remaining_flow_[m] += law_.fluid.step / law_.fluid.density *
+                          (mode.delay * stress + mode.ramp * (stress - previous_stress_[m]));
+    previous_stress_[m] = stress;
   }
 }
 
@@ -139,7 +142,7 @@ std::vector<double> MemoryField::state() const {
   std::vector<double> state;
   state.reserve(12 * modes_.size());
   for (std::size_t m = 0; m < modes_.size(); ++m)
-    for (const auto* field : {&left_, &stress_before_})
+    for (const auto* field : {&remaining_flow_, &previous_stress_})
       for (int c = 0; c < 3; ++c) state.insert(state.end(), {(*field)[m][c].real(), (*field)[m][c].imag()});
   return state;
 }
@@ -147,7 +150,7 @@ std::vector<double> MemoryField::state() const {
 void MemoryField::restore(std::span<const double> state) {
   std::size_t next = 0;
   for (std::size_t m = 0; m < modes_.size(); ++m)
-    for (auto* field : {&left_, &stress_before_})
+    for (auto* field : {&remaining_flow_, &previous_stress_})
       for (int c = 0; c < 3; ++c, next += 2) (*field)[m][c] = {state[next], state[next + 1]};
 }
 

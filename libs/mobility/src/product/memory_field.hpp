@@ -13,14 +13,14 @@ namespace beadswim {
 /// Memory of the fluid in a periodic box (fluid_memory.hpp): its Fourier modes up to a cutoff wavenumber, on
 /// the mesh of the forces. Each rank has the modes of its part of the Fourier transform.
 ///
-/// Each class of sources (SourceClasses) has a field on the mesh.
+/// The sources of each class (SourceClasses) are a field on the mesh.
 class MemoryField {
  public:
   struct Law {
     FluidMemory fluid;
     double viscosity = 0;              ///< dynamic [mass/(length time)]
     Vec3 lengths;                      ///< edges of the periodic box [length]
-    std::array<int, 3> points{};       ///< of the mesh
+    std::array<int, 3> points{};       ///< numbers of mesh points along the axes
     std::array<double, 3> exponent{};  ///< the Fourier transform of a window is exp(-sum exponent_a k_a^2)
     std::vector<SourceClass> classes;
   };
@@ -37,9 +37,10 @@ class MemoryField {
   /// Adds to the flow on the mesh the change that the delay of the fluid in a time step causes, and the flow
   /// that earlier forces have left, if `with_memory`.
   void add_flow(Values values, bool with_memory) const;
-  /// Begins with fluid at rest, on which the forces act from now on.
+  /// Sets the fluid at rest. The forces that were read begin to act.
   void start();
-  /// Ends a time step, at whose end the forces act. `mean_flow`: velocity of the mode k = 0 [length/time].
+  /// Ends a time step. The forces that were read act at its end. `mean_flow`: velocity of the mode k = 0
+  /// [length/time].
   void end_step(const Vec3& mean_flow);
 
   /// State of the modes of this rank, in the order of the modes of all ranks.
@@ -49,7 +50,7 @@ class MemoryField {
  private:
   using Velocity = Eigen::Vector3cd;
   struct Mode {
-    std::ptrdiff_t place;  ///< in the array of the Fourier transform
+    std::ptrdiff_t place;  ///< index in the array of the Fourier transform
     Vec3 k;                ///< wavevector [1/length]
     double window;         ///< inverse of the Fourier transform of a window
     double unit;           ///< steady flow per force on the mesh
@@ -63,11 +64,11 @@ class MemoryField {
   double cutoff_ = 0;
   bool has_mean_ = false;  ///< true if this rank has the mode k = 0
   std::vector<Mode> modes_;
-  std::vector<double> forms_;            ///< form factors of all classes, for each mode
-  std::vector<Velocity> steady_;         ///< steady flow of the forces
-  std::vector<Velocity> left_;           ///< g, flow that earlier forces leave at the end of the next step
-  std::vector<Velocity> stress_before_;  ///< Reynolds stress at the end of the step before [force/volume]
-  std::array<FftwArray, 6> work_;        ///< velocity and vorticity on the mesh
+  std::vector<double> form_factors_;       ///< form factors of all classes, for each mode
+  std::vector<Velocity> steady_;           ///< steady flow of the forces
+  std::vector<Velocity> remaining_flow_;   ///< g, flow that earlier forces leave at the end of the next step
+  std::vector<Velocity> previous_stress_;  ///< Reynolds stress at the end of the step before [force/volume]
+  std::array<FftwArray, 6> velocity_and_curl_;  ///< velocity and vorticity on the mesh
 };
 
 }  // namespace beadswim

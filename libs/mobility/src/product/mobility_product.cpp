@@ -43,7 +43,8 @@ void check(const MobilityScene& scene) {
   if (scene.moment_order < 0 || scene.moment_order > max_moment_order)
     throw InputError("mobility", fmt::format("the order {} of the force moments is invalid; give 0, 1 or 2",
                                              scene.moment_order));
-  if (scene.memory && !scene.box) throw InputError("mobility", "fluid with memory needs a box");
+  if (scene.memory && !scene.box)
+    throw InputError("mobility", "a fluid with memory needs a box; give a box, or leave the memory out");
   if (!scene.box) return;
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
@@ -94,8 +95,8 @@ struct MobilityProduct::Parts {
                                 std::span<Vec3> velocities);
   MemoryField* modes() const { return moments ? moments->memory() : mesh ? mesh->memory() : nullptr; }
   UnresolvedMemory& unresolved_memory() { return moments ? *moments->unresolved() : *unresolved; }
-  std::vector<double> read_memory(std::span<const Vec3> positions, std::span<const Vec3> forces,
-                                  ProductWork& work);
+  std::vector<double> moments_at_end_of_step(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                                             ProductWork& work);
 };
 
 MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> positions,
@@ -133,7 +134,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                                                                   .lengths = lengths,
                                                                   .xi = plan.xi,
                                                                   .cutoff = plan.cutoff});
-  ParticleMesh::Beads beads{{}, scene.viscosity, 0, with_inertia(scene.memory)};
+  ParticleMesh::Beads beads{{}, scene.viscosity, 0, inertial_memory(scene.memory)};
   const bool is_sphere = has_finite_radii(scene.model);
   if (is_sphere)
     for (const double radius : radii) beads.squared_radii.push_back(radius * radius);
@@ -199,29 +200,31 @@ void MobilityProduct::Parts::add_corrected_velocities(std::span<const Vec3> posi
   const NearMap& map = near_map_at(positions);
   std::vector<Vec3> mapped(forces.begin(), forces.end());
   map.map_forces(mapped);
-  add_velocities(positions, mapped, FlowPart::of_forces, velocities);
+  add_velocities(positions, mapped, FlowPart::forces, velocities);
   map.map_velocities(velocities);
   // Roundoff may differ between processors, so all ranks use the velocities of rank 0.
   MPI_Bcast(velocities.data(), static_cast<int>(3 * velocities.size()), MPI_DOUBLE, 0, communicator.get());
 }
 
-/// Evaluates the forces and their moments on the mesh, and returns the moments. Adds the work to `work`.
-std::vector<double> MobilityProduct::Parts::read_memory(std::span<const Vec3> positions,
-                                                        std::span<const Vec3> forces, ProductWork& work) {
+/// Solves for the moments at the end of a time step and transforms their sources. Returns the moments, and
+/// adds the work to `work`.
+std::vector<double> MobilityProduct::Parts::moments_at_end_of_step(std::span<const Vec3> positions,
+                                                                   std::span<const Vec3> forces,
+                                                                   ProductWork& work) {
   if (moments) {
-    work.add(moments->read_memory(positions, forces));
+    work.add(moments->solve_end_of_step(positions, forces));
     return {moments->history().begin(), moments->history().begin() + moments->history().size() / 2};
   }
   std::vector<Vec3> places(positions.begin(), positions.end()), sources(forces.begin(), forces.end());
   for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
-  mesh->read_memory(places, flat(sources));
+  mesh->read_sources(places, flat(sources));
   return {flat(forces).begin(), flat(forces).end()};
 }
 
 ProductWork MobilityProduct::start(std::span<const Vec3> positions, std::span<const Vec3> forces) {
   ProductWork work;
   if (!parts_->modes()) return work;
-  const std::vector<double> moments = parts_->read_memory(positions, forces, work);
+  const std::vector<double> moments = parts_->moments_at_end_of_step(positions, forces, work);
   parts_->modes()->start();
   parts_->unresolved_memory().start(moments);
   return work;
@@ -231,7 +234,7 @@ ProductWork MobilityProduct::end_step(std::span<const Vec3> positions, std::span
                                       const Vec3& mean_flow) {
   ProductWork work;
   if (!parts_->modes()) return work;
-  const std::vector<double> moments = parts_->read_memory(positions, forces, work);
+  const std::vector<double> moments = parts_->moments_at_end_of_step(positions, forces, work);
   parts_->modes()->end_step(mean_flow);
   parts_->unresolved_memory().end_step(moments);
   return work;

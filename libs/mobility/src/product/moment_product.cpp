@@ -62,7 +62,7 @@ MomentProduct::MomentProduct(const MobilityScene& scene, const std::optional<Ewa
       self_(moment_self_mobility(scene.moment_order, 1, scene.viscosity)),
       inverse_self_(self_.inverse()) {
   if (!plan) return;
-  ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, with_inertia(scene.memory)};
+  ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, inertial_memory(scene.memory)};
   for (const double radius : with_images(scene.radii, scene.box))
     beads.squared_radii.push_back(radius * radius);
   mesh_ = std::make_unique<ParticleMesh>(*plan, mirrored_lengths(scene.box), beads, communicator);
@@ -154,29 +154,29 @@ double MomentProduct::power(std::span<const Vec3> forces, std::span<const Vec3> 
 ProductWork MomentProduct::solve(std::span<const Vec3> positions, std::span<const Vec3> forces,
                                  std::span<Vec3> velocities, FlowPart part) {
   std::vector<double> moments(moment_count(scene_.moment_order) * positions.size(), 0.0);
-  if (part == FlowPart::of_forces || !unresolved_)
+  if (part == FlowPart::forces || !unresolved_)
     return solve_from(positions, forces, velocities, part, moments);
-  in_step_ = extrapolated_moments(positions.size());
-  return solve_from(positions, forces, velocities, part, in_step_);
+  moments_in_step_ = extrapolated_moments(positions.size());
+  return solve_from(positions, forces, velocities, part, moments_in_step_);
 }
 
 std::vector<double> MomentProduct::extrapolated_moments(std::size_t spheres) const {
   std::vector<double> moments(moment_count(scene_.moment_order) * spheres, 0.0);
-  for (std::size_t k = 0; 2 * k < history_.size(); ++k)
-    moments[k] = 2 * history_[k] - history_[moments.size() + k];
+  for (std::size_t k = 0; 2 * k < moment_history_.size(); ++k)
+    moments[k] = 2 * moment_history_[k] - moment_history_[moments.size() + k];
   return moments;
 }
 
-ProductWork MomentProduct::read_memory(std::span<const Vec3> positions, std::span<const Vec3> forces) {
-  std::vector<double> moments = in_step_;
+ProductWork MomentProduct::solve_end_of_step(std::span<const Vec3> positions, std::span<const Vec3> forces) {
+  std::vector<double> moments = moments_in_step_;
   moments.resize(moment_count(scene_.moment_order) * positions.size(), 0.0);
   std::vector<Vec3> velocities(positions.size());
-  const ProductWork work = solve_from(positions, forces, velocities, FlowPart::with_memory, moments);
+  const ProductWork work = solve_from(positions, forces, velocities, FlowPart::forces_and_memory, moments);
   const auto [places, sources] = sources_of(positions, moments);
-  mesh_->read_memory(places, sources);
-  if (history_.empty()) history_ = moments;
-  history_.resize(moments.size());
-  history_.insert(history_.begin(), moments.begin(), moments.end());
+  mesh_->read_sources(places, sources);
+  if (moment_history_.empty()) moment_history_ = moments;
+  moment_history_.resize(moments.size());
+  moment_history_.insert(moment_history_.begin(), moments.begin(), moments.end());
   return work;
 }
 

@@ -28,21 +28,21 @@ class MomentProduct {
 
   /// Arguments as of MobilityProduct::apply(). Collective.
   ProductWork solve(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
-                    FlowPart part = FlowPart::of_forces);
+                    FlowPart part = FlowPart::forces);
 
   /// Sets `projections` to M `moments`, moment_count() numbers per sphere each, with the projections of the
   /// flow that earlier forces have left if `part` asks for it. Collective.
   void apply(std::span<const Vec3> positions, std::span<const double> moments, std::span<double> projections,
-             FlowPart part = FlowPart::of_forces) const;
+             FlowPart part = FlowPart::forces) const;
 
-  /// Finds the moments at the end of a step and evaluates them on the mesh, for MemoryField::start() or
-  /// end_step(). Collective.
-  ProductWork read_memory(std::span<const Vec3> positions, std::span<const Vec3> forces);
+  /// Solves for the moments at the end of a time step and transforms their sources, which
+  /// MemoryField::start() or end_step() then uses. Collective.
+  ProductWork solve_end_of_step(std::span<const Vec3> positions, std::span<const Vec3> forces);
 
   /// Returns the moments at the end of the last two steps, the last step first. The solution for the next
   /// step begins with moments extrapolated from them. They are equal on all ranks.
-  const std::vector<double>& history() const { return history_; }
-  void restore(std::vector<double> history) { history_ = std::move(history); }
+  const std::vector<double>& history() const { return moment_history_; }
+  void restore(std::vector<double> history) { moment_history_ = std::move(history); }
 
   /// Returns the memory of the fluid on the mesh; null for steady flow.
   MemoryField* memory() const { return mesh_ ? mesh_->memory() : nullptr; }
@@ -70,8 +70,8 @@ class MomentProduct {
   std::unique_ptr<ParticleMesh> mesh_;          ///< null: all pairs are summed without a mesh
   std::optional<UnresolvedMemory> unresolved_;  ///< nullopt: steady flow
   Eigen::MatrixXd self_, inverse_self_;         ///< self-mobility of a sphere of radius 1, and its inverse
-  std::vector<double> history_;  ///< moments at the end of the last step, and of the step before
-  std::vector<double> in_step_;  ///< moments that the last solution with memory has found
+  std::vector<double> moment_history_;   ///< moments at the end of the last step, and of the step before
+  std::vector<double> moments_in_step_;  ///< moments that the last solution with memory has found
 };
 
 }  // namespace beadswim

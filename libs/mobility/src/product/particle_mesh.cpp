@@ -293,7 +293,7 @@ void ParticleMesh::Mesh::multiply(FlowPart part) {
   } else {
     multiply_periodic();
   }
-  if (memory) memory->add_flow(values, part == FlowPart::with_memory);
+  if (memory) memory->add_flow(values, part == FlowPart::forces_and_memory);
   for (auto& field : values)
     for (FftwArray& component : field) transform->backward(component);
 }
@@ -393,7 +393,7 @@ void ParticleMesh::add_flows(std::span<const Vec3> positions, std::span<const do
   mesh.gather(positions, flows);
 }
 
-void ParticleMesh::read_memory(std::span<const Vec3> positions, std::span<const double> sources) {
+void ParticleMesh::read_sources(std::span<const Vec3> positions, std::span<const double> sources) {
   mesh_->spread(positions, sources);
   mesh_->transform_forces();
 }

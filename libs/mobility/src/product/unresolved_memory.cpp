@@ -33,7 +33,7 @@ double mean_square_wavelength(double cutoff) {
 
 UnresolvedMemory::UnresolvedMemory(std::span<const double> radii, int order, double viscosity,
                                    const FluidMemory& fluid, double cutoff)
-    : count_(moment_count(order)), left_(count_ * radii.size(), 0.0) {
+    : count_(moment_count(order)), remaining_flow_(count_ * radii.size(), 0.0) {
   std::map<double, std::shared_ptr<const Sphere>> by_radius;
   for (const double a : radii) {
     std::shared_ptr<const Sphere>& sphere = by_radius[a];
@@ -44,8 +44,8 @@ UnresolvedMemory::UnresolvedMemory(std::span<const double> radii, int order, dou
           moment_self_mobility(order, a, viscosity) - moment_self_mobility_below(cutoff, order, a, viscosity);
       Eigen::VectorXd in_step = Eigen::VectorXd::Ones(steady.rows());
       in_step.head<3>().setConstant(std::sqrt(1 - step.delay));
-      sphere = std::make_shared<Sphere>(
-          Sphere{.delayed = steady - in_step.asDiagonal() * steady * in_step.asDiagonal(), .step = step});
+      sphere = std::make_shared<Sphere>(Sphere{
+          .delayed_mobility = steady - in_step.asDiagonal() * steady * in_step.asDiagonal(), .step = step});
     }
     spheres_.push_back(sphere);
   }
@@ -57,8 +57,9 @@ void UnresolvedMemory::add_projections(std::span<const double> moments, FlowPart
   for (std::size_t b = 0; b < spheres_.size(); ++b) {
     const Eigen::Map<const Eigen::VectorXd> of_sphere(&moments[count_ * b], count);
     Eigen::Map<Eigen::VectorXd> onto(&projections[count_ * b], count);
-    onto -= spheres_[b]->delayed * of_sphere;
-    if (part == FlowPart::with_memory) onto += Eigen::Map<const Eigen::VectorXd>(&left_[count_ * b], count);
+    onto -= spheres_[b]->delayed_mobility * of_sphere;
+    if (part == FlowPart::forces_and_memory)
+      onto += Eigen::Map<const Eigen::VectorXd>(&remaining_flow_[count_ * b], count);
   }
 }
 
@@ -66,10 +67,10 @@ template <class Share, class Factor>
 void UnresolvedMemory::update(const Share& share, const Factor& factor, std::span<const double> moments) {
   const auto count = static_cast<Eigen::Index>(count_);
   for (std::size_t b = 0; b < spheres_.size(); ++b) {
-    const auto& [delayed, step] = *spheres_[b];
-    Eigen::Map<Eigen::VectorXd> left(&left_[count_ * b], count);
+    const auto& [delayed_mobility, step] = *spheres_[b];
+    Eigen::Map<Eigen::VectorXd> left(&remaining_flow_[count_ * b], count);
     left = share(step) * left +
-           factor(step) * (delayed * Eigen::Map<const Eigen::VectorXd>(&moments[count_ * b], count));
+           factor(step) * (delayed_mobility * Eigen::Map<const Eigen::VectorXd>(&moments[count_ * b], count));
   }
 }
 

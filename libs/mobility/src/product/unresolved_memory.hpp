@@ -31,13 +31,13 @@ class UnresolvedMemory {
   void end_step(std::span<const double> moments);
 
   /// g, projections of the flow that earlier forces leave at the end of the next step.
-  const std::vector<double>& state() const { return left_; }
-  void restore(std::vector<double> state) { left_ = std::move(state); }
+  const std::vector<double>& state() const { return remaining_flow_; }
+  void restore(std::vector<double> state) { remaining_flow_ = std::move(state); }
 
  private:
   struct Sphere {
-    Eigen::MatrixXd delayed;  ///< mu - mu_h
-    StepFactors step;         ///< of the mode
+    Eigen::MatrixXd delayed_mobility;  ///< mu - mu_h
+    StepFactors step;                  ///< factors of the mode in a time step
   };
   /// Sets g = share of g + factor (mu - mu_h) moments, for the factors of each sphere.
   template <class Share, class Factor>
@@ -45,7 +45,7 @@ class UnresolvedMemory {
 
   std::vector<std::shared_ptr<const Sphere>> spheres_;  ///< spheres of equal radius share one
   std::size_t count_;                                   ///< moments of a sphere
-  std::vector<double> left_;
+  std::vector<double> remaining_flow_;
 };
 
 }  // namespace beadswim

@@ -19,7 +19,7 @@ struct EwaldScene {
   double largest_radius = 0;  ///< radius of the largest bead [length]
   int moment_order = 0;       ///< highest moment of the forces (force_moments.hpp)
   double tolerance = 1e-4;    ///< accepted error of bead velocities, divided by their root mean square
-  double max_spacing = std::numeric_limits<double>::infinity();  ///< of the mesh [length]
+  double max_spacing = std::numeric_limits<double>::infinity();  ///< upper bound of the mesh spacing [length]
 };
 
 /// Parameters of an Ewald sum, whose near part is summed over pairs of beads and whose far part is evaluated

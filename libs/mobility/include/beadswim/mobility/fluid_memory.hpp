@@ -34,20 +34,20 @@
 namespace beadswim {
 
 struct FluidMemory {
-  double density = 0;  ///< rho [mass/length^3]; 0: steady flow
-  double step = 0;     ///< h, time step [time]
-  double spacing = 0;  ///< largest spacing of the mesh that carries the memory [length]
-  bool has_reynolds_stress = true;
+  double density = 0;               ///< rho [mass/length^3]; 0: steady flow
+  double step = 0;                  ///< h, time step [time]
+  double spacing = 0;               ///< largest spacing of the mesh that carries the memory [length]
+  bool has_reynolds_stress = true;  ///< true: R acts on the fluid
 };
 
 /// Returns the memory of a fluid of finite density; nullopt for steady flow.
-inline std::optional<FluidMemory> with_inertia(const std::optional<FluidMemory>& memory) {
+inline std::optional<FluidMemory> inertial_memory(const std::optional<FluidMemory>& memory) {
   return memory && memory->density > 0 ? memory : std::nullopt;
 }
 
-/// Flow that a product evaluates. With a memory of the fluid, the flow of forces is the change by the forces
-/// at the end of a time step, and earlier forces have left a flow too. Without memory both are equal.
-enum class FlowPart { of_forces, with_memory };
+/// Flow that a product evaluates: of the given forces, or with the flow that earlier forces have left in a
+/// fluid with memory. The first is linear in the forces. Without memory both are equal.
+enum class FlowPart { forces, forces_and_memory };
 
 /// Largest number of radii whose form factors a mesh with memory treats without interpolation.
 constexpr std::size_t max_exact_radii = 4;

@@ -96,9 +96,9 @@ class MobilityProduct {
   /// number of ranks, equal arguments give the same bits. On different numbers of ranks, results agree to
   /// roundoff, and with force moments to the tolerance. All ranks must call the function (collective).
   ProductWork apply(std::span<const Vec3> positions, std::span<const Vec3> forces, std::span<Vec3> velocities,
-                    FlowPart part = FlowPart::of_forces) const;
+                    FlowPart part = FlowPart::forces) const;
 
-  /// Begins with fluid at rest, on which the forces begin to act. Only with memory; collective.
+  /// Sets the fluid at rest. The forces begin to act. No effect without memory. Collective.
   ProductWork start(std::span<const Vec3> positions, std::span<const Vec3> forces);
   /// Ends a time step, at whose end the spheres exert `forces` on the fluid. `mean_flow`: mean velocity of
   /// the fluid, with the insides of the spheres. Only with memory; collective.

@@ -70,8 +70,8 @@ class ParticleMesh {
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, FlowPart part,
                  std::span<double> flows);
 
-  /// Evaluates the forces on the mesh for MemoryField::start() or end_step(). Collective.
-  void read_memory(std::span<const Vec3> positions, std::span<const double> sources);
+  /// Spreads and transforms the sources, which MemoryField::start() or end_step() then uses. Collective.
+  void read_sources(std::span<const Vec3> positions, std::span<const double> sources);
   /// Returns the memory of the fluid; null for steady flow.
   MemoryField* memory() const;
 
