@@ -11,7 +11,8 @@ map(select(.resolution == null)) as $models
     and (.bead_boundary == "mr" or .relaxation_time > 1.2))) as $lattices
 | ($lattices | map(.resolution.cells_per_radius) | unique) as $cells
 | "| mobility model | error of velocity v, arm amplitude d2 [%]; core-seconds per cycle |", "|---|---|",
-($models | group_by(.model)[] | ["`\(.[0].model)`", numbers] | row),
+($models | group_by([.model, .mobility.multipole_order])[]
+  | ["`\(.[0].model)`" + (.[0].mobility.multipole_order | if . then ", order \(.)" else "" end), numbers] | row),
 (["bead boundary, relaxation time τ"] + ($cells | map("\(.) cells per radius") | .[0] += ": error of v ± SD, d2 [%]; core-seconds per cycle") | row, (map("---") | "|" + join("|") + "|")),
 ($lattices | group_by([(.resolution.bead_boundary | {"staircase": 1, "cli": 2, "psm": 3, "mr": 4}[.]), -(.resolution.relaxation_time * 10 | round)])[]
   | . as $runs | ["\(.[0].resolution | "\(.bead_boundary), \(.relaxation_time * 10 | round / 10)")"]

@@ -42,6 +42,8 @@ on_lattice() { # SCENE CYCLES CELLS-PER-RADIUS POSITIONS [FLAGS...]
 
 models() { # SCENE CYCLES
   for model in oseen rpy rpy+near; do measure "$1" "$2" 1 1 --model $model; done
+  for order in 1 2; do measure "$1" "$2" 1 1 --model multipole --multipole-order $order; done
+  for order in 0 1 2; do measure "$1" "$2" 1 1 --model unsteady --multipole-order $order; done
 }
 
 times() { # SCENE CYCLES COARSE FINE   runs two resolutions at all relaxation times

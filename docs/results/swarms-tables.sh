@@ -4,4 +4,4 @@
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 cd "${1:?name the folder of the records}"
-jq -rs -f "$here/swarms-tables.jq" uniform.jsonl defect.jsonl sensitivity.jsonl fine.jsonl
+jq -rs -f "$here/swarms-tables.jq" uniform.jsonl defect.jsonl sensitivity.jsonl fine.jsonl inertia.jsonl

@@ -3,7 +3,7 @@
 #   docs/results/swarms.sh FOLDER [GROUP...]     (two hours on one core; the programs on PATH)
 # Groups: uniform, defect: figures 5 and 6 at several resolutions; sensitivity: the defect swarm with other springs, dampers,
 # beads and initial positions; fine: the defect swarm at the paper's resolution; inertia: both swarms by models without a lattice
-# (half an hour). Existing files are kept.
+# (40 minutes). Existing files are kept.
 set -euo pipefail
 here=$(realpath "$(dirname "$0")")
 folder=${1:?name a folder for the records}

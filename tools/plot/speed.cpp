@@ -130,7 +130,11 @@ double cost_of(const PlottedRun& run) {
 /// Returns the settings of a run except its resolution, for example "mr, τ = 1.5, single" (bead boundary,
 /// relaxation time, precision).
 std::string setting_name(const RunRecord& record) {
-  if (!record.resolution) return record.model;
+  if (!record.resolution) {
+    const bool has_order = record.mobility && record.mobility->multipole_order;
+    return has_order ? fmt::format("{}, order {}", record.model, *record.mobility->multipole_order)
+                     : record.model;
+  }
   return fmt::format("{}, τ = {:g}, {}", record.resolution->bead_boundary,
                      std::round(100 * record.resolution->relaxation_time) / 100,
                      record.resolution->precision);
