@@ -7,10 +7,14 @@
 #     by-phase.jsonl             α from -3π/4 to π, T = 4800
 # Each line of a file is one run record. All runs take half an hour on 2 idle cores at the paper's resolution, and half a minute
 # with --cells-per-radius 2 --precision single. Existing files are kept. examples/figure-3.sh draws the runs and the theory.
+# Environment variables: BOX and BOUNDARY of the runs, PERIODS of by-period. In the paper's own box, with levels of cells
+# (ten minutes):
+#     BOX=1200,800,800 BOUNDARY=free-slip examples/figure-3-runs.sh FOLDER --refine auto
 set -euo pipefail
 
-box=120,80,80     # periodic box; all numbers are in lattice units
-middle=60,40,40   # of the box, where the recorded runs were made
+box=${BOX:-120,80,80}     # all numbers are in lattice units
+boundary=${BOUNDARY:-periodic}
+periods=${PERIODS:-1000 2000 3000 4800 7000 10000}
 amplitude=0.2     # A = B; in by-amplitude-ratio only B
 period=4800       # driving period, except in by-period
 ranks=2
@@ -28,13 +32,14 @@ while [[ ${1:-} == by-* ]]; do
   shift
 done
 flags=("$@")
+middle=$(jq -nr "[$box] | map(. / 2) | join(\",\")")
 # Runs a swimmer and prints the run record as one line. The run must be longer than the transients, which take about 4000 steps.
 # In this box, the transients of the springs take longer than those of the fluid.
 simulate() { # PERIOD LAYOUT-FLAGS...
   local period=$1 cycles=$((3 + 4000 / $1))
   shift
   echo "T = $period $* (${flags[*]})" >&2
-  beadswim-layout swimmer --preset paper-single --box "$box" --boundary periodic --position $middle --period "$period" "$@" |
+  beadswim-layout swimmer --preset paper-single --box "$box" --boundary "$boundary" --position "$middle" --period "$period" "$@" |
     mpirun -n "$ranks" beadswim-run - -o "$out/run.h5md" --cycles "$cycles" --progress none "${flags[@]}" | jq -c .
   rm "$out"/run.h5md{,.xdmf2}
 }
@@ -45,7 +50,7 @@ keep() { # NAME
   "$1" >"$out/$1.part"
   mv "$out/$1.part" "$out/$1.jsonl"
 }
-by-period() { for T in 1000 2000 3000 4800 7000 10000; do simulate $T --amplitude $amplitude; done; }
+by-period() { for T in $periods; do simulate $T --amplitude $amplitude; done; }
 by-amplitude-ratio() {
   for ratio in 0.25 0.5 1 1.5 2; do
     simulate $period --amplitude "$(jq -nr "$ratio * $amplitude"),$amplitude"

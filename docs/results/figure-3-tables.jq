@@ -65,6 +65,23 @@ def pi: 3.141592653589793;
       ($t["rpy-box-ode"].velocity / $t["rpy-ode"].velocity - 1 | percent)] | row)
  | table(["box (bead radius 4)", "boundary", "error of velocity v relative to `inertia-corrected` [%]", "change of v by the box, `inertia-corrected` [%]", "change of v by the box, theory without inertia [%]"])),
 
+"\n### The paper's box\n",
+"Runs with `mr`, 4 cells per radius and levels of cells in the free-slip box 1200 x 800 x 800.\n",
+($all | map(select(.name == "levels")) | sort_by(.run.driving.period)
+ | map((.run | seen) as $r | ["\(.run.driving.period)", "\($r.d1 | digits(4)), \($r.d2 | digits(4)), \($r.sine | rounded(3)), \($r.v | small)",
+     errors, uncertainty] | row)
+ | table(["period T [step]", "d1, d2 [cell], sin β, v [1e-5 cell/step]", "errors of d1, d2, v relative to `inertia-corrected` [%]", "uncertainty of predicted v [%]"])),
+
+"\n### Levels of cells\n",
+"Free-slip boxes, runs with `mr`, 2 cells per radius and single precision.\n",
+($all | map(select(.name == "walls-levels")
+   | box as $box | (.run | seen) as $r
+   | ([$all[] | select(.name == "walls" and box == $box and .run.domain.boundary[0] == "free-slip")][0]) as $one | ($one | if . then (.run | seen) else null end) as $u
+   | [$box, "\(.run.resolution.levels | length)", ($r.v | small),
+      (if $u then ["v", "d1", "d2"] | map(($r[.] / $u[.] - 1) * 100 | signed(3)) | join(", ") else "-" end)]
+   + [(.run | .cost.core_seconds | digits(2)), (if $one then ($one.run.cost.core_seconds | digits(2)) else "-" end)] | row)
+ | table(["box", "levels", "v [1e-5 cell/step]", "change of v, d1, d2 by levels [%]", "core-seconds with levels", "without"])),
+
 "\n### Staircase runs and equal weights\n",
 "Columns 2 and 3 exclude the effect of the box. \"Equal weights\" is Rotne-Prager theory with equal bead weights. The other columns contain the changes of v that lead from this theory to the `staircase` run.\n",
 (sweep("by-period") | map(select(.name == "fine" and .run.driving.period > 4000) | .run.driving.period as $T | .theory as $t

@@ -28,6 +28,8 @@ with_theory() { # NAME FILE LAYOUT-FLAGS...
       [ ! -e "$file" ] || with_theory "$setting" "$file" | jq -c --arg sweep $sweep '. + {sweep: $sweep}'
     done
   done
+  [ ! -e levels/by-period.jsonl ] || with_theory levels levels/by-period.jsonl
+  [ ! -e walls-levels.jsonl ] || jq -c '{name: "walls-levels", run: .}' walls-levels.jsonl
   [ ! -e slow.jsonl ] || with_theory slow slow.jsonl --stiffness 0.00347
   for file in walls.jsonl closed.jsonl; do [ ! -e "$file" ] || with_theory walls "$file"; done
   for setting in fine staircase three coarse; do

@@ -1,8 +1,9 @@
 #!/bin/bash
 # Makes the records of docs/figure-3.md, in part by examples/figure-3-runs.sh.
 #   docs/results/figure-3.sh FOLDER [GROUP...]     (90 minutes on 2 idle cores, including 45 minutes for group closed)
-# Groups: fine, staircase (bead boundary of the paper), three, coarse: figure 3 at several settings; slow: almost no inertia;
-# walls: free-slip and periodic boxes of several sizes; closed: the paper's box; cost: core-seconds. Existing files are kept.
+# Groups: fine, staircase (bead boundary of the paper), three, coarse: figure 3 at several settings; levels: in the paper's box, with
+# levels of cells; slow: almost no inertia; walls: free-slip and periodic boxes of several sizes; walls-levels: the free-slip boxes
+# with levels of cells; closed: the paper's box with cells of one size; cost: core-seconds. Existing files are kept.
 set -euo pipefail
 folder=${1:?name a folder for the records}
 shift
@@ -18,6 +19,9 @@ staircase() {
 }
 three() { "$examples/figure-3-runs.sh" three --cells-per-radius 3 --precision single; }
 coarse() { "$examples/figure-3-runs.sh" coarse --cells-per-radius 2 --precision single; }
+levels() {
+  BOX=1200,800,800 BOUNDARY=free-slip PERIODS="$(seq -s ' ' 1000 1000 10000) 4800" "$examples/figure-3-runs.sh" levels --refine auto
+}
 
 simulate() { # FLAGS...   standard input: layout; prints a record as one line
   mpirun -n 2 beadswim-run - -o run.h5md --progress none "$@" | jq -c . && rm run.h5md{,.xdmf2}
@@ -45,6 +49,12 @@ walls() {
   for box in 60,40,40 80,60,60 120,80,80 160,120,120 240,160,160; do in_box $box periodic --cycles 3; done >>walls.part
   mv walls.part walls.jsonl
 }
+walls-levels() {
+  for box in 120,80,80 160,80,80 200,120,120 300,200,200 400,260,260 600,400,400 1200,800,800; do
+    in_box $box free-slip --cycles 3 --refine auto
+  done >walls-levels.part
+  mv walls-levels.part walls-levels.jsonl
+}
 closed() { # 96 million cells, 12 GB
   in_box 1200,800,800 free-slip --cycles 3 >closed.part
   mv closed.part closed.jsonl
@@ -67,7 +77,7 @@ cost() {
   mv cost.part cost.txt
 }
 
-[ $# -gt 0 ] || set -- fine staircase three coarse slow walls cost closed
+[ $# -gt 0 ] || set -- fine staircase three coarse levels slow walls walls-levels cost closed
 for group; do
   [ -e "$group.jsonl" ] || [ -e "$group.txt" ] || "$group"
 done

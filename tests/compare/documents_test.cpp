@@ -45,7 +45,11 @@ RunRecord full_record() {
                                         .density_on_lattice = 1.2344,
                                         .radius_on_lattice = 4.0209,
                                         .angular_softening = 0.25,
-                                        .precision = "single"};
+                                        .precision = "single",
+                                        .levels = {}};
+  const Vec3 corner(8, 8, 8);
+  record.resolution->levels = {{.cell = 1, .boxes = {{Vec3::Zero(), 4 * corner}}, .cells = 32768},
+                               {.cell = 0.5, .boxes = {{corner, 2 * corner}}, .cells = 4096}};
   record.cost = RunCost{.wall_seconds = 10.5,
                         .core_seconds = 21,
                         .ranks = 2,

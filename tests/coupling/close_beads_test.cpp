@@ -26,7 +26,9 @@ struct OneBlock {
       : decomposition(cells, 1), populations(cells, Precision::fp64, HaloContent::entering) {}
 
   BlockInLattice at() const {
-    return block_in_lattice(decomposition, 0, {Boundary::periodic, Boundary::periodic, Boundary::periodic});
+    return {.block = decomposition.lattice(),
+            .cells = decomposition.cells(),
+            .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
   }
 
   Decomposition decomposition;

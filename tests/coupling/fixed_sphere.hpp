@@ -16,9 +16,10 @@ class FixedSphere {
               BeadScheme scheme = BeadScheme::staircase)
       : fluid(Index3::Constant(edge), periodic, relaxation_time, MPI_COMM_SELF, Precision::fp64,
               halo_content(scheme)),
-        coverage(block_in_lattice(fluid.decomposition, 0, periodic), fluid.populations),
+        coverage(BlockInLattice{.block = fluid.block, .cells = fluid.block.size, .boundary = periodic},
+                 fluid.populations),
         links(scheme),
-        cells(block_in_lattice(fluid.decomposition, 0, periodic)),
+        cells(BlockInLattice{.block = fluid.block, .cells = fluid.block.size, .boundary = periodic}),
         beads{{.name = {}, .owner = 0, .radius = radius, .motion = {.position = centre}, .impulse = {}}} {
     coverage.update(beads);
     links.find(coverage);

@@ -59,8 +59,10 @@ TEST(BeadImages, AreThoseFoundBySearchingAllCells) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> coordinate(-22, 22);
   for (const int rank : {0, 1, 3}) {
-    const BlockInLattice at = block_in_lattice(Decomposition(Index3(9, 8, 7), 4), rank,
-                                               {Boundary::periodic, Boundary::periodic, Boundary::periodic});
+    const Index3 cells(9, 8, 7);
+    const BlockInLattice at{.block = Decomposition(cells, 4).block(rank),
+                            .cells = cells,
+                            .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
     for (int trial = 0; trial < 60; ++trial) {
       const Vec3 position(coordinate(random), coordinate(random), coordinate(random));
       ASSERT_EQ(covered_by_images(at, position, 2.3), covered_by_search(at, position, 2.3))

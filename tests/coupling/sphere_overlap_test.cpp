@@ -81,8 +81,9 @@ TEST_P(SaturatedCellsOf, ABeadAddUpToItsVolumeAndCentre) {
     double volume = 0;
     Vec3 moment = Vec3::Zero();
     for (int rank = 0; rank < 4; ++rank) {
-      const BlockInLattice at =
-          block_in_lattice(decomposition, rank, {Boundary::periodic, Boundary::periodic, Boundary::periodic});
+      const BlockInLattice at = {.block = decomposition.block(rank),
+                                 .cells = decomposition.cells(),
+                                 .boundary = {Boundary::periodic, Boundary::periodic, Boundary::periodic}};
       SaturatedCells cells(at);
       cells.find(beads);
       for (int z = 0; z < at.block.size[2]; ++z) {

@@ -42,7 +42,7 @@ Request request_of(std::vector<std::string> arguments) {
 }
 
 bool is_small(const ModelPlan& plan) {
-  return plan.cells.value_or(0) <= most_cells && plan.swimmers.size() <= most_swimmers &&
+  return plan.updates_per_step.value_or(0) <= most_cells && plan.swimmers.size() <= most_swimmers &&
          plan.steps_per_cycle < 100000;
 }
 
@@ -55,7 +55,7 @@ CheckpointContents contents_after(const std::vector<std::string>& arguments, Che
   TrajectoryWriter trajectory(request.options.output, header_of(document, *plan), one_rank());
   Recorder recorder(*plan, document.layout, trajectory, one_rank());
   Checkpoints checkpoints(plan->options, dump_json(layout_to_json(document)), "", one_rank());
-  Progress progress(ProgressStyle::none, 0, 1, 1, plan->cells);
+  Progress progress(ProgressStyle::none, 0, 1, 1, plan->updates_per_step);
   const RunParts parts{0, one_rank(), *plan, *model, trajectory, recorder, checkpoints, progress};
   require(run_to_end(parts, std::nullopt).status == RunStatus::finished, "the run gets to its end");
   contents.read(CheckpointReader(checkpoints.last(), one_rank()));

@@ -34,7 +34,7 @@ class RunFailed : public SolverError {
 
 void require_steps_left(const ModelPlan& plan, long done) {
   const double cycles = plan.options.settings.cycles;
-  if (done == 0 || done < total_steps(cycles, plan.steps_per_cycle)) return;
+  if (done == 0 || done < plan.steps_in(cycles)) return;
   throw InputError(
       "--cycles", fmt::format("the number of cycles, {}, is too small, because the checkpoint is already at "
                               "cycle {:.6g}; give more cycles",
@@ -150,8 +150,8 @@ int run(int argc, char** argv, const Communicator& communicator, const Communica
   const RunOptions& options = plan.options;
   const long done = request.steps_done;
   require_steps_left(plan, done);
-  Progress progress(options.progress, done, total_steps(options.settings.cycles, plan.steps_per_cycle),
-                    static_cast<double>(plan.steps_per_cycle), plan.cells);
+  Progress progress(options.progress, done, plan.steps_in(options.settings.cycles),
+                    static_cast<double>(plan.steps_per_cycle), plan.updates_per_step);
   if (communicator.is_root()) announce(plan, request);
 
   const std::unique_ptr<Model> model = plan.make(request.continues_same_trajectory() ? done : 0);

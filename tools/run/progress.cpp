@@ -30,12 +30,12 @@ std::string duration_text(double seconds) {
 }  // namespace
 
 Progress::Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
-                   std::optional<double> cells)
+                   std::optional<double> updates_per_step)
     : style_(resolve_style(style)),
       first_(static_cast<double>(first)),
       steps_(static_cast<double>(steps)),
       steps_per_cycle_(steps_per_cycle),
-      cells_(cells),
+      updates_per_step_(updates_per_step),
       start_(Clock::now()),
       last_(start_) {}
 
@@ -57,16 +57,17 @@ void Progress::print(long steps_done) {
   const double elapsed = seconds(Clock::now() - start_);
   const double now_done = done - first_;
   const double left = now_done > 0 ? elapsed * (steps_ - done) / now_done : 0;
-  const double mlups = elapsed > 0 ? 1e-6 * cells_.value_or(0) * now_done / elapsed : 0;
+  const double mlups = elapsed > 0 ? 1e-6 * updates_per_step_.value_or(0) * now_done / elapsed : 0;
   if (style_ == ProgressStyle::json) {
     print_to_stderr(fmt::format("{{\"step\":{},\"steps\":{},\"cycle\":{:.4f},{}\"seconds_left\":{:.1f}}}\n",
                                 steps_done, steps_, done / steps_per_cycle_,
-                                cells_ ? fmt::format("\"mlups\":{:.3f},", mlups) : "", left));
+                                updates_per_step_ ? fmt::format("\"mlups\":{:.3f},", mlups) : "", left));
     return;
   }
-  const std::string line = fmt::format(
-      "cycle {:.2f} of {:.2f}, {:3.0f} %,{} {} left", done / steps_per_cycle_, steps_ / steps_per_cycle_,
-      100 * done / steps_, cells_ ? fmt::format(" {:.1f} MLUPS,", mlups) : "", duration_text(left));
+  const std::string line =
+      fmt::format("cycle {:.2f} of {:.2f}, {:3.0f} %,{} {} left", done / steps_per_cycle_,
+                  steps_ / steps_per_cycle_, 100 * done / steps_,
+                  updates_per_step_ ? fmt::format(" {:.1f} MLUPS,", mlups) : "", duration_text(left));
   if (style_ == ProgressStyle::lines) {
     print_to_stderr(fmt::format("beadswim-run: {}\n", line));
     return;

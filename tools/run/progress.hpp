@@ -11,9 +11,10 @@ namespace beadswim {
 class Progress {
  public:
   /// `first`: number of time steps that an earlier run has completed. `steps`: total number of time steps,
-  /// including `first`. `cells`: number of lattice cells; nullopt for models without a lattice, for which no
-  /// speed (MLUPS) is printed.
-  Progress(ProgressStyle style, long first, long steps, double steps_per_cycle, std::optional<double> cells);
+  /// including `first`. `updates_per_step`: number of lattice cells that a step updates; nullopt for models
+  /// without a lattice, for which no speed (MLUPS) is printed.
+  Progress(ProgressStyle style, long first, long steps, double steps_per_cycle,
+           std::optional<double> updates_per_step);
 
   void update(long steps_done);  ///< prints a line if enough time has passed since the last line
   void finish(long steps_done);  ///< prints the last line
@@ -25,7 +26,7 @@ class Progress {
 
   ProgressStyle style_;
   double first_, steps_, steps_per_cycle_;
-  std::optional<double> cells_;
+  std::optional<double> updates_per_step_;
   Clock::time_point start_, last_;
 };
 

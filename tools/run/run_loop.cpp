@@ -49,10 +49,11 @@ std::optional<StopRequest> stop_request(double start, const RunOptions& options,
 
 /// Time steps at which outputs and checks are due. An interval of 0 means that the output is never due.
 struct Timetable {
-  long steps = 0, flow_interval = 0, checkpoint_interval = 0;
+  long steps = 0, guard_interval = 0, flow_interval = 0, checkpoint_interval = 0;
 
   explicit Timetable(const ModelPlan& plan)
-      : steps(total_steps(plan.options.settings.cycles, plan.steps_per_cycle)),
+      : steps(plan.steps_in(plan.options.settings.cycles)),
+        guard_interval(plan.whole_steps(steps_between_guards)),
         flow_interval(interval(plan, plan.options.settings.flow_every)),
         checkpoint_interval(interval(plan, plan.options.settings.checkpoint_every)) {}
 
@@ -62,12 +63,12 @@ struct Timetable {
     return checkpoint_interval > 0 && (is_last(step) || step % checkpoint_interval == 0);
   }
   bool is_guard(long step) const {
-    return is_last(step) || is_checkpoint(step) || step % steps_between_guards == 0;
+    return is_last(step) || is_checkpoint(step) || step % guard_interval == 0;
   }
 
  private:
   static long interval(const ModelPlan& plan, const std::optional<double>& cycles) {
-    return cycles ? steps_between(*cycles, plan.steps_per_cycle) : 0;
+    return cycles ? plan.whole_steps(steps_between(*cycles, plan.steps_per_cycle)) : 0;
   }
 };
 

@@ -42,9 +42,10 @@ Index3 cheapest_grid(const Index3& cells, int ranks) {
 
 }  // namespace
 
-Decomposition::Decomposition(const Index3& cells, int ranks)
-    : cells_(cells), grid_(cheapest_grid(cells, ranks)) {
+Decomposition::Decomposition(const Block& lattice, int ranks)
+    : lattice_(lattice), grid_(cheapest_grid(lattice.size, ranks)) {
   if ((grid_ == 0).any()) {
+    const Index3& cells = lattice.size;
     throw InputError(Setting::ranks, fmt::format("{} ranks cannot share {} x {} x {} cells; use fewer ranks",
                                                  ranks, cells[0], cells[1], cells[2]));
   }
@@ -62,8 +63,9 @@ Block Decomposition::block(int rank) const {
   const Index3 p = grid_position(rank);
   Block block;
   for (int a = 0; a < 3; ++a) {
-    block.offset[a] = cut(cells_[a], grid_[a], p[a]);
-    block.size[a] = cut(cells_[a], grid_[a], p[a] + 1) - block.offset[a];
+    const int first = cut(cells()[a], grid_[a], p[a]), end = cut(cells()[a], grid_[a], p[a] + 1);
+    block.offset[a] = lattice_.offset[a] + first;
+    block.size[a] = end - first;
   }
   return block;
 }
@@ -72,7 +74,8 @@ int Decomposition::rank_of_cell(const Index3& cell) const {
   Index3 p;
   for (int a = 0; a < 3; ++a) {
     // Inverse of cut(): the last part whose first cell is not beyond `cell`.
-    p[a] = static_cast<int>((static_cast<long>(cell[a] + 1) * grid_[a] - 1) / cells_[a]);
+    const long end = cell[a] - lattice_.offset[a] + 1;
+    p[a] = static_cast<int>((end * grid_[a] - 1) / cells()[a]);
   }
   return rank_at(p);
 }

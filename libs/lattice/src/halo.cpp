@@ -206,7 +206,8 @@ void for_each_kind(HaloContent content, Visit&& visit) {
 }  // namespace
 
 Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
-           const std::array<Boundary, 3>& boundary, HaloContent content)
+           const std::array<Boundary, 3>& boundary, HaloContent content,
+           const std::array<bool, 3>& at_interface)
     : comm_(communicator.get()), rank_(communicator.rank()), content_(content) {
   if (content == HaloContent::behind && (decomposition.cells() < 2 * decomposition.grid()).any()) {
     throw InputError(
@@ -224,6 +225,7 @@ Halo::Halo(const Communicator& communicator, const Decomposition& decomposition,
       neighbour[axis] = (neighbour[axis] + blocks) % blocks;
       Face& face = faces_[axis][side];
       face.closed_by = outside ? boundary[axis] : Boundary::periodic;
+      face.at_interface = outside && at_interface[axis];
       face.neighbour = face.is_open() ? decomposition.rank_at(neighbour) : MPI_PROC_NULL;
     }
   }

@@ -34,18 +34,17 @@ void fill_row_ends(const SweepRow<Real>& row, RowEnds row_ends) {
 
 }  // namespace
 
-/// Arguments of the kernel that sweeps one row, in the precision of the populations. Only `first`, the index
-/// of the first cell of the row, changes from row to row.
+/// Arguments of the kernel that sweeps one row, in the precision of the populations. Only `first` and `cells`
+/// change from row to row.
 struct BlockSweep::Rows {
   std::variant<SweepRow<double>, SweepRow<float>> row;
 };
 
 BlockSweep::BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends,
-                       const Vec3& body_force)
-    : populations_(populations), row_ends_(row_ends), rows_(std::make_unique<Rows>()) {
+                       const Vec3& body_force, std::span<const Block> skipped)
+    : populations_(populations), row_ends_(row_ends), skipped_(skipped), rows_(std::make_unique<Rows>()) {
   in_precision(populations.precision(), [&]<class Real>() {
     SweepRow<Real> row;
-    row.cells = populations.size()[0];
     row.rates = collision_rates<Real>(rates);
     row.force = in_kernel_form<Real>(body_force);
     for (int i = 0; i < d3q19::directions; ++i) {
@@ -66,8 +65,14 @@ void BlockSweep::row(int y, int z) {
 template <class Real>
 void BlockSweep::row_as(int y, int z) {
   auto& row = std::get<SweepRow<Real>>(rows_->row);
+  const int cells = populations_.size()[0];
+  for_each_run_outside(skipped_, cells, y, z, [&](int first, int end) {
+    row.first = populations_.cell(first, y, z);
+    row.cells = end - first;
+    row_kernels().sweep(row);
+  });
   row.first = populations_.cell(0, y, z);
-  row_kernels().sweep(row);
+  row.cells = cells;
   fill_row_ends(row, row_ends_);
 }
 

@@ -40,22 +40,32 @@ void add_run(FluidTotals& totals, const Populations& populations, std::ptrdiff_t
   for (int a = 0; a < 3; ++a) totals.momentum[a].add_split(sums.coarse[a + 1], sums.fine[a + 1]);
 }
 
-}  // namespace
-
-FluidTotals block_totals(const Populations& populations) {
+/// Returns the totals over the cells of a block outside the parts `skipped`, which are sorted by x.
+FluidTotals totals_outside(const Populations& populations, std::span<const Block> skipped) {
   constexpr int longest_run = order_free::max_terms;
   FluidTotals totals;
   const Index3& n = populations.size();
   in_precision(populations.precision(), [&]<class Real>() {
     for (int z = 0; z < n[2]; ++z) {
       for (int y = 0; y < n[1]; ++y) {
-        for (int x = 0; x < n[0]; x += longest_run) {
-          add_run<Real>(totals, populations, populations.cell(x, y, z), std::min(longest_run, n[0] - x));
-        }
+        for_each_run_outside(skipped, n[0], y, z, [&](int first, int end) {
+          for (int x = first; x < end; x += longest_run)
+            add_run<Real>(totals, populations, populations.cell(x, y, z), std::min(longest_run, end - x));
+        });
       }
     }
   });
   return totals;
+}
+
+}  // namespace
+
+FluidTotals block_totals(const Populations& populations) {
+  return totals_outside(populations, {});
+}
+
+FluidTotals used_cell_totals(const Level& level) {
+  return totals_outside(level.populations, level.covered);
 }
 
 FluidTotals sum_over_ranks(const FluidTotals& totals, const Communicator& communicator) {

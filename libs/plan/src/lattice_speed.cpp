@@ -9,6 +9,7 @@
 #include "beadswim/core/median.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/coupling/refinement.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
 namespace beadswim {
@@ -123,7 +124,7 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
 
 double LatticeSpeed::step(const CoupledScene& scene) const {
   const PrecisionCost& own = precisions_.at(static_cast<std::size_t>(scene.precision));
-  const double cells = scene.cells.cast<double>().prod();
+  const double cells = updates_per_step(scene.all_levels());
   return cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks_) +
          own.seconds_per_area.at(static_cast<std::size_t>(scene.bead_boundary)) * bead_surface(scene);
 }

@@ -8,6 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/coupling/refinement.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "beadswim/plan/lattice_speed.hpp"
 #include "beadswim/plan/reason_against.hpp"
@@ -105,7 +106,8 @@ double mach_of(const SceneOnLattice& on_lattice, const SceneFacts& facts) {
 
 void add_cost(PlannedRun& run, const SceneOnLattice& on_lattice, const LatticeSpeed& speed, long steps,
               const Communicator& communicator) {
-  const double cells = on_lattice.scene.cells.cast<double>().prod(), bytes = lattice_bytes(on_lattice.scene);
+  const double cells = cells_on_levels(on_lattice.scene.all_levels()),
+               bytes = lattice_bytes(on_lattice.scene);
   run.core_seconds =
       start_seconds * communicator.size() + static_cast<double>(steps) * speed.step(on_lattice.scene);
   run.memory_bytes = bytes + program_bytes * communicator.size();

@@ -24,6 +24,7 @@ constexpr auto flags = std::to_array<NamedValue<Setting>>({
     {Setting::output, "-o"},
     {Setting::period, "--period"},
     {Setting::precision, "--precision"},
+    {Setting::refinement, "--refine"},
     {Setting::ranks, "mpirun -n"},
     {Setting::relaxation_time, "--relaxation-time"},
     {Setting::repair, "--repair"},

@@ -95,6 +95,33 @@ void add_resolution(CLI::App& program, LatticeSettings& lattice) {
       ->default_str("the layout's, else 1");
 }
 
+std::string refinement_text(const std::optional<int>& levels) {
+  if (!levels) return "auto";
+  return *levels == 0 ? "off" : fmt::format("{}", *levels);
+}
+
+/// Adds the flag --refine, whose value is off, auto or a number of levels.
+void add_refinement(CLI::App& program, LatticeSettings& lattice) {
+  const auto fault = [](const std::string& text) -> std::string {
+    constexpr int most = 9;
+    if (text == "off" || text == "auto" || whole_number(1, most)(text).empty()) return {};
+    return fmt::format("use off, auto, or the number of finer levels, from 1 to {}", most);
+  };
+  program
+      .add_option_function<std::string>(
+          "--refine",
+          [&lattice](const std::string& text) {
+            lattice.refinement = text == "off" ? 0 : std::stoi(text == "auto" ? "0" : text);
+            if (text == "auto") lattice.refinement.reset();
+          },
+          "Number of levels of cells below the coarsest, each with cells of half the size, around the beads; "
+          "auto: the cheapest number; off: cells of one size")
+      ->run_callback_for_default()  // --restart sets values from the checkpoint with default_val()
+      ->type_name("off|auto|N")
+      ->check(CLI::Validator(fault, ""))
+      ->default_str("off");
+}
+
 void add_beads_in_fluid(CLI::App& program, LatticeSettings& lattice) {
   add_choice(program, "--bead-boundary", lattice.bead_boundary,
              "No-slip condition on beads: staircase (half-way bounce-back), cli (linear interpolation), mr "
@@ -172,6 +199,7 @@ void add_flags(CLI::App& program, RunOptions& options) {
   add_length(program, options.settings);
   add_mobility(program, options.settings.mobility);
   add_resolution(program, options.settings.lattice);
+  add_refinement(program, options.settings.lattice);
   add_beads_in_fluid(program, options.settings.lattice);
   add_stops(program, options);
   add_outputs(program, options);
@@ -243,11 +271,12 @@ void refuse_flags(const RunOptions& options, std::initializer_list<const char*> 
 }
 
 void refuse_lattice_flags(const RunOptions& options, RunModel model) {
-  refuse_flags(options,
-               {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
-                "--radius-correction", "--lubrication", "--friction", "--precision", "--flow-every"},
-               "the flag applies to the lattice only; leave the flag out, or use --model lbm instead of " +
-                   to_text(model));
+  refuse_flags(
+      options,
+      {"--cells-per-radius", "--relaxation-time", "--bead-boundary", "--delay-correction",
+       "--radius-correction", "--lubrication", "--friction", "--precision", "--refine", "--flow-every"},
+      "the flag applies to the lattice only; leave the flag out, or use --model lbm instead of " +
+          to_text(model));
 }
 
 void refuse_mobility_flags(const RunOptions& options, MobilityModel model) {
@@ -280,7 +309,8 @@ FlagValues result_flags(const RunSettings& settings) {
                     {"--radius-correction", on_or_off(settings.lattice.radius_correction)},
                     {"--lubrication", on_or_off(settings.lattice.lubrication)},
                     {"--friction", fmt::format("{}", settings.lattice.friction)},
-                    {"--precision", to_text(settings.lattice.precision)}};
+                    {"--precision", to_text(settings.lattice.precision)},
+                    {"--refine", refinement_text(settings.lattice.refinement)}};
   if (settings.lattice.cells_per_radius)
     values["--cells-per-radius"] = fmt::format("{}", *settings.lattice.cells_per_radius);
   if (settings.lattice.relaxation_time)

@@ -64,6 +64,13 @@ std::string what_is_wrong(const Fault& fault, const SceneOnLattice& on_lattice, 
           "{} is too close to a wall: the gap between bead and wall is {:.3g}, less than {:.3g}, half a "
           "cell; use a larger box or weaker driving",
           place_of(fault, scales), fault.value * scales.cell, min_wall_gap * scales.cell);
+    case FaultKind::level:
+      return fmt::format(
+          "{} is too close to a coarser level of cells: the gap between them is {:.3g}, less than {:.3g}, {} "
+          "cells, and the finest level cannot follow it, because no room is left or the bead is too fast; "
+          "use "
+          "a smaller --refine, or --refine off",
+          place_of(fault, scales), fault.value * scales.cell, min_level_gap * scales.cell, min_level_gap);
     case FaultKind::overlap:
       return fmt::format(
           "{} and {} overlap by {:.3g} of the smaller radius, above the limit of {}; use weaker driving or "

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <unordered_map>
@@ -28,8 +29,8 @@ std::vector<float> interleaved(const std::vector<double>& plane, int components)
 }  // namespace
 
 FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
-                       const Communicator& communicator)
-    : stem_(trajectory + ".flow"), scales_(scales), communicator_(communicator) {
+                       int levels, const Communicator& communicator)
+    : stem_(trajectory + ".flow"), scales_(scales), levels_(levels), communicator_(communicator) {
   std::error_code failure;
   if (communicator_.is_root()) std::filesystem::create_directories(stem_, failure);
   int reason = failure.value();
@@ -42,9 +43,10 @@ FlowOutput::FlowOutput(const std::string& trajectory, const LatticeScales& scale
   }
   if (done > 0 && communicator_.is_root()) remove_after(done);
   for (long step = interval; step <= done; step += interval) {
-    const PvdEntry entry = entry_of(step);
-    if (std::filesystem::exists(std::filesystem::path(stem_).parent_path() / entry.file))
-      entries_.push_back(entry);
+    for (const PvdEntry& entry : entries_of(step)) {
+      if (std::filesystem::exists(std::filesystem::path(stem_).parent_path() / entry.file))
+        entries_.push_back(entry);
+    }
   }
 }
 
@@ -53,7 +55,7 @@ void FlowOutput::remove_after(long done) const {
   std::vector<std::filesystem::path> later;
   for (const auto& file : std::filesystem::directory_iterator(stem_, ignored)) {
     const std::filesystem::path& path = file.path();
-    const std::string number = path.stem().string();
+    const std::string name = path.stem().string(), number = name.substr(0, name.find('-'));
     const bool is_step = !number.empty() && number.find_first_not_of("0123456789") == std::string::npos;
     if (path.extension() == ".vti" && is_step && number.size() < 19 && std::stol(number) > done)
       later.push_back(path);
@@ -61,16 +63,34 @@ void FlowOutput::remove_after(long done) const {
   for (const auto& path : later) std::filesystem::remove(path, ignored);
 }
 
-PvdEntry FlowOutput::entry_of(long step) const {
-  return {static_cast<double>(step) * scales_.step,
-          fmt::format("{}/{:09}.vti", std::filesystem::path(stem_).filename().string(), step)};
+std::vector<PvdEntry> FlowOutput::entries_of(long step) const {
+  std::vector<PvdEntry> entries;
+  for (int n = 0; n < levels_; ++n) {
+    const std::string level = levels_ == 1 ? "" : fmt::format("-{}", n);
+    entries.push_back(
+        {.time = static_cast<double>(step) * scales_.step,
+         .file = fmt::format("{}/{:09}{}.vti", std::filesystem::path(stem_).filename().string(), step, level),
+         .part = n});
+  }
+  return entries;
 }
 
 void FlowOutput::write(const CoupledSystem& system) {
+  const std::vector<PvdEntry> entries = entries_of(system.steps_done());
+  for (const PvdEntry& entry : entries) {
+    write_level(system, entry.part, std::filesystem::path(stem_).parent_path() / entry.file);
+    if (communicator_.is_root()) entries_.push_back(entry);
+  }
+  if (communicator_.is_root()) write_pvd(stem_ + ".pvd", entries_);
+}
+
+void FlowOutput::write_level(const CoupledSystem& system, int number, const std::string& file) {
+  const Level& level = system.levels()[number];
+  const Populations& populations = level.populations;
   const auto field = [&](const std::string& name, int components, auto value) {
     return VtiField{
-        .name = name, .components = components, .plane = [&system, this, components, value](int z) {
-          return interleaved(gather_plane(system, communicator_, z, components, value), components);
+        .name = name, .components = components, .plane = [this, &level, components, value](int z) {
+          return interleaved(gather_plane(level, communicator_, z, components, value), components);
         }};
   };
   const double pressure = scales_.density * scales_.velocity() * scales_.velocity() / 3;
@@ -79,40 +99,58 @@ void FlowOutput::write(const CoupledSystem& system) {
     double number;
   };
   std::unordered_map<std::ptrdiff_t, CoveredCell> covered_cells;  // cells within beads contain no fluid
-  system.coverage().for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
-    const BeadOnLattice& covering = system.beads_here()[bead];
-    covered_cells.emplace(cell, CoveredCell{covering.velocity_at(from_centre), 1.0 + covering.name.bead});
-  });
-  const std::vector<VtiField> fields{
+  if (number == levels_ - 1) {
+    system.coverage().for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
+      const BeadOnLattice& covering = system.beads_here()[bead];
+      covered_cells.emplace(cell, CoveredCell{covering.velocity_at(from_centre), 1.0 + covering.name.bead});
+    });
+  }
+  std::vector<VtiField> fields{
       field("velocity", 3,
             [&](int k, std::ptrdiff_t cell) {
               const auto covered_cell = covered_cells.find(cell);
               const Vec3 velocity = covered_cell != covered_cells.end()
                                         ? covered_cell->second.velocity
-                                        : cell_moments(system.populations(), cell).momentum;
+                                        : cell_moments(populations, cell).momentum;
               return velocity[k] * scales_.velocity();
             }),
       field("pressure", 1,
             [&](int, std::ptrdiff_t cell) {
               return covered_cells.contains(cell)
                          ? 0.0
-                         : cell_moments(system.populations(), cell).density_deviation * pressure;
+                         : cell_moments(populations, cell).density_deviation * pressure;
             }),
       field("bead", 1, [&](int, std::ptrdiff_t cell) {
         const auto covered_cell = covered_cells.find(cell);
         return covered_cell != covered_cells.end() ? covered_cell->second.number : 0.0;
       })};
-  const Index3& cells = system.decomposition().cells();
+  if (levels_ > 1) {
+    VtiField hiding{.name = vti_hiding_field, .is_small_integer = true, .plane = [&](int z) {
+                      std::vector<double> used =
+                          gather_plane(level, communicator_, z, 1, [](int, std::ptrdiff_t) { return 1.0; });
+                      std::vector<float> hidden;
+                      for (const double is_used : used) hidden.push_back(is_used == 0 ? vti_hidden : 0);
+                      return hidden;
+                    }};
+    fields.push_back(std::move(hiding));
+  }
+  const Block& lattice = level.place.lattice;
   if (!communicator_.is_root()) {  // sends its part of each plane, in the order of rank 0
     for (const VtiField& f : fields) {
-      for (int z = 0; z < cells[2]; ++z) f.plane(z);
+      for (int z = 0; z < lattice.size[2]; ++z) f.plane(z);
     }
     return;
   }
-  const PvdEntry entry = entry_of(system.steps_done());
-  write_vti(std::filesystem::path(stem_).parent_path() / entry.file, cells, scales_.cell, fields);
-  entries_.push_back(entry);
-  write_pvd(stem_ + ".pvd", entries_);
+  const double edge = std::ldexp(scales_.cell, levels_ - 1 - number);
+  // The image of the level whose centre lies in the box.
+  Index3 offset = lattice.offset;
+  for (int a = 0; a < 3; ++a) {
+    if (level.place.boundary[a] != Boundary::periodic) continue;
+    const int centre = offset[a] + lattice.size[a] / 2, box = level.place.box[a];
+    offset[a] -= box * static_cast<int>(std::floor(static_cast<double>(centre) / box));
+  }
+  write_vti(file, {.cells = lattice.size, .spacing = edge, .origin = edge * offset.cast<double>().matrix()},
+            fields);
 }
 
 }  // namespace beadswim

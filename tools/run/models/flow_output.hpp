@@ -10,13 +10,16 @@
 namespace beadswim {
 
 /// Writes flow fields, in units of the layout, to files TRAJECTORY.flow/STEP.vti, and lists these files for
-/// ParaView in TRAJECTORY.flow.pvd. TRAJECTORY is the path of the trajectory file.
+/// ParaView in TRAJECTORY.flow.pvd. TRAJECTORY is the path of the trajectory file. With several levels of
+/// cells, each has its own file STEP-N.vti, where N counts from the coarsest level, 0; cells under a finer
+/// level are hidden.
 class FlowOutput {
  public:
   /// Creates the folder for the files. `interval`: number of time steps between two flow fields. `done`: last
   /// step of the earlier run that this run continues, or 0. Flow fields of the earlier run until this step
-  /// stay in the list of files. Throws InputError if the folder cannot be created.
-  FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done,
+  /// stay in the list of files. `levels`: number of levels of cells. Throws InputError if the folder cannot
+  /// be created.
+  FlowOutput(const std::string& trajectory, const LatticeScales& scales, long interval, long done, int levels,
              const Communicator& communicator);
 
   /// Writes velocity, pressure and bead for each cell: the pressure is relative to the fluid at rest, and the
@@ -24,11 +27,14 @@ class FlowOutput {
   void write(const CoupledSystem& system);
 
  private:
-  PvdEntry entry_of(long step) const;
+  /// Returns the files of a step.
+  std::vector<PvdEntry> entries_of(long step) const;
+  void write_level(const CoupledSystem& system, int number, const std::string& file);
   void remove_after(long done) const;  ///< removes flow fields of later steps, which this run rewrites
 
   std::string stem_;
   LatticeScales scales_;
+  int levels_;
   const Communicator& communicator_;
   std::vector<PvdEntry> entries_;
 };

@@ -9,6 +9,7 @@
 #include "beadswim/coupling/conservation.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/lattice_memory.hpp"
+#include "beadswim/coupling/refinement.hpp"
 #include "beadswim/plan/run_length.hpp"
 #include "beadswim/plan/velocity_roundoff.hpp"
 #include "models/fault_message.hpp"
@@ -22,6 +23,15 @@ namespace {
 std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator& communicator) {
   const Index3& cells = on_lattice.scene.cells;
   const LatticeChoice& lattice = on_lattice.lattice;
+  const std::vector<Block> levels = on_lattice.scene.all_levels();
+  if (levels.size() > 1) {
+    return fmt::format(
+        "{:.3g} cells on {} levels, the finest of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps "
+        "per cycle, {} swimmers, {} precision, {:.2g} GB on {} ranks",
+        cells_on_levels(levels), levels.size(), lattice.scales.cell, lattice.scales.step,
+        lattice.relaxation_time, lattice.steps_per_period, on_lattice.scene.swimmers.size(),
+        to_text(on_lattice.scene.precision), 1e-9 * lattice_bytes(on_lattice.scene), communicator.size());
+  }
   return fmt::format(
       "{} x {} x {} cells of {:.6g}, time step {:.6g}, relaxation time {:.6g}, {} steps per cycle, {} "
       "swimmers, {} precision, {:.2g} GB on {} ranks",
@@ -33,7 +43,8 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
 std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) {
   if (!plan.options.settings.flow_every) return std::nullopt;
   return FlowOutput(plan.options.output, plan.on_lattice.lattice.scales,
-                    steps_between(*plan.options.settings.flow_every, plan.steps_per_cycle), flow_until,
+                    plan.whole_steps(steps_between(*plan.options.settings.flow_every, plan.steps_per_cycle)),
+                    flow_until, static_cast<int>(plan.on_lattice.scene.all_levels().size()),
                     plan.communicator);
 }
 
@@ -70,7 +81,8 @@ LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, cons
   }
   softening = on_lattice.softening;
   swimmers = on_lattice.scene.swimmers;
-  cells = on_lattice.scene.cells.cast<double>().prod();
+  updates_per_step = beadswim::updates_per_step(on_lattice.scene.all_levels());
+  step_multiple = 1L << (on_lattice.scene.all_levels().size() - 1);
   announcement = announcement_of(on_lattice, communicator);
   const long steps = total_steps(options.settings.cycles, steps_per_cycle);
   warnings = warnings_before(on_lattice, velocity_roundoff(on_lattice.scene, steps_per_cycle, steps));
@@ -94,18 +106,30 @@ ExpectedErrors LatticePlan::expected_errors(const Layout& layout) const {
 LatticeModel::LatticeModel(const LatticePlan& plan, long flow_until)
     : on_lattice_(plan.on_lattice),
       communicator_(plan.communicator),
-      system_(on_lattice_.scene, communicator_),
+      system_(std::make_unique<CoupledSystem>(on_lattice_.scene, communicator_)),
       flow_(flow_output(plan, flow_until)),
-      first_totals_(system_.totals()),
+      first_totals_(system_->totals()),
       last_totals_(first_totals_) {}
 
+void LatticeModel::step() {
+  system_->step();
+  const int levels = system_->levels().count();
+  if (levels == 1 || steps_done() % steps_between_moves(levels) != 0) return;
+  if (auto moved = with_levels_around_beads(*system_, communicator_)) replace_system(std::move(moved));
+}
+
+void LatticeModel::replace_system(std::unique_ptr<CoupledSystem> system) {
+  earlier_traffic_.add(system_->traffic());
+  system_ = std::move(system);
+}
+
 SwimmerIdentity LatticeModel::own_swimmer(int number) const {
-  const SwimmerState& swimmer = system_.owned_swimmers()[number];
+  const SwimmerState& swimmer = system_->owned_swimmers()[number];
   return {.id = swimmer.id, .type = swimmer.type};
 }
 
 std::vector<Vec3> LatticeModel::bead_positions(int number, double ahead) const {
-  const SwimmerState& swimmer = system_.owned_swimmers()[number];
+  const SwimmerState& swimmer = system_->owned_swimmers()[number];
   std::vector<Vec3> positions;
   for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
     positions.push_back(extrapolated(swimmer.motion[b], swimmer.predicted[b], ahead).position);
@@ -114,7 +138,7 @@ std::vector<Vec3> LatticeModel::bead_positions(int number, double ahead) const {
 
 std::vector<SwimmerPose> LatticeModel::gather_swimmers(double ahead) const {
   std::vector<SwimmerPose> poses;
-  for (const SwimmerState& swimmer : system_.gather_swimmers()) {
+  for (const SwimmerState& swimmer : system_->gather_swimmers()) {
     SwimmerPose& pose = poses.emplace_back();
     pose.id = swimmer.id;
     for (std::size_t b = 0; b < swimmer.motion.size(); ++b)
@@ -131,15 +155,15 @@ ModelTotals LatticeModel::in_layout_units(const SceneTotals& totals) const {
 }
 
 ModelTotals LatticeModel::totals() {
-  last_totals_ = system_.totals();
+  last_totals_ = system_->totals();
   last_totals_step_ = steps_done();
   return in_layout_units(last_totals_);
 }
 
 std::optional<ModelFault> LatticeModel::fault() const {
-  std::optional<Fault> fault = system_.fault();
+  std::optional<Fault> fault = system_->fault();
   if (!fault && last_totals_step_ == steps_done()) {
-    fault = conservation_fault(on_lattice_.scene, first_totals_, last_totals_, system_.largest_bead_speed());
+    fault = conservation_fault(on_lattice_.scene, first_totals_, last_totals_, system_->largest_bead_speed());
     if (fault) fault->step = steps_done();
   }
   if (!fault) return std::nullopt;
@@ -148,11 +172,13 @@ std::optional<ModelFault> LatticeModel::fault() const {
 }
 
 double LatticeModel::largest_mach() const {
-  return system_.largest_bead_speed() * std::sqrt(3.0);
+  return system_->largest_bead_speed() * std::sqrt(3.0);
 }
 
 void LatticeModel::describe(RunRecord& record) const {
-  describe_lattice_run(record, system_, on_lattice_, steps_done() - first_step_, communicator_);
+  Traffic traffic = earlier_traffic_;
+  traffic.add(system_->traffic());
+  describe_lattice_run(record, *system_, on_lattice_, traffic, steps_done() - first_step_, communicator_);
 }
 
 std::vector<RunWarning> LatticeModel::warnings() const {
@@ -160,17 +186,29 @@ std::vector<RunWarning> LatticeModel::warnings() const {
 }
 
 void LatticeModel::write_history(OutgoingMessage& history) const {
-  history(system_.progress(), first_totals_);
+  history(system_->progress(), first_totals_);
+  if (on_lattice_.scene.levels.empty()) return;
+  std::vector<std::array<int, 6>> levels;
+  for (const Block& level : system_->scene().levels) levels.push_back(level.numbers());
+  history(levels);
 }
 
 void LatticeModel::write_state(CheckpointWriter& checkpoint) {
-  write_lattice_state(checkpoint, system_, communicator_);
+  write_lattice_state(checkpoint, *system_);
 }
 
 void LatticeModel::restore(long steps_done, IncomingMessage& history, const CheckpointReader& checkpoint) {
   SystemProgress progress{.steps_done = steps_done};
   history(progress, first_totals_);
-  read_lattice_state(checkpoint, system_, progress, communicator_);
+  if (!on_lattice_.scene.levels.empty()) {
+    std::vector<std::array<int, 6>> levels;
+    history(levels);
+    CoupledScene scene = on_lattice_.scene;
+    scene.levels.clear();
+    for (const auto& level : levels) scene.levels.push_back(Block::of_numbers(level));
+    system_ = std::make_unique<CoupledSystem>(scene, communicator_);
+  }
+  read_lattice_state(checkpoint, *system_, progress);
   first_step_ = steps_done;
 }
 

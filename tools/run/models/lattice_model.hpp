@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/coupling/scene_on_lattice.hpp"
 #include "models/flow_output.hpp"
@@ -28,10 +30,10 @@ class LatticeModel : public Model {
  public:
   LatticeModel(const LatticePlan& plan, long flow_until);
 
-  void step() override { system_.step(); }
-  long steps_done() const override { return system_.steps_done(); }
+  void step() override;
+  long steps_done() const override { return system_->steps_done(); }
 
-  int own_swimmers() const override { return static_cast<int>(system_.owned_swimmers().size()); }
+  int own_swimmers() const override { return static_cast<int>(system_->owned_swimmers().size()); }
   SwimmerIdentity own_swimmer(int number) const override;
   std::vector<Vec3> bead_positions(int number, double ahead) const override;
   std::vector<SwimmerPose> gather_swimmers(double ahead) const override;
@@ -40,7 +42,7 @@ class LatticeModel : public Model {
   ModelTotals totals() override;
   std::optional<ModelFault> fault() const override;
 
-  void write_flow() override { flow_->write(system_); }
+  void write_flow() override { flow_->write(*system_); }
   void describe(RunRecord& record) const override;
   std::vector<RunWarning> warnings() const override;
 
@@ -51,11 +53,14 @@ class LatticeModel : public Model {
  private:
   ModelTotals in_layout_units(const SceneTotals& totals) const;
   double largest_mach() const;
+  /// Replaces the system by the same with other levels of cells.
+  void replace_system(std::unique_ptr<CoupledSystem> system);
 
   const SceneOnLattice& on_lattice_;
   const Communicator& communicator_;
-  CoupledSystem system_;
+  std::unique_ptr<CoupledSystem> system_;
   std::optional<FlowOutput> flow_;
+  Traffic earlier_traffic_;                 ///< of systems that have been replaced
   long first_step_ = 0;                     ///< steps of the earlier run that this run continues
   SceneTotals first_totals_, last_totals_;  ///< at the start of the run, and most recently; in lattice units
   long last_totals_step_ = 0;

@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "beadswim/coupling/gather.hpp"
+#include "beadswim/coupling/refinement.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "record/record.hpp"
 
 namespace beadswim {
 namespace {
 
-CommunicationRecord communication_of(const CoupledSystem& system, long steps,
+CommunicationRecord communication_of(const CoupledSystem& system, const Traffic& sent, long steps,
                                      const Communicator& communicator) {
-  const Traffic sent = system.traffic();
   std::array<std::int64_t, 3> maxima{system.neighbours(), sent.messages, sent.bytes};
   MPI_Allreduce(MPI_IN_PLACE, maxima.data(), maxima.size(), MPI_INT64_T, MPI_MAX, communicator.get());
   const double per_step = 1 / std::max(1.0, static_cast<double>(steps));
@@ -29,7 +29,23 @@ DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice&
   return numbers;
 }
 
-LatticeResolution resolution_of(const SceneOnLattice& on_lattice) {
+/// Returns the levels of a scene; nothing if there is only one. `cell`: edge of the finest cells [length].
+std::optional<std::vector<LevelRecord>> levels_of(const CoupledScene& scene, double cell) {
+  if (scene.levels.size() < 2) return std::nullopt;
+  std::vector<LevelRecord> records;
+  for (std::size_t n = 0; n < scene.levels.size(); ++n) {
+    const Block& level = scene.levels[n];
+    const double edge = std::ldexp(cell, static_cast<int>(scene.levels.size() - 1 - n));
+    records.push_back({.cell = edge,
+                       .boxes = {{.lower = edge * level.offset.cast<double>().matrix(),
+                                  .upper = edge * level.end().cast<double>().matrix()}},
+                       .cells = level.size.cast<std::int64_t>().prod()});
+  }
+  return records;
+}
+
+/// `scene`: the scene with its present levels.
+LatticeResolution resolution_of(const SceneOnLattice& on_lattice, const CoupledScene& scene) {
   const LatticeScales& scales = on_lattice.lattice.scales;
   return {.cells_per_radius = on_lattice.resolution.cells_per_radius,
           .cell_size = scales.cell,
@@ -41,7 +57,8 @@ LatticeResolution resolution_of(const SceneOnLattice& on_lattice) {
           .density_on_lattice = on_lattice.density_on_lattice(),
           .radius_on_lattice = on_lattice.radius_on_lattice(),
           .angular_softening = on_lattice.angular_softening(),
-          .precision = to_text(on_lattice.scene.precision)};
+          .precision = to_text(on_lattice.scene.precision),
+          .levels = levels_of(scene, scales.cell)};
 }
 
 NearContactRecord near_contact_of(const CoupledSystem& system, const SceneOnLattice& on_lattice) {
@@ -57,15 +74,15 @@ NearContactRecord near_contact_of(const CoupledSystem& system, const SceneOnLatt
 }  // namespace
 
 void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const SceneOnLattice& on_lattice,
-                          long own_steps, const Communicator& communicator) {
+                          const Traffic& traffic, long own_steps, const Communicator& communicator) {
   record.model = to_text(RunModel::lbm);
   record.dimensionless = numbers_of(system.largest_bead_speed(), on_lattice);
-  record.resolution = resolution_of(on_lattice);
+  record.resolution = resolution_of(on_lattice, system.scene());
   RunCost& cost = *record.cost;
   cost.cell_updates =
-      on_lattice.scene.cells.cast<std::int64_t>().prod() * static_cast<std::int64_t>(system.steps_done());
+      std::llround(updates_per_step(system.scene().all_levels()) * static_cast<double>(system.steps_done()));
   cost.mlups = 1e-6 * static_cast<double>(*cost.cell_updates) / cost.wall_seconds;
-  cost.communication = communication_of(system, own_steps, communicator);
+  cost.communication = communication_of(system, traffic, own_steps, communicator);
   record.near_contact = near_contact_of(system, on_lattice);
   // After a fault the beads do not move any more, so the hash of the last state would be meaningless.
   if (record.status != RunStatus::failed && record.status != RunStatus::stopped_speed)

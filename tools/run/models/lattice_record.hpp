@@ -8,9 +8,9 @@ namespace beadswim {
 
 /// Adds the data of a lattice run to a record that already contains status and cost: model, resolution,
 /// dimensionless numbers, near contact, cell updates, communication, and the hash of the state. `own_steps`:
-/// number of time steps of this run alone, without an earlier run that it continues. The record is complete
-/// on rank 0 only. Collective.
+/// number of time steps of this run alone, without an earlier run that it continues; `traffic`: messages of
+/// this rank in these steps. The record is complete on rank 0 only. Collective.
 void describe_lattice_run(RunRecord& record, const CoupledSystem& system, const SceneOnLattice& on_lattice,
-                          long own_steps, const Communicator& communicator);
+                          const Traffic& traffic, long own_steps, const Communicator& communicator);
 
 }  // namespace beadswim

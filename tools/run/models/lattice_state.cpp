@@ -9,16 +9,17 @@ namespace {
 
 constexpr const char* swimmers_section = "swimmers";
 
-LatticePart part_of(const CoupledSystem& system, const Communicator& communicator) {
-  const Decomposition& decomposition = system.decomposition();
-  const Block block = decomposition.block(communicator.rank());
-  return {.cells = decomposition.cells(), .offset = block.offset, .size = block.size};
+/// Returns the part of this rank of a level. `levels_above`: number of finer levels.
+LatticePart part_of(const Level& level, int levels_above) {
+  return {.cells = level.place.lattice.size,
+          .offset = level.block.offset - level.place.lattice.offset,
+          .size = level.block.size,
+          .lattice = levels_above};
 }
 
 /// Writes the populations of this rank to a checkpoint, in the floating-point precision of the run.
 template <class Real>
-void add_populations(CheckpointWriter& file, const CoupledSystem& system, const LatticePart& part) {
-  const Populations& populations = system.populations();
+void add_populations(CheckpointWriter& file, const Populations& populations, const LatticePart& part) {
   file.add_lattice<Real>(part, d3q19::directions, [&](int i, std::span<Real> numbers) {
     auto next = numbers.begin();
     for_each_cell(populations, [&](const Index3&, std::ptrdiff_t cell) {
@@ -91,19 +92,25 @@ std::vector<SwimmerSnapshot> owned_swimmers(const CheckpointReader& file, const 
 
 }  // namespace
 
-void write_lattice_state(CheckpointWriter& file, CoupledSystem& system, const Communicator& communicator) {
+void write_lattice_state(CheckpointWriter& file, CoupledSystem& system) {
   file.add(swimmers_section, bytes_of(system.gather_snapshots()));
-  const LatticePart part = part_of(system, communicator);
-  in_precision(system.populations().precision(),
-               [&]<class Real>() { add_populations<Real>(file, system, part); });
+  const Levels& levels = system.levels();
+  for (int n = 0; n < levels.count(); ++n) {
+    const Populations& populations = levels[n].populations;
+    in_precision(populations.precision(), [&]<class Real>() {
+      add_populations<Real>(file, populations, part_of(levels[n], levels.count() - 1 - n));
+    });
+  }
 }
 
-void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress,
-                        const Communicator& communicator) {
-  const LatticePart part = part_of(system, communicator);
-  system.restore(progress, owned_swimmers(file, system), [&](Populations& populations) {
-    in_precision(populations.precision(),
-                 [&]<class Real>() { read_populations<Real>(file, populations, part); });
+void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress) {
+  system.restore(progress, owned_swimmers(file, system), [&](Levels& levels) {
+    for (int n = 0; n < levels.count(); ++n) {
+      Populations& populations = levels[n].populations;
+      in_precision(populations.precision(), [&]<class Real>() {
+        read_populations<Real>(file, populations, part_of(levels[n], levels.count() - 1 - n));
+      });
+    }
   });
 }
 

@@ -10,11 +10,10 @@
 namespace beadswim {
 
 /// Writes the state of the system to a checkpoint. Collective.
-void write_lattice_state(CheckpointWriter& file, CoupledSystem& system, const Communicator& communicator);
+void write_lattice_state(CheckpointWriter& file, CoupledSystem& system);
 
-/// Restores the system from a checkpoint. Throws SolverError if the checkpoint contains swimmers of another
-/// scene. Collective.
-void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress,
-                        const Communicator& communicator);
+/// Restores the system from a checkpoint of the same levels. Throws SolverError if the checkpoint contains
+/// swimmers of another scene. Collective.
+void read_lattice_state(const CheckpointReader& file, CoupledSystem& system, const SystemProgress& progress);
 
 }  // namespace beadswim

@@ -11,6 +11,7 @@
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
 #include "beadswim/plan/expected_errors.hpp"
+#include "beadswim/plan/run_length.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
 #include "beadswim/swimmers/swimmer_dynamics.hpp"
 #include "command_line/options.hpp"
@@ -122,6 +123,11 @@ struct ModelPlan {
   /// they are not known. Local.
   virtual ExpectedErrors expected_errors(const Layout& layout) const = 0;
 
+  /// Rounds a number of steps up to a multiple of step_multiple.
+  long whole_steps(long steps) const { return (steps + step_multiple - 1) / step_multiple * step_multiple; }
+  /// Returns the number of steps of a run of `cycles` base cycles.
+  long steps_in(double cycles) const { return whole_steps(total_steps(cycles, steps_per_cycle)); }
+
   RunOptions options;  ///< options of the command line, completed by the plan
   ModelUnits units;
   double base_period = 0;                  ///< duration of one cycle of the run [time]
@@ -131,8 +137,11 @@ struct ModelPlan {
   std::vector<std::vector<double>> radii;  ///< radii of the beads of each type [length]
   /// Stiffness of each angular spring of each type in the run, divided by that of the layout; empty: 1.
   std::vector<std::vector<double>> softening;
-  std::vector<PlacedSwimmer> swimmers;     ///< in the order of their ids [ModelUnits]
-  std::optional<double> cells;             ///< number of lattice cells; nullopt: no lattice
+  std::vector<PlacedSwimmer> swimmers;  ///< in the order of their ids [ModelUnits]
+  /// Lattice cells that are updated in a step, as a mean over steps; nullopt: no lattice.
+  std::optional<double> updates_per_step;
+  /// The state can be written, and the run can end, after a multiple of this number of steps.
+  long step_multiple = 1;
   std::string announcement;                ///< description of the run, one line
   std::optional<ExpectedErrors> expected;  ///< on rank 0; nullopt: unknown
   std::vector<RunWarning> warnings;        ///< warnings that are known before the run

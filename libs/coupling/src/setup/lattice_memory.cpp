@@ -9,6 +9,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/bead_links.hpp"
+#include "beadswim/coupling/refinement.hpp"
 #include "beadswim/lattice/d3q19.hpp"
 
 namespace beadswim {
@@ -29,7 +30,7 @@ double bead_surface(const CoupledScene& scene) {
 double lattice_bytes(const CoupledScene& scene) {
   constexpr double padding = 1.04;  // memory of block and halo, divided by the memory of the block
   const double number = static_cast<double>(bytes_per_population(scene.precision));
-  const double cells = padding * (d3q19::directions * number + 1) * scene.cells.cast<double>().prod();
+  const double cells = padding * (d3q19::directions * number + 1) * cells_on_levels(scene.all_levels());
   // Links per unit of surface area [1/cell^2]: sum of |c_i.n| over one direction of each opposite pair,
   // averaged over the surface normals n.
   constexpr double links_of_area = 5.74;
@@ -51,7 +52,7 @@ void require_memory(const CoupledScene& scene, const Communicator& communicator)
                    fmt::format("the {:.3g} lattice cells need {:.3g} GB of memory, {:.3g} GB more than this "
                                "machine has; use {}fewer {}, a smaller {} in the layout (beadswim-layout "
                                "reduce, if the scene repeats){} or more machines",
-                               scene.cells.cast<double>().prod(), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
+                               cells_on_levels(scene.all_levels()), 1e-9 * lattice_bytes(scene), 1e-9 * lack,
                                precision, Setting::cells_per_radius, Setting::box, model));
 }
 

@@ -12,6 +12,7 @@
 #include "beadswim/core/setting.hpp"
 #include "beadswim/coupling/bead_exchange.hpp"
 #include "beadswim/coupling/force_delay.hpp"
+#include "beadswim/coupling/refinement.hpp"
 #include "beadswim/lattice/trt.hpp"
 #include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/placed_swimmers.hpp"
@@ -111,9 +112,10 @@ double phase_of_delay(const LatticeChoice& lattice, double period) {
 }
 
 /// Returns the lattice for a layout. Throws InputError if beads are too small or time steps too long.
-LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, double period) {
+LatticeChoice lattice_for(const Layout& layout, const Resolution& resolution, double period, long multiple) {
   constexpr double latest = 0.3;  // largest permitted phase of the delay [rad]
-  const LatticeChoice lattice = choose_lattice(smallest_radius(layout), resolution, layout.fluid, period);
+  const LatticeChoice lattice =
+      choose_lattice(smallest_radius(layout), resolution, layout.fluid, period, multiple);
   if (resolution.cells_per_radius < smallest_bead) {
     throw InputError(Setting::cells_per_radius,
                      fmt::format("with {} cells per radius, a bead may cover no cell at all; use at least {} "
@@ -148,6 +150,20 @@ void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice
   static_cast<Swarm&>(scene) = std::move(swarm);
 }
 
+/// Returns the levels of the scene; nothing if one level is the choice. Throws InputError if `refinement`
+/// levels below the coarsest do not fit.
+std::vector<Block> chosen_levels(const CoupledScene& scene, const std::optional<int>& refinement) {
+  if (!refinement) return cheapest_levels(scene);
+  if (auto levels = levels_around(scene, bead_extent(scene), *refinement + 1)) return *levels;
+  throw InputError(
+      Setting::refinement,
+      fmt::format("{} finer levels do not fit into the box of {} x {} x {} cells: each edge must be a whole "
+                  "number of coarsest cells, and levels keep a distance to walls; use at most {}, or another "
+                  "{} or {}",
+                  *refinement, scene.cells[0], scene.cells[1], scene.cells[2], max_levels(scene) - 1,
+                  Setting::box, Setting::cells_per_radius));
+}
+
 }  // namespace
 
 double SceneOnLattice::angular_softening() const {
@@ -173,14 +189,11 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   result.period = base_period(layout);
   result.resolution = {.cells_per_radius = settings.cells_per_radius.value_or(hint.cells_per_radius),
                        .relaxation_time = settings.relaxation_time.value_or(hint.relaxation_time)};
-  result.lattice = lattice_for(layout, result.resolution, result.period);
+  result.lattice = lattice_for(layout, result.resolution, result.period, 1);
   const LatticeScales& scales = result.lattice.scales;
   require_off_walls(layout, scales.cell, source);
-  require_viscosity(settings.bead_boundary, result.lattice.relaxation_time);
-  require_slip(settings.bead_boundary, result.lattice.relaxation_time);
 
   CoupledScene& scene = result.scene;
-  scene.relaxation_time = result.lattice.relaxation_time;
   scene.precision = settings.precision;
   scene.bead_boundary = settings.bead_boundary;
   scene.corrects_radii = settings.radius_correction;
@@ -189,6 +202,14 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
   scene.boundary = layout.domain->boundary;
   add_swimmers(scene, layout, result.lattice, settings.delay_correction);
+  if (settings.refinement != 0) scene.levels = chosen_levels(scene, settings.refinement);
+  if (!scene.levels.empty()) {  // all levels must reach the end of a period at the same time
+    result.lattice = lattice_for(layout, result.resolution, result.period, 1L << (scene.levels.size() - 1));
+    add_swimmers(scene, layout, result.lattice, settings.delay_correction);
+  }
+  require_viscosity(settings.bead_boundary, result.lattice.relaxation_time);
+  require_slip(settings.bead_boundary, result.lattice.relaxation_time);
+  scene.relaxation_time = result.lattice.relaxation_time;
   for (SwimmerType& type : scene.types) {
     const SwimmerType steady = with_resolved_vibrations(type, 1);
     for (std::size_t k = 0; k < type.bonds.size(); ++k)

@@ -66,7 +66,7 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
     for (const Bead& bead : type.beads) radii.push_back(scene.radius_on_lattice(bead));
   }
   for (int r = 0; r < communicator.size(); ++r) {
-    blocks_.push_back(block_in_lattice(decomposition, r, scene.boundary));
+    blocks_.push_back({.block = decomposition.block(r), .cells = scene.cells, .boundary = scene.boundary});
   }
   for (int r = 0; r < communicator.size(); ++r) {
     if (within(blocks_[rank_], blocks_[r], max_touched_distance(scene))) peers_.push_back(r);
@@ -75,10 +75,14 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
 
 int BeadExchange::owner_of(const Vec3& position) const {
   Index3 cell = position.array().floor().cast<int>();
-  const Index3& cells = decomposition_.cells();
+  const Block& lattice = decomposition_.lattice();
+  const BlockInLattice& box = blocks_[rank_];
   for (int a = 0; a < 3; ++a) {
-    const bool periodic = blocks_[rank_].is_periodic(a);
-    cell[a] = periodic ? ((cell[a] % cells[a]) + cells[a]) % cells[a] : std::clamp(cell[a], 0, cells[a] - 1);
+    if (box.is_periodic(a)) {
+      const int from_first = (cell[a] - lattice.offset[a]) % box.cells[a];
+      cell[a] = lattice.offset[a] + (from_first < 0 ? from_first + box.cells[a] : from_first);
+    }
+    cell[a] = std::clamp(cell[a], lattice.offset[a], lattice.end()[a] - 1);
   }
   return decomposition_.rank_of_cell(cell);
 }
@@ -96,17 +100,22 @@ std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) c
                  .position = swimmer.motion[i].position,
                  .value = stretch};
   }
+  const BlockInLattice& box = blocks_[rank_];
+  const Block& lattice = decomposition_.lattice();
   for (int b = 0; b < std::ssize(swimmer.motion); ++b) {
-    const BlockInLattice& lattice_block = blocks_[rank_];
+    const Vec3& place = swimmer.motion[b].position;
+    const auto gap_to = [&](int axis, int low, int high) {
+      return std::min(place[axis] - low, high - place[axis]) - radii_[swimmer.type][b];
+    };
+    const auto fault = [&](FaultKind kind, double gap) {
+      return Fault{.kind = kind, .bead = {swimmer.id, b}, .position = place, .value = gap};
+    };
     for (int axis = 0; axis < 3; ++axis) {
-      if (lattice_block.is_periodic(axis)) continue;
-      const double place = swimmer.motion[b].position[axis];
-      const double gap = std::min(place, lattice_block.cells[axis] - place) - radii_[swimmer.type][b];
-      if (gap >= min_wall_gap) continue;
-      return Fault{.kind = FaultKind::wall,
-                   .bead = {swimmer.id, b},
-                   .position = swimmer.motion[b].position,
-                   .value = gap};
+      const double to_wall = gap_to(axis, 0, box.cells[axis]);
+      if (!box.is_periodic(axis) && !(to_wall >= min_wall_gap)) return fault(FaultKind::wall, to_wall);
+      const double to_level = gap_to(axis, lattice.offset[axis], lattice.end()[axis]);
+      if (lattice.size[axis] < box.cells[axis] && !(to_level >= min_level_gap))
+        return fault(FaultKind::level, to_level);
     }
   }
   return std::nullopt;

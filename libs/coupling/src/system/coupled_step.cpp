@@ -62,20 +62,22 @@ void CoupledSystem::step() {
 
   // Transfers the momentum of cells that beads have covered or uncovered. Prepares links (or, with psm,
   // saturated cells) and close pairs for the next step.
+  Level& fluid = levels_.finest();
   if_state_is_finite([&] {
     coverage_.update(beads_);
     if (has_links(scene_.bead_boundary))
-      transfer_changed_cells(populations_, coverage_, links_, beads_before_, beads_, rates_);
+      transfer_changed_cells(fluid.populations, coverage_, links_, beads_before_, beads_, fluid.rates);
     find_links_and_contacts();
   });
 }
 
 void CoupledSystem::step_fluid_with_links() {
   link_sums_.resize(beads_.size());
+  Level& fluid = levels_.finest();
   BeadBoundary boundary{
-      .coverage = coverage_, .links = links_, .beads = beads_, .rates = rates_, .sums = link_sums_};
-  step_fluid(populations_, halo_, rates_, body_force_, [&](int y, int z) {
-    if_state_is_finite([&] { boundary.bounce_back_before_row(populations_, y, z); });
+      .coverage = coverage_, .links = links_, .beads = beads_, .rates = fluid.rates, .sums = link_sums_};
+  levels_.step(body_force_, [&](int y, int z) {
+    if_state_is_finite([&] { boundary.bounce_back_before_row(fluid.populations, y, z); });
   });
   if_state_is_finite([&] {
     transfer_impulses(link_sums_, beads_);
@@ -89,8 +91,9 @@ void CoupledSystem::step_fluid_with_saturated_cells() {
                              .beads = beads_,
                              .sums = saturated_sums_,
                              .viscosity = lattice_viscosity(scene_.relaxation_time)};
-  step_fluid(populations_, halo_, rates_, body_force_, [&](int y, int z) {
-    if_state_is_finite([&] { boundary.apply_forces_before_row(populations_, y, z); });
+  Level& fluid = levels_.finest();
+  levels_.step(body_force_, [&](int y, int z) {
+    if_state_is_finite([&] { boundary.apply_forces_before_row(fluid.populations, y, z); });
   });
   if_state_is_finite([&] { transfer_impulses(saturated_sums_, beads_); });
 }

@@ -35,21 +35,22 @@ SwimmerState at_rest(const CoupledScene& scene, const PlacedSwimmer& swimmer) {
   return state;
 }
 
+BlockInLattice in_box(const Level& level) {
+  return {.block = level.block, .cells = level.place.box, .boundary = level.place.boundary};
+}
+
 }  // namespace
 
 CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& communicator)
     : communicator_(communicator),
       scene_(scene),
-      rates_(relaxation_rates(scene.relaxation_time)),
-      decomposition_(scene.cells, communicator.size()),
-      populations_(decomposition_.block(communicator.rank()).size, scene.precision,
-                   halo_content(scene.bead_boundary)),
-      halo_(communicator, decomposition_, scene.boundary, halo_content(scene.bead_boundary)),
-      exchange_(communicator, decomposition_, scene_),
+      levels_(places_in_box(scene.cells, scene.boundary, scene.all_levels()), scene.relaxation_time,
+              scene.precision, halo_content(scene.bead_boundary), communicator),
+      exchange_(communicator, levels_.finest().decomposition, scene_),
       near_contact_(near_contact_law(scene_)),
-      coverage_(block_in_lattice(decomposition_, communicator.rank(), scene.boundary), populations_),
+      coverage_(in_box(levels_.finest()), levels_.finest().populations),
       links_(scene.bead_boundary),
-      saturated_cells_(block_in_lattice(decomposition_, communicator.rank(), scene.boundary)),
+      saturated_cells_(in_box(levels_.finest())),
       smallest_gap_(std::numeric_limits<double>::infinity()) {
   has_net_force_ = needs_balance(scene_);
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));
@@ -134,20 +135,20 @@ std::vector<SwimmerSnapshot> CoupledSystem::gather_snapshots() {
 }
 
 Traffic CoupledSystem::traffic() const {
-  Traffic sent = halo_.traffic();
+  Traffic sent = levels_.traffic();
   sent.add(exchange_.traffic());
   return sent;
 }
 
 int CoupledSystem::neighbours() const {
-  std::set<int> others = halo_.neighbours();
+  std::set<int> others = levels_.finest().halo.neighbours();
   others.insert(exchange_.peers().begin(), exchange_.peers().end());
   others.erase(communicator_.rank());
   return static_cast<int>(others.size());
 }
 
 void CoupledSystem::restore(const SystemProgress& progress, std::span<const SwimmerSnapshot> swimmers,
-                            const std::function<void(Populations&)>& fill) {
+                            const std::function<void(Levels&)>& fill) {
   owned_.clear();
   pending_impulses_.clear();
   for (const SwimmerSnapshot& swimmer : swimmers) {
@@ -158,7 +159,7 @@ void CoupledSystem::restore(const SystemProgress& progress, std::span<const Swim
   }
   beads_ = exchange_.publish(owned_);
   coverage_.update(beads_);
-  fill(populations_);
+  fill(levels_);
   find_links_or_saturated_cells();
   fault_.reset();
   state_is_finite_ = true;
@@ -175,7 +176,7 @@ void CoupledSystem::add_pending_impulses(std::map<BeadName, Impulse>& impulses) 
 FluidTotals CoupledSystem::exchange_covered_cells(FluidTotals& fluid) const {
   FluidTotals beads_volume, covered_cells;
   coverage_.for_each_own_covered_cell([&](std::ptrdiff_t cell, int bead, const Vec3& from_centre) {
-    covered_cells.add(cell_moments(populations_, cell));
+    covered_cells.add(cell_moments(populations(), cell));
     beads_volume.add({.density_deviation = 0, .momentum = beads_[bead].velocity_at(from_centre)});
   });
   fluid.subtract(covered_cells);
@@ -196,7 +197,8 @@ FluidTotals CoupledSystem::exchange_inner_fluid(FluidTotals& fluid) const {
 }
 
 void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) const {
-  everything = block_totals(populations_);  // cells of the block; beads and pending impulses are added below
+  // Cells of the finest level; beads and pending impulses are added below.
+  everything = block_totals(populations());
   const FluidTotals beads_volume =
       has_links(scene_.bead_boundary) ? exchange_covered_cells(everything) : exchange_inner_fluid(everything);
   all_cells = everything;
@@ -224,10 +226,11 @@ SceneTotals CoupledSystem::totals() {
   if_state_is_finite([&] { add_totals(everything, all_cells); });
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);
+  const CellMoments coarser = levels_.totals_of_coarser(communicator_);
   const double cells = scene_.cells.cast<double>().prod();
-  return {.momentum = everything.momentum_value() + cells * body_force_,
-          .mean_flow = all_cells.momentum_value() / cells,
-          .mass_excess = everything.density_deviation.value() / cells};
+  return {.momentum = everything.momentum_value() + coarser.momentum + cells * body_force_,
+          .mean_flow = (all_cells.momentum_value() + coarser.momentum) / cells,
+          .mass_excess = (everything.density_deviation.value() + coarser.density_deviation) / cells};
 }
 
 }  // namespace beadswim

@@ -22,6 +22,12 @@ namespace {
 
 constexpr const char* format_name = "beadswim/checkpoint/1";
 constexpr const char* lattice_name = "lattice";
+
+/// Returns the name of the dataset of a lattice: lattice, lattice1, lattice2, ...
+std::string name_of_lattice(int lattice) {
+  return lattice == 0 ? lattice_name : fmt::format("{}{}", lattice_name, lattice);
+}
+
 constexpr hsize_t max_piece_bytes = hsize_t{1}
                                     << 26;  ///< maximum number of bytes per read or write operation
 
@@ -255,7 +261,7 @@ void CheckpointWriter::add_file(const std::string& section, const std::string& p
 template <class Real>
 void CheckpointWriter::add_lattice(const LatticePart& part, int components,
                                    const std::function<void(int, std::span<Real>)>& fill) {
-  const H5Handle dataset = create(lattice_name, file_type<Real>(),
+  const H5Handle dataset = create(name_of_lattice(part.lattice), file_type<Real>(),
                                   std::array{hsize_t(components), hsize_t(part.cells[2]),
                                              hsize_t(part.cells[1]), hsize_t(part.cells[0])});
   std::vector<Real> numbers(part.size.cast<std::size_t>().prod());
@@ -315,7 +321,7 @@ void CheckpointReader::require_undamaged() const {
     format = attribute(file_, "format");
     if (format == format_name) {
       hash_on_file = attribute(file_, "content_sha256");
-      lattice = hash_lattice_part();
+      for (int n = 0; has_lattice(n); ++n) lattice += hash_lattice_part(n);
       if (communicator_.is_root()) add_sections(hash);
     }
   } catch (const std::exception&) {  // for example unreadable data, or sizes that exceed the memory
@@ -347,9 +353,12 @@ void CheckpointReader::add_sections(Sha256& hash) const {
   }
 }
 
-std::uint64_t CheckpointReader::hash_lattice_part() const {
-  if (H5Lexists(file_, lattice_name, H5P_DEFAULT) == 0) return 0;  // the model has no lattice
-  const H5Handle dataset(H5Dopen2(file_, lattice_name, H5P_DEFAULT), H5Dclose, path_);
+bool CheckpointReader::has_lattice(int lattice) const {
+  return H5Lexists(file_, name_of_lattice(lattice).c_str(), H5P_DEFAULT) > 0;
+}
+
+std::uint64_t CheckpointReader::hash_lattice_part(int lattice) const {
+  const H5Handle dataset(H5Dopen2(file_, name_of_lattice(lattice).c_str(), H5P_DEFAULT), H5Dclose, path_);
   const H5Handle type(H5Dget_type(dataset), H5Tclose, path_);
   const auto shape = shape_of<4>(dataset, path_);
   const Index3 cells(static_cast<int>(shape[3]), static_cast<int>(shape[2]), static_cast<int>(shape[1]));
@@ -357,7 +366,8 @@ std::uint64_t CheckpointReader::hash_lattice_part() const {
   const auto plane = [&](std::int64_t r) { return static_cast<int>(cells[2] * r / ranks); };
   const LatticePart part{.cells = cells,
                          .offset = {0, 0, plane(rank)},
-                         .size = {cells[0], cells[1], plane(rank + 1) - plane(rank)}};
+                         .size = {cells[0], cells[1], plane(rank + 1) - plane(rank)},
+                         .lattice = lattice};
   LatticeHash hash;
   const auto add_all = [&]<class Real>(Real) {
     read_lattice<Real>(part, static_cast<int>(shape[0]),
@@ -423,7 +433,8 @@ void CheckpointReader::copy_to(const std::string& section, int descriptor) const
 template <class Real>
 void CheckpointReader::read_lattice(const LatticePart& part, int components,
                                     const std::function<void(int, std::span<const Real>)>& take) const {
-  const H5Handle dataset(H5Dopen2(file_, lattice_name, H5P_DEFAULT), H5Dclose, path_);
+  const H5Handle dataset(H5Dopen2(file_, name_of_lattice(part.lattice).c_str(), H5P_DEFAULT), H5Dclose,
+                         path_);
   const std::array wanted{hsize_t(components), hsize_t(part.cells[2]), hsize_t(part.cells[1]),
                           hsize_t(part.cells[0])};
   if (shape_of<4>(dataset, path_) != wanted)

@@ -29,16 +29,20 @@ void put(std::FILE* file, const std::string& text) {
 
 void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
   put(file,
-      fmt::format(
-          "        <DataArray type=\"Float32\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
-          field.name, field.components));
-  const std::uint64_t size = cells.cast<std::uint64_t>().prod() * field.components * sizeof(float);
+      fmt::format("        <DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n",
+                  field.is_small_integer ? "UInt8" : "Float32", field.name, field.components));
+  const std::uint64_t number_size = field.is_small_integer ? 1 : sizeof(float);
+  const std::uint64_t size = cells.cast<std::uint64_t>().prod() * field.components * number_size;
   std::string bytes;  // bytes of the stream (size, then data) that are not yet written
   const auto append = [&bytes](std::span<const char> more) { bytes.append(more.begin(), more.end()); };
   append(bytes_of(std::span(&size, 1)));
   for (int z = 0; z < cells[2]; ++z) {
     const std::vector<float> plane = field.plane(z);
-    append(bytes_of(std::span(plane)));
+    if (field.is_small_integer) {
+      append(std::vector<char>(plane.begin(), plane.end()));
+    } else {
+      append(bytes_of(std::span(plane)));
+    }
     const std::size_t complete_bytes = bytes.size() / 3 * 3;
     put(file, base64(std::span(bytes).first(complete_bytes)));
     bytes.erase(0, complete_bytes);
@@ -48,8 +52,8 @@ void write_field(std::FILE* file, const Index3& cells, const VtiField& field) {
 
 }  // namespace
 
-void write_vti(const std::string& path, const Index3& cells, double spacing,
-               const std::vector<VtiField>& fields) {
+void write_vti(const std::string& path, const VtiCells& grid, const std::vector<VtiField>& fields) {
+  const Index3& cells = grid.cells;
   const std::string part = path + ".part";
   std::unique_ptr<std::FILE, CloseFile> file(std::fopen(part.c_str(), "wb"));
   if (!file) throw SolverError(fmt::format("{} cannot be created: {}", path, std::strerror(errno)));
@@ -58,9 +62,9 @@ void write_vti(const std::string& path, const Index3& cells, double spacing,
       fmt::format(
           "<?xml version=\"1.0\"?>\n"
           "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n"
-          "  <ImageData WholeExtent=\"{0}\" Origin=\"0 0 0\" Spacing=\"{1} {1} {1}\">\n"
+          "  <ImageData WholeExtent=\"{0}\" Origin=\"{2} {3} {4}\" Spacing=\"{1} {1} {1}\">\n"
           "    <Piece Extent=\"{0}\">\n      <CellData>\n",
-          extent, spacing));
+          extent, grid.spacing, grid.origin[0], grid.origin[1], grid.origin[2]));
   for (const VtiField& field : fields) write_field(file.get(), cells, field);
   put(file.get(), "      </CellData>\n    </Piece>\n  </ImageData>\n</VTKFile>\n");
   const bool written = std::ferror(file.get()) == 0;
@@ -76,7 +80,8 @@ void write_pvd(const std::string& path, const std::vector<PvdEntry>& entries) {
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
       "  <Collection>\n";
   for (const PvdEntry& entry : entries) {
-    text += fmt::format("    <DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", entry.time, entry.file);
+    text += fmt::format("    <DataSet timestep=\"{}\" part=\"{}\" file=\"{}\"/>\n", entry.time, entry.part,
+                        entry.file);
   }
   text += "  </Collection>\n</VTKFile>\n";
   write_text(path, text);

@@ -19,6 +19,10 @@ namespace beadswim {
 /// cover the cells next to the wall.
 constexpr double min_wall_gap = 0.5;
 
+/// Smallest permitted gap between the surface of a bead and the end of the finest level [cell]. With a
+/// smaller gap, a link could read populations beyond the end.
+constexpr double min_level_gap = 3;
+
 /// Exchanges messages about beads between the MPI rank that owns a swimmer and the ranks whose lattice cells
 /// its beads touch.
 class BeadExchange {
@@ -35,6 +39,7 @@ class BeadExchange {
   /// - torn_arm: an arm is longer than max_stretch, so that its beads may touch blocks of ranks that are not
   ///   peers.
   /// - wall: the gap between a bead and a wall is smaller than min_wall_gap.
+  /// - level: the gap between a bead and a coarser level is smaller than min_level_gap.
   std::optional<Fault> position_fault(const SwimmerState& swimmer) const;
 
   /// Sends the beads of the swimmers in `owned` to the ranks near the beads. Moves each swimmer whose

@@ -26,17 +26,14 @@ inline bool are_close(const BeadImage& a, const BeadImage& b, int distance) {
   return (a.low < b.high + distance).all() && (b.low < a.high + distance).all();
 }
 
-/// A block, and the size [cell] and boundaries of the lattice that contains it.
+/// A block, and the size [cell] and boundaries of the box that contains it.
 struct BlockInLattice {
   Block block;
   Index3 cells;
-  std::array<Boundary, 3> boundary;  ///< boundary conditions of the lattice
+  std::array<Boundary, 3> boundary;
 
   bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
 };
-
-BlockInLattice block_in_lattice(const Decomposition& decomposition, int rank,
-                                const std::array<Boundary, 3>& boundary);
 
 namespace detail {
 

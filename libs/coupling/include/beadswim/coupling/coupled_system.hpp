@@ -18,10 +18,8 @@
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_snapshot.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
-#include "beadswim/lattice/halo.hpp"
-#include "beadswim/lattice/populations.hpp"
+#include "beadswim/lattice/levels.hpp"
 #include "beadswim/lattice/totals.hpp"
-#include "beadswim/lattice/trt.hpp"
 
 namespace beadswim {
 
@@ -60,8 +58,10 @@ class CoupledSystem {
   long steps_done() const { return steps_done_; }
   const CoupledScene& scene() const { return scene_; }
   const std::vector<SwimmerState>& owned_swimmers() const { return owned_; }
-  const Populations& populations() const { return populations_; }
-  const Decomposition& decomposition() const { return decomposition_; }
+  const Levels& levels() const { return levels_; }
+  /// Returns populations and decomposition of the finest level.
+  const Populations& populations() const { return levels_.finest().populations; }
+  const Decomposition& decomposition() const { return levels_.finest().decomposition; }
   const Coverage& coverage() const { return coverage_; }
   /// Returns the beads that touch the block of this rank. coverage() identifies the bead of a covered cell by
   /// its index in this list.
@@ -109,9 +109,9 @@ class CoupledSystem {
 
   /// Restores a state of the same scene. The state may have been computed on any number of ranks. `swimmers`
   /// must include all swimmers that this rank owns. `fill` must set the outgoing populations of all cells of
-  /// the block. Collective.
+  /// this rank on all levels. Collective.
   void restore(const SystemProgress& progress, std::span<const SwimmerSnapshot> swimmers,
-               const std::function<void(Populations&)>& fill);
+               const std::function<void(Levels&)>& fill);
 
   /// Returns the totals of the scene. The totals are meaningless if the state of any rank is non-finite;
   /// fault() reports this. Collective.
@@ -170,10 +170,7 @@ class CoupledSystem {
 
   const Communicator& communicator_;
   CoupledScene scene_;
-  RelaxationRates rates_;
-  Decomposition decomposition_;
-  Populations populations_;
-  Halo halo_;
+  Levels levels_;
   BeadExchange exchange_;
   NearContactLaw near_contact_;
   bool has_net_force_ = false;      ///< true if a body force balances net driving forces

@@ -15,6 +15,7 @@ enum class FaultKind {
   speed,       ///< the surface of a bead moves faster than speed_limit [cell/step]
   torn_arm,    ///< an arm is longer than max_stretch [rest length]
   wall,        ///< the gap between a bead and a wall is smaller than min_wall_gap [cell]
+  level,       ///< the gap between a bead and a coarser level is smaller than min_level_gap [cell]
   overlap,     ///< two beads overlap by more than max_overlap [radius of the smaller bead]
   mass,        ///< the total mass of fluid and beads has changed [total mass of the fluid]
   /// The total momentum of fluid and beads in a periodic box has changed [total momentum of the beads if all

@@ -33,9 +33,10 @@ struct LatticeChoice {
 /// Returns cell, step and relaxation time for a fluid of kinematic viscosity nu:
 /// - cell = radius/cells_per_radius
 /// - step = nu_lu cell^2/nu with nu_lu = (tau - 1/2)/3, rounded such that `period` is an integer number of
-///   steps
+///   steps, and a multiple of `multiple`
 /// - relaxation time: tau, adapted to the rounded step
-LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period);
+LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period,
+                             long multiple = 1);
 
 /// Converts a swimmer type from the units of the layout to lattice units.
 SwimmerType in_lattice_units(const SwimmerType& type, const LatticeScales& scales);

@@ -21,9 +21,11 @@
 namespace beadswim {
 
 /// Part of a lattice: the box of cells with indices from `offset` to `offset + size` (exclusive) along each
-/// axis. `cells` is the number of cells of the complete lattice along each axis.
+/// axis. `cells` is the number of cells of the complete lattice along each axis. A checkpoint may contain
+/// several lattices, with the numbers 0, 1, ...
 struct LatticePart {
   Index3 cells, offset, size;
+  int lattice = 0;
 };
 
 /// Hash of the numbers on a lattice. If parts of a lattice are hashed separately, for example by several
@@ -104,9 +106,10 @@ class CheckpointReader {
  private:
   void require_undamaged() const;
   void add_sections(Sha256& hash) const;
-  /// Returns the hash of the lattice planes z = const that this rank reads. The planes are divided evenly
-  /// among all ranks.
-  std::uint64_t hash_lattice_part() const;
+  bool has_lattice(int lattice) const;
+  /// Returns the hash of the planes z = const of a lattice that this rank reads. The planes are divided
+  /// evenly among all ranks.
+  std::uint64_t hash_lattice_part(int lattice) const;
 
   std::string path_;
   const Communicator& communicator_;

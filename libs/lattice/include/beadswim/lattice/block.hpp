@@ -1,43 +1,78 @@
 #pragma once
 
 #include <array>
-#include <vector>
+#include <span>
 
 #include "beadswim/core/vec3.hpp"
 
-// Decomposition of the lattice into blocks of cells, one block per MPI rank.
+// Decomposition of a lattice into blocks of cells, one block per MPI rank.
 
 namespace beadswim {
 
-/// Block of cells that one MPI rank owns: the cells of the lattice with offset <= index < offset + size along
-/// each axis [cell].
+/// Block of cells: the cells with offset <= index < offset + size along each axis [cell].
 struct Block {
   Index3 offset = Index3::Zero();
   Index3 size = Index3::Zero();
 
-  bool contains(const Index3& cell) const { return (cell >= offset).all() && (cell < offset + size).all(); }
+  Index3 end() const { return offset + size; }
+  /// Returns offset and size as numbers, for messages.
+  std::array<int, 6> numbers() const { return {offset[0], offset[1], offset[2], size[0], size[1], size[2]}; }
+  static Block of_numbers(const std::array<int, 6>& n) {
+    return {.offset = {n[0], n[1], n[2]}, .size = {n[3], n[4], n[5]}};
+  }
+  bool operator==(const Block& other) const {
+    return (offset == other.offset).all() && (size == other.size).all();
+  }
+  bool is_empty() const { return (size <= 0).any(); }
+  bool contains(const Index3& cell) const { return (cell >= offset).all() && (cell < end()).all(); }
+
+  static int floor_half(int n) { return n >= 0 ? n / 2 : -((1 - n) / 2); }
+  /// Returns the block of cells of twice the size that contains this block.
+  Block halved() const {
+    const Index3 low = offset.unaryExpr(&floor_half), last = (end() - 1).unaryExpr(&floor_half);
+    return {.offset = low, .size = last - low + 1};
+  }
+  /// Returns the same block in cells of half the size.
+  Block doubled() const { return {.offset = 2 * offset, .size = 2 * size}; }
+  /// Returns the block with a layer of cells around it.
+  Block widened() const { return {.offset = offset - 1, .size = size + 2}; }
 };
+
+/// Calls visit(first, end) for all runs of cells of row (y, z) outside `parts`, which are sorted by x.
+/// `cells`: length of the row.
+template <class Visit>
+void for_each_run_outside(std::span<const Block> parts, int cells, int y, int z, Visit&& visit) {
+  int first = 0;
+  for (const Block& part : parts) {
+    if (!part.contains({part.offset[0], y, z})) continue;
+    if (first < part.offset[0]) visit(first, part.offset[0]);
+    first = part.end()[0];
+  }
+  if (first < cells) visit(first, cells);
+}
 
 /// A Cartesian grid of blocks; rank b owns block b. Every rank stores the complete grid and finds the owner
 /// of a cell without communication.
 class Decomposition {
  public:
-  /// Divides a lattice of `cells` cells into `ranks` blocks of nearly equal size. Chooses the numbers of
+  /// Divides the cells of a lattice into `ranks` blocks of nearly equal size. Chooses the numbers of
   /// blocks along x, y and z for which the exchange of halo cells is cheapest. Cuts perpendicular to y or z
   /// cost less than cuts perpendicular to x. Throws InputError if no grid of blocks gives every rank at least
   /// one cell.
-  Decomposition(const Index3& cells, int ranks);
+  Decomposition(const Index3& cells, int ranks) : Decomposition(Block{.size = cells}, ranks) {}
+  Decomposition(const Block& lattice, int ranks);
 
-  const Index3& cells() const { return cells_; }
+  const Block& lattice() const { return lattice_; }
+  const Index3& cells() const { return lattice_.size; }
   const Index3& grid() const { return grid_; }
   int ranks() const { return grid_.prod(); }
   Block block(int rank) const;
   Index3 grid_position(int rank) const;
   int rank_at(const Index3& grid_position) const;  ///< requires 0 <= grid_position < grid()
-  int rank_of_cell(const Index3& cell) const;      ///< requires 0 <= cell < cells()
+  int rank_of_cell(const Index3& cell) const;      ///< requires lattice().contains(cell)
 
  private:
-  Index3 cells_;
+  Block lattice_;
   Index3 grid_;
 };
 

@@ -29,12 +29,13 @@ constexpr int first_outer_plane(int planes) {
 /// row by row. Calls before_row(y, z) before it sweeps the row (y, z). At this call, the halo cells that the
 /// row reads are filled. before_row must apply the boundary condition on the links of this row (links end at
 /// a bead) that have not been processed yet: links within the row, and links between the row and rows that
-/// have not been swept. body_force: momentum that each cell gains in this step (body_force.hpp).
+/// have not been swept. body_force: momentum that each cell gains in this step (body_force.hpp). `skipped`:
+/// cells that the step leaves as they are (BlockSweep).
 template <class BeforeRow>
 void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, const Vec3& body_force,
-                BeforeRow&& before_row) {
+                BeforeRow&& before_row, std::span<const Block> skipped = {}) {
   halo.start(populations);
-  BlockSweep sweep(populations, rates, halo.row_ends(), body_force);
+  BlockSweep sweep(populations, rates, halo.row_ends(), body_force, skipped);
   const int rows = populations.size()[1], planes = populations.size()[2];
   for (int n = 0; n < planes; ++n) {
     if (n < first_outer_plane(planes)) halo.progress();

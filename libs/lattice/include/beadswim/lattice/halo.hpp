@@ -30,9 +30,12 @@ namespace beadswim {
 class Halo {
  public:
   /// Throws InputError if `content` is `behind` and a block is only one cell thick. Populations that this
-  /// object fills must have been constructed with the same `content`.
+  /// object fills must have been constructed with the same `content`. `at_interface`: axes along which the
+  /// lattice ends at a coarser level instead of at a boundary (level_interface.hpp); the halo beyond these
+  /// ends is not filled.
   Halo(const Communicator& communicator, const Decomposition& decomposition,
-       const std::array<Boundary, 3>& boundary, HaloContent content = HaloContent::entering);
+       const std::array<Boundary, 3>& boundary, HaloContent content = HaloContent::entering,
+       const std::array<bool, 3>& at_interface = {});
   ~Halo();
 
   Halo(const Halo&) = delete;
@@ -71,13 +74,16 @@ class Halo {
  private:
   struct Face {
     Boundary closed_by = Boundary::periodic;  ///< periodic: open to a neighbouring block
+    bool at_interface = false;                ///< the face ends the lattice; beyond it is a coarser level
     int neighbour = MPI_PROC_NULL;            ///< rank of the block beyond the face; may be this rank
     std::vector<std::byte> send, receive;
 
-    bool is_open() const { return closed_by == Boundary::periodic; }
+    bool is_open() const { return closed_by == Boundary::periodic && !at_interface; }
   };
 
-  bool at_wall(int axis, int side, Boundary wall) const { return faces_[axis][side].closed_by == wall; }
+  bool at_wall(int axis, int side, Boundary wall) const {
+    return faces_[axis][side].closed_by == wall && !faces_[axis][side].at_interface;
+  }
 
   /// Returns true if the neighbour beyond one of the two faces perpendicular to `axis` is another rank.
   bool is_cut(int axis) const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
+#include "beadswim/lattice/block.hpp"
 #include "beadswim/lattice/populations.hpp"
 #include "beadswim/lattice/trt.hpp"
 
@@ -13,13 +15,14 @@ namespace beadswim {
 /// loop has no branches. Before a row is swept, all incoming populations of its cells must be set: by
 /// boundary conditions where they come from walls and beads, and by the halo where they come from outside the
 /// block. `row_ends` selects how the sweep fills the halo cells at the ends of the row for the next step
-/// (Halo::row_ends()). `body_force`: momentum that each cell gains in this step (body_force.hpp).
+/// (Halo::row_ends()). `body_force`: momentum that each cell gains in this step (body_force.hpp). `skipped`:
+/// cells that the sweep leaves as they are, in local coordinates, sorted by x.
 ///
 /// The results have the same bits for every instruction set and every shape of block.
 class BlockSweep {
  public:
   BlockSweep(Populations& populations, const RelaxationRates& rates, RowEnds row_ends,
-             const Vec3& body_force = Vec3::Zero());
+             const Vec3& body_force = Vec3::Zero(), std::span<const Block> skipped = {});
   ~BlockSweep();
 
   /// Sweeps the row (y, z).
@@ -37,6 +40,7 @@ class BlockSweep {
 
   Populations& populations_;
   RowEnds row_ends_;
+  std::span<const Block> skipped_;
   std::unique_ptr<Rows> rows_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/order_free_sum.hpp"
+#include "beadswim/lattice/level.hpp"
 #include "beadswim/lattice/populations.hpp"
 
 namespace beadswim {
@@ -24,6 +25,9 @@ struct FluidTotals {
 
 /// Returns the totals over all cells of a block except the halo.
 FluidTotals block_totals(const Populations& populations);
+
+/// Returns the totals over the cells of the block of a level that no finer level covers.
+FluidTotals used_cell_totals(const Level& level);
 
 /// Returns the sum of the totals of all ranks, on every rank. Collective.
 FluidTotals sum_over_ranks(const FluidTotals& totals, const Communicator& communicator);

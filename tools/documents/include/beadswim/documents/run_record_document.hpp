@@ -98,7 +98,30 @@ struct DimensionlessNumbers {
   }
 };
 
-/// Discretisation of the scene in a lattice run.
+/// A box of cells.
+struct CellBoxRecord {
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();  ///< corners [length]
+
+  static void visit_fields(auto&& visit, auto& box) {
+    visit("lower", box.lower);
+    visit("upper", box.upper);
+  }
+};
+
+/// A level of cells at the end of a lattice run.
+struct LevelRecord {
+  double cell = 0;                   ///< edge of a cell [length]
+  std::vector<CellBoxRecord> boxes;  ///< boxes that the level fills
+  std::int64_t cells = 0;            ///< number of cells
+
+  static void visit_fields(auto&& visit, auto& level) {
+    visit("cell", level.cell);
+    visit("boxes", level.boxes);
+    visit("cells", level.cells);
+  }
+};
+
+/// Discretisation of the scene in a lattice run. All quantities but `levels` are those of the finest cells.
 struct LatticeResolution {
   double cells_per_radius = 0;               ///< cells per smallest bead radius
   double cell_size = 0;                      ///< edge of a cell [length]
@@ -111,6 +134,7 @@ struct LatticeResolution {
   std::optional<double> radius_on_lattice;   ///< radius of the smallest bead on the lattice [cell]
   std::optional<double> angular_softening;   ///< smallest ratio of angular stiffness to that of the layout
   std::string precision;                     ///< "double" or "single"
+  std::optional<std::vector<LevelRecord>> levels;  ///< coarsest first; none: cells of one size
 
   static void visit_fields(auto&& visit, auto& resolution) {
     visit("cells_per_radius", resolution.cells_per_radius);
@@ -124,6 +148,7 @@ struct LatticeResolution {
     visit("density_on_lattice", resolution.density_on_lattice, omitted_if_none);
     visit("radius_on_lattice", resolution.radius_on_lattice, omitted_if_none);
     visit("angular_softening", resolution.angular_softening, omitted_if_none);
+    visit("levels", resolution.levels, omitted_if_none);
   }
 };
 

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "beadswim/core/communicator.hpp"
+#include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/coupling/scene.hpp"
+
+// Levels of cells around the beads of a scene (levels.hpp).
+
+namespace beadswim {
+
+/// Box that contains beads: its corners [cell].
+struct BeadExtent {
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
+  Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
+
+  void add(const Vec3& centre, double radius) {
+    low = low.array().min(centre.array() - radius);
+    high = high.array().max(centre.array() + radius);
+  }
+};
+/// Returns the extent of all beads of a scene at their first positions.
+BeadExtent bead_extent(const CoupledScene& scene);
+
+/// Returns `count` levels around the beads, coarsest first, or nothing if they do not fit into the box
+/// (nested_levels()).
+std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const BeadExtent& beads,
+                                                int count);
+
+/// Returns the levels around the beads at their first positions with which a step costs least. Returns
+/// nothing if they would save less than a fifth of the cost of one level.
+std::vector<Block> cheapest_levels(const CoupledScene& scene);
+
+/// Returns the number of levels of the finest possible division, at least 1.
+int max_levels(const CoupledScene& scene);
+
+/// Returns the number of cell updates in one step of the finest level.
+double updates_per_step(const std::vector<Block>& levels);
+
+/// Returns the number of cells on all levels.
+double cells_on_levels(const std::vector<Block>& levels);
+
+/// Number of steps between two calls of with_levels_around_beads(), for all numbers of levels that are in use
+/// a multiple of the steps after which all levels reach the same time.
+long steps_between_moves(int levels);
+
+/// Returns a system in the same state with levels around the present positions of its beads, if a bead will
+/// come closer to the end of the finest level, before the next call, than half the distance that
+/// levels_around() keeps; otherwise nothing. All levels must have reached the same time. Collective.
+std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
+                                                        const Communicator& communicator);
+
+}  // namespace beadswim

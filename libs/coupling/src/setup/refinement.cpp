@@ -1,0 +1,138 @@
+#include "beadswim/coupling/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "beadswim/coupling/swimmer_snapshot.hpp"
+#include "beadswim/lattice/level_transfer.hpp"
+#include "beadswim/lattice/nested_boxes.hpp"
+#include "beadswim/swimmers/swimmer_shape.hpp"
+
+namespace beadswim {
+namespace {
+
+/// Largest number of levels; the coarsest has cells of 2^9 finest cells.
+constexpr int most_levels = 10;
+
+/// Returns the distances between beads and interfaces. docs/method/refinement.md has their errors.
+LevelMargins margins_of(const CoupledScene& scene) {
+  constexpr double radii = 2;
+  constexpr int cells = 8;
+  double largest = 0;
+  for (const SwimmerType& type : scene.types)
+    for (const Bead& bead : type.beads) largest = std::max(largest, bead.radius);
+  return {.around_region = std::max(cells, static_cast<int>(std::ceil(radii * largest))), .around_level = 4};
+}
+
+/// Returns the smallest distance of a bead from the end of the finest level along axes that it does not span.
+double gap_to_interface(const Level& finest, const BeadExtent& beads) {
+  double gap = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < 3; ++a) {
+    if (finest.place.spans(a)) continue;
+    gap = std::min(
+        {gap, beads.low[a] - finest.place.lattice.offset[a], finest.place.lattice.end()[a] - beads.high[a]});
+  }
+  return gap;
+}
+
+/// Returns the extent of the beads of all ranks, now and at the next call of with_levels_around_beads(), if
+/// they keep their velocities. Collective.
+BeadExtent extent_until_next_move(const CoupledSystem& system, const Communicator& communicator) {
+  const auto steps = static_cast<double>(steps_between_moves(system.levels().count()));
+  BeadExtent beads;
+  for (const SwimmerState& swimmer : system.owned_swimmers()) {
+    for (std::size_t b = 0; b < swimmer.motion.size(); ++b) {
+      const BeadMotion& bead = swimmer.motion[b];
+      const double radius = system.scene().types[swimmer.type].beads[b].radius;
+      beads.add(bead.position, radius);
+      beads.add(bead.position + steps * bead.velocity, radius);
+    }
+  }
+  MPI_Allreduce(MPI_IN_PLACE, beads.low.data(), 3, MPI_DOUBLE, MPI_MIN, communicator.get());
+  MPI_Allreduce(MPI_IN_PLACE, beads.high.data(), 3, MPI_DOUBLE, MPI_MAX, communicator.get());
+  return beads;
+}
+
+/// Returns the snapshots of all swimmers on every rank. Collective.
+std::vector<SwimmerSnapshot> share_snapshots(CoupledSystem& system, const Communicator& communicator) {
+  std::vector<char> bytes = bytes_of(system.gather_snapshots());
+  std::size_t size = bytes.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator.get());
+  bytes.resize(size);
+  MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_BYTE, 0, communicator.get());
+  return snapshots_from_bytes(std::move(bytes));
+}
+
+}  // namespace
+
+BeadExtent bead_extent(const CoupledScene& scene) {
+  BeadExtent extent;
+  for (const PlacedSwimmer& swimmer : scene.swimmers) {
+    const SwimmerType& type = scene.type_of(swimmer);
+    const std::vector<Vec3> beads = rest_positions(type, swimmer.position, swimmer.orientation);
+    for (std::size_t b = 0; b < beads.size(); ++b) extent.add(beads[b], type.beads[b].radius);
+  }
+  return extent;
+}
+
+std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const BeadExtent& beads,
+                                                int count) {
+  return nested_levels(scene.cells, scene.boundary, beads.low, beads.high, count, margins_of(scene));
+}
+
+int max_levels(const CoupledScene& scene) {
+  const BeadExtent beads = bead_extent(scene);
+  int count = 1;
+  while (count < most_levels && levels_around(scene, beads, count + 1)) ++count;
+  return count;
+}
+
+double updates_per_step(const std::vector<Block>& levels) {
+  double updates = 0;
+  for (std::size_t n = 0; n < levels.size(); ++n)
+    updates += std::ldexp(levels[n].size.cast<double>().prod(), static_cast<int>(n + 1 - levels.size()));
+  return updates;
+}
+
+double cells_on_levels(const std::vector<Block>& levels) {
+  double cells = 0;
+  for (const Block& level : levels) cells += level.size.cast<double>().prod();
+  return cells;
+}
+
+std::vector<Block> cheapest_levels(const CoupledScene& scene) {
+  constexpr double worthwhile = 0.8;  // updates per step, divided by those with one level
+  const BeadExtent beads = bead_extent(scene);
+  const std::vector<Block> uniform = *levels_around(scene, beads, 1);
+  std::vector<Block> cheapest = uniform;
+  for (int count = 2; count <= most_levels; ++count) {
+    const auto levels = levels_around(scene, beads, count);
+    if (!levels) break;
+    if (updates_per_step(*levels) < updates_per_step(cheapest)) cheapest = *levels;
+  }
+  if (updates_per_step(cheapest) < worthwhile * updates_per_step(uniform)) return cheapest;
+  return {};
+}
+
+long steps_between_moves(int levels) {
+  constexpr long least = 16;
+  return std::max(least, 1L << (levels - 1));
+}
+
+std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
+                                                        const Communicator& communicator) {
+  const CoupledScene& scene = system.scene();
+  const BeadExtent beads = extent_until_next_move(system, communicator);
+  const double margin = margins_of(scene).around_region;
+  if (gap_to_interface(system.levels().finest(), beads) > margin / 2) return nullptr;
+  const auto levels = levels_around(scene, beads, system.levels().count());
+  if (!levels || *levels == scene.levels) return nullptr;
+  CoupledScene moved = scene;
+  moved.levels = *levels;
+  auto next = std::make_unique<CoupledSystem>(moved, communicator);
+  next->restore(system.progress(), share_snapshots(system, communicator),
+                [&](Levels& fluid) { transfer(system.levels(), fluid, communicator); });
+  return next;
+}
+
+}  // namespace beadswim

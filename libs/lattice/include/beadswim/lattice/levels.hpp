@@ -1,0 +1,95 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "beadswim/lattice/fluid_step.hpp"
+#include "beadswim/lattice/level.hpp"
+#include "beadswim/lattice/level_interface.hpp"
+#include "beadswim/lattice/totals.hpp"
+
+namespace beadswim {
+
+/// Returns the relaxation time tau of the level that is `levels_above` levels coarser than the finest. The
+/// viscosity and the speed of sound are the same on all levels [step of the level].
+///
+///   tau - 1/2 = (tau_finest - 1/2)/2^levels_above
+double relaxation_time_of_level(double finest, int levels_above);
+
+/// Returns the places of nested levels in a box of `cells` cells of the finest level. `lattices`: the cells
+/// of each level, coarsest first.
+std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boundary, 3>& boundary,
+                                      std::span<const Block> lattices);
+
+/// The fluid on nested levels of cells. Each level has cells of half the size of the next coarser level and
+/// makes two steps in one step of it. Velocity and density have the same values on all levels, in lattice
+/// units of each level.
+class Levels {
+ public:
+  /// `places`: the levels, coarsest first; each lies inside the one before. `relaxation_time`: that of the
+  /// finest level. `content`: halo of the finest level.
+  Levels(const std::vector<LevelPlace>& places, double relaxation_time, Precision precision,
+         HaloContent content, const Communicator& communicator);
+
+  int count() const { return static_cast<int>(levels_.size()); }
+  Level& operator[](int n) { return *levels_[n]; }  ///< 0: the coarsest
+  const Level& operator[](int n) const { return *levels_[n]; }
+  Level& finest() { return *levels_.back(); }
+  const Level& finest() const { return *levels_.back(); }
+
+  /// Makes one step of the finest level, and the steps of coarser levels that are then due. Calls
+  /// before_row(y, z) before it sweeps a row of the finest level (step_fluid()). body_force: momentum that
+  /// each cell of the finest level gains in this step.
+  template <class BeforeRow>
+  void step(const Vec3& body_force, BeforeRow&& before_row) {
+    for (Vec3& impulse : impulses_) impulse += body_force;
+    advance(count() - 1, before_row);
+  }
+
+  /// Returns the mass (minus that at density 1) and the momentum of the fluid outside the finest level, in
+  /// lattice units of the finest level. Between two steps of a coarser level, populations that have crossed
+  /// its interface are counted on the side to which they have moved. Collective.
+  CellMoments totals_of_coarser(const Communicator& communicator) const;
+
+  /// Returns the messages that have been sent so far.
+  Traffic traffic() const;
+
+  /// Returns true if all levels have reached the same time.
+  bool are_synchronous() const {
+    for (const auto& between : interfaces_)
+      if (between->is_within_step()) return false;
+    return true;
+  }
+
+ private:
+  /// Coarser levels contain no beads. (A lambda would have another type in each instance of advance().)
+  struct NoBeads {
+    void operator()(int, int) const {}
+  };
+
+  /// Makes one step of level n, and of the coarser level if it is due.
+  template <class BeforeRow>
+  void advance(int n, BeforeRow&& before_row) {
+    Level& level = *levels_[n];
+    LevelInterface* const above = n > 0 ? interfaces_[n - 1].get() : nullptr;
+    const LevelInterface* const below = n + 1 < count() ? interfaces_[n].get() : nullptr;
+    if (above) above->begin_fine_step(levels_[n - 1]->populations, level.populations);
+    step_fluid(
+        level.populations, level.halo, level.rates, impulses_[n],
+        [&](int y, int z) {
+          if (above) above->set_fine_row(level.populations, y, z);
+          if (below) below->set_coarse_row(level.populations, y, z);
+          before_row(y, z);
+        },
+        level.covered);
+    impulses_[n] = Vec3::Zero();
+    if (above && above->end_fine_step()) advance(n - 1, NoBeads{});
+  }
+
+  std::vector<std::unique_ptr<Level>> levels_;               ///< coarsest first
+  std::vector<std::unique_ptr<LevelInterface>> interfaces_;  ///< of levels n and n + 1
+  std::vector<Vec3> impulses_;  ///< impulse per volume on each level since its last step
+};
+
+}  // namespace beadswim

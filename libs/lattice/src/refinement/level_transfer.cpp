@@ -1,0 +1,179 @@
+#include "beadswim/lattice/level_transfer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "beadswim/lattice/moments.hpp"
+
+namespace beadswim {
+namespace {
+
+using Cell = std::array<double, d3q19::directions>;  ///< populations after collision
+
+/// Calls visit(cell) for all cells of a block, x fastest.
+template <class Visit>
+void for_each_cell_of(const Block& block, Visit&& visit) {
+  for (int z = block.offset[2]; z < block.end()[2]; ++z) {
+    for (int y = block.offset[1]; y < block.end()[1]; ++y) {
+      for (int x = block.offset[0]; x < block.end()[0]; ++x) visit(Index3(x, y, z));
+    }
+  }
+}
+
+/// Populations of a box of cells.
+class Region {
+ public:
+  explicit Region(const Block& block) : block_(block), cells_(block.size.cast<std::size_t>().prod()) {}
+
+  const Block& block() const { return block_; }
+  Cell& operator[](const Index3& cell) { return cells_[index(cell)]; }
+  const Cell& operator[](const Index3& cell) const { return cells_[index(cell)]; }
+
+ private:
+  std::size_t index(const Index3& cell) const {
+    const Index3 p = cell - block_.offset;
+    return p[0] + block_.size[0] * (p[1] + static_cast<std::size_t>(block_.size[1]) * p[2]);
+  }
+
+  Block block_;
+  std::vector<Cell> cells_;
+};
+
+/// Returns the block that all ranks want, by rank.
+std::vector<Block> blocks_of_all(const Block& block, const Communicator& communicator) {
+  const std::array<int, 6> own = block.numbers();
+  std::vector<std::array<int, 6>> all(communicator.size());
+  MPI_Allgather(own.data(), 6, MPI_INT, all.data(), 6, MPI_INT, communicator.get());
+  std::vector<Block> blocks;
+  for (const std::array<int, 6>& numbers : all) blocks.push_back(Block::of_numbers(numbers));
+  return blocks;
+}
+
+/// Returns the populations of a box of cells, which may be another box on each rank. Cells outside the level
+/// are left at zero. Collective.
+Region fetch(const Level& level, const Block& wanted, const Communicator& communicator) {
+  const std::vector<Block> all = blocks_of_all(wanted, communicator);
+  std::vector<std::vector<double>> to_send(all.size());
+  for (std::size_t other = 0; other < all.size(); ++other) {
+    for_each_cell_of(all[other], [&](const Index3& at) {
+      const Index3 cell = level.place.in_lattice(at);
+      if (!level.block.contains(cell)) return;
+      const std::ptrdiff_t index = level.populations.cell(cell - level.block.offset);
+      for (int i = 0; i < d3q19::directions; ++i)
+        to_send[other].push_back(level.populations.outgoing(i, index));
+    });
+  }
+  std::vector<int> sent, received(all.size(), 0), sent_at, received_at;
+  std::vector<double> outgoing;
+  for (const std::vector<double>& numbers : to_send) {
+    sent_at.push_back(static_cast<int>(outgoing.size()));
+    sent.push_back(static_cast<int>(numbers.size()));
+    outgoing.insert(outgoing.end(), numbers.begin(), numbers.end());
+  }
+  const auto owner_of = [&](const Index3& cell) {
+    return level.place.lattice.contains(cell) ? level.decomposition.rank_of_cell(cell) : -1;
+  };
+  for_each_cell_of(wanted, [&](const Index3& at) {
+    if (const int owner = owner_of(level.place.in_lattice(at)); owner >= 0)
+      received[owner] += d3q19::directions;
+  });
+  int total = 0;
+  for (const int count : received) {
+    received_at.push_back(total);
+    total += count;
+  }
+  std::vector<double> incoming(total);
+  MPI_Alltoallv(outgoing.data(), sent.data(), sent_at.data(), MPI_DOUBLE, incoming.data(), received.data(),
+                received_at.data(), MPI_DOUBLE, communicator.get());
+  Region region(wanted);
+  for_each_cell_of(wanted, [&](const Index3& at) {
+    const int owner = owner_of(level.place.in_lattice(at));
+    if (owner < 0) return;
+    for (double& population : region[at]) population = incoming[received_at[owner]++];
+  });
+  return region;
+}
+
+/// Subtracts from `change` the equilibrium parts that would change mass and momentum of a cell.
+void keep_moments(Cell& change) {
+  double density, momentum[3];
+  double populations[d3q19::directions];
+  std::ranges::copy(change, populations);
+  moments_of(populations, density, momentum);
+  for (int i = 0; i < d3q19::directions; ++i) {
+    const auto& c = d3q19::velocity[i];
+    change[i] -=
+        d3q19::weight(i) * (density + 3 * (c[0] * momentum[0] + c[1] * momentum[1] + c[2] * momentum[2]));
+  }
+}
+
+Index3 unit(int axis) {
+  return {axis == 0, axis == 1, axis == 2};
+}
+
+/// Evaluates a coarser cell from the eight finer cells that begin at `first`.
+Cell coarser_cell(const Region& finer, const Index3& first) {
+  Cell mean{}, change{};
+  for (int i = 0; i < d3q19::directions; ++i) {
+    for (int part = 0; part < 8; ++part) {
+      const Index3 side(part & 1, part >> 1 & 1, part >> 2);
+      const double population = finer[first + side][i];
+      mean[i] += population / 8;
+      // The slope along an axis is the mean of the four on its high side minus the four on its low side.
+      for (int a = 0; a < 3; ++a)
+        change[i] += 0.5 * d3q19::velocity[i][a] * (side[a] == 1 ? population : -population) / 4;
+    }
+  }
+  keep_moments(change);
+  for (int i = 0; i < d3q19::directions; ++i) mean[i] += change[i];
+  return mean;
+}
+
+/// Evaluates a finer cell from the coarser cell that contains it and the neighbours of the coarser cell.
+Cell finer_cell(const Region& coarser, const Index3& cell) {
+  const Index3 parent = cell.unaryExpr(&Block::floor_half);
+  const Index3 side = 2 * (cell - 2 * parent) - 1;  // -1 or 1
+  Cell result = coarser[parent], change{};
+  for (int i = 0; i < d3q19::directions; ++i) {
+    for (int a = 0; a < 3; ++a) {
+      const double slope = (coarser[parent + unit(a)][i] - coarser[parent - unit(a)][i]) / 2;
+      result[i] += side[a] * slope / 4;
+      change[i] -= d3q19::velocity[i][a] * slope / 4;
+    }
+  }
+  keep_moments(change);
+  for (int i = 0; i < d3q19::directions; ++i) result[i] += change[i];
+  return result;
+}
+
+void set_cell(Level& level, const Index3& cell, const Cell& populations) {
+  const std::ptrdiff_t index = level.populations.cell(cell - level.block.offset);
+  for (int i = 0; i < d3q19::directions; ++i) level.populations.set_outgoing(i, index, populations[i]);
+}
+
+}  // namespace
+
+void transfer(const Levels& from, Levels& to, const Communicator& communicator) {
+  for (int n = 0; n < to.count(); ++n) {
+    Level& level = to[n];
+    const Level& before = from[n];
+    const Region same = fetch(before, level.block, communicator);
+    const Block above = n > 0 ? level.block.halved().widened() : Block{};
+    const Region coarser = fetch(to[std::max(n - 1, 0)], above, communicator);
+    for_each_cell_of(level.block, [&](const Index3& cell) {
+      const bool was_here = before.place.lattice.contains(before.place.in_lattice(cell));
+      set_cell(level, cell, was_here ? same[cell] : finer_cell(coarser, cell));
+    });
+    if (n + 1 == from.count()) continue;
+    for (Block part : level.place.parts_under(from[n + 1].place, level.block)) {
+      part.offset += level.block.offset;
+      const Region finer = fetch(from[n + 1], part.doubled(), communicator);
+      for_each_cell_of(part,
+                       [&](const Index3& cell) { set_cell(level, cell, coarser_cell(finer, 2 * cell)); });
+    }
+  }
+}
+
+}  // namespace beadswim

@@ -1,0 +1,96 @@
+#include "beadswim/lattice/levels.hpp"
+
+#include <cmath>
+
+namespace beadswim {
+namespace {
+
+/// Returns the axes along which a level ends at a coarser level.
+std::array<bool, 3> interfaces_of(const LevelPlace& place) {
+  return {!place.spans(0), !place.spans(1), !place.spans(2)};
+}
+
+}  // namespace
+
+std::vector<Block> LevelPlace::parts_under(const LevelPlace& finer, const Block& block) const {
+  Block covered = finer.lattice.halved();
+  const Index3 copies(is_periodic(0), is_periodic(1), is_periodic(2));
+  covered.offset = (copies == 1).select(in_lattice(covered.offset), covered.offset);
+  std::vector<Block> parts;
+  for (int x = -copies[0]; x <= 0; ++x) {
+    for (int y = -copies[1]; y <= 0; ++y) {
+      for (int z = -copies[2]; z <= 0; ++z) {
+        const Index3 first = covered.offset + Index3(x, y, z) * box - block.offset;
+        const Index3 low = first.max(0), high = (first + covered.size).min(block.size);
+        parts.push_back({.offset = low, .size = (high - low).max(0)});
+      }
+    }
+  }
+  return parts;
+}
+
+Level::Level(const LevelPlace& place_of_level, double relaxation_time, Precision precision,
+             HaloContent content, const Communicator& communicator)
+    : place(place_of_level),
+      decomposition(place.lattice, communicator.size()),
+      block(decomposition.block(communicator.rank())),
+      populations(block.size, precision, content),
+      halo(communicator, decomposition, place.boundary, content, interfaces_of(place)),
+      rates(relaxation_rates(relaxation_time)) {}
+
+double relaxation_time_of_level(double finest, int levels_above) {
+  return 0.5 + std::ldexp(finest - 0.5, -levels_above);
+}
+
+std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boundary, 3>& boundary,
+                                      std::span<const Block> lattices) {
+  std::vector<LevelPlace> places;
+  for (std::size_t n = 0; n < lattices.size(); ++n) {
+    const int above = static_cast<int>(lattices.size() - 1 - n);
+    places.push_back({.lattice = lattices[n], .box = cells / (1 << above), .boundary = boundary});
+  }
+  return places;
+}
+
+Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Precision precision,
+               HaloContent content, const Communicator& communicator) {
+  const int count = static_cast<int>(places.size());
+  for (int n = 0; n < count; ++n) {
+    const int above = count - 1 - n;
+    levels_.push_back(std::make_unique<Level>(places[n], relaxation_time_of_level(relaxation_time, above),
+                                              precision, above == 0 ? content : HaloContent::entering,
+                                              communicator));
+    if (n > 0)
+      interfaces_.push_back(std::make_unique<LevelInterface>(communicator, *levels_[n - 1], *levels_[n]));
+  }
+  impulses_.assign(count, Vec3::Zero());
+}
+
+CellMoments Levels::totals_of_coarser(const Communicator& communicator) const {
+  CellMoments sum;
+  const auto add = [&](const FluidTotals& totals, int levels_above) {
+    const FluidTotals all = sum_over_ranks(totals, communicator);
+    const double volume = std::ldexp(1.0, 3 * levels_above);
+    sum.density_deviation += volume * all.density_deviation.value();
+    sum.momentum += volume * all.momentum_value();
+  };
+  for (int n = 0; n + 1 < count(); ++n) {
+    const int above = count() - 1 - n;
+    const Level& level = *levels_[n];
+    add(used_cell_totals(level), above);
+    add(interfaces_[n]->in_transit(), above - 1);
+    const double cells = level.place.lattice.size.cast<double>().prod() -
+                         levels_[n + 1]->place.lattice.size.cast<double>().prod() / 8;
+    sum.momentum += std::ldexp(cells, 3 * above) * impulses_[n];
+  }
+  return sum;
+}
+
+Traffic Levels::traffic() const {
+  Traffic sent;
+  for (const auto& level : levels_) sent.add(level->halo.traffic());
+  for (const auto& between : interfaces_) sent.add(between->traffic());
+  return sent;
+}
+
+}  // namespace beadswim
