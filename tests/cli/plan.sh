@@ -119,6 +119,9 @@ run beadswim-run large.json --plan
 check "a smaller box is proposed" holds '.proposals[0].command | test("^beadswim-layout reduce large.json --box [0-9]+,[0-9]+,[0-9]+$")' out
 check "the plan says what errors are" holds '.error_definition | test("^expected relative error of velocity .* at infinitely fine resolution; ")' out
 err_has "^error: $(jq -r .error_definition out | sed 's/[()]/./g')\$"
+check "levels of cells make lattices possible" holds '[.runs[] | select(.model == "lbm" and (.refused | not))] | length > 9
+  and all(.flags | test(" --refine [1-5]$"))' out
+run beadswim-run large.json --plan --refine off
 check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("GB per rank"))' out
 
 pasted '.domain.boundary == ["periodic", "periodic", "periodic"] and (.domain.lengths | .[0] < 200 and .[1] < 100)'

@@ -5,15 +5,15 @@ source "$(dirname "$0")/harness.sh"
 small() { # RANKS ARGUMENT...
   mpirun -n "$1" beadswim-run "${@:2}" --progress none --no-provenance
 }
-beadswim-layout swimmer --preset paper-single --box 256,192,192 --boundary periodic --position 120,96,96 --period 400 \
+beadswim-layout swimmer --preset paper-single --box 256,192,192 --boundary periodic --position 120,96,96 --period 1600 \
   --amplitude 0.2 >wide.json
 settings="--cells-per-radius 2 --relaxation-time 1.5"
 
 # --- levels change neither velocity nor strokes, and cost less
-run small 2 wide.json -o one.h5md $settings --cycles 2
+run small 2 wide.json -o one.h5md $settings --cycles 1
 has_status 0
 mv out one.json
-run small 2 wide.json -o three.h5md $settings --cycles 2 --refine 2
+run small 2 wide.json -o three.h5md $settings --cycles 1 --refine 2
 has_status 0
 mv out three.json
 jq -s . one.json three.json >both.json
@@ -33,12 +33,12 @@ check 'momentum is not conserved' holds '.momentum.total | map(fabs < 1e-10) | a
 check 'mass is not conserved' holds '.mass_relative_change | fabs < 1e-13' three.json
 
 # --- auto is one of the numbers; on other ranks the same bits
-run small 3 wide.json -o auto.h5md $settings --cycles 1 --refine auto
+run small 3 wide.json -o auto.h5md $settings --cycles 0.5 --refine auto
 has_status 0
 mv out auto.json
 levels=$(jq '.resolution.levels | length' auto.json)
 check 'auto chooses no levels' test "$levels" -ge 3
-run small 1 wide.json -o auto.h5md $settings --cycles 1 --refine $((levels - 1))
+run small 1 wide.json -o auto.h5md $settings --cycles 0.5 --refine $((levels - 1))
 has_status 0
 check 'auto is not that number, or ranks change the bits' \
   test "$(jq '[.swimmers, .state_sha256, .momentum]' auto.json)" = "$(jq '[.swimmers, .state_sha256, .momentum]' out)"
@@ -69,12 +69,14 @@ check 'there are not two levels at four times' test "$(ls whole.h5md.flow/*-[01]
 check 'and their list' test "$(grep -c 'part="1"' whole.h5md.flow.pvd)" -eq 4
 
 # --- refused before work begins, with what would work
-refuses 'refine: .*(does not|do not) fit.*at most [1-9]' beadswim-run wide.json -o x.h5md $settings --refine 9
+beadswim-layout swimmer --preset paper-single --box 264,192,192 --boundary periodic --position 120,96,96 --period 4800 >odd.json
+refuses 'refine: .*do not fit.*use at most 2' beadswim-run odd.json -o x.h5md $settings --refine 3
+refuses 'refine: .*coarsest would have only 25 steps per period; use at most 3' beadswim-run wide.json -o x.h5md $settings --refine 4
 refuses 'use off, auto, or the number of finer levels' beadswim-run wide.json -o x.h5md --refine few
-refuses 'use off, auto, or the number of finer levels' beadswim-run wide.json -o x.h5md --refine 0
+refuses 'use off, auto, or the number of finer levels, from 1 to 5' beadswim-run wide.json -o x.h5md --refine 6
 refuses 'refine: the flag applies to the lattice only' beadswim-run wide.json -o x.h5md --model rpy --refine 1
 beadswim-layout swimmer --preset paper-single --box 160,96,96 --boundary no-slip --position 80,12,48 --period 400 >walled.json
-refuses 'refine: .*walls.*at most 0' beadswim-run walled.json -o x.h5md $settings --refine 1
+refuses 'refine: .*walls; use --refine off' beadswim-run walled.json -o x.h5md $settings --refine 1
 beadswim-layout shape sphere --radius 3 --force 2 --amplitude 0 --direction 1,0,0 --period 400 --viscosity 0.16666667 --density 1 \
   --units lattice --box 90,60,60 --boundary free-slip --position 30,30,30 >towards.json
 run beadswim-run towards.json -o x.h5md --cells-per-radius 3 --relaxation-time 1 --refine 1 --cycles 9 --progress none

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <memory>
 
 #include "beadswim/coupling/gather.hpp"
@@ -25,8 +26,6 @@ struct FollowingRun {
   void advance(int steps) {
     for (int n = 0; n < steps; ++n) {
       system->step();
-      const int levels = system->levels().count();
-      if (levels == 1 || system->steps_done() % steps_between_moves(levels) != 0) continue;
       if (auto moved = with_levels_around_beads(*system, communicator)) {
         system = std::move(moved);
         ++moves;
@@ -123,17 +122,35 @@ TEST(Refinement, FollowsABead) {
   EXPECT_LT(std::abs(last.mass_excess - first.mass_excess), 1e-15);
 }
 
+/// Returns a swimmer and a sphere that is pulled away from it, in a box with walls; two levels span the axis
+/// y.
+CoupledScene sphere_leaves_swimmer() {
+  CoupledScene scene = towed_sphere(0.6);
+  scene.cells = {128, 32, 96};
+  scene.boundary = {Boundary::free_slip, Boundary::periodic, Boundary::no_slip};
+  scene.types[0].driving.forces[0].direction = Vec3(1, 0, 0.1).normalized();
+  scene.swimmers[0].position = Vec3(71.3, 6.9, 46.2);
+  const CoupledScene swimmer = swimmer_in_wide_box(BeadScheme::mr);
+  scene.types.push_back(swimmer.types[0]);
+  scene.swimmers.push_back({.id = 1, .type = 1, .position = Vec3(62.3, 20.1, 47.8)});
+  return scene;
+}
+
 // Catches an interface, or a move of levels, that depends on ranks.
 TEST(Refinement, HasTheSameBitsOnAnyNumberOfRanks) {
   const Communicator world(MPI_COMM_WORLD), self(MPI_COMM_SELF);
-  const auto state = [](const CoupledScene& scene, const Communicator& ranks) {
+  std::map<std::size_t, int> moves;  // by number of levels
+  const auto state = [&](const CoupledScene& scene, const Communicator& ranks) {
     FollowingRun run(scene, ranks);
     run.advance(160);
+    EXPECT_FALSE(run.system->fault().has_value());
+    moves[scene.levels.size()] += run.moves;
     return state_sha256(*run.system, ranks);
   };
   for (const Precision precision : {Precision::fp64, Precision::fp32}) {
     for (const BeadScheme scheme : {BeadScheme::mr, BeadScheme::psm}) {
-      for (CoupledScene scene : {refined(swimmer_in_wide_box(scheme), 2), refined(towed_sphere(0.6), 1)}) {
+      for (CoupledScene scene : {refined(swimmer_in_wide_box(scheme), 2), refined(towed_sphere(0.6), 1),
+                                 refined(sphere_leaves_swimmer(), 2)}) {
         scene.precision = precision;
         scene.bead_boundary = scheme;
         const std::string shared = state(scene, world);
@@ -143,6 +160,17 @@ TEST(Refinement, HasTheSameBitsOnAnyNumberOfRanks) {
       }
     }
   }
+  EXPECT_GT(moves[2], 0);
+  EXPECT_GT(moves[3], 0);
+}
+
+// Catches a fault that is forgotten when the levels move: the sphere is too near to the interface before they
+// do.
+TEST(Refinement, DoesNotForgetAFault) {
+  const Communicator self(MPI_COMM_SELF);
+  FollowingRun run(refined(towed_sphere(40), 1), self);  // soon faster than the speed limit
+  run.advance(100);
+  EXPECT_TRUE(run.system->fault().has_value());
 }
 
 // Catches a bead that leaves its level without notice.
@@ -164,6 +192,8 @@ TEST(Refinement, IsChosenWhereItPays) {
   const CoupledScene wide = small_swimmer(Index3(256, 256, 256), Vec3(128, 128, 128), Vec3::UnitX());
   const std::vector<Block> levels = cheapest_levels(wide);
   EXPECT_GE(levels.size(), 4u);
+  EXPECT_EQ(cheapest_levels(wide, 2).size(), 2u);
+  EXPECT_EQ(max_levels(wide), max_finer_levels + 1);
   EXPECT_LT(updates_per_step(levels), 0.01 * wide.cells.cast<double>().prod());
 }
 

@@ -49,11 +49,12 @@ std::optional<StopRequest> stop_request(double start, const RunOptions& options,
 
 /// Time steps at which outputs and checks are due. An interval of 0 means that the output is never due.
 struct Timetable {
-  long steps = 0, guard_interval = 0, flow_interval = 0, checkpoint_interval = 0;
+  long steps = 0, guard_interval = 0, totals_interval = 0, flow_interval = 0, checkpoint_interval = 0;
 
   explicit Timetable(const ModelPlan& plan)
       : steps(plan.steps_in(plan.options.settings.cycles)),
         guard_interval(plan.whole_steps(steps_between_guards)),
+        totals_interval((steps_between_totals + guard_interval - 1) / guard_interval * guard_interval),
         flow_interval(interval(plan, plan.options.settings.flow_every)),
         checkpoint_interval(interval(plan, plan.options.settings.checkpoint_every)) {}
 
@@ -110,7 +111,7 @@ class TimeLoop {
   /// totals of the scene if a frame, a checkpoint or the run record needs them.
   bool is_sound(bool is_frame) {
     ModelTotals totals = outcome_.last_totals;
-    if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % steps_between_totals == 0)
+    if (is_frame || due_.is_last(step()) || due_.is_checkpoint(step()) || step() % due_.totals_interval == 0)
       totals = parts_.model.totals();
     if (const std::optional<ModelFault> fault = parts_.model.fault()) {
       outcome_.status = fault->status;

@@ -124,7 +124,7 @@ LatticeSpeed LatticeSpeed::measured(const Communicator& communicator) {
 
 double LatticeSpeed::step(const CoupledScene& scene) const {
   const PrecisionCost& own = precisions_.at(static_cast<std::size_t>(scene.precision));
-  const double cells = updates_per_step(scene.all_levels());
+  const double cells = cost_per_step(scene.all_levels());
   return cells * interpolated(own.cells, own.seconds_per_cell, cells / ranks_) +
          own.seconds_per_area.at(static_cast<std::size_t>(scene.bead_boundary)) * bead_surface(scene);
 }

@@ -128,6 +128,7 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
   run.refused = reason_against([&] {
     request.require_choices_apply(settings);
     const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
+    run.settings.lattice.refinement = static_cast<int>(on_lattice.scene.all_levels().size()) - 1;
     // The call of substeps_for() throws if a type needs too many substeps.
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;
@@ -170,6 +171,11 @@ LatticeErrors lattice_scene_errors(const SceneOnLattice& on_lattice, const Scene
   LatticeErrors errors{.resolution = scene_error(facts, by_resolution),
                        .wander = scene_error(facts, by_wander)};
   if (std::isfinite(roundoff) && errors.resolution.velocity > 0) errors.resolution.velocity += roundoff;
+  if (!on_lattice.scene.levels.empty() && errors.resolution.velocity > 0) {
+    // Twice the largest changes that were measured in free-slip boxes (docs/refinement.md).
+    errors.resolution.velocity += 0.0012;
+    for (double& arm : errors.resolution.arm_amplitudes) arm += 0.0004;
+  }
   return errors;
 }
 

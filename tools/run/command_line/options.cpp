@@ -103,9 +103,8 @@ std::string refinement_text(const std::optional<int>& levels) {
 /// Adds the flag --refine, whose value is off, auto or a number of levels.
 void add_refinement(CLI::App& program, LatticeSettings& lattice) {
   const auto fault = [](const std::string& text) -> std::string {
-    constexpr int most = 9;
-    if (text == "off" || text == "auto" || whole_number(1, most)(text).empty()) return {};
-    return fmt::format("use off, auto, or the number of finer levels, from 1 to {}", most);
+    if (text == "off" || text == "auto" || whole_number(1, max_finer_levels)(text).empty()) return {};
+    return fmt::format("use off, auto, or the number of finer levels, from 1 to {}", max_finer_levels);
   };
   program
       .add_option_function<std::string>(

@@ -142,12 +142,13 @@ void FlowOutput::write_level(const CoupledSystem& system, int number, const std:
     return;
   }
   const double edge = std::ldexp(scales_.cell, levels_ - 1 - number);
-  // The image of the level whose centre lies in the box.
+  // The image of the levels in which the centre of the finest level lies in the box.
+  const LevelPlace& finest = system.levels().finest().place;
   Index3 offset = lattice.offset;
   for (int a = 0; a < 3; ++a) {
-    if (level.place.boundary[a] != Boundary::periodic) continue;
-    const int centre = offset[a] + lattice.size[a] / 2, box = level.place.box[a];
-    offset[a] -= box * static_cast<int>(std::floor(static_cast<double>(centre) / box));
+    if (level.place.boundary[a] != Boundary::periodic || level.place.spans(a)) continue;
+    const double centre = finest.lattice.offset[a] + 0.5 * finest.lattice.size[a];
+    offset[a] -= level.place.box[a] * static_cast<int>(std::floor(centre / finest.box[a]));
   }
   write_vti(file, {.cells = lattice.size, .spacing = edge, .origin = edge * offset.cast<double>().matrix()},
             fields);

@@ -57,6 +57,24 @@ BeadMotion extrapolated(BeadMotion bead, const BeadVelocity& next, double ahead)
   return bead;
 }
 
+/// Returns the scene with the levels of a checkpoint. Throws SolverError if they cannot be those of the run.
+CoupledScene with_levels(CoupledScene scene, const std::vector<std::array<int, 6>>& levels,
+                         const std::string& path) {
+  const Block coarsest = scene.levels.front();
+  const std::size_t count = scene.levels.size();
+  scene.levels.clear();
+  bool fits = levels.size() == count;
+  for (const auto& level : levels) {
+    scene.levels.push_back(Block::of_numbers(level));
+    const Block& block = scene.levels.back();
+    fits = fits && !block.is_empty() && (block.size <= scene.cells).all();
+  }
+  if (fits && scene.levels.front() == coarsest) return scene;
+  throw SolverError(path +
+                    ": the levels of cells in the checkpoint are damaged; take the run's other "
+                    "checkpoint (.ckpt.0 or .ckpt.1), or begin without --restart");
+}
+
 }  // namespace
 
 LatticePlan::LatticePlan(const Layout& layout, const RunOptions& requested, const std::string& source,
@@ -113,14 +131,10 @@ LatticeModel::LatticeModel(const LatticePlan& plan, long flow_until)
 
 void LatticeModel::step() {
   system_->step();
-  const int levels = system_->levels().count();
-  if (levels == 1 || steps_done() % steps_between_moves(levels) != 0) return;
-  if (auto moved = with_levels_around_beads(*system_, communicator_)) replace_system(std::move(moved));
-}
-
-void LatticeModel::replace_system(std::unique_ptr<CoupledSystem> system) {
+  auto moved = with_levels_around_beads(*system_, communicator_);
+  if (!moved) return;
   earlier_traffic_.add(system_->traffic());
-  system_ = std::move(system);
+  system_ = std::move(moved);
 }
 
 SwimmerIdentity LatticeModel::own_swimmer(int number) const {
@@ -203,10 +217,9 @@ void LatticeModel::restore(long steps_done, IncomingMessage& history, const Chec
   if (!on_lattice_.scene.levels.empty()) {
     std::vector<std::array<int, 6>> levels;
     history(levels);
-    CoupledScene scene = on_lattice_.scene;
-    scene.levels.clear();
-    for (const auto& level : levels) scene.levels.push_back(Block::of_numbers(level));
-    system_ = std::make_unique<CoupledSystem>(scene, communicator_);
+    system_.reset();
+    system_ = std::make_unique<CoupledSystem>(with_levels(on_lattice_.scene, levels, checkpoint.path()),
+                                              communicator_);
   }
   read_lattice_state(checkpoint, *system_, progress);
   first_step_ = steps_done;

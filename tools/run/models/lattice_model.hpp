@@ -53,8 +53,6 @@ class LatticeModel : public Model {
  private:
   ModelTotals in_layout_units(const SceneTotals& totals) const;
   double largest_mach() const;
-  /// Replaces the system by the same with other levels of cells.
-  void replace_system(std::unique_ptr<CoupledSystem> system);
 
   const SceneOnLattice& on_lattice_;
   const Communicator& communicator_;

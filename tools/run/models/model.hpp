@@ -100,7 +100,7 @@ class Model {
   virtual std::vector<RunWarning> warnings() const = 0;
 
   /// Writes the extreme values of the run until now, such as largest speed and smallest gap, for a
-  /// checkpoint. Only rank 0 writes data.
+  /// checkpoint, and what else restore() needs to make the model. Only rank 0 writes data.
   virtual void write_history(OutgoingMessage& history) const = 0;
   /// Writes the state of fluid and beads, from which a run can continue, as sections of a checkpoint.
   virtual void write_state(CheckpointWriter& checkpoint) = 0;

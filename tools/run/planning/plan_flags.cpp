@@ -14,6 +14,7 @@ PlanRequest plan_request(const RunOptions& options, const Communicator& communic
   request.has_advice = options.plan;
   if (options.settings.model != RunModel::automatic) request.model = options.settings.model;
   if (options.given.contains("--precision")) request.precision = options.settings.lattice.precision;
+  if (!options.given.contains("--refine")) request.settings.lattice.refinement.reset();
   if (options.given.contains("--multipole-order"))
     request.multipole_order = options.settings.mobility.multipole_order;
   request.tolerance = options.tolerance;
@@ -42,6 +43,7 @@ std::string flags_of(const PlannedRun& run, const RunOptions& options) {
     if (lattice.precision != usual.precision) flags += " --precision " + to_text(lattice.precision);
     if (lattice.bead_boundary != usual.bead_boundary)
       flags += " --bead-boundary " + to_text(lattice.bead_boundary);
+    if (const int finer = lattice.refinement.value_or(0); finer != 0) flags += fmt::format(" --refine {}", finer);
   }
   if (const auto mobility = mobility_model(settings.model); mobility && has_moment_order(*mobility))
     flags += fmt::format(" --multipole-order {}", settings.mobility.multipole_order);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/coupling/swimmer_snapshot.hpp"
 #include "beadswim/lattice/level_transfer.hpp"
 #include "beadswim/lattice/nested_boxes.hpp"
@@ -11,17 +12,22 @@
 namespace beadswim {
 namespace {
 
-/// Largest number of levels; the coarsest has cells of 2^9 finest cells.
-constexpr int most_levels = 10;
-
-/// Returns the distances between beads and interfaces. docs/method/refinement.md has their errors.
+/// Returns the distances between beads and interfaces. docs/refinement.md has the errors that they cause.
 LevelMargins margins_of(const CoupledScene& scene) {
-  constexpr double radii = 2;
-  constexpr int cells = 8;
-  double largest = 0;
-  for (const SwimmerType& type : scene.types)
-    for (const Bead& bead : type.beads) largest = std::max(largest, bead.radius);
-  return {.around_region = std::max(cells, static_cast<int>(std::ceil(radii * largest))), .around_level = 4};
+  constexpr double min_radii = 2;
+  LevelMargins margins;
+  for (const SwimmerType& type : scene.types) {
+    for (const Bead& bead : type.beads)
+      margins.around_region =
+          std::max(margins.around_region, static_cast<int>(std::ceil(min_radii * bead.radius)));
+  }
+  return margins;
+}
+
+/// Returns the number of steps between two checks of the levels.
+long steps_between_checks(int levels) {
+  constexpr long min_steps = 16;
+  return std::max(min_steps, 1L << (levels - 1));
 }
 
 /// Returns the smallest distance of a bead from the end of the finest level along axes that it does not span.
@@ -35,10 +41,10 @@ double gap_to_interface(const Level& finest, const BeadExtent& beads) {
   return gap;
 }
 
-/// Returns the extent of the beads of all ranks, now and at the next call of with_levels_around_beads(), if
-/// they keep their velocities. Collective.
-BeadExtent extent_until_next_move(const CoupledSystem& system, const Communicator& communicator) {
-  const auto steps = static_cast<double>(steps_between_moves(system.levels().count()));
+/// Returns the extent of the beads of all ranks, now and at the next check of the levels, if the beads keep
+/// their velocities. Collective.
+BeadExtent extent_until_next_check(const CoupledSystem& system, const Communicator& communicator) {
+  const auto steps = static_cast<double>(steps_between_checks(system.levels().count()));
   BeadExtent beads;
   for (const SwimmerState& swimmer : system.owned_swimmers()) {
     for (std::size_t b = 0; b < swimmer.motion.size(); ++b) {
@@ -83,15 +89,30 @@ std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const
 int max_levels(const CoupledScene& scene) {
   const BeadExtent beads = bead_extent(scene);
   int count = 1;
-  while (count < most_levels && levels_around(scene, beads, count + 1)) ++count;
+  while (count <= max_finer_levels && levels_around(scene, beads, count + 1)) ++count;
   return count;
 }
 
 double updates_per_step(const std::vector<Block>& levels) {
   double updates = 0;
-  for (std::size_t n = 0; n < levels.size(); ++n)
-    updates += std::ldexp(levels[n].size.cast<double>().prod(), static_cast<int>(n + 1 - levels.size()));
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    const double covered = n + 1 < levels.size() ? levels[n + 1].size.cast<double>().prod() / 8 : 0;
+    updates += std::ldexp(levels[n].size.cast<double>().prod() - covered,
+                          static_cast<int>(n + 1) - static_cast<int>(levels.size()));
+  }
   return updates;
+}
+
+double cost_per_step(const std::vector<Block>& levels) {
+  constexpr double cost_of_outer_cell = 10;  // of the exchange, measured for levels of 64^3 cells
+  double exchange = 0;
+  for (std::size_t n = 1; n < levels.size(); ++n) {
+    const Eigen::Array3d edges = levels[n].size.cast<double>();
+    const double outer_cells = edges.prod() - (edges - 2).prod();
+    exchange += std::ldexp(cost_of_outer_cell * outer_cells,
+                           static_cast<int>(n + 1) - static_cast<int>(levels.size()));
+  }
+  return updates_per_step(levels) + exchange;
 }
 
 double cells_on_levels(const std::vector<Block>& levels) {
@@ -100,36 +121,41 @@ double cells_on_levels(const std::vector<Block>& levels) {
   return cells;
 }
 
-std::vector<Block> cheapest_levels(const CoupledScene& scene) {
-  constexpr double worthwhile = 0.8;  // updates per step, divided by those with one level
+std::vector<Block> cheapest_levels(const CoupledScene& scene, int max_count) {
+  constexpr double worthwhile_share = 0.8;  // of the cost with one level
   const BeadExtent beads = bead_extent(scene);
-  const std::vector<Block> uniform = *levels_around(scene, beads, 1);
-  std::vector<Block> cheapest = uniform;
-  for (int count = 2; count <= most_levels; ++count) {
+  const double uniform = scene.cells.cast<double>().prod();
+  std::vector<Block> cheapest;
+  double least = worthwhile_share * uniform;
+  for (int count = 2; count <= max_count; ++count) {
     const auto levels = levels_around(scene, beads, count);
     if (!levels) break;
-    if (updates_per_step(*levels) < updates_per_step(cheapest)) cheapest = *levels;
+    if (cost_per_step(*levels) >= least) continue;
+    cheapest = *levels;
+    least = cost_per_step(cheapest);
   }
-  if (updates_per_step(cheapest) < worthwhile * updates_per_step(uniform)) return cheapest;
-  return {};
-}
-
-long steps_between_moves(int levels) {
-  constexpr long least = 16;
-  return std::max(least, 1L << (levels - 1));
+  return cheapest;
 }
 
 std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
                                                         const Communicator& communicator) {
+  const int count = system.levels().count();
+  if (count == 1 || system.steps_done() % steps_between_checks(count) != 0) return nullptr;
+  if (system.fault()) return nullptr;  // the run is about to stop, and the new system would not know why
   const CoupledScene& scene = system.scene();
-  const BeadExtent beads = extent_until_next_move(system, communicator);
+  const BeadExtent beads = extent_until_next_check(system, communicator);
   const double margin = margins_of(scene).around_region;
   if (gap_to_interface(system.levels().finest(), beads) > margin / 2) return nullptr;
-  const auto levels = levels_around(scene, beads, system.levels().count());
+  const auto levels = levels_around(scene, beads, count);
   if (!levels || *levels == scene.levels) return nullptr;
   CoupledScene moved = scene;
   moved.levels = *levels;
-  auto next = std::make_unique<CoupledSystem>(moved, communicator);
+  std::unique_ptr<CoupledSystem> next;
+  try {
+    next = std::make_unique<CoupledSystem>(moved, communicator);
+  } catch (const InputError&) {  // on all ranks: they cannot share levels of this size
+    return nullptr;
+  }
   next->restore(system.progress(), share_snapshots(system, communicator),
                 [&](Levels& fluid) { transfer(system.levels(), fluid, communicator); });
   return next;

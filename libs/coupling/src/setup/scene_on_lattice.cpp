@@ -150,18 +150,38 @@ void add_swimmers(CoupledScene& scene, const Layout& layout, const LatticeChoice
   static_cast<Swarm&>(scene) = std::move(swarm);
 }
 
+/// Returns the largest number of levels below the coarsest with which a period of `steps` steps changes by at
+/// most 1 % when it is rounded to a multiple of the coarsest step.
+int finer_levels_of_period(long steps) {
+  constexpr long min_coarsest_steps = 50;
+  int finer = 0;
+  while (finer < max_finer_levels && steps >> (finer + 1) >= min_coarsest_steps) ++finer;
+  return finer;
+}
+
 /// Returns the levels of the scene; nothing if one level is the choice. Throws InputError if `refinement`
-/// levels below the coarsest do not fit.
-std::vector<Block> chosen_levels(const CoupledScene& scene, const std::optional<int>& refinement) {
-  if (!refinement) return cheapest_levels(scene);
-  if (auto levels = levels_around(scene, bead_extent(scene), *refinement + 1)) return *levels;
+/// levels below the coarsest do not fit. steps: number of steps in a period.
+std::vector<Block> chosen_levels(const CoupledScene& scene, const std::optional<int>& refinement,
+                                 long steps) {
+  const int finer_in_period = finer_levels_of_period(steps);
+  if (!refinement) return cheapest_levels(scene, finer_in_period + 1);
+  const auto levels = levels_around(scene, bead_extent(scene), *refinement + 1);
+  if (levels && *refinement <= finer_in_period) return *levels;
+  const int most = std::min(max_levels(scene) - 1, finer_in_period);
+  const std::string choice =
+      most == 0 ? fmt::format("use {} off", Setting::refinement) : fmt::format("use at most {}", most);
+  if (levels)
+    throw InputError(
+        Setting::refinement,
+        fmt::format("with {} finer levels, the coarsest would have only {} steps per period; {}, "
+                    "or a smaller {}",
+                    *refinement, steps >> *refinement, choice, Setting::relaxation_time));
   throw InputError(
       Setting::refinement,
       fmt::format("{} finer levels do not fit into the box of {} x {} x {} cells: each edge must be a whole "
-                  "number of coarsest cells, and levels keep a distance to walls; use at most {}, or another "
-                  "{} or {}",
-                  *refinement, scene.cells[0], scene.cells[1], scene.cells[2], max_levels(scene) - 1,
-                  Setting::box, Setting::cells_per_radius));
+                  "number of coarsest cells, and levels keep a distance to walls; {}, or another {} or {}",
+                  *refinement, scene.cells[0], scene.cells[1], scene.cells[2], choice, Setting::box,
+                  Setting::cells_per_radius));
 }
 
 }  // namespace
@@ -202,7 +222,8 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
   scene.boundary = layout.domain->boundary;
   add_swimmers(scene, layout, result.lattice, settings.delay_correction);
-  if (settings.refinement != 0) scene.levels = chosen_levels(scene, settings.refinement);
+  if (settings.refinement != 0)
+    scene.levels = chosen_levels(scene, settings.refinement, result.lattice.steps_per_period);
   if (!scene.levels.empty()) {  // all levels must reach the end of a period at the same time
     result.lattice = lattice_for(layout, result.resolution, result.period, 1L << (scene.levels.size() - 1));
     add_swimmers(scene, layout, result.lattice, settings.delay_correction);

@@ -141,7 +141,7 @@ Traffic CoupledSystem::traffic() const {
 }
 
 int CoupledSystem::neighbours() const {
-  std::set<int> others = levels_.finest().halo.neighbours();
+  std::set<int> others = levels_.neighbours();
   others.insert(exchange_.peers().begin(), exchange_.peers().end());
   others.erase(communicator_.rank());
   return static_cast<int>(others.size());
@@ -223,10 +223,14 @@ void CoupledSystem::add_totals(FluidTotals& everything, FluidTotals& all_cells) 
 
 SceneTotals CoupledSystem::totals() {
   FluidTotals everything, all_cells;
-  if_state_is_finite([&] { add_totals(everything, all_cells); });
+  std::vector<FluidTotals> coarser_totals;
+  if_state_is_finite([&] {
+    add_totals(everything, all_cells);
+    coarser_totals = levels_.coarser_totals();
+  });
   everything = sum_over_ranks(everything, communicator_);
   all_cells = sum_over_ranks(all_cells, communicator_);
-  const CellMoments coarser = levels_.totals_of_coarser(communicator_);
+  const CellMoments coarser = levels_.sum_of_coarser(std::move(coarser_totals), communicator_);
   const double cells = scene_.cells.cast<double>().prod();
   return {.momentum = everything.momentum_value() + coarser.momentum + cells * body_force_,
           .mean_flow = (all_cells.momentum_value() + coarser.momentum) / cells,

@@ -108,7 +108,8 @@ std::array<hsize_t, 4> count_of(const LatticePart& part) {
 }
 
 /// Adds the numbers of one component of a part to the hash. Each number enters the hash with its index in the
-/// complete lattice, so that the hash does not depend on the division into parts.
+/// complete lattice, so that the hash does not depend on the division into parts. Lattices count as further
+/// components.
 template <class Real>
 void add_to(LatticeHash& hash, const LatticePart& part, int component, std::span<const Real> numbers) {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::uint32_t, std::uint64_t>;
@@ -116,7 +117,8 @@ void add_to(LatticeHash& hash, const LatticePart& part, int component, std::span
   std::size_t next = 0;
   for (int z = 0; z < size[2]; ++z) {
     for (int y = 0; y < size[1]; ++y) {
-      std::uint64_t place = component;
+      constexpr int max_components = 64;
+      std::uint64_t place = component + max_components * part.lattice;
       for (const auto& [edge, index] : {std::pair{n[2], at[2] + z}, {n[1], at[1] + y}, {n[0], at[0]}})
         place = place * static_cast<std::uint64_t>(edge) + static_cast<std::uint64_t>(index);
       for (int x = 0; x < size[0]; ++x) hash.add(place++, std::bit_cast<Bits>(numbers[next++]));

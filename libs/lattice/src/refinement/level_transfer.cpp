@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "beadswim/lattice/moments.hpp"
@@ -27,7 +28,6 @@ class Region {
  public:
   explicit Region(const Block& block) : block_(block), cells_(block.size.cast<std::size_t>().prod()) {}
 
-  const Block& block() const { return block_; }
   Cell& operator[](const Index3& cell) { return cells_[index(cell)]; }
   const Cell& operator[](const Index3& cell) const { return cells_[index(cell)]; }
 
@@ -41,7 +41,7 @@ class Region {
   std::vector<Cell> cells_;
 };
 
-/// Returns the block that all ranks want, by rank.
+/// Returns the blocks of all ranks.
 std::vector<Block> blocks_of_all(const Block& block, const Communicator& communicator) {
   const std::array<int, 6> own = block.numbers();
   std::vector<std::array<int, 6>> all(communicator.size());
@@ -51,12 +51,28 @@ std::vector<Block> blocks_of_all(const Block& block, const Communicator& communi
   return blocks;
 }
 
+/// Returns false if no cell of `wanted` lies in the block of this rank.
+bool may_share_cells(const Level& level, const Block& wanted) {
+  for (int a = 0; a < 3; ++a) {
+    bool shares = false;
+    for (int n = 0; n < wanted.size[a] && !shares; ++n) {
+      Index3 cell = level.block.offset;
+      cell[a] = wanted.offset[a] + n;
+      const int place = level.place.in_lattice(cell)[a];
+      shares = place >= level.block.offset[a] && place < level.block.end()[a];
+    }
+    if (!shares) return false;
+  }
+  return true;
+}
+
 /// Returns the populations of a box of cells, which may be another box on each rank. Cells outside the level
 /// are left at zero. Collective.
 Region fetch(const Level& level, const Block& wanted, const Communicator& communicator) {
   const std::vector<Block> all = blocks_of_all(wanted, communicator);
   std::vector<std::vector<double>> to_send(all.size());
   for (std::size_t other = 0; other < all.size(); ++other) {
+    if (!may_share_cells(level, all[other])) continue;
     for_each_cell_of(all[other], [&](const Index3& at) {
       const Index3 cell = level.place.in_lattice(at);
       if (!level.block.contains(cell)) return;
@@ -153,26 +169,50 @@ void set_cell(Level& level, const Index3& cell, const Cell& populations) {
   for (int i = 0; i < d3q19::directions; ++i) level.populations.set_outgoing(i, index, populations[i]);
 }
 
+/// Calls visit(slab) for slabs of planes z of a block, so that a slab with its neighbourhood needs little
+/// memory. All ranks make the same number of calls; further slabs of a smaller block are empty. Collective.
+template <class Visit>
+void for_each_slab(const Block& block, const Communicator& communicator, Visit&& visit) {
+  constexpr int planes = 16;
+  int slabs = (block.size[2] + planes - 1) / planes;
+  MPI_Allreduce(MPI_IN_PLACE, &slabs, 1, MPI_INT, MPI_MAX, communicator.get());
+  for (int n = 0; n < slabs; ++n) {
+    Block slab = block;
+    slab.offset[2] += n * planes;
+    slab.size[2] = std::clamp(block.size[2] - n * planes, 0, planes);
+    visit(slab);
+  }
+}
+
+/// Sets the cells of a level that lie under the next finer level. Collective.
+void fill_covered_cells(Level& level, const Level& finer, const Communicator& communicator) {
+  for_each_slab(level.block, communicator, [&](const Block& slab) {
+    for (Block part : level.place.parts_under(finer.place, slab)) {
+      part.offset += slab.offset;
+      const Region cells = fetch(finer, part.doubled(), communicator);
+      for_each_cell_of(part,
+                       [&](const Index3& cell) { set_cell(level, cell, coarser_cell(cells, 2 * cell)); });
+    }
+  });
+}
+
 }  // namespace
 
-void transfer(const Levels& from, Levels& to, const Communicator& communicator) {
+void transfer(Levels& from, Levels& to, const Communicator& communicator) {
+  for (int n = from.count() - 2; n >= 0; --n) fill_covered_cells(from[n], from[n + 1], communicator);
   for (int n = 0; n < to.count(); ++n) {
     Level& level = to[n];
-    const Level& before = from[n];
-    const Region same = fetch(before, level.block, communicator);
-    const Block above = n > 0 ? level.block.halved().widened() : Block{};
-    const Region coarser = fetch(to[std::max(n - 1, 0)], above, communicator);
-    for_each_cell_of(level.block, [&](const Index3& cell) {
-      const bool was_here = before.place.lattice.contains(before.place.in_lattice(cell));
-      set_cell(level, cell, was_here ? same[cell] : finer_cell(coarser, cell));
+    const LevelPlace& before = from[n].place;
+    for_each_slab(level.block, communicator, [&](const Block& slab) {
+      const Region same = fetch(from[n], slab, communicator);
+      std::optional<Region> coarser;
+      if (n > 0)
+        coarser = fetch(to[n - 1], slab.is_empty() ? Block{} : slab.halved().widened(), communicator);
+      for_each_cell_of(slab, [&](const Index3& cell) {
+        const bool was_here = before.lattice.contains(before.in_lattice(cell));
+        set_cell(level, cell, was_here ? same[cell] : finer_cell(*coarser, cell));
+      });
     });
-    if (n + 1 == from.count()) continue;
-    for (Block part : level.place.parts_under(from[n + 1].place, level.block)) {
-      part.offset += level.block.offset;
-      const Region finer = fetch(from[n + 1], part.doubled(), communicator);
-      for_each_cell_of(part,
-                       [&](const Index3& cell) { set_cell(level, cell, coarser_cell(finer, 2 * cell)); });
-    }
   }
 }
 

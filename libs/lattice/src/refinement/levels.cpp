@@ -14,8 +14,9 @@ std::array<bool, 3> interfaces_of(const LevelPlace& place) {
 
 std::vector<Block> LevelPlace::parts_under(const LevelPlace& finer, const Block& block) const {
   Block covered = finer.lattice.halved();
-  const Index3 copies(is_periodic(0), is_periodic(1), is_periodic(2));
-  covered.offset = (copies == 1).select(in_lattice(covered.offset), covered.offset);
+  covered.offset = in_lattice(covered.offset);
+  Index3 copies;
+  for (int a = 0; a < 3; ++a) copies[a] = boundary[a] == Boundary::periodic ? 1 : 0;
   std::vector<Block> parts;
   for (int x = -copies[0]; x <= 0; ++x) {
     for (int y = -copies[1]; y <= 0; ++y) {
@@ -66,24 +67,40 @@ Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Pr
   impulses_.assign(count, Vec3::Zero());
 }
 
-CellMoments Levels::totals_of_coarser(const Communicator& communicator) const {
+std::vector<FluidTotals> Levels::coarser_totals() const {
+  std::vector<FluidTotals> totals;
+  for (int n = 0; n + 1 < count(); ++n) {
+    totals.push_back(used_cell_totals(*levels_[n]));
+    totals.push_back(interfaces_[n]->in_transit());
+  }
+  return totals;
+}
+
+CellMoments Levels::sum_of_coarser(std::vector<FluidTotals> totals, const Communicator& communicator) const {
+  totals.resize(2 * (count() - 1));
   CellMoments sum;
-  const auto add = [&](const FluidTotals& totals, int levels_above) {
-    const FluidTotals all = sum_over_ranks(totals, communicator);
+  const auto add = [&](const FluidTotals& own, int levels_above) {
+    const FluidTotals all = sum_over_ranks(own, communicator);
     const double volume = std::ldexp(1.0, 3 * levels_above);
     sum.density_deviation += volume * all.density_deviation.value();
     sum.momentum += volume * all.momentum_value();
   };
   for (int n = 0; n + 1 < count(); ++n) {
     const int above = count() - 1 - n;
-    const Level& level = *levels_[n];
-    add(used_cell_totals(level), above);
-    add(interfaces_[n]->in_transit(), above - 1);
-    const double cells = level.place.lattice.size.cast<double>().prod() -
+    add(totals[2 * n], above);
+    add(totals[2 * n + 1], above - 1);
+    const double cells = levels_[n]->place.lattice.size.cast<double>().prod() -
                          levels_[n + 1]->place.lattice.size.cast<double>().prod() / 8;
     sum.momentum += std::ldexp(cells, 3 * above) * impulses_[n];
   }
   return sum;
+}
+
+std::set<int> Levels::neighbours() const {
+  std::set<int> others;
+  for (const auto& level : levels_) others.merge(level->halo.neighbours());
+  for (const auto& between : interfaces_) others.merge(between->neighbours());
+  return others;
 }
 
 Traffic Levels::traffic() const {

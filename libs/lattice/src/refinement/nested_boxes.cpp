@@ -22,7 +22,7 @@ bool place_along(int axis, const Index3& cells, const std::array<Boundary, 3>& b
     if (level.size[axis] + 2 * room <= cells[axis]) return true;
     level.offset[axis] = 0;
     level.size[axis] = cells[axis];
-    return cells[axis] % 2 == 0;
+    return true;
   }
   return level.offset[axis] >= 2 * room && level.offset[axis] + level.size[axis] + 2 * room <= cells[axis];
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <map>
-#include <span>
+#include <set>
 #include <vector>
 
 #include "beadswim/core/communicator.hpp"
@@ -10,31 +10,35 @@
 namespace beadswim {
 
 /// Sends a fixed list of numbers between ranks, again and again. All ranks add the same numbers in the same
-/// order. Each rank finds the numbers that it sends in the order in which they were added, and likewise the
-/// numbers that it receives.
+/// order. Each number has a place on the rank that sends it and on the rank that receives it. A number that a
+/// rank sends to itself has one place, so that it need not be copied.
 class NumberExchange {
  public:
   explicit NumberExchange(const Communicator& communicator);
 
-  /// Adds a number that rank `from` sends to rank `to`.
-  void add(int from, int to);
+  /// Adds a number that rank `from` sends to rank `to`. Returns its place on this rank, or -1 if this rank
+  /// neither sends nor receives it.
+  int add(int from, int to);
 
-  std::span<double> to_send() { return to_send_; }
-  std::span<const double> received() const { return received_; }
+  double& operator[](int place) { return numbers_[place]; }
+  double operator[](int place) const { return numbers_[place]; }
+
+  /// Returns the other ranks that exchange numbers with this rank.
+  std::set<int> peers() const;
 
   /// Sends all numbers. Collective.
   void exchange(Traffic& traffic);
 
  private:
   struct Peer {
-    std::vector<int> sent, received;  ///< places in to_send_ and received_
+    std::vector<int> sent, received;  ///< places in numbers_
     std::vector<double> send, receive;
   };
 
   MPI_Comm comm_;
   int rank_;
-  std::vector<double> to_send_, received_;
-  std::map<int, Peer> peers_;
+  std::vector<double> numbers_;
+  std::map<int, Peer> peers_;  ///< other ranks
 };
 
 }  // namespace beadswim

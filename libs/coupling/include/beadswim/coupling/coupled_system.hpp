@@ -59,6 +59,7 @@ class CoupledSystem {
   const CoupledScene& scene() const { return scene_; }
   const std::vector<SwimmerState>& owned_swimmers() const { return owned_; }
   const Levels& levels() const { return levels_; }
+  Levels& levels() { return levels_; }
   /// Returns populations and decomposition of the finest level.
   const Populations& populations() const { return levels_.finest().populations; }
   const Decomposition& decomposition() const { return levels_.finest().decomposition; }

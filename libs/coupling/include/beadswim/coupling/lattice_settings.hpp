@@ -7,6 +7,9 @@
 
 namespace beadswim {
 
+/// Largest number of levels of cells below the coarsest.
+constexpr int max_finer_levels = 5;
+
 /// Settings for the conversion of a layout to a scene on the lattice.
 struct LatticeSettings {
   /// Cells per radius of the smallest bead. If not set: the value in the layout, or 4 if the layout has none.

@@ -7,6 +7,7 @@
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/coupling/coupled_system.hpp"
+#include "beadswim/coupling/lattice_settings.hpp"
 #include "beadswim/coupling/scene.hpp"
 
 // Levels of cells around the beads of a scene (levels.hpp).
@@ -32,25 +33,29 @@ std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const
                                                 int count);
 
 /// Returns the levels around the beads at their first positions with which a step costs least. Returns
-/// nothing if they would save less than a fifth of the cost of one level.
-std::vector<Block> cheapest_levels(const CoupledScene& scene);
+/// nothing if they would save less than a fifth of the cost of one level. `max_count`: largest number of
+/// levels.
+std::vector<Block> cheapest_levels(const CoupledScene& scene, int max_count = max_finer_levels + 1);
 
-/// Returns the number of levels of the finest possible division, at least 1.
+/// Returns the largest number of levels that fit into the box, at most max_finer_levels + 1.
 int max_levels(const CoupledScene& scene);
 
-/// Returns the number of cell updates in one step of the finest level.
+/// Returns the number of cell updates in one step of the finest level, as a mean over steps. Cells under a
+/// finer level are not updated.
 double updates_per_step(const std::vector<Block>& levels);
+
+/// Returns the cost of one step of the finest level, in units of the cost of a cell update: updates_per_step()
+/// and the exchange between levels.
+double cost_per_step(const std::vector<Block>& levels);
 
 /// Returns the number of cells on all levels.
 double cells_on_levels(const std::vector<Block>& levels);
 
-/// Number of steps between two calls of with_levels_around_beads(), for all numbers of levels that are in use
-/// a multiple of the steps after which all levels reach the same time.
-long steps_between_moves(int levels);
-
-/// Returns a system in the same state with levels around the present positions of its beads, if a bead will
-/// come closer to the end of the finest level, before the next call, than half the distance that
-/// levels_around() keeps; otherwise nothing. All levels must have reached the same time. Collective.
+/// Call this function after each step. If the levels are due to be checked, and a bead will come closer to
+/// the end of the finest level, before the next check, than half the distance that levels_around() keeps,
+/// returns a system in the same state with levels around the present positions of its beads. Returns nothing
+/// in all other cases, also if the system has a fault or there is no room for other levels. The levels are
+/// due after every max(16, 2^(levels - 1)) steps, when all of them have reached the same time. Collective.
 std::unique_ptr<CoupledSystem> with_levels_around_beads(CoupledSystem& system,
                                                         const Communicator& communicator);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/traffic.hpp"
@@ -35,28 +36,27 @@ namespace beadswim {
 /// between the covered cells and their periodic image.
 constexpr int min_cells_around_level = 3;
 
-/// Exchanges populations between a coarse and a fine level. All functions but the set functions are
-/// collective. In each coarse step call, in this order:
+/// Exchanges populations between a coarse and a fine level. In each coarse step call, in this order:
 ///
 ///   for both fine steps: begin_fine_step(); set_fine_row() before each row is swept; end_fine_step();
 ///   then set_coarse_row() before each row of the coarse level is swept.
 class LevelInterface {
  public:
   /// The coordinates of both levels have the same origin. Along each axis the fine level lies inside the
-  /// coarse level, or both are periodic. Sets `covered` of the coarse level. Throws InputError if the fine
-  /// level consists of incomplete coarse cells, or comes closer to the ends of the coarse level or to its own
-  /// periodic image than min_cells_around_level.
+  /// coarse level, or it spans the box and is periodic. Sets `covered` of the coarse level. Throws InputError
+  /// if the fine level consists of incomplete coarse cells, or comes closer to the ends of the coarse level or
+  /// to its own periodic image than min_cells_around_level. Collective.
   LevelInterface(const Communicator& communicator, Level& coarse, const Level& fine);
   ~LevelInterface();
 
   /// Reads the populations that cross the interface. The populations of both levels must be those after the
-  /// last collision.
+  /// last collision. Collective.
   void begin_fine_step(const Populations& coarse, const Populations& fine);
 
   /// Sets the incoming populations of row (y, z) of the fine level's block that come from the coarse level.
   void set_fine_row(Populations& fine, int y, int z) const;
 
-  /// Ends a fine step. Returns true if it was the second one, so that the coarse step is due.
+  /// Ends a fine step. Returns true if it was the second one, so that the coarse step is due. Collective.
   bool end_fine_step();
 
   /// Sets the incoming populations of row (y, z) of the coarse level's block that come from the fine level.
@@ -69,6 +69,8 @@ class LevelInterface {
   /// Returns true between the two fine steps of a coarse step.
   bool is_within_step() const;
 
+  /// Returns the other ranks that exchange populations with this rank.
+  std::set<int> neighbours() const;
   /// Returns the messages that have been sent so far.
   const Traffic& traffic() const;
 

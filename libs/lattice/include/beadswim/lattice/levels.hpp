@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -47,13 +48,19 @@ class Levels {
     advance(count() - 1, before_row);
   }
 
+  /// Returns the totals of this rank outside the finest level, in the form that sum_of_coarser() needs. Throws
+  /// SolverError if a number is non-finite.
+  std::vector<FluidTotals> coarser_totals() const;
   /// Returns the mass (minus that at density 1) and the momentum of the fluid outside the finest level, in
   /// lattice units of the finest level. Between two steps of a coarser level, populations that have crossed
-  /// its interface are counted on the side to which they have moved. Collective.
-  CellMoments totals_of_coarser(const Communicator& communicator) const;
+  /// its interface are counted on the side to which they have moved. `totals`: coarser_totals() of this rank; if
+  /// it is empty, the rank counts as zero. Collective.
+  CellMoments sum_of_coarser(std::vector<FluidTotals> totals, const Communicator& communicator) const;
 
   /// Returns the messages that have been sent so far.
   Traffic traffic() const;
+  /// Returns the other ranks that exchange populations with this rank.
+  std::set<int> neighbours() const;
 
   /// Returns true if all levels have reached the same time.
   bool are_synchronous() const {

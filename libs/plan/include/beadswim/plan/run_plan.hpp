@@ -20,7 +20,8 @@ namespace beadswim {
 /// Restrictions on the candidates of a plan.
 struct PlanRequest {
   /// Settings that all candidates (possible runs) share, except the model, which the plan chooses. It also
-  /// varies cells per radius and relaxation time if they are not set.
+  /// varies cells per radius and relaxation time if they are not set. If the number of levels of cells is not
+  /// set, each candidate has the cheapest number.
   RunSettings settings;
   std::optional<RunModel> model;       ///< nullopt: all models
   std::optional<Precision> precision;  ///< nullopt: both precisions
