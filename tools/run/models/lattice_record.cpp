@@ -29,13 +29,13 @@ DimensionlessNumbers numbers_of(double largest_bead_speed, const SceneOnLattice&
   return numbers;
 }
 
-/// Returns the levels of a scene; nothing if there is only one. `cell`: edge of the finest cells [length].
-std::optional<std::vector<LevelRecord>> levels_of(const CoupledScene& scene, double cell) {
-  if (scene.levels.size() < 2) return std::nullopt;
+/// Returns the levels of a scene. `cell`: edge of the finest cells [length].
+std::vector<LevelRecord> levels_of(const CoupledScene& scene, double cell) {
   std::vector<LevelRecord> records;
-  for (std::size_t n = 0; n < scene.levels.size(); ++n) {
-    const Block& level = scene.levels[n];
-    const double edge = std::ldexp(cell, static_cast<int>(scene.levels.size() - 1 - n));
+  const std::vector<Block> levels = scene.all_levels();
+  for (std::size_t n = 0; n < levels.size(); ++n) {
+    const Block& level = levels[n];
+    const double edge = std::ldexp(cell, static_cast<int>(levels.size() - 1 - n));
     records.push_back({.cell = edge,
                        .boxes = {{.lower = edge * level.offset.cast<double>().matrix(),
                                   .upper = edge * level.end().cast<double>().matrix()}},
@@ -44,7 +44,7 @@ std::optional<std::vector<LevelRecord>> levels_of(const CoupledScene& scene, dou
   return records;
 }
 
-/// `scene`: the scene with its present levels.
+/// `scene` is the scene with its present levels.
 LatticeResolution resolution_of(const SceneOnLattice& on_lattice, const CoupledScene& scene) {
   const LatticeScales& scales = on_lattice.lattice.scales;
   return {.cells_per_radius = on_lattice.resolution.cells_per_radius,

@@ -134,7 +134,7 @@ struct LatticeResolution {
   std::optional<double> radius_on_lattice;   ///< radius of the smallest bead on the lattice [cell]
   std::optional<double> angular_softening;   ///< smallest ratio of angular stiffness to that of the layout
   std::string precision;                     ///< "double" or "single"
-  std::optional<std::vector<LevelRecord>> levels;  ///< coarsest first; none: cells of one size
+  std::optional<std::vector<LevelRecord>> levels;  ///< coarsest first; none in records of earlier versions
 
   static void visit_fields(auto&& visit, auto& resolution) {
     visit("cells_per_radius", resolution.cells_per_radius);
