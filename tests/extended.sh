@@ -32,6 +32,14 @@ tiny_scene() { # RANKS BEAD-BOUNDARY
     >"ranks$1.json"
 }
 
+# Runs a sphere that is pulled through a box with two levels of cells, which follow it.
+scene_with_levels() { # RANKS
+  beadswim-layout shape sphere --radius 3 --force 2 --amplitude 0 --direction 3,2,1 --period 400 --viscosity 0.16666667 \
+    --density 1 --units lattice --box 72,64,64 --boundary periodic --position 50,32,32 >layout.json
+  timeout 600 mpirun -n "$1" beadswim-run layout.json -o "ranks$1.h5md" --cells-per-radius 3 --relaxation-time 1 --refine 1 \
+    --cycles 0.5 --flow-every 0.25 --checkpoint-every 0.25 --progress none --no-provenance >"ranks$1.json"
+}
+
 # Prints the commands of a page that follow the comment <!-- tested -->, as one script.
 tested_commands() { # PAGE
   awk '/<!-- tested -->/ { armed = 1; next }
@@ -46,7 +54,7 @@ section "Unit tests under the address and undefined-behaviour sanitizers, on 1 a
 build sanitize unit_tests beadswim-layout beadswim-run
 timeout 2000 ctest --preset sanitize --label-regex unit --exclude-regex 'np[24]$'
 
-section "A tiny scene under the sanitizers, on 1 and 3 ranks"
+section "Tiny scenes under the sanitizers, on 1 and 3 ranks"
 cd "$scratch"
 (
   PATH=$root/build/sanitize/bin:$PATH
@@ -57,6 +65,9 @@ cd "$scratch"
     cmp ranks1.json ranks3.json
     echo "$scheme: 1 and 3 ranks give the same record."
   done
+  for ranks in 1 3; do scene_with_levels "$ranks"; done
+  cmp ranks1.json ranks3.json
+  echo "with levels of cells: 1 and 3 ranks give the same record."
 )
 
 cd "$root"
