@@ -164,13 +164,21 @@ TEST(Refinement, HasTheSameBitsOnAnyNumberOfRanks) {
   EXPECT_GT(moves[3], 0);
 }
 
-// Catches a fault that is forgotten when the levels move: the sphere is too near to the interface before they
-// do.
+// The sphere comes too near to the end of the finest level before the levels are due to be checked, when they
+// would move. Catches a fault that is forgotten then.
 TEST(Refinement, DoesNotForgetAFault) {
   const Communicator self(MPI_COMM_SELF);
-  FollowingRun run(refined(towed_sphere(40), 1), self);  // soon faster than the speed limit
-  run.advance(100);
+  CoupledScene scene = towed_sphere(0.6);
+  scene.swimmers[0].position[0] = 32.7;
+  BeadExtent beads = bead_extent(scene);
+  beads.high[0] = 30;  // so that the finest level ends at 38, at a gap of 3.1
+  scene.levels = levels_around(scene, beads, 2).value();
+  FollowingRun run(scene, self);
+  run.advance(14);
   EXPECT_TRUE(run.system->fault().has_value());
+  run.advance(4);
+  EXPECT_TRUE(run.system->fault().has_value());
+  EXPECT_EQ(run.moves, 0);
 }
 
 // Catches a bead that leaves its level without notice.
