@@ -67,6 +67,9 @@ check 'the record is that of an unbroken run' \
 check 'all datasets are those of an unbroken run' h5diff whole.h5md part.h5md
 check 'flow fields too' diff -rq whole.h5md.flow part.h5md.flow
 check 'there are not two levels at four times' test "$(ls whole.h5md.flow/*-[01].vti | wc -l)" -eq 8
+check 'the finest level is not drawn in the box' \
+  grep -qE 'Origin="(-1?[0-9]|[0-6]?[0-9]) [-0-9]+ [-0-9]+" Spacing="1 ' whole.h5md.flow/*800-1.vti
+check 'the coarsest level is not drawn in the box' grep -q 'Origin="0 0 0" Spacing="2 ' whole.h5md.flow/*800-0.vti
 check 'and their list' test "$(grep -c 'part="1"' whole.h5md.flow.pvd)" -eq 4
 
 # --- refused before work begins, with what would work

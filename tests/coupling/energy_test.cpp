@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "beadswim/lattice/lattice_vector.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "scenes.hpp"
 
@@ -41,7 +42,7 @@ double dissipation(const Populations& populations, std::ptrdiff_t cell, double r
   const auto [r, u] = cell_moments(populations, cell);
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
   for (int i = 0; i < d3q19::directions; ++i) {
-    const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
+    const Vec3 c = velocity_of(i);
     second += (populations.outgoing(i, cell) - equilibrium(i, r, u[0], u[1], u[2])) * c * c.transpose();
   }
   return 2 * lattice_viscosity(relaxation_time) * (second / (-2.0 / 3 * (relaxation_time - 1))).squaredNorm();

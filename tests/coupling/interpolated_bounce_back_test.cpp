@@ -7,15 +7,10 @@
 
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/coupling/multireflection.hpp"
-#include "beadswim/lattice/d3q19.hpp"
+#include "beadswim/lattice/lattice_vector.hpp"
 
 namespace beadswim {
 namespace {
-
-Vec3 velocity_of(int i) {
-  const auto& c = d3q19::velocity[i];
-  return Vec3(c[0], c[1], c[2]);
-}
 
 // The populations of a steady linear shear flow u = G x, to first order in it, about a cell at the origin:
 //   before collision f_i(x) = 3 w_i (c_i.u(x) - tau c_i.G c_i), after it f_i*(x) = 3 w_i (c_i.u(x) - (tau -

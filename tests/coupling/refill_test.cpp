@@ -7,11 +7,6 @@
 namespace beadswim {
 namespace {
 
-Vec3 velocity_of(int i) {
-  const auto& c = d3q19::velocity[i];
-  return Vec3(c[0], c[1], c[2]);
-}
-
 /// A steady linear shear flow with the density 1 + r. All terms of higher order in the velocity are omitted.
 struct ShearFlow {
   double density_deviation;

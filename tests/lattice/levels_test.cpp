@@ -8,8 +8,10 @@
 #include <numbers>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/lattice/lattice_vector.hpp"
 #include "beadswim/lattice/level_transfer.hpp"
 #include "refined_fluid.hpp"
+#include "taylor_green.hpp"
 
 namespace beadswim::test {
 namespace {
@@ -20,16 +22,6 @@ constexpr std::array all_periodic{Boundary::periodic, Boundary::periodic, Bounda
 /// Returns a cube of cells.
 Block cube(int offset, int size) {
   return {.offset = Index3::Constant(offset), .size = Index3::Constant(size)};
-}
-
-/// Returns the Taylor-Green vortex in the plane of the axes a and b (taylor_green_test.cpp), with period n.
-CellMoments taylor_green(double speed, double n, const Vec3& place, int a, int b) {
-  const double x = 2 * pi / n * place[a], y = 2 * pi / n * place[b];
-  Vec3 velocity = Vec3::Zero();
-  velocity[a] = speed * std::cos(x) * std::sin(y);
-  velocity[b] = -speed * std::sin(x) * std::cos(y);
-  return {.density_deviation = -0.75 * speed * speed * (std::cos(2 * x) + std::cos(2 * y)),
-          .momentum = velocity};
 }
 
 /// Returns the error of a decaying vortex that drifts with the velocity `wind` in the periodic box `cells`,
@@ -99,7 +91,7 @@ void set_linear_flow(RefinedFluid& fluid, const Eigen::Matrix3d& gradient) {
     Level& level = fluid.levels[at.level];
     const double edge = std::ldexp(1.0, -at.level), tau = 1 / level.rates.symmetric;
     for (int i = 0; i < d3q19::directions; ++i) {
-      const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
+      const Vec3 c = velocity_of(i);
       const Vec3 upstream = at.centre - (tau - 1) * edge * c;
       level.populations.set_outgoing(i, at.cell, 3 * d3q19::weight(i) * c.dot(gradient * upstream));
     }
@@ -237,7 +229,7 @@ TEST(Levels, HaveTheSameBitsOnAnyNumberOfRanks) {
   }
 }
 
-// A refined box that lies across the seam of the periodic box equals the same box elsewhere. Catches covered
+// A refined box that lies across the seam of the periodic box equals the same box elsewhere. Catches refined
 // cells that are found on one side of the seam only.
 TEST(Levels, MayLieAcrossTheSeamOfAPeriodicBox) {
   const auto vortex = [](const Vec3& place) { return taylor_green(0.02, 16, place, 0, 1); };

@@ -42,7 +42,7 @@ struct RefinedFluid {
       const double edge = std::ldexp(1.0, -n);
       for (int z = 0; z < level.block.size[2]; ++z) {
         for (int y = 0; y < level.block.size[1]; ++y) {
-          for_each_run_outside(level.covered, level.block.size[0], y, z, [&](int x, int end) {
+          for_each_run_outside(level.refined, level.block.size[0], y, z, [&](int x, int end) {
             for (; x < end; ++x) {
               const Index3 place = Index3(x, y, z) + level.block.offset;
               visit(LevelCell{.level = n,

@@ -4,22 +4,16 @@
 #include <numbers>
 
 #include "fluid_box.hpp"
+#include "taylor_green.hpp"
 
 namespace beadswim::test {
 namespace {
 
 constexpr double tau = 0.8;
 
-/// Returns density and velocity of the Taylor-Green vortex in the plane (x, y) at time t = 0. U is the speed,
-/// n the period, and k = 2 pi/n:
-///   u = U (cos kx sin ky, -sin kx cos ky) exp(-2 nu k^2 t),
-///   p = -U^2/4 (cos 2kx + cos 2ky) exp(-4 nu k^2 t).
-/// Cell centres are at (x + 1/2, y + 1/2).
+/// Returns the Taylor-Green vortex in the plane (x, y) at the centre of a cell.
 CellMoments taylor_green(double speed, int n, const Index3& cell) {
-  const double k = 2 * std::numbers::pi / n;
-  const double x = k * (cell[0] + 0.5), y = k * (cell[1] + 0.5);
-  const double pressure = -speed * speed / 4 * (std::cos(2 * x) + std::cos(2 * y));
-  return {3 * pressure, speed * Vec3(std::cos(x) * std::sin(y), -std::sin(x) * std::cos(y), 0)};
+  return test::taylor_green(speed, n, (cell.cast<double>() + 0.5).matrix(), 0, 1);
 }
 
 /// Returns the relative L2 error of the velocity after the vortex has decayed to about a third. In the

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "beadswim/lattice/lattice_vector.hpp"
+
 namespace beadswim::verification {
 namespace {
 
@@ -90,7 +92,7 @@ void SpheresInFluid::push_row(int y, int z) {
     for (int i = 1; i < d3q19::directions; ++i) {
       const double* incoming = populations_.incoming_row<double>(i, populations_.cell(0, y, z));
       const double along = std::inner_product(incoming + low, incoming + high, &fluid_part[low], 0.0);
-      sum += along * Vec3(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
+      sum += along * velocity_of(i);
     }
     return sum;
   };

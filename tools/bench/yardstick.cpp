@@ -4,17 +4,10 @@
 #include <limits>
 
 #include "beadswim/core/huge_pages.hpp"
+#include "beadswim/core/round_up.hpp"
 #include "stream_kernels.hpp"
 
 namespace beadswim {
-namespace {
-
-/// Returns the smallest multiple of `unit` that is not less than `count`.
-std::ptrdiff_t round_up_to_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
-  return (count + unit - 1) / unit * unit;
-}
-
-}  // namespace
 
 std::ptrdiff_t StreamLayout::num_elements(int edge) const {
   return (d3q19::directions - 1) * array + (edge - 1) * (row + plane) + edge;

@@ -8,7 +8,6 @@
 #include "beadswim/core/rank_failure.hpp"
 #include "beadswim/io/xdmf.hpp"
 #include "beadswim/plan/percent.hpp"
-#include "beadswim/plan/run_length.hpp"
 #include "beadswim/tools/program.hpp"
 #include "checkpoints.hpp"
 #include "command_line/request.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/plan/run_length.hpp"
+#include "beadswim/core/round_up.hpp"
 #include "checkpoints.hpp"
 #include "stop_signal.hpp"
 
@@ -54,7 +54,7 @@ struct Timetable {
   explicit Timetable(const ModelPlan& plan)
       : steps(plan.steps_in(plan.options.settings.cycles)),
         guard_interval(plan.whole_steps(steps_between_guards)),
-        totals_interval((steps_between_totals + guard_interval - 1) / guard_interval * guard_interval),
+        totals_interval(round_up_to_multiple(steps_between_totals, guard_interval)),
         flow_interval(interval(plan, plan.options.settings.flow_every)),
         checkpoint_interval(interval(plan, plan.options.settings.checkpoint_every)) {}
 
@@ -69,7 +69,7 @@ struct Timetable {
 
  private:
   static long interval(const ModelPlan& plan, const std::optional<double>& cycles) {
-    return cycles ? plan.whole_steps(steps_between(*cycles, plan.steps_per_cycle)) : 0;
+    return cycles ? plan.steps_between_outputs(*cycles) : 0;
   }
 };
 

@@ -1,6 +1,7 @@
 #include "beadswim/lattice/populations.hpp"
 
 #include "beadswim/core/huge_pages.hpp"
+#include "beadswim/core/round_up.hpp"
 #include "beadswim/lattice/moments.hpp"
 #include "beadswim/lattice/trt.hpp"
 
@@ -8,10 +9,6 @@ namespace beadswim {
 namespace {
 
 constexpr std::size_t line = 64;  ///< size of a cache line [byte]
-
-std::ptrdiff_t round_up_to_multiple(std::ptrdiff_t count, std::ptrdiff_t unit) {
-  return (count + unit - 1) / unit * unit;
-}
 
 }  // namespace
 

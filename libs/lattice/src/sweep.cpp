@@ -1,5 +1,6 @@
 #include "beadswim/lattice/sweep.hpp"
 
+#include <algorithm>
 #include <variant>
 
 #include "flush_subnormals.hpp"
@@ -14,6 +15,18 @@ BodyForce<Real> in_kernel_form(const Vec3& body_force) {
   for (int a = 0; a < 3; ++a) force.twelfth[a] = static_cast<Real>(body_force[a] / 12);
   force.acts = body_force != Vec3::Zero();
   return force;
+}
+
+constexpr int longest_short_run = 16;  ///< [cell]
+
+/// Begins to load the populations of a short run of cells that begins at cell `first`, as long as `row`. The
+/// processor itself foresees only the addresses of long runs.
+template <class Real>
+void prefetch(const SweepRow<Real>& row, std::ptrdiff_t first) {
+  for (const Real* from : row.from) {
+    __builtin_prefetch(from + first, 1);
+    __builtin_prefetch(from + first + row.cells - 1, 1);
+  }
 }
 
 /// Fills the halo cells at both ends of a row that has just been swept.
@@ -69,6 +82,8 @@ void BlockSweep::row_as(int y, int z) {
   for_each_run_outside(skipped_, cells, y, z, [&](int first, int end) {
     row.first = populations_.cell(first, y, z);
     row.cells = end - first;
+    if (row.cells < std::min(cells, longest_short_run) && y + 2 < populations_.size()[1])
+      prefetch(row, populations_.cell(first, y + 2, z));
     row_kernels().sweep(row);
   });
   row.first = populations_.cell(0, y, z);

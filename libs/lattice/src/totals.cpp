@@ -65,7 +65,7 @@ FluidTotals block_totals(const Populations& populations) {
 }
 
 FluidTotals used_cell_totals(const Level& level) {
-  return totals_outside(level.populations, level.covered);
+  return totals_outside(level.populations, level.refined);
 }
 
 FluidTotals sum_over_ranks(const FluidTotals& totals, const Communicator& communicator) {

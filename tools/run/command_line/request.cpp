@@ -2,7 +2,6 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/tools/program.hpp"
-#include "broadcast.hpp"
 #include "checkpoints.hpp"
 
 namespace beadswim {

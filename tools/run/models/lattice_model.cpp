@@ -43,9 +43,8 @@ std::string announcement_of(const SceneOnLattice& on_lattice, const Communicator
 std::optional<FlowOutput> flow_output(const LatticePlan& plan, long flow_until) {
   if (!plan.options.settings.flow_every) return std::nullopt;
   return FlowOutput(plan.options.output, plan.on_lattice.lattice.scales,
-                    plan.whole_steps(steps_between(*plan.options.settings.flow_every, plan.steps_per_cycle)),
-                    flow_until, static_cast<int>(plan.on_lattice.scene.all_levels().size()),
-                    plan.communicator);
+                    plan.steps_between_outputs(*plan.options.settings.flow_every), flow_until,
+                    static_cast<int>(plan.on_lattice.scene.all_levels().size()), plan.communicator);
 }
 
 /// Returns position and velocity of a bead `ahead` time steps later. `next`: its velocity at the end of the

@@ -58,7 +58,7 @@ class LatticeModel : public Model {
   const Communicator& communicator_;
   std::unique_ptr<CoupledSystem> system_;
   std::optional<FlowOutput> flow_;
-  Traffic earlier_traffic_;                 ///< of systems that have been replaced
+  Traffic earlier_traffic_;                 ///< messages of systems that have been replaced
   long first_step_ = 0;                     ///< steps of the earlier run that this run continues
   SceneTotals first_totals_, last_totals_;  ///< at the start of the run, and most recently; in lattice units
   long last_totals_step_ = 0;

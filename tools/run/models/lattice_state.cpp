@@ -9,12 +9,12 @@ namespace {
 
 constexpr const char* swimmers_section = "swimmers";
 
-/// Returns the part of this rank of a level. `levels_above`: number of finer levels.
-LatticePart part_of(const Level& level, int levels_above) {
+/// Returns the part of a level that this rank owns. `finer_levels`: number of finer levels.
+LatticePart part_of(const Level& level, int finer_levels) {
   return {.cells = level.place.lattice.size,
           .offset = level.block.offset - level.place.lattice.offset,
           .size = level.block.size,
-          .lattice = levels_above};
+          .lattice = finer_levels};
 }
 
 /// Writes the populations of this rank to a checkpoint, in the floating-point precision of the run.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "beadswim/core/message.hpp"
+#include "beadswim/core/round_up.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/checkpoint_file.hpp"
@@ -124,9 +125,13 @@ struct ModelPlan {
   virtual ExpectedErrors expected_errors(const Layout& layout) const = 0;
 
   /// Rounds a number of steps up to a multiple of step_multiple.
-  long whole_steps(long steps) const { return (steps + step_multiple - 1) / step_multiple * step_multiple; }
+  long whole_steps(long steps) const { return round_up_to_multiple(steps, step_multiple); }
   /// Returns the number of steps of a run of `cycles` base cycles.
   long steps_in(double cycles) const { return whole_steps(total_steps(cycles, steps_per_cycle)); }
+  /// Returns the number of steps between outputs that are `cycles` base cycles apart.
+  long steps_between_outputs(double cycles) const {
+    return whole_steps(steps_between(cycles, steps_per_cycle));
+  }
 
   RunOptions options;  ///< options of the command line, completed by the plan
   ModelUnits units;

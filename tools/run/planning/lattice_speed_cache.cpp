@@ -10,7 +10,6 @@
 #include "beadswim/core/processor.hpp"
 #include "beadswim/core/version.hpp"
 #include "beadswim/io/fields_json.hpp"
-#include "broadcast.hpp"
 
 namespace beadswim {
 namespace {

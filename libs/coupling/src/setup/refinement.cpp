@@ -59,13 +59,25 @@ BeadExtent extent_until_next_check(const CoupledSystem& system, const Communicat
   return beads;
 }
 
+/// Returns the number of cells of a level.
+double volume(const Block& level) {
+  return level.size.cast<double>().prod();
+}
+
+/// Returns the sum of amount(n) over the levels n, per step of the finest level. `amount`: quantity per step
+/// of level n.
+template <class Amount>
+double mean_per_step(const std::vector<Block>& levels, Amount&& amount) {
+  double sum = 0;
+  for (std::size_t n = 0; n < levels.size(); ++n)
+    sum += std::ldexp(amount(n), static_cast<int>(n + 1) - static_cast<int>(levels.size()));
+  return sum;
+}
+
 /// Returns the snapshots of all swimmers on every rank. Collective.
 std::vector<SwimmerSnapshot> share_snapshots(CoupledSystem& system, const Communicator& communicator) {
   std::vector<char> bytes = bytes_of(system.gather_snapshots());
-  std::size_t size = bytes.size();
-  MPI_Bcast(&size, 1, MPI_UINT64_T, 0, communicator.get());
-  bytes.resize(size);
-  MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_BYTE, 0, communicator.get());
+  broadcast(bytes, communicator);
   return snapshots_from_bytes(std::move(bytes));
 }
 
@@ -94,45 +106,39 @@ int max_levels(const CoupledScene& scene) {
 }
 
 double updates_per_step(const std::vector<Block>& levels) {
-  double updates = 0;
-  for (std::size_t n = 0; n < levels.size(); ++n) {
-    const double covered = n + 1 < levels.size() ? levels[n + 1].size.cast<double>().prod() / 8 : 0;
-    updates += std::ldexp(levels[n].size.cast<double>().prod() - covered,
-                          static_cast<int>(n + 1) - static_cast<int>(levels.size()));
-  }
-  return updates;
+  return mean_per_step(levels, [&](std::size_t n) {
+    const double refined = n + 1 < levels.size() ? volume(levels[n + 1]) / 8 : 0;
+    return volume(levels[n]) - refined;
+  });
 }
 
 double cost_per_step(const std::vector<Block>& levels) {
-  constexpr double cost_of_outer_cell = 10;  // of the exchange, measured for levels of 64^3 cells
-  double exchange = 0;
-  for (std::size_t n = 1; n < levels.size(); ++n) {
-    const Eigen::Array3d edges = levels[n].size.cast<double>();
-    const double outer_cells = edges.prod() - (edges - 2).prod();
-    exchange += std::ldexp(cost_of_outer_cell * outer_cells,
-                           static_cast<int>(n + 1) - static_cast<int>(levels.size()));
-  }
+  constexpr double cost_of_outer_cell = 10;  // exchange; measured for levels of 64^3 cells
+  const double exchange = mean_per_step(levels, [&](std::size_t n) {
+    const double outer_cells = volume(levels[n]) - (levels[n].size - 2).cast<double>().prod();
+    return n == 0 ? 0 : cost_of_outer_cell * outer_cells;
+  });
   return updates_per_step(levels) + exchange;
 }
 
 double cells_on_levels(const std::vector<Block>& levels) {
   double cells = 0;
-  for (const Block& level : levels) cells += level.size.cast<double>().prod();
+  for (const Block& level : levels) cells += volume(level);
   return cells;
 }
 
 std::vector<Block> cheapest_levels(const CoupledScene& scene, int max_count) {
-  constexpr double worthwhile_share = 0.8;  // of the cost with one level
+  constexpr double max_share = 0.8;  // of the cost with one level
   const BeadExtent beads = bead_extent(scene);
   const double uniform = scene.cells.cast<double>().prod();
   std::vector<Block> cheapest;
-  double least = worthwhile_share * uniform;
+  double min_cost = max_share * uniform;
   for (int count = 2; count <= max_count; ++count) {
     const auto levels = levels_around(scene, beads, count);
     if (!levels) break;
-    if (cost_per_step(*levels) >= least) continue;
+    if (cost_per_step(*levels) >= min_cost) continue;
     cheapest = *levels;
-    least = cost_per_step(cheapest);
+    min_cost = cost_per_step(cheapest);
   }
   return cheapest;
 }

@@ -167,9 +167,9 @@ std::vector<Block> chosen_levels(const CoupledScene& scene, const std::optional<
   if (!refinement) return cheapest_levels(scene, finer_in_period + 1);
   const auto levels = levels_around(scene, bead_extent(scene), *refinement + 1);
   if (levels && *refinement <= finer_in_period) return *levels;
-  const int most = std::min(max_levels(scene) - 1, finer_in_period);
-  const std::string choice =
-      most == 0 ? fmt::format("use {} off", Setting::refinement) : fmt::format("use at most {}", most);
+  const int max_finer = std::min(max_levels(scene) - 1, finer_in_period);
+  const std::string choice = max_finer == 0 ? fmt::format("use {} off", Setting::refinement)
+                                            : fmt::format("use at most {}", max_finer);
   if (levels)
     throw InputError(
         Setting::refinement,

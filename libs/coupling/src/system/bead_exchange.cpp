@@ -60,6 +60,7 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
     : comm_(communicator.get()),
       rank_(communicator.rank()),
       decomposition_(decomposition),
+      place_{.lattice = decomposition.lattice(), .box = scene.cells, .boundary = scene.boundary},
       types_(scene.types) {
   for (const SwimmerType& type : scene.types) {
     std::vector<double>& radii = radii_.emplace_back();
@@ -74,17 +75,9 @@ BeadExchange::BeadExchange(const Communicator& communicator, const Decomposition
 }
 
 int BeadExchange::owner_of(const Vec3& position) const {
-  Index3 cell = position.array().floor().cast<int>();
-  const Block& lattice = decomposition_.lattice();
-  const BlockInLattice& box = blocks_[rank_];
-  for (int a = 0; a < 3; ++a) {
-    if (box.is_periodic(a)) {
-      const int from_first = (cell[a] - lattice.offset[a]) % box.cells[a];
-      cell[a] = lattice.offset[a] + (from_first < 0 ? from_first + box.cells[a] : from_first);
-    }
-    cell[a] = std::clamp(cell[a], lattice.offset[a], lattice.end()[a] - 1);
-  }
-  return decomposition_.rank_of_cell(cell);
+  const Block& lattice = place_.lattice;
+  const Index3 cell = place_.in_lattice(position.array().floor().cast<int>());
+  return decomposition_.rank_of_cell(cell.max(lattice.offset).min(lattice.end() - 1));
 }
 
 std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) const {
@@ -100,8 +93,6 @@ std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) c
                  .position = swimmer.motion[i].position,
                  .value = stretch};
   }
-  const BlockInLattice& box = blocks_[rank_];
-  const Block& lattice = decomposition_.lattice();
   for (int b = 0; b < std::ssize(swimmer.motion); ++b) {
     const Vec3& place = swimmer.motion[b].position;
     const auto gap_to = [&](int axis, int low, int high) {
@@ -111,11 +102,11 @@ std::optional<Fault> BeadExchange::position_fault(const SwimmerState& swimmer) c
       return Fault{.kind = kind, .bead = {swimmer.id, b}, .position = place, .value = gap};
     };
     for (int axis = 0; axis < 3; ++axis) {
-      const double to_wall = gap_to(axis, 0, box.cells[axis]);
-      if (!box.is_periodic(axis) && !(to_wall >= min_wall_gap)) return fault(FaultKind::wall, to_wall);
-      const double to_level = gap_to(axis, lattice.offset[axis], lattice.end()[axis]);
-      if (lattice.size[axis] < box.cells[axis] && !(to_level >= min_level_gap))
-        return fault(FaultKind::level, to_level);
+      const double to_wall = gap_to(axis, 0, place_.box[axis]);
+      if (place_.boundary[axis] != Boundary::periodic && !(to_wall >= min_wall_gap))
+        return fault(FaultKind::wall, to_wall);
+      const double to_level = gap_to(axis, place_.lattice.offset[axis], place_.lattice.end()[axis]);
+      if (!place_.spans(axis) && !(to_level >= min_level_gap)) return fault(FaultKind::level, to_level);
     }
   }
   return std::nullopt;

@@ -56,7 +56,7 @@ std::vector<double> gather_plane(const Level& level, const Communicator& communi
     own.resize(first + cells_in_plane(block, z));
     const int local_z = z - block.offset[2];
     for (int y = 0; y < block.size[1]; ++y) {
-      for_each_run_outside(level.covered, block.size[0], y, local_z, [&](int x, int end) {
+      for_each_run_outside(level.refined, block.size[0], y, local_z, [&](int x, int end) {
         for (; x < end; ++x)
           own[first + x + block.size[0] * y] = value(k, level.populations.cell(x, y, local_z));
       });

@@ -43,10 +43,7 @@ std::string creation_fault(const std::string& path, int& part) {
 int lock_output(const std::string& path, const Communicator& communicator) {
   int part = -1;
   std::string fault = communicator.is_root() ? creation_fault(path, part) : "";
-  int length = static_cast<int>(fault.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, communicator.get());
-  fault.resize(length);
-  MPI_Bcast(fault.data(), length, MPI_CHAR, 0, communicator.get());
+  broadcast(fault, communicator);
   if (!fault.empty()) {
     throw InputError(Setting::output, fault + "; name a file in a folder that exists and can be written to");
   }

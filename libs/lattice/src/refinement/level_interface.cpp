@@ -4,123 +4,69 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <unordered_map>
 #include <vector>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/lattice/lattice_vector.hpp"
 #include "number_exchange.hpp"
+#include "populations_by_row.hpp"
 
 namespace beadswim {
 namespace {
 
-int modulo(int n, int period) {
-  const int rest = n % period;
-  return rest < 0 ? rest + period : rest;
+/// Throws InputError if a fine level has a size or place that its interface with the coarse level does not
+/// permit.
+void require_room(const LevelPlace& coarse, const LevelPlace& fine) {
+  const Block refined = fine.lattice.halved();
+  for (int a = 0; a < 3; ++a) {
+    const int low = refined.offset[a] - coarse.lattice.offset[a],
+              high = coarse.lattice.end()[a] - refined.end()[a];
+    const bool is_whole = fine.lattice.offset[a] % 2 == 0 && fine.lattice.size[a] % 2 == 0;
+    const bool has_room = coarse.is_periodic(a) ? coarse.box[a] - refined.size[a] >= min_cells_around_level
+                                                : std::min(low, high) >= min_cells_around_level;
+    if (is_whole && (fine.is_periodic(a) || (has_room && refined.size[a] >= 2))) continue;
+    throw InputError(fmt::format(
+        "a level of {} cells from cell {} on along {} does not fit into a level of {} coarser cells from "
+        "cell {} on: it needs whole coarse cells, at least two of them, and {} coarser cells around them",
+        fine.lattice.size[a], fine.lattice.offset[a], "xyz"[a], coarse.lattice.size[a],
+        coarse.lattice.offset[a], min_cells_around_level));
+  }
 }
-Index3 velocity_of(int i) {
-  return {d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]};
+
+/// Returns 0 or 1 along each axis: the position of a fine cell within its coarse cell.
+Index3 side_in_coarse_cell(const Index3& cell) {
+  return cell - 2 * cell.unaryExpr(&Block::floor_half);
 }
-
-/// Positions of the two levels. Coarse cells have coordinates of the coarse level, fine cells have
-/// coordinates relative to the first cell of the fine level.
-struct Geometry {
-  Block coarse, fine, covered;  ///< covered: cells of the coarse level under the fine level
-  std::array<bool, 3> wraps{};  ///< the coarse level is periodic along the axis
-  std::array<bool, 3> spans{};  ///< the fine level is periodic along the axis: no interface
-
-  Geometry(const LevelPlace& coarse_place, const LevelPlace& fine_place)
-      : coarse(coarse_place.lattice), fine(fine_place.lattice) {
-    for (int a = 0; a < 3; ++a) {
-      wraps[a] = coarse_place.is_periodic(a);
-      spans[a] = fine_place.is_periodic(a);
-    }
-    covered = fine.halved();
-  }
-
-  Index3 in_fine_period(Index3 cell) const {
-    for (int a = 0; a < 3; ++a)
-      if (spans[a]) cell[a] = modulo(cell[a], fine.size[a]);
-    return cell;
-  }
-  bool is_fine(const Index3& cell) const { return (cell >= 0).all() && (cell < fine.size).all(); }
-
-  Index3 in_coarse_period(Index3 cell) const {
-    for (int a = 0; a < 3; ++a)
-      if (wraps[a]) cell[a] = coarse.offset[a] + modulo(cell[a] - coarse.offset[a], coarse.size[a]);
-    return cell;
-  }
-  bool is_covered(const Index3& cell) const {
-    for (int a = 0; a < 3; ++a) {
-      int place = cell[a] - covered.offset[a];
-      if (wraps[a]) place = modulo(place, coarse.size[a]);
-      if (place < 0 || place >= covered.size[a]) return false;
-    }
-    return true;
-  }
-  /// Returns the coarse cell that contains a fine cell, which may lie outside the fine level.
-  Index3 coarse_cell(const Index3& cell) const {
-    return in_coarse_period((cell + fine.offset).unaryExpr(&Block::floor_half));
-  }
-  /// Throws InputError if the fine level has a size or place that the interface does not permit.
-  void check() const {
-    for (int a = 0; a < 3; ++a) {
-      const int low = covered.offset[a] - coarse.offset[a], high = coarse.end()[a] - covered.end()[a];
-      const bool is_whole = fine.offset[a] % 2 == 0 && fine.size[a] % 2 == 0;
-      const bool has_room = wraps[a] ? coarse.size[a] - covered.size[a] >= min_cells_around_level
-                                     : std::min(low, high) >= min_cells_around_level;
-      if (is_whole && (spans[a] || (has_room && covered.size[a] >= 2))) continue;
-      throw InputError(fmt::format(
-          "a level of {} cells from cell {} on along {} does not fit into a level of {} coarser cells from "
-          "cell "
-          "{} on: it needs whole coarse cells, at least two of them, and {} coarser cells around them",
-          fine.size[a], fine.offset[a], "xyz"[a], coarse.size[a], coarse.offset[a], min_cells_around_level));
-    }
-  }
-
-  /// Returns the first of the eight fine cells in a coarse cell.
-  Index3 first_fine_cell(const Index3& coarse_cell) const { return 2 * coarse_cell - fine.offset; }
-};
 
 /// Returns the offset o at which a coarse population has the value that the fine cell receives along
 /// direction i in fine step `half` (0 or 1) [coarse cell].
 Vec3 offset_of(const Index3& cell, int i, int half) {
-  const Index3 from = cell - (1 + half) * velocity_of(i);
-  const Index3 side = from.unaryExpr([](int n) { return modulo(n, 2) == 0 ? -1 : 1; });
-  return ((side + (half == 0 ? -1 : 1) * velocity_of(i)).cast<double>() / 4).matrix();
+  const Index3 side = 2 * side_in_coarse_cell(cell - (1 + half) * lattice_vector(i)) - 1;  // -1 or 1
+  return ((side + (half == 0 ? -1 : 1) * lattice_vector(i)).cast<double>() / 4).matrix();
 }
 
-/// Calls visit(first cell, number of cells) for all runs of cells along x in the outermost layer of a box of
-/// `size` cells, along axes that the fine level does not span.
+/// Calls visit(first cell, number of cells) for all runs of cells along x in the outermost layer of a level,
+/// along axes where the level is not periodic.
 template <class Visit>
-void for_each_outer_run(const Index3& size, const std::array<bool, 3>& spans, Visit&& visit) {
-  const auto is_outer = [&](int axis, int at) { return !spans[axis] && (at == 0 || at == size[axis] - 1); };
-  for (int z = 0; z < size[2]; ++z) {
-    for (int y = 0; y < size[1]; ++y) {
+void for_each_outer_run(const LevelPlace& place, Visit&& visit) {
+  const Index3 low = place.lattice.offset, last = place.lattice.end() - 1;
+  const auto is_outer = [&](int axis, int at) {
+    return !place.is_periodic(axis) && (at == low[axis] || at == last[axis]);
+  };
+  for (int z = low[2]; z <= last[2]; ++z) {
+    for (int y = low[1]; y <= last[1]; ++y) {
       if (is_outer(2, z) || is_outer(1, y)) {
-        visit(Index3(0, y, z), size[0]);
-      } else if (!spans[0]) {
-        visit(Index3(0, y, z), 1);
-        visit(Index3(size[0] - 1, y, z), 1);
+        visit(Index3(low[0], y, z), place.lattice.size[0]);
+      } else if (!place.is_periodic(0)) {
+        visit(Index3(low[0], y, z), 1);
+        visit(Index3(last[0], y, z), 1);
       }
     }
   }
 }
-
-/// Lists of T, one for each row of a block.
-template <class T>
-class ByRow {
- public:
-  explicit ByRow(const Block& block) : rows_in_plane_(block.size[1]), rows_(block.size[1] * block.size[2]) {}
-
-  std::vector<T>& row(int y, int z) { return rows_[y + rows_in_plane_ * z]; }
-  const std::vector<std::vector<T>>& rows() const { return rows_; }
-  const std::vector<T>& row(int y, int z) const { return rows_[y + rows_in_plane_ * z]; }
-
- private:
-  std::ptrdiff_t rows_in_plane_;
-  std::vector<std::vector<T>> rows_;
-};
 
 /// A population that a coarse cell sends to the fine level.
 struct CoarsePopulation {
@@ -132,29 +78,27 @@ struct CoarsePopulation {
     return value + (offset[0] * slope[0] + offset[1] * slope[1] + offset[2] * slope[2]);
   }
 };
-/// Places of the numbers from which a CoarsePopulation is evaluated. Along axes of which no slope is needed,
-/// `before` and `after` are -1.
+/// Places of the numbers from which a CoarsePopulation is evaluated. Along axes without a slope, `before` and
+/// `after` are equal.
 struct CoarseNumbers {
-  int centre = -1;
-  std::array<int, 3> before{-1, -1, -1}, after{-1, -1, -1};
+  int centre = 0;
+  std::array<int, 3> before{}, after{};
 };
 
-/// An incoming population of a fine cell that comes from the coarse level.
+/// A population that enters a fine cell.
 struct Entry {
   int from = 0;             ///< index of the CoarsePopulation
   std::uint8_t offset = 0;  ///< index in Lists::offsets
 };
-/// Entries of one direction in consecutive cells along x. From cell to cell, the offsets alternate, and the
-/// coarse population is the same or the next one, in turn.
+/// Successive entries in the order of Lists::entries. Successive cells along x have two offsets alternately,
+/// and each coarse population enters two of them, except at the ends of the run.
 struct EntryRun {
-  int first = 0;  ///< index of the first cell in Populations
+  int from = 0;  ///< index of the CoarsePopulation of the first entry
   int cells = 0;
-  int from = 0;  ///< index of the CoarsePopulation of the first cell
-  std::uint8_t direction = 0;
-  std::uint8_t in_first = 1;              ///< number of cells with the first population, 1 or 2
-  std::array<std::uint8_t, 2> offsets{};  ///< of the first and of the second cell
+  std::uint8_t in_first = 1;              ///< number of entries of the first population, 1 or 2
+  std::array<std::uint8_t, 2> offsets{};  ///< of the first and of the second entry
 
-  /// Returns true if `entry` belongs to the cell after the last one.
+  /// Returns true if `entry` belongs after the last entry of the run.
   bool is_followed_by(const Entry& entry) const {
     if (cells == 1) return entry.from == from || entry.from == from + 1;
     return entry.from == from + (cells + 2 - in_first) / 2 && entry.offset == offsets[cells % 2];
@@ -168,47 +112,69 @@ struct EntryRun {
   }
 };
 
-/// Outgoing populations that are sent to the other level.
-struct DepartureRun {
-  int first = 0;  ///< index of the first cell in Populations; the others follow along x
-  int cells = 0;
-  int direction = 0;
-  int number = 0;  ///< place of the first one in the NumberExchange; the others follow
-};
-
-/// A population of a fine cell that leaves the fine level after it has only passed an edge of it: it came
-/// there as `entry`, and the coarse level has also moved it to its new coarse cell. Only the change is sent.
-struct Passing {
-  int number = 0;  ///< place in the NumberExchange
+/// A population that enters the fine level in the first fine step, as `entry`, and leaves it in the second
+/// one, at an edge of the fine level. The coarse level also moves this population from one coarse cell to
+/// another. The fine level therefore sends only the change of the population.
+struct EdgePassage {
+  int number = 0;  ///< place in the NumberExchange of the second fine step
   Entry entry;
 };
 
-/// An incoming population of a coarse cell that comes from the fine level.
-struct Arrival {
-  int cell = 0, direction = 0;
-  bool passes = false;  ///< adds to the population that comes from another coarse cell
-  std::array<int, 8> parts{-1, -1, -1, -1, -1, -1, -1, -1};  ///< places of the numbers that are added
+/// Sums of the numbers that arrive in coarse cells, in the order of Lists::arrivals.
+class ArrivingSums {
+ public:
+  /// Adds a sum of the numbers at `places`, as [fine step].
+  void add(const std::array<std::vector<int>, 2>& places) {
+    for (int half = 0; half < 2; ++half) {
+      std::ranges::copy(places[half], std::back_inserter(parts_[half].places));
+      parts_[half].ends.push_back(static_cast<int>(parts_[half].places.size()));
+    }
+    sums_.push_back(0);
+  }
+
+  /// Adds the numbers of a fine step. Those of the first one replace the sums.
+  void receive(int half, const NumberExchange& numbers) {
+    const int* place = parts_[half].places.data();
+    for (std::size_t n = 0; n < sums_.size(); ++n) {
+      double sum = half == 0 ? 0 : sums_[n];
+      for (const int* end = parts_[half].places.data() + parts_[half].ends[n]; place != end; ++place)
+        sum += numbers[*place];
+      sums_[n] = sum;
+    }
+  }
+  const std::vector<double>& sums() const { return sums_; }
+
+ private:
+  /// Places of the numbers of all sums, one sum after another.
+  struct Parts {
+    std::vector<int> places;
+    std::vector<int> ends;  ///< one per sum: index in `places` after its last number
+  };
+  std::array<Parts, 2> parts_;  ///< one per fine step
+  std::vector<double> sums_;
 };
 
 }  // namespace
 
 struct LevelInterface::Lists {
-  Lists(const Communicator& communicator, const Level& coarse, const Level& fine)
-      : from_coarse(communicator),
-        from_fine(communicator),
-        entries{ByRow<EntryRun>(fine.block), ByRow<EntryRun>(fine.block)},
-        arrivals(coarse.block) {}
+  explicit Lists(const Communicator& communicator)
+      : from_coarse(communicator), from_fine{NumberExchange(communicator), NumberExchange(communicator)} {}
 
-  NumberExchange from_coarse, from_fine;
-  std::vector<DepartureRun> sent_by_coarse;
-  std::vector<CoarseNumbers> numbers;  ///< of coarse_populations
+  NumberExchange from_coarse;               ///< own numbers: sent_by_coarse
+  std::array<NumberExchange, 2> from_fine;  ///< one per fine step; own numbers: departures
+  PopulationsByRow sent_by_coarse;          ///< outgoing populations of coarse cells
+  PopulationsByRow entries, departures;     ///< incoming and outgoing populations of fine cells
+  PopulationsByRow arrivals;                ///< incoming populations of coarse cells
+  PopulationsByRow passing_arrivals;        ///< arrivals that add to the population from another coarse cell
+  std::vector<CoarseNumbers> numbers;       ///< sources of coarse_populations
   std::vector<CoarsePopulation> coarse_populations;
-  std::vector<Vec3> offsets;                            ///< all offsets that entries have [coarse cell]
-  std::array<ByRow<EntryRun>, 2> entries;               ///< in both fine steps
-  std::array<std::vector<DepartureRun>, 2> departures;  ///< in both fine steps
-  std::vector<Passing> passing;                         ///< in the second fine step
-  ByRow<Arrival> arrivals;
-  int half = 0;  ///< number of fine steps done in this coarse step
+  std::vector<Vec3> offsets;                        ///< all offsets that entries have [coarse cell]
+  std::array<std::vector<EntryRun>, 2> entry_runs;  ///< one list per fine step
+  std::vector<double> entering;                     ///< values of `entries` in the present fine step
+  std::vector<EdgePassage> edge_passages;
+  ArrivingSums arriving, arriving_passing;
+  int half = 0;              ///< number of fine steps done in this coarse step
+  bool has_numbers = false;  ///< the numbers of the next fine step have been read
   Traffic traffic;
 };
 
@@ -219,45 +185,60 @@ class LevelInterface::Search {
       : lists_(lists),
         coarse_(coarse),
         fine_(fine),
-        geometry_(coarse.place, fine.place),
         rank_(communicator.rank()),
         received_(communicator.size()) {}
 
   void find_entries() {
-    std::vector<std::map<Key, Source>> sources(received_.size());  // of each rank, in the order of the keys
+    std::vector<std::map<Key, Source>> sources(received_.size());  // of each rank
+    std::vector<PopulationsByRow::Item> entries;
     for_each_entry([&](const Index3& cell, int i, int half) {
       const Source source{.cell = source_cell(cell, i, half), .direction = i};
-      Takers& takers = takers_[source.key(geometry_)];
-      ++takers.count;
-      takers.offsets += offset_of(cell, i, half);
-      sources[fine_owner(cell)].emplace(source.key(geometry_), source);
+      EnteringParts& parts = entering_parts_[key_of(source)];
+      ++parts.count;
+      parts.offsets += offset_of(cell, i, half);
+      sources[fine_owner(cell)].emplace(key_of(source), source);
+      if (half == 0 && fine_owner(cell) == rank_)
+        entries.push_back({.cell = cell - fine_.block.offset, .direction = i});
     });
-    for (std::size_t rank = 0; rank < sources.size(); ++rank)
-      for (const auto& [key, source] : sources[rank]) add_source(static_cast<int>(rank), key, source);
-    for_each_entry([&](const Index3& cell, int i, int half) {
-      if (fine_owner(cell) == rank_) add_entry(cell, i, half);
-    });
+    lists_.entries = PopulationsByRow(fine_.block.size, entries);
+    lists_.entering.resize(entries.size());
+    list_sent_populations(sources);
+    for (const auto& [key, source] : sources[rank_]) add_source(key, source);
     lists_.coarse_populations.resize(lists_.numbers.size());
+    for_each_entry([&](const Index3& cell, int i, int half) {
+      if (fine_owner(cell) == rank_) add_entry(entry_of(cell, i, half), lists_.entry_runs[half]);
+    });
   }
 
   void find_departures() {
-    std::map<Key, Arrival> arrivals;
+    std::vector<PopulationsByRow::Item> departures;
     for_each_crossing(1, [&](const Index3& cell, int i) {
-      for (int half = 0; half < 2; ++half) add_departure(cell, i, half, arrivals);
+      if (fine_owner(cell) == rank_)
+        departures.push_back({.cell = cell - fine_.block.offset, .direction = i});
     });
-    for (const auto& [key, arrival] : arrivals) {
-      const auto in_block = arrival.cell - coarse_.populations.cell(0, 0, 0);
-      const auto z = in_block / coarse_.populations.pitch(2);
-      const auto y = (in_block - z * coarse_.populations.pitch(2)) / coarse_.populations.pitch(1);
-      lists_.arrivals.row(static_cast<int>(y), static_cast<int>(z)).push_back(arrival);
+    lists_.departures = PopulationsByRow(fine_.block.size, departures);
+    for (NumberExchange& numbers : lists_.from_fine)
+      numbers.set_own_count(static_cast<int>(departures.size()));
+    int own = 0;
+    std::map<Key, Target> targets;
+    for_each_crossing(1, [&](const Index3& cell, int i) {
+      for (int half = 0; half < 2; ++half) add_departure(cell, i, half, own, targets);
+      if (fine_owner(cell) == rank_) ++own;
+    });
+    std::vector<PopulationsByRow::Item> arrivals, passing;
+    for (const auto& [key, target] : targets) {
+      (target.passes ? passing : arrivals).push_back(target.item);
+      (target.passes ? lists_.arriving_passing : lists_.arriving).add(target.places);
     }
+    lists_.arrivals = PopulationsByRow(coarse_.block.size, arrivals);
+    lists_.passing_arrivals = PopulationsByRow(coarse_.block.size, passing);
   }
 
  private:
   using Key = std::uint64_t;  ///< identifies a coarse cell and a direction
 
   /// The parts of a coarse population that enter the fine level.
-  struct Takers {
+  struct EnteringParts {
     int count = 0;
     Vec3 offsets = Vec3::Zero();  ///< sum of offset_of()
   };
@@ -265,45 +246,49 @@ class LevelInterface::Search {
   struct Source {
     Index3 cell = Index3::Zero();
     int direction = 0;
-
-    /// Keys of one direction and row follow one another along x.
-    Key key(const Geometry& geometry) const {
-      const Index3 p = cell - geometry.coarse.offset;
-      const Index3& n = geometry.coarse.size;
-      return p[0] + static_cast<Key>(n[0]) *
-                        (p[1] + static_cast<Key>(n[1]) * (p[2] + static_cast<Key>(n[2]) * direction));
-    }
   };
-  /// What a rank receives from the coarse level.
+  /// A population of a coarse cell of this rank that comes from the fine level.
+  struct Target {
+    PopulationsByRow::Item item;
+    bool passes = false;                     ///< belongs to Lists::passing_arrivals
+    std::array<std::vector<int>, 2> places;  ///< of the numbers that are added, as [fine step]
+  };
+  /// Populations that a rank receives from the coarse level.
   struct Received {
-    std::unordered_map<Key, int> numbers;      ///< place of a population in Lists::from_coarse
+    std::map<Key, Source> sources;             ///< those of which it needs the values
+    std::unordered_map<Key, int> places;       ///< in Lists::from_coarse
     std::unordered_map<Key, int> populations;  ///< index in Lists::numbers
   };
 
-  int fine_owner(const Index3& cell) const {
-    return fine_.decomposition.rank_of_cell(cell + geometry_.fine.offset);
+  /// Returns a number that sorts populations of coarse cells by row, then by direction, then by x.
+  Key key_of(const Source& source) const {
+    const Index3 p = source.cell - coarse_.place.lattice.offset;
+    const Index3& n = coarse_.place.lattice.size;
+    return p[0] + static_cast<Key>(n[0]) *
+                      (source.direction + d3q19::directions * (p[1] + static_cast<Key>(n[1]) * p[2]));
   }
+
+  int fine_owner(const Index3& cell) const { return fine_.decomposition.rank_of_cell(cell); }
   int coarse_owner(const Index3& cell) const { return coarse_.decomposition.rank_of_cell(cell); }
 
-  int fine_index(const Index3& cell) const {
-    return static_cast<int>(fine_.populations.cell(cell + geometry_.fine.offset - fine_.block.offset));
-  }
-  int coarse_index(const Index3& cell) const {
-    return static_cast<int>(coarse_.populations.cell(cell - coarse_.block.offset));
+  bool is_refined(const Index3& coarse_cell) const { return fine_.place.contains(2 * coarse_cell); }
+  /// Returns the coarse cell that contains a fine cell, which may lie outside the fine level.
+  Index3 coarse_cell(const Index3& fine_cell) const {
+    return coarse_.place.in_lattice(fine_cell.unaryExpr(&Block::floor_half));
   }
   Index3 source_cell(const Index3& cell, int i, int half) const {
-    return geometry_.coarse_cell(geometry_.in_fine_period(cell - (1 + half) * velocity_of(i)));
+    return coarse_cell(cell - (1 + half) * lattice_vector(i));
   }
 
-  /// Calls visit(fine cell, direction i) for all links of the fine level along `sign` times the velocity of i
-  /// that cross the interface, in runs of cells along x.
+  /// Calls visit(fine cell, direction i) for all fine cells whose neighbour along `sign` times the velocity
+  /// of i lies outside the fine level. Cells of one direction follow one another along x.
   template <class Visit>
   void for_each_crossing(int sign, Visit&& visit) const {
-    for_each_outer_run(geometry_.fine.size, geometry_.spans, [&](const Index3& first, int cells) {
+    for_each_outer_run(fine_.place, [&](const Index3& first, int cells) {
       for (int i = 1; i < d3q19::directions; ++i) {
         for (int n = 0; n < cells; ++n) {
-          const Index3 cell = first + Index3(n, 0, 0);
-          if (!geometry_.is_fine(geometry_.in_fine_period(cell + sign * velocity_of(i)))) visit(cell, i);
+          const Index3 cell = first + n * unit_vector(0);
+          if (!fine_.place.contains(cell + sign * lattice_vector(i))) visit(cell, i);
         }
       }
     });
@@ -315,33 +300,60 @@ class LevelInterface::Search {
       for_each_crossing(-1, [&](const Index3& cell, int i) { visit(cell, i, half); });
   }
 
-  /// Returns the place of a coarse population that `rank` receives, if this is the present rank.
-  int number_for(int rank, const Source& source) {
-    const auto [found, is_new] = received_[rank].numbers.try_emplace(source.key(geometry_), -1);
-    if (!is_new) return found->second;
-    const int owner = coarse_owner(source.cell);
-    found->second = lists_.from_coarse.add(owner, rank);
-    if (owner == rank_)
-      add_to_runs(lists_.sent_by_coarse, source.direction, coarse_index(source.cell), found->second);
-    return found->second;
+  /// Calls visit(axis, neighbours of the source on both sides) for all axes along which a slope is needed.
+  template <class Visit>
+  void for_each_slope(const Source& source, Visit&& visit) const {
+    for (int a = 0; a < 3; ++a) {
+      Source before = source, after = source;
+      before.cell = coarse_.place.in_lattice(source.cell - unit_vector(a));
+      after.cell = coarse_.place.in_lattice(source.cell + unit_vector(a));
+      if (!is_refined(before.cell) && !is_refined(after.cell)) visit(a, before, after);
+    }
   }
 
-  /// Adds the numbers that `rank` needs for a coarse population.
-  void add_source(int rank, Key key, const Source& source) {
-    CoarseNumbers numbers;
-    numbers.centre = number_for(rank, source);
-    for (int a = 0; a < 3; ++a) {
-      const Index3 step(a == 0, a == 1, a == 2);
-      const Source before{.cell = geometry_.in_coarse_period(source.cell - step),
-                          .direction = source.direction};
-      const Source after{.cell = geometry_.in_coarse_period(source.cell + step),
-                         .direction = source.direction};
-      if (geometry_.is_covered(before.cell) || geometry_.is_covered(after.cell)) continue;
-      numbers.before[a] = number_for(rank, before);
-      numbers.after[a] = number_for(rank, after);
+  /// Lists the populations that coarse cells send, from the sources that each rank needs.
+  void list_sent_populations(const std::vector<std::map<Key, Source>>& sources) {
+    std::map<Key, Source> sent;
+    for (std::size_t rank = 0; rank < sources.size(); ++rank) {
+      const auto add = [&](const Source& source) {
+        received_[rank].sources.emplace(key_of(source), source);
+        if (coarse_owner(source.cell) == rank_) sent.emplace(key_of(source), source);
+      };
+      for (const auto& [key, source] : sources[rank]) {
+        add(source);
+        for_each_slope(source, [&](int, const Source& before, const Source& after) {
+          add(before);
+          add(after);
+        });
+      }
     }
-    if (rank != rank_) return;
-    received_[rank].populations[key] = static_cast<int>(lists_.numbers.size());
+    std::vector<PopulationsByRow::Item> items;
+    std::unordered_map<Key, int> own;  // place of a population of this rank
+    for (const auto& [key, source] : sent) {
+      own[key] = static_cast<int>(items.size());
+      items.push_back({.cell = source.cell - coarse_.block.offset, .direction = source.direction});
+    }
+    lists_.sent_by_coarse = PopulationsByRow(coarse_.block.size, items);
+    lists_.from_coarse.set_own_count(static_cast<int>(items.size()));
+    for (std::size_t rank = 0; rank < sources.size(); ++rank) {
+      for (const auto& [key, source] : received_[rank].sources) {
+        const int owner = coarse_owner(source.cell);
+        received_[rank].places[key] =
+            lists_.from_coarse.add(owner, static_cast<int>(rank), owner == rank_ ? own.at(key) : -1);
+      }
+    }
+  }
+
+  /// Adds a coarse population that this rank needs.
+  void add_source(Key key, const Source& source) {
+    Received& received = received_[rank_];
+    CoarseNumbers numbers;
+    numbers.centre = received.places.at(key);
+    for_each_slope(source, [&](int axis, const Source& before, const Source& after) {
+      numbers.before[axis] = received.places.at(key_of(before));
+      numbers.after[axis] = received.places.at(key_of(after));
+    });
+    received.populations[key] = static_cast<int>(lists_.numbers.size());
     lists_.numbers.push_back(numbers);
   }
 
@@ -354,104 +366,94 @@ class LevelInterface::Search {
 
   /// Returns the entry of a fine cell of this rank.
   Entry entry_of(const Index3& cell, int i, int half) {
-    const Key key = Source{.cell = source_cell(cell, i, half), .direction = i}.key(geometry_);
-    const Takers& takers = takers_.at(key);
+    const Key key = key_of({.cell = source_cell(cell, i, half), .direction = i});
+    const EnteringParts& parts = entering_parts_.at(key);
     Vec3 offset = offset_of(cell, i, half);
-    if (takers.count == 8) offset -= takers.offsets / 8;
+    if (parts.count == 8) offset -= parts.offsets / 8;
     return {.from = received_[rank_].populations.at(key), .offset = offset_index(offset)};
   }
 
-  void add_entry(const Index3& cell, int i, int half) {
-    const Index3 local = cell + geometry_.fine.offset - fine_.block.offset;
-    std::vector<EntryRun>& runs = lists_.entries[half].row(local[1], local[2]);
-    const Entry entry = entry_of(cell, i, half);
-    const int index = fine_index(cell);
-    if (!runs.empty()) {
-      EntryRun& last = runs.back();
-      const bool is_next = last.direction == i && last.first + last.cells == index;
-      if (is_next && last.is_followed_by(entry)) return last.append(entry);
-    }
-    runs.push_back({.first = index,
-                    .cells = 1,
-                    .from = entry.from,
-                    .direction = static_cast<std::uint8_t>(i),
-                    .offsets = {entry.offset, entry.offset}});
+  static void add_entry(const Entry& entry, std::vector<EntryRun>& runs) {
+    if (!runs.empty() && runs.back().is_followed_by(entry)) return runs.back().append(entry);
+    runs.push_back({.from = entry.from, .cells = 1, .offsets = {entry.offset, entry.offset}});
   }
 
-  static void add_to_runs(std::vector<DepartureRun>& runs, int i, int index, int number) {
-    if (!runs.empty()) {
-      DepartureRun& last = runs.back();
-      if (last.direction == i && last.first + last.cells == index && last.number + last.cells == number) {
-        ++last.cells;
-        return;
-      }
-    }
-    runs.push_back({.first = index, .cells = 1, .direction = i, .number = number});
-  }
-
-  /// Adds the population of direction i that leaves a fine cell in fine step `half`, and its arrival.
-  void add_departure(const Index3& cell, int i, int half, std::map<Key, Arrival>& arrivals) {
-    const Index3 end = cell + (2 - half) * velocity_of(i);  // fine cell in which it is after the second step
-    const Source target{.cell = geometry_.coarse_cell(geometry_.in_fine_period(end)), .direction = i};
-    const bool passes = !geometry_.is_covered(target.cell - velocity_of(i));
+  /// Adds the population of direction i that leaves a fine cell in fine step `half`, and its arrival. `own`:
+  /// its place in Lists::departures.
+  void add_departure(const Index3& cell, int i, int half, int own, std::map<Key, Target>& targets) {
+    const Index3 end =
+        cell + (2 - half) * lattice_vector(i);  // fine cell in which it is after the second step
+    const Source target{.cell = coarse_cell(end), .direction = i};
+    const bool passes = !is_refined(target.cell - lattice_vector(i));
     const int from = fine_owner(cell), to = coarse_owner(target.cell);
-    const int number = lists_.from_fine.add(from, to);
-    if (from == rank_) {
-      add_to_runs(lists_.departures[half], i, fine_index(cell), number);
-      if (passes) lists_.passing.push_back({.number = number, .entry = entry_of(cell, i, 0)});
-    }
+    const int place = lists_.from_fine[half].add(from, to, own);
+    if (from == rank_ && passes)
+      lists_.edge_passages.push_back({.number = own, .entry = entry_of(cell, i, 0)});
     if (to != rank_) return;
-    Arrival& arrival = arrivals[target.key(geometry_)];
-    arrival.cell = coarse_index(target.cell);
-    arrival.direction = i;
-    arrival.passes = passes;
-    const Index3 side = end.unaryExpr([](int n) { return modulo(n, 2); });
-    arrival.parts[side[0] + 2 * side[1] + 4 * side[2]] = number;
+    Target& of_rank = targets[key_of(target)];
+    of_rank.item = {.cell = target.cell - coarse_.block.offset, .direction = i};
+    of_rank.passes = passes;
+    of_rank.places[half].push_back(place);
   }
 
   Lists& lists_;
   const Level& coarse_;
   const Level& fine_;
-  Geometry geometry_;
   int rank_;
-  std::unordered_map<Key, Takers> takers_;
-  std::vector<Received> received_;  ///< by each rank
+  std::unordered_map<Key, EnteringParts> entering_parts_;
+  std::vector<Received> received_;  ///< one per rank
 };
 
 namespace {
 
-/// Reads outgoing populations into the numbers of an exchange. Runs along the faces across x are single cells
-/// in different rows, which are prefetched.
-void read(const Populations& populations, const std::vector<DepartureRun>& departures,
-          NumberExchange& numbers) {
-  constexpr std::size_t runs_ahead = 32;
+/// Copies outgoing populations of all rows.
+void read(const Populations& populations, const PopulationsByRow& list, double* to) {
   in_precision(populations.precision(), [&]<class Real>() {
-    for (std::size_t k = 0; k < departures.size(); ++k) {
-      if (k + runs_ahead < departures.size()) {
-        const DepartureRun& later = departures[k + runs_ahead];
-        __builtin_prefetch(populations.outgoing_row<Real>(later.direction, later.first));
-      }
-      const DepartureRun& run = departures[k];
-      const Real* from = populations.outgoing_row<Real>(run.direction, run.first);
-      double* to = &numbers[run.number];
-      for (int n = 0; n < run.cells; ++n) to[n] = static_cast<double>(from[n]);
+    list.for_each_row([&](int y, int z) {
+      list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
+        const Real* from = populations.outgoing_row<Real>(run.direction, populations.cell(run.x, y, z));
+        for (int n = 0; n < run.cells; ++n) to[index + n] = static_cast<double>(from[n]);
+      });
+    });
+  });
+}
+/// Copies populations of a row that the present step has swept. They are outgoing after the step.
+void read_swept_row(Populations& populations, const PopulationsByRow& list, int y, int z, double* to) {
+  in_precision(populations.precision(), [&]<class Real>() {
+    list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
+      const Real* from = populations.next_outgoing_row<Real>(run.direction, populations.cell(run.x, y, z));
+      for (int n = 0; n < run.cells; ++n) to[index + n] = static_cast<double>(from[n]);
+    });
+  });
+}
+/// Calls set(incoming population, index in the list) for all populations of a plane.
+template <class Set>
+void set_plane(Populations& populations, const PopulationsByRow& list, int z, Set&& set) {
+  in_precision(populations.precision(), [&]<class Real>() {
+    for (int y = 0; y < populations.size()[1]; ++y) {
+      list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
+        Real* to = populations.incoming_row<Real>(run.direction, populations.cell(run.x, y, z));
+        for (int n = 0; n < run.cells; ++n) set(to[n], index + n);
+      });
     }
   });
 }
 
-/// Sets the incoming populations of a run of fine cells.
-template <class Real>
-void set_run(const EntryRun& run, const std::vector<Vec3>& offsets,
-             const std::vector<CoarsePopulation>& populations, Real* to) {
-  const CoarsePopulation* from = &populations[run.from];
-  int n = 0;
-  if (run.in_first == 1) to[n++] = static_cast<Real>((from++)->at(offsets[run.offsets[0]]));
-  const Vec3 one = offsets[run.offsets[n % 2]], other = offsets[run.offsets[(n + 1) % 2]];
-  for (; n + 1 < run.cells; n += 2, ++from) {
-    to[n] = static_cast<Real>(from->at(one));
-    to[n + 1] = static_cast<Real>(from->at(other));
+/// Evaluates the populations that enter the fine level.
+void evaluate(const std::vector<EntryRun>& runs, const std::vector<Vec3>& offsets,
+              const std::vector<CoarsePopulation>& populations, double* to) {
+  for (const EntryRun& run : runs) {
+    const CoarsePopulation* from = &populations[run.from];
+    int n = 0;
+    if (run.in_first == 1) to[n++] = (from++)->at(offsets[run.offsets[0]]);
+    const Vec3 one = offsets[run.offsets[n % 2]], other = offsets[run.offsets[(n + 1) % 2]];
+    for (; n + 1 < run.cells; n += 2, ++from) {
+      to[n] = from->at(one);
+      to[n + 1] = from->at(other);
+    }
+    if (n < run.cells) to[n] = from->at(one);
+    to += run.cells;
   }
-  if (n < run.cells) to[n] = static_cast<Real>(from->at(one));
 }
 
 /// Evaluates values and slopes of populations of coarse cells.
@@ -460,21 +462,18 @@ void evaluate(const std::vector<CoarseNumbers>& places, const NumberExchange& nu
   for (std::size_t n = 0; n < places.size(); ++n) {
     const CoarseNumbers& from = places[n];
     populations[n].value = numbers[from.centre];
-    for (int a = 0; a < 3; ++a) {
-      if (from.after[a] >= 0)
-        populations[n].slope[a] = (numbers[from.after[a]] - numbers[from.before[a]]) / 2;
-    }
+    for (int a = 0; a < 3; ++a)
+      populations[n].slope[a] = (numbers[from.after[a]] - numbers[from.before[a]]) / 2;
   }
 }
 
 }  // namespace
 
 LevelInterface::LevelInterface(const Communicator& communicator, Level& coarse, const Level& fine)
-    : lists_(std::make_unique<Lists>(communicator, coarse, fine)) {
-  const Geometry geometry(coarse.place, fine.place);
-  geometry.check();
-  coarse.covered = coarse.place.parts_under(fine.place, coarse.block);
-  std::erase_if(coarse.covered, [](const Block& part) { return part.is_empty(); });
+    : lists_(std::make_unique<Lists>(communicator)) {
+  require_room(coarse.place, fine.place);
+  coarse.refined = coarse.place.parts_under(fine.place, coarse.block);
+  std::erase_if(coarse.refined, [](const Block& part) { return part.is_empty(); });
   Search search(*lists_, coarse, fine, communicator);
   search.find_entries();
   search.find_departures();
@@ -483,68 +482,77 @@ LevelInterface::LevelInterface(const Communicator& communicator, Level& coarse, 
 LevelInterface::~LevelInterface() = default;
 
 void LevelInterface::begin_fine_step(const Populations& coarse, const Populations& fine) {
-  if (lists_->half == 0) {
-    read(coarse, lists_->sent_by_coarse, lists_->from_coarse);
+  const int half = lists_->half;
+  NumberExchange& from_fine = lists_->from_fine[half];
+  if (!lists_->has_numbers) {
+    read(coarse, lists_->sent_by_coarse, lists_->from_coarse.data());
+    read(fine, lists_->departures, from_fine.data());
+    lists_->has_numbers = true;
+  }
+  if (half == 0) {
     lists_->from_coarse.exchange(lists_->traffic);
     evaluate(lists_->numbers, lists_->from_coarse, lists_->coarse_populations);
+  } else {
+    for (const EdgePassage& passage : lists_->edge_passages)
+      from_fine[passage.number] -=
+          lists_->coarse_populations[passage.entry.from].at(lists_->offsets[passage.entry.offset]);
   }
-  read(fine, lists_->departures[lists_->half], lists_->from_fine);
+  evaluate(lists_->entry_runs[half], lists_->offsets, lists_->coarse_populations, lists_->entering.data());
+  from_fine.exchange(lists_->traffic);
+  lists_->arriving.receive(half, from_fine);
+  lists_->arriving_passing.receive(half, from_fine);
 }
 
-void LevelInterface::set_fine_row(Populations& fine, int y, int z) const {
-  in_precision(fine.precision(), [&]<class Real>() {
-    for (const EntryRun& run : lists_->entries[lists_->half].row(y, z))
-      set_run(run, lists_->offsets, lists_->coarse_populations,
-              fine.incoming_row<Real>(run.direction, run.first));
+void LevelInterface::set_fine_plane(Populations& fine, int z) const {
+  const double* entering = lists_->entering.data();
+  set_plane(fine, lists_->entries, z, [&](auto& incoming, int index) {
+    incoming = static_cast<std::remove_reference_t<decltype(incoming)>>(entering[index]);
   });
+}
+
+void LevelInterface::read_fine_row(Populations& fine, int y, int z) {
+  read_swept_row(fine, lists_->departures, y, z, lists_->from_fine[1 - lists_->half].data());
 }
 
 bool LevelInterface::end_fine_step() {
   lists_->half = 1 - lists_->half;
-  if (lists_->half == 1) return false;
-  for (const Passing& passing : lists_->passing)
-    lists_->from_fine[passing.number] -=
-        lists_->coarse_populations[passing.entry.from].at(lists_->offsets[passing.entry.offset]);
-  lists_->from_fine.exchange(lists_->traffic);
-  return true;
+  return lists_->half == 0;
 }
 
-void LevelInterface::set_coarse_row(Populations& coarse, int y, int z) const {
-  in_precision(coarse.precision(), [&]<class Real>() {
-    for (const Arrival& arrival : lists_->arrivals.row(y, z)) {
-      double sum = 0;
-      for (const int part : arrival.parts)
-        if (part >= 0) sum += lists_->from_fine[part];
-      Real& incoming = *coarse.incoming_row<Real>(arrival.direction, arrival.cell);
-      const double passing = arrival.passes ? static_cast<double>(incoming) : 0;
-      incoming = static_cast<Real>(passing + sum / 8);
-    }
+void LevelInterface::set_coarse_plane(Populations& coarse, int z) const {
+  const double *sums = lists_->arriving.sums().data(), *passing = lists_->arriving_passing.sums().data();
+  set_plane(coarse, lists_->arrivals, z,
+            [&]<class Real>(Real& incoming, int index) { incoming = static_cast<Real>(sums[index] / 8); });
+  set_plane(coarse, lists_->passing_arrivals, z, [&]<class Real>(Real& incoming, int index) {
+    incoming = static_cast<Real>(static_cast<double>(incoming) + passing[index] / 8);
   });
+}
+
+void LevelInterface::read_coarse_row(Populations& coarse, int y, int z) {
+  read_swept_row(coarse, lists_->sent_by_coarse, y, z, lists_->from_coarse.data());
 }
 
 FluidTotals LevelInterface::in_transit() const {
   FluidTotals totals;
   if (lists_->half == 0) return totals;
-  const auto add = [&](int direction, double population) {
-    totals.add({.density_deviation = population,
-                .momentum = population * velocity_of(direction).cast<double>().matrix()});
+  const auto add = [&](const PopulationsByRow& list, const double* values, int sign) {
+    list.for_each_row([&](int y, int z) {
+      list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
+        for (int n = 0; n < run.cells; ++n) {
+          const double population = sign * values[index + n];
+          totals.add({.density_deviation = population, .momentum = population * velocity_of(run.direction)});
+        }
+      });
+    });
   };
-  for (const DepartureRun& run : lists_->departures[0])
-    for (int n = 0; n < run.cells; ++n) add(run.direction, lists_->from_fine[run.number + n]);
-  std::vector<double> entered;
-  for (const auto& row : lists_->entries[0].rows()) {
-    for (const EntryRun& run : row) {
-      entered.resize(run.cells);
-      set_run(run, lists_->offsets, lists_->coarse_populations, entered.data());
-      for (const double population : entered) add(run.direction, -population);
-    }
-  }
+  add(lists_->departures, lists_->from_fine[0].data(), 1);
+  add(lists_->entries, lists_->entering.data(), -1);
   return totals;
 }
 
 std::set<int> LevelInterface::neighbours() const {
   std::set<int> others = lists_->from_coarse.peers();
-  others.merge(lists_->from_fine.peers());
+  for (const NumberExchange& numbers : lists_->from_fine) others.merge(numbers.peers());
   return others;
 }
 

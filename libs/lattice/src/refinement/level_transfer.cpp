@@ -125,10 +125,6 @@ void keep_moments(Cell& change) {
   }
 }
 
-Index3 unit(int axis) {
-  return {axis == 0, axis == 1, axis == 2};
-}
-
 /// Evaluates a coarser cell from the eight finer cells that begin at `first`.
 Cell coarser_cell(const Region& finer, const Index3& first) {
   Cell mean{}, change{};
@@ -154,7 +150,7 @@ Cell finer_cell(const Region& coarser, const Index3& cell) {
   Cell result = coarser[parent], change{};
   for (int i = 0; i < d3q19::directions; ++i) {
     for (int a = 0; a < 3; ++a) {
-      const double slope = (coarser[parent + unit(a)][i] - coarser[parent - unit(a)][i]) / 2;
+      const double slope = (coarser[parent + unit_vector(a)][i] - coarser[parent - unit_vector(a)][i]) / 2;
       result[i] += side[a] * slope / 4;
       change[i] -= d3q19::velocity[i][a] * slope / 4;
     }
@@ -185,7 +181,7 @@ void for_each_slab(const Block& block, const Communicator& communicator, Visit&&
 }
 
 /// Sets the cells of a level that lie under the next finer level. Collective.
-void fill_covered_cells(Level& level, const Level& finer, const Communicator& communicator) {
+void fill_refined_cells(Level& level, const Level& finer, const Communicator& communicator) {
   for_each_slab(level.block, communicator, [&](const Block& slab) {
     for (Block part : level.place.parts_under(finer.place, slab)) {
       part.offset += slab.offset;
@@ -199,7 +195,7 @@ void fill_covered_cells(Level& level, const Level& finer, const Communicator& co
 }  // namespace
 
 void transfer(Levels& from, Levels& to, const Communicator& communicator) {
-  for (int n = from.count() - 2; n >= 0; --n) fill_covered_cells(from[n], from[n + 1], communicator);
+  for (int n = from.count() - 2; n >= 0; --n) fill_refined_cells(from[n], from[n + 1], communicator);
   for (int n = 0; n < to.count(); ++n) {
     Level& level = to[n];
     const LevelPlace& before = from[n].place;
@@ -209,8 +205,7 @@ void transfer(Levels& from, Levels& to, const Communicator& communicator) {
       if (n > 0)
         coarser = fetch(to[n - 1], slab.is_empty() ? Block{} : slab.halved().widened(), communicator);
       for_each_cell_of(slab, [&](const Index3& cell) {
-        const bool was_here = before.lattice.contains(before.in_lattice(cell));
-        set_cell(level, cell, was_here ? same[cell] : finer_cell(*coarser, cell));
+        set_cell(level, cell, before.contains(cell) ? same[cell] : finer_cell(*coarser, cell));
       });
     });
   }

@@ -13,16 +13,16 @@ std::array<bool, 3> interfaces_of(const LevelPlace& place) {
 }  // namespace
 
 std::vector<Block> LevelPlace::parts_under(const LevelPlace& finer, const Block& block) const {
-  Block covered = finer.lattice.halved();
-  covered.offset = in_lattice(covered.offset);
+  Block refined = finer.lattice.halved();
+  refined.offset = in_lattice(refined.offset);
   Index3 copies;
   for (int a = 0; a < 3; ++a) copies[a] = boundary[a] == Boundary::periodic ? 1 : 0;
   std::vector<Block> parts;
   for (int x = -copies[0]; x <= 0; ++x) {
     for (int y = -copies[1]; y <= 0; ++y) {
       for (int z = -copies[2]; z <= 0; ++z) {
-        const Index3 first = covered.offset + Index3(x, y, z) * box - block.offset;
-        const Index3 low = first.max(0), high = (first + covered.size).min(block.size);
+        const Index3 first = refined.offset + Index3(x, y, z) * box - block.offset;
+        const Index3 low = first.max(0), high = (first + refined.size).min(block.size);
         parts.push_back({.offset = low, .size = (high - low).max(0)});
       }
     }
@@ -39,16 +39,16 @@ Level::Level(const LevelPlace& place_of_level, double relaxation_time, Precision
       halo(communicator, decomposition, place.boundary, content, interfaces_of(place)),
       rates(relaxation_rates(relaxation_time)) {}
 
-double relaxation_time_of_level(double finest, int levels_above) {
-  return 0.5 + std::ldexp(finest - 0.5, -levels_above);
+double relaxation_time_of_level(double finest, int finer_levels) {
+  return 0.5 + std::ldexp(finest - 0.5, -finer_levels);
 }
 
 std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boundary, 3>& boundary,
                                       std::span<const Block> lattices) {
   std::vector<LevelPlace> places;
   for (std::size_t n = 0; n < lattices.size(); ++n) {
-    const int above = static_cast<int>(lattices.size() - 1 - n);
-    places.push_back({.lattice = lattices[n], .box = cells / (1 << above), .boundary = boundary});
+    const int finer_levels = static_cast<int>(lattices.size() - 1 - n);
+    places.push_back({.lattice = lattices[n], .box = cells / (1 << finer_levels), .boundary = boundary});
   }
   return places;
 }
@@ -57,10 +57,10 @@ Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Pr
                HaloContent content, const Communicator& communicator) {
   const int count = static_cast<int>(places.size());
   for (int n = 0; n < count; ++n) {
-    const int above = count - 1 - n;
-    levels_.push_back(std::make_unique<Level>(places[n], relaxation_time_of_level(relaxation_time, above),
-                                              precision, above == 0 ? content : HaloContent::entering,
-                                              communicator));
+    const int finer_levels = count - 1 - n;
+    levels_.push_back(
+        std::make_unique<Level>(places[n], relaxation_time_of_level(relaxation_time, finer_levels), precision,
+                                finer_levels == 0 ? content : HaloContent::entering, communicator));
     if (n > 0)
       interfaces_.push_back(std::make_unique<LevelInterface>(communicator, *levels_[n - 1], *levels_[n]));
   }
@@ -79,19 +79,19 @@ std::vector<FluidTotals> Levels::coarser_totals() const {
 CellMoments Levels::sum_of_coarser(std::vector<FluidTotals> totals, const Communicator& communicator) const {
   totals.resize(2 * (count() - 1));
   CellMoments sum;
-  const auto add = [&](const FluidTotals& own, int levels_above) {
+  const auto add = [&](const FluidTotals& own, int finer_levels) {
     const FluidTotals all = sum_over_ranks(own, communicator);
-    const double volume = std::ldexp(1.0, 3 * levels_above);
+    const double volume = std::ldexp(1.0, 3 * finer_levels);
     sum.density_deviation += volume * all.density_deviation.value();
     sum.momentum += volume * all.momentum_value();
   };
   for (int n = 0; n + 1 < count(); ++n) {
-    const int above = count() - 1 - n;
-    add(totals[2 * n], above);
-    add(totals[2 * n + 1], above - 1);
+    const int finer_levels = count() - 1 - n;
+    add(totals[2 * n], finer_levels);
+    add(totals[2 * n + 1], finer_levels - 1);
     const double cells = levels_[n]->place.lattice.size.cast<double>().prod() -
                          levels_[n + 1]->place.lattice.size.cast<double>().prod() / 8;
-    sum.momentum += std::ldexp(cells, 3 * above) * impulses_[n];
+    sum.momentum += std::ldexp(cells, 3 * finer_levels) * impulses_[n];
   }
   return sum;
 }

@@ -5,12 +5,13 @@ namespace beadswim {
 NumberExchange::NumberExchange(const Communicator& communicator)
     : comm_(communicator.get()), rank_(communicator.rank()) {}
 
-int NumberExchange::add(int from, int to) {
-  if (from != rank_ && to != rank_) return -1;
+int NumberExchange::add(int from, int to, int own) {
+  if (from == rank_ && to == rank_) return own;
+  if (from == rank_) peers_[to].sent.push_back(own);
+  if (to != rank_) return -1;
   const int place = static_cast<int>(numbers_.size());
   numbers_.push_back(0);
-  if (from != rank_) peers_[from].received.push_back(place);
-  if (to != rank_) peers_[to].sent.push_back(place);
+  peers_[from].received.push_back(place);
   return place;
 }
 

@@ -9,19 +9,24 @@
 
 namespace beadswim {
 
-/// Sends a fixed list of numbers between ranks, again and again. All ranks add the same numbers in the same
-/// order. Each number has a place on the rank that sends it and on the rank that receives it. A number that a
-/// rank sends to itself has one place, so that it need not be copied.
+/// Sends a fixed list of numbers between ranks, again and again. Each number that this rank sends or receives
+/// has a place. Numbers that it sends are its own numbers; they have the first places, and it also reads
+/// those that it sends to itself there.
 class NumberExchange {
  public:
   explicit NumberExchange(const Communicator& communicator);
 
-  /// Adds a number that rank `from` sends to rank `to`. Returns its place on this rank, or -1 if this rank
-  /// neither sends nor receives it.
-  int add(int from, int to);
+  /// Sets the number of own numbers. Call it before add().
+  void set_own_count(int count) { numbers_.assign(count, 0); }
+
+  /// Adds a number that rank `from` sends to rank `to`. `own`: its place on rank `from`, not used on other
+  /// ranks. Returns its place on rank `to`, or -1 on other ranks. All ranks that send or receive numbers of
+  /// a pair of ranks add them in the same order.
+  int add(int from, int to, int own);
 
   double& operator[](int place) { return numbers_[place]; }
   double operator[](int place) const { return numbers_[place]; }
+  double* data() { return numbers_.data(); }
 
   /// Returns the other ranks that exchange numbers with this rank.
   std::set<int> peers() const;

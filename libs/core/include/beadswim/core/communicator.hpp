@@ -2,6 +2,8 @@
 
 #include <mpi.h>
 
+#include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace beadswim {
@@ -38,6 +40,15 @@ class Communicator {
 /// Gathers the bytes of all ranks on rank 0, in the order of the ranks. Returns an empty vector on other
 /// ranks. Throws SolverError on rank 0 if the total exceeds 2 GiB. Collective.
 std::vector<char> gather_bytes(const std::vector<char>& own, const Communicator& communicator);
+
+/// Copies bytes (std::string or std::vector<char>, at most 2 GiB) from rank 0 to all ranks. Collective.
+template <class Bytes>
+void broadcast(Bytes& bytes, const Communicator& communicator) {
+  std::int64_t size = std::ssize(bytes);
+  MPI_Bcast(&size, 1, MPI_INT64_T, 0, communicator.get());
+  bytes.resize(size);
+  MPI_Bcast(bytes.data(), static_cast<int>(size), MPI_CHAR, 0, communicator.get());
+}
 
 /// Returns the number of ranks of the communicator that share memory with this rank, this rank included.
 /// Collective.

@@ -12,6 +12,7 @@
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
+#include "beadswim/lattice/level.hpp"
 
 namespace beadswim {
 
@@ -66,6 +67,7 @@ class BeadExchange {
   MPI_Comm comm_;
   int rank_;
   Decomposition decomposition_;
+  LevelPlace place_;                    ///< place of the finest level
   std::vector<BlockInLattice> blocks_;  ///< blocks of all ranks
   std::vector<int> peers_;
   Traffic traffic_;

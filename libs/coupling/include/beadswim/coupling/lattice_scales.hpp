@@ -33,7 +33,7 @@ struct LatticeChoice {
 /// Returns cell, step and relaxation time for a fluid of kinematic viscosity nu:
 /// - cell = radius/cells_per_radius
 /// - step = nu_lu cell^2/nu with nu_lu = (tau - 1/2)/3, rounded such that `period` is an integer number of
-///   steps, and a multiple of `multiple`
+///   steps, which is a multiple of `multiple`
 /// - relaxation time: tau, adapted to the rounded step
 LatticeChoice choose_lattice(double radius, const Resolution& resolution, const Fluid& fluid, double period,
                              long multiple = 1);

@@ -22,7 +22,8 @@ struct LatticeSettings {
   bool lubrication = true;  ///< adds the resistance of thin films between beads that cells do not resolve
   double friction = 0.5;    ///< Coulomb's friction coefficient between beads in contact
   Precision precision = Precision::fp64;  ///< floating-point precision of the populations
-  /// Number of levels of cells below the coarsest (levels.hpp). Not set: chosen for the scene.
+  /// Number of levels of cells below the coarsest (levels.hpp). If not set: the cheapest number for the
+  /// scene.
   std::optional<int> refinement = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/lattice/lattice_vector.hpp"
 #include "beadswim/lattice/trt.hpp"
 
 // Populations of a cell that a bead has just uncovered, by Grad's thirteen-moment approximation.
@@ -45,7 +46,7 @@ inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviat
       ++known;
     }
     if (known == 0) continue;
-    const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
+    const Vec3 c = velocity_of(i);
     stress += 2 * sum / known * c * c.transpose();
   }
   return stress;
@@ -55,7 +56,7 @@ inline Eigen::Matrix3d stress_of(const Arrivals& arrivals, double density_deviat
 /// is the symmetric relaxation rate.
 inline double refilled(int i, double density_deviation, const Vec3& velocity, const Eigen::Matrix3d& stress,
                        double decay) {
-  const Vec3 c(d3q19::velocity[i][0], d3q19::velocity[i][1], d3q19::velocity[i][2]);
+  const Vec3 c = velocity_of(i);
   return equilibrium(i, density_deviation, velocity[0], velocity[1], velocity[2]) +
          4.5 * d3q19::weight(i) * (c.dot(stress * c) - stress.trace() / 3) * decay;
 }

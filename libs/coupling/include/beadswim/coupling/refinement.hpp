@@ -14,7 +14,7 @@
 
 namespace beadswim {
 
-/// Box that contains beads: its corners [cell].
+/// Corners of the smallest box that contains a set of beads [cell].
 struct BeadExtent {
   Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity());
   Vec3 high = Vec3::Constant(-std::numeric_limits<double>::infinity());
@@ -24,7 +24,7 @@ struct BeadExtent {
     high = high.array().max(centre.array() + radius);
   }
 };
-/// Returns the extent of all beads of a scene at their first positions.
+/// Returns the extent of all beads of a scene at their initial positions.
 BeadExtent bead_extent(const CoupledScene& scene);
 
 /// Returns `count` levels around the beads, coarsest first, or nothing if they do not fit into the box
@@ -32,7 +32,7 @@ BeadExtent bead_extent(const CoupledScene& scene);
 std::optional<std::vector<Block>> levels_around(const CoupledScene& scene, const BeadExtent& beads,
                                                 int count);
 
-/// Returns the levels around the beads at their first positions with which a step costs least. Returns
+/// Returns the levels around the beads at their initial positions with which a step costs least. Returns
 /// nothing if they would save less than a fifth of the cost of one level. `max_count`: largest number of
 /// levels.
 std::vector<Block> cheapest_levels(const CoupledScene& scene, int max_count = max_finer_levels + 1);
@@ -44,8 +44,8 @@ int max_levels(const CoupledScene& scene);
 /// finer level are not updated.
 double updates_per_step(const std::vector<Block>& levels);
 
-/// Returns the cost of one step of the finest level, in units of the cost of a cell update: updates_per_step()
-/// and the exchange between levels.
+/// Returns the cost of one step of the finest level, in units of the cost of a cell update:
+/// updates_per_step() and the exchange between levels.
 double cost_per_step(const std::vector<Block>& levels);
 
 /// Returns the number of cells on all levels.

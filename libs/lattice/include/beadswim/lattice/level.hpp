@@ -12,7 +12,7 @@
 
 namespace beadswim {
 
-/// Where a level of cells lies, in coordinates of its own cells.
+/// Place of a level of cells in the box, in coordinates of its own cells.
 struct LevelPlace {
   Block lattice;                       ///< cells of the level
   Index3 box;                          ///< number of cells of this size along each edge of the box
@@ -29,6 +29,8 @@ struct LevelPlace {
     }
     return cell;
   }
+  /// Returns true if the lattice contains the cell or a periodic image of it.
+  bool contains(const Index3& cell) const { return lattice.contains(in_lattice(cell)); }
   /// Returns the parts of a block of this level that lie under a finer level, in local coordinates of the
   /// block, sorted by x: one part for each periodic image of the finer level, which may be empty.
   std::vector<Block> parts_under(const LevelPlace& finer, const Block& block) const;
@@ -49,7 +51,7 @@ struct Level {
   Halo halo;
   RelaxationRates rates;
   /// Cells of the block under the next finer level, which are not in use, in local coordinates, sorted by x.
-  std::vector<Block> covered;
+  std::vector<Block> refined;
 };
 
 }  // namespace beadswim

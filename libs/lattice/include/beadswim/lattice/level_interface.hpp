@@ -10,7 +10,7 @@
 
 // Exchange of populations between two levels of cells. The fine level has cells of half the size and makes
 // two steps in one step of the coarse level. It lies inside the coarse level, on a box of whole coarse cells:
-// the covered cells of the coarse level, which are not in use.
+// the refined cells of the coarse level, which are not in use.
 //
 // A population that crosses the interface keeps its velocity for one coarse step. Let x be a fine cell, c
 // the velocity of the population, and s the centre of the fine cell at x - c (first step) or x - 2c (second
@@ -32,35 +32,47 @@
 
 namespace beadswim {
 
-/// Smallest permitted number of coarse cells between the covered cells and the end of the coarse level, or
-/// between the covered cells and their periodic image.
+/// Smallest permitted number of coarse cells between the refined cells and the end of the coarse level, or
+/// between the refined cells and their periodic image.
 constexpr int min_cells_around_level = 3;
 
 /// Exchanges populations between a coarse and a fine level. In each coarse step call, in this order:
 ///
-///   for both fine steps: begin_fine_step(); set_fine_row() before each row is swept; end_fine_step();
-///   then set_coarse_row() before each row of the coarse level is swept.
+///   for both fine steps: begin_fine_step(); set_fine_plane() before each plane of constant z is swept;
+///   read_fine_row() after each row is swept; end_fine_step();
+///   then set_coarse_plane() and read_coarse_row(), likewise, for the coarse level.
+///
+/// Populations are read right after the sweep, while they are in the cache. They are set for whole planes,
+/// because the sweep of a row is slowed down by numbers that have just been stored in its lines of the cache.
+/// After the first step, nothing but the sweeps may change the cells at the interface.
 class LevelInterface {
  public:
   /// The coordinates of both levels have the same origin. Along each axis the fine level lies inside the
-  /// coarse level, or it spans the box and is periodic. Sets `covered` of the coarse level. Throws InputError
-  /// if the fine level consists of incomplete coarse cells, or comes closer to the ends of the coarse level or
-  /// to its own periodic image than min_cells_around_level. Collective.
+  /// coarse level, or it spans the box and is periodic. Sets `refined` of the coarse level. Throws InputError
+  /// if the fine level consists of incomplete coarse cells, or comes closer to the ends of the coarse level
+  /// or to its own periodic image than min_cells_around_level. Collective.
   LevelInterface(const Communicator& communicator, Level& coarse, const Level& fine);
   ~LevelInterface();
 
-  /// Reads the populations that cross the interface. The populations of both levels must be those after the
-  /// last collision. Collective.
+  /// Exchanges the populations that cross the interface in this fine step. The populations of both levels
+  /// must be those after the last collision. Collective.
   void begin_fine_step(const Populations& coarse, const Populations& fine);
 
-  /// Sets the incoming populations of row (y, z) of the fine level's block that come from the coarse level.
-  void set_fine_row(Populations& fine, int y, int z) const;
+  /// Sets the incoming populations of plane z of the fine level's block that come from the coarse level.
+  void set_fine_plane(Populations& fine, int z) const;
 
-  /// Ends a fine step. Returns true if it was the second one, so that the coarse step is due. Collective.
+  /// Reads the populations of row (y, z) of the fine level's block that leave it in the next fine step.
+  void read_fine_row(Populations& fine, int y, int z);
+
+  /// Ends a fine step. Returns true if it was the second one, so that the coarse step is due.
   bool end_fine_step();
 
-  /// Sets the incoming populations of row (y, z) of the coarse level's block that come from the fine level.
-  void set_coarse_row(Populations& coarse, int y, int z) const;
+  /// Sets the incoming populations of plane z of the coarse level's block that come from the fine level.
+  void set_coarse_plane(Populations& coarse, int z) const;
+
+  /// Reads the populations of row (y, z) of the coarse level's block that enter the fine level in the next
+  /// coarse step.
+  void read_coarse_row(Populations& coarse, int y, int z);
 
   /// Returns mass and momentum that have left the fine level in the present coarse step, minus those that
   /// have entered it. The coarse level does not count them yet [fine cell].

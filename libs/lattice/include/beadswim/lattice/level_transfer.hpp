@@ -17,7 +17,7 @@ namespace beadswim {
 ///   coarser to finer   f*(x) = F*(X) + (s - c/4).grad F*                     [cell of the coarser level]
 ///
 /// s is the centre of x relative to the centre of the coarser cell X. The terms with c must not change mass
-/// and momentum of a cell; such changes, which are of second order, are taken out. Collective.
+/// and momentum of a cell; such changes, which are of second order, are subtracted. Collective.
 void transfer(Levels& from, Levels& to, const Communicator& communicator);
 
 }  // namespace beadswim

@@ -12,11 +12,13 @@
 
 namespace beadswim {
 
-/// Returns the relaxation time tau of the level that is `levels_above` levels coarser than the finest. The
-/// viscosity and the speed of sound are the same on all levels [step of the level].
+/// Returns the relaxation time tau of a level [step of the level]. The viscosity and the speed of sound are
+/// the same on all levels.
 ///
-///   tau - 1/2 = (tau_finest - 1/2)/2^levels_above
-double relaxation_time_of_level(double finest, int levels_above);
+///   tau - 1/2 = (tau_finest - 1/2)/2^n
+///
+/// tau_finest: relaxation time of the finest level;  n: number of finer levels
+double relaxation_time_of_level(double finest, int finer_levels);
 
 /// Returns the places of nested levels in a box of `cells` cells of the finest level. `lattices`: the cells
 /// of each level, coarsest first.
@@ -28,8 +30,8 @@ std::vector<LevelPlace> places_in_box(const Index3& cells, const std::array<Boun
 /// units of each level.
 class Levels {
  public:
-  /// `places`: the levels, coarsest first; each lies inside the one before. `relaxation_time`: that of the
-  /// finest level. `content`: halo of the finest level.
+  /// `places`: the levels, coarsest first; each lies inside the one before. `relaxation_time`:
+  /// relaxation time of the finest level. `content`: halo of the finest level.
   Levels(const std::vector<LevelPlace>& places, double relaxation_time, Precision precision,
          HaloContent content, const Communicator& communicator);
 
@@ -48,13 +50,13 @@ class Levels {
     advance(count() - 1, before_row);
   }
 
-  /// Returns the totals of this rank outside the finest level, in the form that sum_of_coarser() needs. Throws
-  /// SolverError if a number is non-finite.
+  /// Returns the totals of this rank outside the finest level, in the form that sum_of_coarser() needs.
+  /// Throws SolverError if a number is non-finite.
   std::vector<FluidTotals> coarser_totals() const;
   /// Returns the mass (minus that at density 1) and the momentum of the fluid outside the finest level, in
   /// lattice units of the finest level. Between two steps of a coarser level, populations that have crossed
-  /// its interface are counted on the side to which they have moved. `totals`: coarser_totals() of this rank; if
-  /// it is empty, the rank counts as zero. Collective.
+  /// its interface are counted on the side to which they have moved. `totals`: coarser_totals() of this rank;
+  /// if it is empty, the rank counts as zero. Collective.
   CellMoments sum_of_coarser(std::vector<FluidTotals> totals, const Communicator& communicator) const;
 
   /// Returns the messages that have been sent so far.
@@ -79,23 +81,27 @@ class Levels {
   template <class BeforeRow>
   void advance(int n, BeforeRow&& before_row) {
     Level& level = *levels_[n];
-    LevelInterface* const above = n > 0 ? interfaces_[n - 1].get() : nullptr;
-    const LevelInterface* const below = n + 1 < count() ? interfaces_[n].get() : nullptr;
-    if (above) above->begin_fine_step(levels_[n - 1]->populations, level.populations);
+    LevelInterface* const to_coarser = n > 0 ? interfaces_[n - 1].get() : nullptr;
+    LevelInterface* const to_finer = n + 1 < count() ? interfaces_[n].get() : nullptr;
+    if (to_coarser) to_coarser->begin_fine_step(levels_[n - 1]->populations, level.populations);
     step_fluid(
         level.populations, level.halo, level.rates, impulses_[n],
         [&](int y, int z) {
-          if (above) above->set_fine_row(level.populations, y, z);
-          if (below) below->set_coarse_row(level.populations, y, z);
+          if (y == 0 && to_coarser) to_coarser->set_fine_plane(level.populations, z);
+          if (y == 0 && to_finer) to_finer->set_coarse_plane(level.populations, z);
           before_row(y, z);
         },
-        level.covered);
+        [&](int y, int z) {
+          if (to_coarser) to_coarser->read_fine_row(level.populations, y, z);
+          if (to_finer) to_finer->read_coarse_row(level.populations, y, z);
+        },
+        level.refined);
     impulses_[n] = Vec3::Zero();
-    if (above && above->end_fine_step()) advance(n - 1, NoBeads{});
+    if (to_coarser && to_coarser->end_fine_step()) advance(n - 1, NoBeads{});
   }
 
   std::vector<std::unique_ptr<Level>> levels_;               ///< coarsest first
-  std::vector<std::unique_ptr<LevelInterface>> interfaces_;  ///< of levels n and n + 1
+  std::vector<std::unique_ptr<LevelInterface>> interfaces_;  ///< interface n joins levels n and n + 1
   std::vector<Vec3> impulses_;  ///< impulse per volume on each level since its last step
 };
 
