@@ -11,8 +11,8 @@ has_status 0
 err_has 'measurement 4 of 4: lattice edge of 40 cells, 2 ranks'
 cp out bench.json
 check "schema" test "$(jq -r .schema bench.json)" = beadswim/bench/1
-check "a row each of 5 cases, 2 precisions, 2 edges, 1 and 2 ranks" \
-  holds '[.rows[] | [.case, .precision, .edge, .ranks]] | unique | length == 40' bench.json
+check "a row each of 6 cases, 2 precisions, 2 edges, 1 and 2 ranks" \
+  holds '[.rows[] | [.case, .precision, .edge, .ranks]] | unique | length == 48' bench.json
 check "rates are positive" holds '.rows | map(.mlups > 0 and .mlups_best >= .mlups) | all' bench.json
 check "the yardstick is its own measure" \
   holds '.rows | map(select(.case == "stream-yardstick")) | map(.fraction_of_yardstick == 1 and has("layout")) | all' bench.json

@@ -13,6 +13,7 @@ struct BenchCase {
   std::string name;
   Precision precision = Precision::fp64;
   std::function<void()> step;
+  double updates = 0;  ///< cell updates per step, on all ranks together
 };
 
 }  // namespace beadswim

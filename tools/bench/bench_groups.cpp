@@ -90,7 +90,6 @@ std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
         cases, [&](const BenchCase& c) { return c.name == name && c.precision == precision; });
     return found == cases.end() ? std::nullopt : std::optional<std::size_t>(found - cases.begin());
   };
-  const double cells = static_cast<double>(group.edge) * group.edge * group.edge;
   std::vector<BenchRow> rows;
   for (std::size_t c = 0; c < cases.size(); ++c) {
     const Precision precision = cases[c].precision;
@@ -99,12 +98,13 @@ std::vector<BenchRow> make_rows(const Group& group, const BenchScenes& scenes,
                  .edge = group.edge,
                  .ranks = group.ranks,
                  .bytes_per_update = bytes_per_update(precision)};
-    row.mlups = 1e-6 * cells * group.ranks / median(seconds[c]);
-    row.mlups_best = 1e-6 * cells * group.ranks / *std::ranges::min_element(seconds[c]);
+    row.mlups = 1e-6 * cases[c].updates / median(seconds[c]);
+    row.mlups_best = 1e-6 * cases[c].updates / *std::ranges::min_element(seconds[c]);
+    const std::size_t yardstick = *find("stream-yardstick", precision);
     row.fraction_of_yardstick =
-        median(speed_ratios(seconds[c], seconds[*find("stream-yardstick", precision)]));
-    row.fraction_of_bandwidth =
-        median(speed_ratios(seconds[c], seconds.back())) * row.bytes_per_update * cells / in_place_bytes;
+        median(speed_ratios(seconds[c], seconds[yardstick])) * cases[c].updates / cases[yardstick].updates;
+    row.fraction_of_bandwidth = median(speed_ratios(seconds[c], seconds.back())) * row.bytes_per_update *
+                                cases[c].updates / (in_place_bytes * group.ranks);
     if (const auto fp64_case = find(row.name, Precision::fp64); fp64_case && *fp64_case != c)
       row.speed_over_double = median(speed_ratios(seconds[c], seconds[*fp64_case]));
     if (row.name == "stream-yardstick") row.layout = scenes.layout_name(precision);
@@ -119,8 +119,8 @@ void measure(const Group& group, const Communicator& communicator, BenchReport& 
   Bandwidth bandwidth;
   const BenchScenes scenes(group.edge, group.precisions, report.bead_boundary, communicator);
   std::vector<BenchCase> cases = scenes.cases();
-  cases.push_back({"copy", Precision::fp64, [&] { bandwidth.copy(); }});
-  cases.push_back({"in-place", Precision::fp64, [&] { bandwidth.scale_in_place(); }});
+  cases.push_back({.name = "copy", .step = [&] { bandwidth.copy(); }});
+  cases.push_back({.name = "in-place", .step = [&] { bandwidth.scale_in_place(); }});
   const std::vector<std::vector<double>> seconds = time_in_rounds(cases, report.rounds, communicator);
   std::ranges::copy(make_rows(group, scenes, seconds, bandwidth.bytes()), std::back_inserter(report.rows));
   if (!report.bandwidths.empty() && report.bandwidths.back().ranks == group.ranks) return;

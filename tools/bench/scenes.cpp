@@ -7,6 +7,7 @@
 #include "beadswim/coupling/coupled_system.hpp"
 #include "beadswim/lattice/fluid_step.hpp"
 #include "beadswim/lattice/halo.hpp"
+#include "beadswim/lattice/levels.hpp"
 #include "beadswim/lattice/sweep.hpp"
 #include "stream_kernels.hpp"
 #include "swarm_scene.hpp"
@@ -17,6 +18,16 @@ namespace {
 constexpr std::array periodic{Boundary::periodic, Boundary::periodic, Boundary::periodic};
 constexpr std::array walls{Boundary::free_slip, Boundary::no_slip, Boundary::free_slip};
 constexpr double relaxation_time = 1.5;
+constexpr int cells_around_level = 4;  ///< in the coarse level of the case levels-step
+
+/// Returns the places of the two levels of the case levels-step: a level of `edge` cells per axis and rank,
+/// in a coarser level.
+std::vector<LevelPlace> two_levels(int edge, int ranks) {
+  const Index3 refined(edge / 2, edge / 2, edge / 2 * ranks);
+  const Block coarse{.size = refined + 2 * cells_around_level};
+  const Block fine = Block{.offset = Index3::Constant(cells_around_level), .size = refined}.doubled();
+  return places_in_box(2 * coarse.size, periodic, std::array{coarse, fine});
+}
 
 /// Sets a slow uniform flow in every cell, so that no population is a subnormal number, with which arithmetic
 /// is slow.
@@ -50,15 +61,28 @@ struct BenchScenes::Scene {
         populations(decomposition.block(communicator.rank()).size, precision),
         periodic_halo(communicator, decomposition, periodic),
         walled_halo(communicator, decomposition, walls),
-        swarm(swarm_scene(edge, communicator.size(), precision, bead_boundary), communicator) {
+        swarm(swarm_scene(edge, communicator.size(), precision, bead_boundary), communicator),
+        levels(two_levels(edge, communicator.size()), relaxation_time, precision, HaloContent::entering,
+               communicator) {
     yardstick.choose_layout(9, communicator);
     set_uniform_flow(populations);
+    for (int n = 0; n < levels.count(); ++n) set_uniform_flow(levels[n].populations);
   }
 
   void step(Halo* halo) {
     const RelaxationRates rates = relaxation_rates(relaxation_time);
     if (halo == nullptr) return stream_and_collide(populations, rates);
     step_fluid(populations, *halo, rates);
+  }
+  /// Makes one step of the coarse level and two of the fine one.
+  void step_levels() {
+    for (int n = 0; n < 2; ++n) levels.step(Vec3::Zero(), [](int, int) {});
+  }
+  /// Returns the cell updates of step_levels() on all ranks.
+  double updates_of_levels() const {
+    const double coarse = levels[0].place.lattice.size.cast<double>().prod(),
+                 fine = levels[1].place.lattice.size.cast<double>().prod();
+    return 2 * fine + coarse - fine / 8;
   }
 
   Precision precision;
@@ -67,18 +91,24 @@ struct BenchScenes::Scene {
   Populations populations;
   Halo periodic_halo, walled_halo;
   CoupledSystem swarm;
+  Levels levels;
 };
 
 BenchScenes::BenchScenes(int edge, const std::vector<Precision>& precisions, BeadScheme bead_boundary,
                          const Communicator& communicator) {
+  const double cells = std::pow(edge, 3) * communicator.size();
   for (const Precision precision : precisions) {
     Scene* scene =
         scenes_.emplace_back(std::make_unique<Scene>(edge, precision, bead_boundary, communicator)).get();
-    cases_.push_back({"stream-yardstick", precision, [scene] { scene->yardstick.sweep(); }});
-    cases_.push_back({"bare-sweep", precision, [scene] { scene->step(nullptr); }});
-    cases_.push_back({"periodic-step", precision, [scene] { scene->step(&scene->periodic_halo); }});
-    cases_.push_back({"wall-step", precision, [scene] { scene->step(&scene->walled_halo); }});
-    cases_.push_back({"coupled-swarm", precision, [scene] { scene->swarm.step(); }});
+    const auto add = [&](const std::string& name, double updates, const std::function<void()>& step) {
+      cases_.push_back({.name = name, .precision = precision, .step = step, .updates = updates});
+    };
+    add("stream-yardstick", cells, [scene] { scene->yardstick.sweep(); });
+    add("bare-sweep", cells, [scene] { scene->step(nullptr); });
+    add("periodic-step", cells, [scene] { scene->step(&scene->periodic_halo); });
+    add("wall-step", cells, [scene] { scene->step(&scene->walled_halo); });
+    add("levels-step", scene->updates_of_levels(), [scene] { scene->step_levels(); });
+    add("coupled-swarm", cells, [scene] { scene->swarm.step(); });
   }
 }
 
@@ -90,11 +120,13 @@ std::string BenchScenes::layout_name(Precision precision) const {
 }
 
 double BenchScenes::bytes(int edge, const std::vector<Precision>& precisions) {
-  constexpr double lattices = 3, bandwidth_arrays = 2;  // one lattice each for yardstick, fluid and swarm
+  // One lattice each for the yardstick, the fluid, the swarm and the fine level; the coarse level is smaller.
+  constexpr double lattices = 4, bandwidth_arrays = 2;
+  const double coarse_level = std::pow(edge / 2 + 2 * cells_around_level + 2, 3) / std::pow(edge + 2, 3);
   double bytes = bandwidth_arrays * sizeof(double) * Bandwidth::num_elements;
   for (const Precision precision : precisions) {
     const double bytes_per_number = static_cast<double>(bytes_per_population(precision));
-    bytes += (lattices * d3q19::directions * bytes_per_number + 1) * std::pow(edge + 2, 3);
+    bytes += ((lattices + coarse_level) * d3q19::directions * bytes_per_number + 1) * std::pow(edge + 2, 3);
   }
   return bytes;
 }
