@@ -121,6 +121,9 @@ check "the plan says what errors are" holds '.error_definition | test("^expected
 err_has "^error: $(jq -r .error_definition out | sed 's/[()]/./g')\$"
 check "levels of cells make lattices possible" holds '[.runs[] | select(.model == "lbm" and (.refused | not))] | length > 9
   and all(.flags | test(" --refine [1-5]$"))' out
+check "the cells of each level are listed, in the table too" \
+  holds '[.runs[] | select(.model == "lbm" and .refused == null)] | all((.flags | capture("--refine (?<n>.)").n | tonumber) + 1 == (.resolution.cells | length))' out
+err_has '^cells: --cells-per-radius [0-9.]+ --refine [1-5]: [0-9]+ [+] [0-9+ ]+, coarsest level first$'
 run beadswim-run large.json --plan --refine off
 check "lattices that do not fit are refused" holds '[.runs[] | select(.resolution.cells_per_radius == 8) | .refused] | all(test("GB per rank"))' out
 

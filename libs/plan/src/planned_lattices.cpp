@@ -128,7 +128,9 @@ PlannedRun lattice_run(const Layout& layout, const SceneFacts& facts, const Plan
   run.refused = reason_against([&] {
     request.require_choices_apply(settings);
     const SceneOnLattice on_lattice = put_on_lattice(layout, settings.lattice, source);
-    run.settings.lattice.refinement = static_cast<int>(on_lattice.scene.all_levels().size()) - 1;
+    for (const Block& level : on_lattice.scene.all_levels())
+      run.cells.push_back(level.size.cast<std::int64_t>().prod());
+    run.settings.lattice.refinement = static_cast<int>(run.cells.size()) - 1;
     // The call of substeps_for() throws if a type needs too many substeps.
     for (const SwimmerType& type : on_lattice.scene.types) substeps_for(type, 1);
     const long steps_per_cycle = on_lattice.lattice.steps_per_period;

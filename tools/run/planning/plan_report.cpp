@@ -1,11 +1,12 @@
 #include "planning/plan_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <regex>
+#include <set>
 
 #include "beadswim/io/fields_json.hpp"
 #include "planning/plan_flags.hpp"
@@ -60,6 +61,7 @@ Json json_of(const PlannedRun& run, const RunOptions& options, const Communicato
                           {"relaxation_time", *lattice.relaxation_time},
                           {"bead_boundary", lattice.bead_boundary},
                           {"precision", lattice.precision}};
+    if (!run.cells.empty()) json["resolution"]["cells"] = run.cells;
   }
   if (!run.refused.empty()) json["refused"] = run.refused;
   if (run.core_seconds > 0) {
@@ -70,6 +72,20 @@ Json json_of(const PlannedRun& run, const RunOptions& options, const Communicato
   }
   if (run.error.largest() > 0 && std::isfinite(run.error.largest())) json["error"] = run.error;
   return json;
+}
+
+/// Returns a line for each combination of resolution and number of levels, with the cells of each level.
+std::string cells_by_level(const std::vector<const PlannedRun*>& runs) {
+  std::string text;
+  std::set<std::string> listed;
+  for (const PlannedRun* run : runs) {
+    if (run->cells.size() < 2) continue;
+    const std::string line = fmt::format(
+        "cells: --cells-per-radius {:g} --refine {}: {}, coarsest level first\n",
+        *run->settings.lattice.cells_per_radius, run->cells.size() - 1, fmt::join(run->cells, " + "));
+    if (listed.insert(line).second) text += line;
+  }
+  return text;
 }
 
 /// Returns the text as one word of a shell command.
@@ -105,7 +121,7 @@ std::string plan_table(const RunPlan& plan, const RunOptions& options, const Com
   const PlannedRun* choice = plan.choice ? &plan.runs[*plan.choice] : nullptr;
   for (const PlannedRun* run : front)
     text += row(*run, options, communicator, run == choice ? "<- cheapest" : "");
-  text += fmt::format("error: {}\n", error_definition);
+  text += cells_by_level(front) + fmt::format("error: {}\n", error_definition);
   for (const auto& [kind, runs] : refused) {
     const std::string others = runs.size() > 1 ? fmt::format(", and {} similar runs", runs.size() - 1) : "";
     text +=

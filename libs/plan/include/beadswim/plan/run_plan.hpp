@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -45,7 +46,8 @@ struct PlannedRun {
   ErrorEstimate error;
   double core_seconds = 0;  ///< expected cost with the present number of ranks [core-seconds]
   double memory_bytes = 0;
-  double output_bytes = 0;  ///< disk space of trajectory, flow fields and checkpoints
+  double output_bytes = 0;            ///< disk space of trajectory, flow fields and checkpoints
+  std::vector<std::int64_t> cells{};  ///< cells of each level, coarsest first; empty without a lattice
 };
 
 /// Proposal to run a smaller scene, whose velocity and arm amplitudes differ from those of the layout by less
