@@ -55,7 +55,7 @@ for scene in lattice walls swarm periods open early restarted; do
   report "ParaView, beads of $scene" by_paraview pvbatch_beads.py $scene.h5md
 done
 report "numpy, flow" by_numpy lattice
-report "ParaView, flow" by_paraview pvbatch_flow.py lattice.h5md
+for scene in lattice levels; do report "ParaView, flow of $scene" by_paraview pvbatch_flow.py $scene.h5md; done
 report "python3-jsonschema" by_jsonschema
 report "Ajv" by_ajv
 report "valijson" timeout 300 by_valijson documents faults

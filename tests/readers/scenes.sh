@@ -20,6 +20,10 @@ beadswim-layout swimmer --preset paper-single --radius 2 --arm 9 --box 32,24,24 
   --period 100 --amplitude 0.02 --position 30,12,12 --axis 0.8,0.6,0 --frame initial-axis >walls.layout.json
 run walls "${lattice[@]}" --cycles 1
 
+# Resolved, with a level of small cells around the beads and flow fields of both levels.
+beadswim-layout swimmer --preset paper-single --box 240,160,160 --boundary free-slip --period 400 --amplitude 0.1 >levels.layout.json
+run levels "${lattice[@]}" --refine 1 --cycles 2 --flow-every 1
+
 # A swarm without a grid, its swimmers turned at random, some beyond the boundary.
 beadswim-layout swarm --preset paper-uniform --blocks 1,2,2 --block-swimmers 1,2,2 |
   beadswim-layout defect rotation - --sigma 0.3 --seed 3 |
