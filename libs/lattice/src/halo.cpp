@@ -6,6 +6,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
+#include "beadswim/lattice/lattice_vector.hpp"
 
 namespace beadswim {
 namespace {
@@ -137,10 +138,16 @@ void fill_free_slip(Populations& populations, PopulationKind kind, int axis, int
 }
 
 /// Bounces populations back at a no-slip wall, in the planes low_z <= z < high_z: the population that enters
-/// a cell along i left the same cell along the opposite direction. The halo is not read. At the edge between
-/// two walls, bounce-back overwrites the populations that other axes have set.
+/// a cell along i left the same cell along the opposite direction ibar. The halo is not read. At the edge
+/// between two walls, bounce-back overwrites the populations that other axes have set. A wall with velocity u
+/// adds momentum to the population:
+///
+///   f_i = f*_ibar + 6 w_i c_i.u
+///
+/// Ladd, J. Fluid Mech. 271 (1994) 285, with density 1 at the wall.
 template <class Real>
-void bounce_back_at_face(Populations& populations, int axis, int side, int low_z, int high_z) {
+void bounce_back_at_face(Populations& populations, int axis, int side, const Vec3& wall_velocity, int low_z,
+                         int high_z) {
   Index3 low(0, 0, low_z), high(populations.size()[0], populations.size()[1], high_z);
   low[axis] = std::max(low[axis], edge_plane(populations, axis, side));
   high[axis] = std::min(high[axis], edge_plane(populations, axis, side) + 1);
@@ -148,8 +155,13 @@ void bounce_back_at_face(Populations& populations, int axis, int side, int low_z
     for (int y = low[1]; y < high[1]; ++y) {
       for (const int i : directions_along(axis, entering_sign(side))) {
         const CellRun run{.first = populations.cell(low[0], y, z), .cells = high[0] - low[0], .next = 0};
-        copy_run(populations.outgoing_row<Real>(d3q19::opposite(i), run.first), run,
-                 populations.incoming_row<Real>(i, run.first));
+        const Real* from = populations.outgoing_row<Real>(d3q19::opposite(i), run.first);
+        Real* to = populations.incoming_row<Real>(i, run.first);
+        const auto added = static_cast<Real>(6 * d3q19::weight(i) * velocity_of(i).dot(wall_velocity));
+        if (added == 0)
+          copy_run(from, run, to);
+        else
+          std::transform(from, from + run.cells, to, [&](Real leaving) { return leaving + added; });
       }
     }
   }
@@ -312,7 +324,7 @@ void Halo::bounce_back_at_walls(Populations& populations, int low_z, int high_z)
   for (int axis = 0; axis < 3; ++axis) {
     for (int side = 0; side < 2; ++side) {
       if (at_wall(axis, side, Boundary::no_slip))
-        bounce_back_at_face<Real>(populations, axis, side, low_z, high_z);
+        bounce_back_at_face<Real>(populations, axis, side, faces_[axis][side].wall_velocity, low_z, high_z);
     }
   }
 }

@@ -16,7 +16,7 @@ namespace beadswim {
 /// Fills the halo of a block, its layer of ghost cells, before each time step. The populations come from
 /// neighbouring ranks, from the block itself (along a periodic axis that is not divided among ranks) or from
 /// the condition at a wall. A free-slip wall mirrors populations. A no-slip wall bounces them back, so that
-/// the velocity vanishes half a cell outside the last cell.
+/// the fluid has the velocity of the wall half a cell outside the last cell.
 ///
 /// The halo is filled axis by axis, in the order x, y, z. A halo plane perpendicular to one axis includes the
 /// halo cells of the preceding axes, so that edges and corners need no separate treatment. The bounce-back at
@@ -40,6 +40,10 @@ class Halo {
 
   Halo(const Halo&) = delete;
   Halo& operator=(const Halo&) = delete;
+
+  /// Sets the velocity of a no-slip wall, which is zero by default. `side`: 0 for the wall at the low end of
+  /// the axis, 1 for that at the high end; `velocity`: parallel to the wall, lattice units.
+  void move_wall(int axis, int side, const Vec3& velocity) { faces_[axis][side].wall_velocity = velocity; }
 
   /// Fills all halo cells except those that need a message from a neighbour along z. Sends the messages to
   /// the neighbours along z.
@@ -75,6 +79,7 @@ class Halo {
   struct Face {
     Boundary closed_by = Boundary::periodic;  ///< periodic: open to a neighbouring block
     bool at_interface = false;                ///< the face ends the lattice; beyond it is a coarser level
+    Vec3 wall_velocity = Vec3::Zero();        ///< of a no-slip wall
     int neighbour = MPI_PROC_NULL;            ///< rank of the block beyond the face; may be this rank
     std::vector<std::byte> send, receive;
 
