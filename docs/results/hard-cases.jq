@@ -1,5 +1,5 @@
 # Prints the table of docs/hard-cases.md from hard-cases.jsonl:  jq -rs -f hard-cases.jq hard-cases.jsonl
-def percent: if . == null then "" else . * 1000 | round / 10 | if . > 0 then "+\(.)" else "\(.)" end end;
+def percent: if . == null then "" else . * 1000 | round / 10 | if . > 0 then "+\(.)" elif . == 0 then "0" else "\(.)" end end;
 def over(other): if . == null or other == null or other == 0 then null else . / other - 1 end;
 def errors: .cycle as $c | .reference.cycle as $r
   | if $c == null or $r == null then (if $c == null then "no result" else "no reference" end)
@@ -19,6 +19,7 @@ def shown: {
   "bead density": "^(0.1, τ|100 times)",
   "contact at the start": "R/4, 4|e-05 R, 4",
   "driving": "^A = 1.2|A = 10$",
+  "levels of cells": "^τ = (0.52|4)$|5, mr$|20, T",
   "narrow box": "^1[02] wide, 4",
   "places": "diagonal, across",
   "relaxation time": "^τ = (0.52|4|6)$",

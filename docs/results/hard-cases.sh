@@ -200,7 +200,35 @@ turning_over() { # forces compress the swimmer for half a period, so it turns ov
   done
 }
 
+levels_of_cells() { # compared with cells of one size
+  refined() { # CASE FLAGS...
+    local name=$1
+    shift
+    reference_run "$@"
+    row "levels of cells" "$name" --refine 1 "$@"
+  }
+  swimmer --box 120,80,80
+  for tau in 0.52 0.6 1 2 4; do refined "τ = $tau" --cells-per-radius 2 --relaxation-time $tau; done
+  for tau in 0.505 0.51; do
+    refined "τ = $tau, psm" --cells-per-radius 2 --relaxation-time $tau --bead-boundary psm
+  done
+  for density in 0.1 100; do
+    swimmer --box 120,80,80 --bead-density $density
+    refined "$density times the fluid's" --cells-per-radius 2
+  done
+  swimmer --box 120,80,80 --amplitude 0.8
+  refined "A = 0.8" --cells-per-radius 2
+  swimmer --box 120,80,80 --stiffness 0.5 --amplitude 5
+  for scheme in mr staircase cli psm; do
+    refined "stiffness 0.5, A = 5, $scheme" --cells-per-radius 2 --bead-boundary $scheme
+  done
+  for amplitude in 10 15 20; do
+    swimmer --box 120,80,80 --period 200 --stiffness 2 --amplitude $amplitude
+    refined "A = $amplitude, T = 200" --cells-per-radius 4
+  done
+}
+
 groups=("$@")
 [ ${#groups[@]} -gt 0 ] ||
-  groups=(relaxation_time density springs collisions speed small_beads contact_at_start places narrow_box rest turning_over)
+  groups=(relaxation_time density springs collisions speed small_beads contact_at_start places narrow_box rest turning_over levels_of_cells)
 for group in "${groups[@]}"; do $group; done

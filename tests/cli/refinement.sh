@@ -87,4 +87,10 @@ run beadswim-run towards.json -o x.h5md --cells-per-radius 3 --relaxation-time 1
 has_status 3
 err_has 'too close to a coarser level of cells'
 
+# --- the page about levels
+
+results=$BEADSWIM_SOURCE/docs/results
+check "the page has the records' table" cmp -s <(jq -rs -f "$results/refinement.jq" "$results/refinement.jsonl") \
+  <(sed -n '/^<!-- from refinement.jsonl -->$/,/^$/p' "$BEADSWIM_SOURCE/docs/refinement.md" | sed '1d;$d')
+
 finish

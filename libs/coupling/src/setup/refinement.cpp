@@ -113,7 +113,7 @@ double updates_per_step(const std::vector<Block>& levels) {
 }
 
 double cost_per_step(const std::vector<Block>& levels) {
-  constexpr double cost_of_outer_cell = 10;  // exchange; measured for levels of 64^3 cells
+  constexpr double cost_of_outer_cell = 6;  // exchange; measured for levels of 64^3 cells
   const double exchange = mean_per_step(levels, [&](std::size_t n) {
     const double outer_cells = volume(levels[n]) - (levels[n].size - 2).cast<double>().prod();
     return n == 0 ? 0 : cost_of_outer_cell * outer_cells;
