@@ -406,21 +406,21 @@ class LevelInterface::Search {
 
 namespace {
 
-/// Copies outgoing populations of all rows.
+/// Copies outgoing populations of all planes.
 void read(const Populations& populations, const PopulationsByRow& list, double* to) {
   in_precision(populations.precision(), [&]<class Real>() {
-    list.for_each_row([&](int y, int z) {
-      list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
+    for (int z = 0; z < list.planes(); ++z) {
+      list.for_each_run(z, [&](const PopulationsByRow::Run& run, int y, int index) {
         const Real* from = populations.outgoing_row<Real>(run.direction, populations.cell(run.x, y, z));
         for (int n = 0; n < run.cells; ++n) to[index + n] = static_cast<double>(from[n]);
       });
-    });
+    }
   });
 }
-/// Copies populations of a row that the present step has swept. They are outgoing after the step.
-void read_swept_row(Populations& populations, const PopulationsByRow& list, int y, int z, double* to) {
+/// Copies populations of a plane that the present step has swept. They are outgoing after the step.
+void read_swept_plane(Populations& populations, const PopulationsByRow& list, int z, double* to) {
   in_precision(populations.precision(), [&]<class Real>() {
-    list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
+    list.for_each_run(z, [&](const PopulationsByRow::Run& run, int y, int index) {
       const Real* from = populations.next_outgoing_row<Real>(run.direction, populations.cell(run.x, y, z));
       for (int n = 0; n < run.cells; ++n) to[index + n] = static_cast<double>(from[n]);
     });
@@ -430,12 +430,10 @@ void read_swept_row(Populations& populations, const PopulationsByRow& list, int 
 template <class Set>
 void set_plane(Populations& populations, const PopulationsByRow& list, int z, Set&& set) {
   in_precision(populations.precision(), [&]<class Real>() {
-    for (int y = 0; y < populations.size()[1]; ++y) {
-      list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
-        Real* to = populations.incoming_row<Real>(run.direction, populations.cell(run.x, y, z));
-        for (int n = 0; n < run.cells; ++n) set(to[n], index + n);
-      });
-    }
+    list.for_each_run(z, [&](const PopulationsByRow::Run& run, int y, int index) {
+      Real* to = populations.incoming_row<Real>(run.direction, populations.cell(run.x, y, z));
+      for (int n = 0; n < run.cells; ++n) set(to[n], index + n);
+    });
   });
 }
 
@@ -444,6 +442,10 @@ void evaluate(const std::vector<EntryRun>& runs, const std::vector<Vec3>& offset
               const std::vector<CoarsePopulation>& populations, double* to) {
   for (const EntryRun& run : runs) {
     const CoarsePopulation* from = &populations[run.from];
+    if (run.cells == 1) {
+      *to++ = from->at(offsets[run.offsets[0]]);
+      continue;
+    }
     int n = 0;
     if (run.in_first == 1) to[n++] = (from++)->at(offsets[run.offsets[0]]);
     const Vec3 one = offsets[run.offsets[n % 2]], other = offsets[run.offsets[(n + 1) % 2]];
@@ -510,8 +512,8 @@ void LevelInterface::set_fine_plane(Populations& fine, int z) const {
   });
 }
 
-void LevelInterface::read_fine_row(Populations& fine, int y, int z) {
-  read_swept_row(fine, lists_->departures, y, z, lists_->from_fine[1 - lists_->half].data());
+void LevelInterface::read_fine_plane(Populations& fine, int z) {
+  read_swept_plane(fine, lists_->departures, z, lists_->from_fine[1 - lists_->half].data());
 }
 
 bool LevelInterface::end_fine_step() {
@@ -528,22 +530,22 @@ void LevelInterface::set_coarse_plane(Populations& coarse, int z) const {
   });
 }
 
-void LevelInterface::read_coarse_row(Populations& coarse, int y, int z) {
-  read_swept_row(coarse, lists_->sent_by_coarse, y, z, lists_->from_coarse.data());
+void LevelInterface::read_coarse_plane(Populations& coarse, int z) {
+  read_swept_plane(coarse, lists_->sent_by_coarse, z, lists_->from_coarse.data());
 }
 
 FluidTotals LevelInterface::in_transit() const {
   FluidTotals totals;
   if (lists_->half == 0) return totals;
   const auto add = [&](const PopulationsByRow& list, const double* values, int sign) {
-    list.for_each_row([&](int y, int z) {
-      list.for_each_run(y, z, [&](const PopulationsByRow::Run& run, int index) {
+    for (int z = 0; z < list.planes(); ++z) {
+      list.for_each_run(z, [&](const PopulationsByRow::Run& run, int, int index) {
         for (int n = 0; n < run.cells; ++n) {
           const double population = sign * values[index + n];
           totals.add({.density_deviation = population, .momentum = population * velocity_of(run.direction)});
         }
       });
-    });
+    }
   };
   add(lists_->departures, lists_->from_fine[0].data(), 1);
   add(lists_->entries, lists_->entering.data(), -1);

@@ -39,21 +39,21 @@ class PopulationsByRow {
     }
   }
 
-  /// Calls visit(run, index of its first population in the list) for all runs of a row.
+  /// Calls visit(run, y, index of its first population in the list) for all runs of a plane of constant z.
+  /// Visits equal runs of successive rows one after another, because their addresses are then foreseeable.
   template <class Visit>
-  void for_each_run(int y, int z, Visit&& visit) const {
-    const Row& of_row = rows_[y + rows_in_plane_ * z];
-    int index = of_row.first;
-    for (const Run& run : patterns_[of_row.pattern]) {
-      visit(run, index);
-      index += run.cells;
+  void for_each_run(int z, Visit&& visit) const {
+    const Row* rows = rows_.data() + rows_in_plane_ * z;
+    for (int y = 0, end = 0; y < rows_in_plane_; y = end) {
+      while (end < rows_in_plane_ && rows[end].pattern == rows[y].pattern) ++end;
+      int offset = 0;  // of the run in its row
+      for (const Run& run : patterns_[rows[y].pattern]) {
+        for (int at = y; at < end; ++at) visit(run, at, rows[at].first + offset);
+        offset += run.cells;
+      }
     }
   }
-  /// Calls visit(y, z) for all rows.
-  template <class Visit>
-  void for_each_row(Visit&& visit) const {
-    for (int n = 0; n < static_cast<int>(rows_.size()); ++n) visit(n % rows_in_plane_, n / rows_in_plane_);
-  }
+  int planes() const { return static_cast<int>(rows_.size()) / rows_in_plane_; }
 
  private:
   using Pattern = std::vector<Run>;

@@ -29,11 +29,12 @@ constexpr int first_outer_plane(int planes) {
 /// row by row. Calls before_row(y, z) before it sweeps the row (y, z). At this call, the halo cells that the
 /// row reads are filled. before_row must apply the boundary condition on the links of this row (links end at
 /// a bead) that have not been processed yet: links within the row, and links between the row and rows that
-/// have not been swept. Calls after_row(y, z) after it has swept the row. body_force: momentum that each cell
-/// gains in this step (body_force.hpp). `skipped`: cells that the step leaves as they are (BlockSweep).
-template <class BeforeRow, class AfterRow>
+/// have not been swept. Calls after_plane(z) after it has swept all rows of a plane. body_force: momentum
+/// that each cell gains in this step (body_force.hpp). `skipped`: cells that the step leaves as they are
+/// (BlockSweep).
+template <class BeforeRow, class AfterPlane>
 void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, const Vec3& body_force,
-                BeforeRow&& before_row, AfterRow&& after_row, std::span<const Block> skipped = {}) {
+                BeforeRow&& before_row, AfterPlane&& after_plane, std::span<const Block> skipped = {}) {
   halo.start(populations);
   BlockSweep sweep(populations, rates, halo.row_ends(), body_force, skipped);
   const int rows = populations.size()[1], planes = populations.size()[2];
@@ -44,8 +45,8 @@ void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rat
     for (int y = 0; y < rows; ++y) {
       before_row(y, z);
       sweep.row(y, z);
-      after_row(y, z);
     }
+    after_plane(z);
   }
   sweep.finish();
 }
@@ -53,7 +54,7 @@ void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rat
 inline void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates,
                        const Vec3& body_force = Vec3::Zero()) {
   step_fluid(
-      populations, halo, rates, body_force, [](int, int) {}, [](int, int) {});
+      populations, halo, rates, body_force, [](int, int) {}, [](int) {});
 }
 
 }  // namespace beadswim

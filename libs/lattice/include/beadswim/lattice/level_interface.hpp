@@ -38,9 +38,9 @@ constexpr int min_cells_around_level = 3;
 
 /// Exchanges populations between a coarse and a fine level. In each coarse step call, in this order:
 ///
-///   for both fine steps: begin_fine_step(); set_fine_plane() before each plane of constant z is swept;
-///   read_fine_row() after each row is swept; end_fine_step();
-///   then set_coarse_plane() and read_coarse_row(), likewise, for the coarse level.
+///   for both fine steps: begin_fine_step(); set_fine_plane() before and read_fine_plane() after each plane
+///   of constant z is swept; end_fine_step();
+///   then set_coarse_plane() and read_coarse_plane(), likewise, for the coarse level.
 ///
 /// Populations are read right after the sweep, while they are in the cache. They are set for whole planes,
 /// because the sweep of a row is slowed down by numbers that have just been stored in its lines of the cache.
@@ -61,8 +61,8 @@ class LevelInterface {
   /// Sets the incoming populations of plane z of the fine level's block that come from the coarse level.
   void set_fine_plane(Populations& fine, int z) const;
 
-  /// Reads the populations of row (y, z) of the fine level's block that leave it in the next fine step.
-  void read_fine_row(Populations& fine, int y, int z);
+  /// Reads the populations of plane z of the fine level's block that leave it in the next fine step.
+  void read_fine_plane(Populations& fine, int z);
 
   /// Ends a fine step. Returns true if it was the second one, so that the coarse step is due.
   bool end_fine_step();
@@ -70,9 +70,9 @@ class LevelInterface {
   /// Sets the incoming populations of plane z of the coarse level's block that come from the fine level.
   void set_coarse_plane(Populations& coarse, int z) const;
 
-  /// Reads the populations of row (y, z) of the coarse level's block that enter the fine level in the next
+  /// Reads the populations of plane z of the coarse level's block that enter the fine level in the next
   /// coarse step.
-  void read_coarse_row(Populations& coarse, int y, int z);
+  void read_coarse_plane(Populations& coarse, int z);
 
   /// Returns mass and momentum that have left the fine level in the present coarse step, minus those that
   /// have entered it. The coarse level does not count them yet [fine cell].

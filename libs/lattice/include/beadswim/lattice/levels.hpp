@@ -91,9 +91,9 @@ class Levels {
           if (y == 0 && to_finer) to_finer->set_coarse_plane(level.populations, z);
           before_row(y, z);
         },
-        [&](int y, int z) {
-          if (to_coarser) to_coarser->read_fine_row(level.populations, y, z);
-          if (to_finer) to_finer->read_coarse_row(level.populations, y, z);
+        [&](int z) {
+          if (to_coarser) to_coarser->read_fine_plane(level.populations, z);
+          if (to_finer) to_finer->read_coarse_plane(level.populations, z);
         },
         level.refined);
     impulses_[n] = Vec3::Zero();
