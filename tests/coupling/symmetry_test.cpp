@@ -108,6 +108,42 @@ TEST(Walls, StopABeadThatTouchesThem) {
   EXPECT_EQ(system.fault()->bead.bead, 2);
 }
 
+// A free sphere between walls that move in opposite directions turns at half the rate of shear and moves with
+// the fluid at its place. Finite size and walls change this by some (R/h)^3 = 0.5 %. Catches a wall that
+// moves at a wrong velocity, and a torque of the wrong sign.
+TEST(Walls, InTheirShearASphereTurnsAtHalfTheRate) {
+  const Communicator self(MPI_COMM_SELF);
+  constexpr int height = 36, length = 24;
+  constexpr double speed = 0.01, rate = 2 * speed / height, middle = 16.3;
+  for (const BeadScheme scheme : {BeadScheme::mr, BeadScheme::psm}) {
+    for (int across = 0; across < 3; ++across) {
+      const int along = (across + 1) % 3;
+      Vec3 place = Vec3::Constant(12.2);
+      place[across] = middle;
+      Index3 cells = Index3::Constant(length);
+      cells[across] = height;
+      CoupledScene scene = small_swimmer(cells, place, Vec3::UnitX());
+      scene.bead_boundary = scheme;
+      scene.boundary[across] = Boundary::no_slip;
+      scene.walls[across].lower[along] = -speed;
+      scene.walls[across].upper[along] = speed;
+      SwimmerType sphere;
+      sphere.beads = {scene.types[0].beads[1]};
+      sphere.beads[0].radius = 3;
+      sphere.beads[0].at.setZero();
+      sphere.driving.period = 100;
+      scene.types = {sphere};
+      CoupledSystem system(scene, self);
+      advance(system, 3000);  // the flow becomes steady within height^2/(pi^2 viscosity) = 560 steps
+      const BeadMotion& motion = system.owned_swimmers()[0].motion[0];
+      const Vec3 spin = 0.5 * rate * Vec3::Unit(across).cross(Vec3::Unit(along)),
+                 velocity = rate * (middle - height / 2.0) * Vec3::Unit(along);
+      EXPECT_LT((motion.angular_velocity - spin).norm(), 0.02 * spin.norm()) << to_text(scheme) << across;
+      EXPECT_LT((motion.velocity - velocity).norm(), 0.02 * velocity.norm()) << to_text(scheme) << across;
+    }
+  }
+}
+
 // Catches a spurious force from coverage alone, off the centres of cells.
 TEST(Swimmer, StaysAtRestUndriven) {
   const Communicator self(MPI_COMM_SELF);

@@ -156,8 +156,9 @@ RefinedFluid::Error couette_error(const Index3& cells, const Block& refined, int
   boundary[across] = Boundary::no_slip;
   RefinedFluid fluid(cells, {refined}, 1.0, boundary);
   const Vec3 velocity = speed * unit_vector(along).cast<double>().matrix();
-  fluid.levels[0].halo.move_wall(across, 0, -velocity);
-  fluid.levels[0].halo.move_wall(across, 1, velocity);
+  std::array<WallVelocities, 3> walls;
+  walls[across] = {.lower = -velocity, .upper = velocity};
+  fluid.levels.move_walls(walls);
   const int n = cells[across];
   const auto profile = [&](const Vec3& place) { return Vec3((2 * place[across] / n - 1) * velocity); };
   fluid.set([&](const Vec3& place) { return CellMoments{0, profile(place)}; });

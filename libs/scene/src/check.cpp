@@ -316,6 +316,21 @@ void check_positions(const Layout& layout, Faults& faults) {
   }
 }
 
+/// Reports walls that do not move along themselves.
+void check_wall_velocities(const Box& domain, Faults& faults) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto check = [&](const Vec3& velocity, const char* key) {
+      if (velocity[axis] == 0) return;
+      faults.push_back({fmt::format("/domain/boundary/{}/no-slip/{}", axis, key),
+                        fmt::format("the velocity {} has a component across the wall, along {}; walls move "
+                                    "along themselves: set this component to 0",
+                                    in_words(velocity), "xyz"[axis])});
+    };
+    check(domain.walls[axis].lower, "lower_velocity");
+    check(domain.walls[axis].upper, "upper_velocity");
+  }
+}
+
 void check_walls(const Box& domain, const std::vector<PlacedBead>& beads, Faults& faults) {
   constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
   for (const PlacedBead& bead : beads) {
@@ -372,6 +387,7 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   check_type_names(layout, faults);
   check_ids(layout.swimmers, faults);
   check_axes(layout.swimmers, faults);
+  if (layout.domain) check_wall_velocities(*layout.domain, faults);
   if (layout.domain) check_positions(layout, faults);
   if (!faults.empty()) return faults;
 

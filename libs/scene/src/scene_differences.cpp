@@ -174,6 +174,14 @@ PropertyValue domain_value(const std::optional<Box>& domain) {
     boundaries.push_back(to_text(boundary));
   }
   value.text += fmt::format(", {}", fmt::join(boundaries, ", "));
+  for (int a = 0; a < 3; ++a) {
+    const WallVelocities& walls = domain->walls[a];
+    for (const Vec3& velocity : {walls.lower, walls.upper})
+      value.numbers.insert(value.numbers.end(), velocity.begin(), velocity.end());
+    if (walls.move())
+      value.text += fmt::format(", walls across {} with velocities ({}) and ({})", "xyz"[a],
+                                fmt::join(walls.lower, ", "), fmt::join(walls.upper, ", "));
+  }
   return value;
 }
 

@@ -1,6 +1,7 @@
 #include "beadswim/documents/layout_document.hpp"
 
 #include "absent_features.hpp"
+#include "beadswim/io/box_json.hpp"
 #include "beadswim/io/document_fault.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"

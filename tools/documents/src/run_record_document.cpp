@@ -4,6 +4,7 @@
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
+#include "beadswim/io/box_json.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/io/schema.hpp"
 #include "units_json.hpp"

@@ -105,6 +105,20 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
   return cells;
 }
 
+/// Throws InputError if a wall moves so fast that the fluid is compressed.
+void require_slow_walls(const std::array<WallVelocities, 3>& walls, const std::string& source) {
+  constexpr double max_speed = 0.1;  // [cell/step]; the relative error of the flow is of order 3 speed^2
+  for (int a = 0; a < 3; ++a) {
+    const double speed = std::max(walls[a].lower.norm(), walls[a].upper.norm());
+    if (speed <= max_speed) continue;
+    throw InputError(
+        fmt::format("{}:/domain/boundary/{}", source, a),
+        fmt::format("a wall moves by {:.3g} cells in a time step, but only {} are permitted; use a "
+                    "smaller {} or more {}, or a slower wall",
+                    speed, max_speed, Setting::relaxation_time, Setting::cells_per_radius));
+  }
+}
+
 /// Returns the delay of the force of the fluid on a bead as a phase [rad] of a motion with the period
 /// `period` [step].
 double phase_of_delay(const LatticeChoice& lattice, double period) {
@@ -228,6 +242,8 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
     result.lattice = lattice_for(layout, result.resolution, result.period, 1L << (scene.levels.size() - 1));
     add_swimmers(scene, layout, result.lattice, settings.delay_correction);
   }
+  for (int a = 0; a < 3; ++a) scene.walls[a] = layout.domain->walls[a] / scales.velocity();
+  require_slow_walls(scene.walls, source);
   require_viscosity(settings.bead_boundary, result.lattice.relaxation_time);
   require_slip(settings.bead_boundary, result.lattice.relaxation_time);
   scene.relaxation_time = result.lattice.relaxation_time;

@@ -67,6 +67,12 @@ Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Pr
   impulses_.assign(count, Vec3::Zero());
 }
 
+void Levels::move_walls(const std::array<WallVelocities, 3>& walls) {
+  for (const auto& level : levels_) {
+    for (int axis = 0; axis < 3; ++axis) level->halo.move_walls(axis, walls[axis]);
+  }
+}
+
 std::vector<FluidTotals> Levels::coarser_totals() const {
   std::vector<FluidTotals> totals;
   for (int n = 0; n + 1 < count(); ++n) {

@@ -17,27 +17,38 @@ namespace beadswim {
 enum class Boundary {
   periodic,
   free_slip,  ///< wall without normal flow and without shear stress; it acts as a mirror
-  no_slip,    ///< wall at which the fluid is at rest
+  no_slip,    ///< wall at which the fluid has the velocity of the wall
 };
 
 template <>
 inline constexpr auto name_table<Boundary> = std::to_array<NamedValue<Boundary>>(
     {{Boundary::periodic, "periodic"}, {Boundary::free_slip, "free-slip"}, {Boundary::no_slip, "no-slip"}});
 
+/// Velocities of the no-slip walls at both ends of an axis, parallel to the walls [length/time].
+struct WallVelocities {
+  Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
+
+  bool move() const { return !lower.isZero(0) || !upper.isZero(0); }
+  WallVelocities operator/(double scale) const { return {.lower = lower / scale, .upper = upper / scale}; }
+
+  bool operator==(const WallVelocities&) const = default;
+
+  static void visit_fields(auto&& visit, auto& walls) {
+    visit("lower_velocity", walls.lower);
+    visit("upper_velocity", walls.upper);
+  }
+};
+
 /// A rectangular box from the origin to `lengths`.
 struct Box {
-  Vec3 lengths = Vec3::Zero();         ///< edge lengths along x, y, z [length]
-  std::array<Boundary, 3> boundary{};  ///< boundary condition of each axis
+  Vec3 lengths = Vec3::Zero();            ///< edge lengths along x, y, z [length]
+  std::array<Boundary, 3> boundary{};     ///< boundary condition of each axis
+  std::array<WallVelocities, 3> walls{};  ///< zero along axes without no-slip walls
 
   bool is_periodic(int axis) const { return boundary[axis] == Boundary::periodic; }
   bool has_mirrors(int axis) const { return boundary[axis] == Boundary::free_slip; }
 
   bool operator==(const Box&) const = default;
-
-  static void visit_fields(auto&& visit, auto& box) {
-    visit("lengths", box.lengths);
-    visit("boundary", box.boundary);
-  }
 };
 
 /// Returns, for each periodic axis, the number of the periodic copy of the box that contains the position:

@@ -41,9 +41,12 @@ class Halo {
   Halo(const Halo&) = delete;
   Halo& operator=(const Halo&) = delete;
 
-  /// Sets the velocity of a no-slip wall, which is zero by default. `side`: 0 for the wall at the low end of
-  /// the axis, 1 for that at the high end; `velocity`: parallel to the wall, lattice units.
-  void move_wall(int axis, int side, const Vec3& velocity) { faces_[axis][side].wall_velocity = velocity; }
+  /// Sets the velocities of the no-slip walls at the ends of an axis, which are zero by default (lattice
+  /// units).
+  void move_walls(int axis, const WallVelocities& walls) {
+    faces_[axis][0].wall_velocity = walls.lower;
+    faces_[axis][1].wall_velocity = walls.upper;
+  }
 
   /// Fills all halo cells except those that need a message from a neighbour along z. Sends the messages to
   /// the neighbours along z.

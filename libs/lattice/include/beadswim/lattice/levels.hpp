@@ -35,6 +35,10 @@ class Levels {
   Levels(const std::vector<LevelPlace>& places, double relaxation_time, Precision precision,
          HaloContent content, const Communicator& communicator);
 
+  /// Sets the velocities of the no-slip walls at the ends of each axis, which are zero by default (lattice
+  /// units).
+  void move_walls(const std::array<WallVelocities, 3>& walls);
+
   int count() const { return static_cast<int>(levels_.size()); }
   Level& operator[](int n) { return *levels_[n]; }  ///< 0: the coarsest
   const Level& operator[](int n) const { return *levels_[n]; }

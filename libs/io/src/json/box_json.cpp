@@ -1,0 +1,30 @@
+#include "beadswim/io/box_json.hpp"
+
+#include "beadswim/io/fields_json.hpp"
+
+namespace beadswim {
+
+void to_json(Json& json, const Box& box) {
+  Json boundary = Json::array();
+  for (int a = 0; a < 3; ++a) {
+    const std::string name = to_text(box.boundary[a]);
+    boundary.push_back(box.walls[a].move() ? Json{{name, box.walls[a]}} : Json(name));
+  }
+  json = {{"lengths", box.lengths}, {"boundary", boundary}};
+}
+
+void from_json(const Json& json, Box& box) {
+  json.at("lengths").get_to(box.lengths);
+  for (int a = 0; a < 3; ++a) {
+    const Json& boundary = json.at("boundary").at(a);
+    box.walls[a] = {};
+    if (boundary.is_object()) {
+      box.boundary[a] = Boundary::no_slip;
+      boundary.at(to_text(Boundary::no_slip)).get_to(box.walls[a]);
+    } else {
+      boundary.get_to(box.boundary[a]);
+    }
+  }
+}
+
+}  // namespace beadswim

@@ -1,0 +1,52 @@
+#!/bin/bash
+# Tests no-slip walls that move: flow between them, and the input that is refused.
+source "$(dirname "$0")/harness.sh"
+
+# A free sphere between walls, of which the upper one moves along x and y.
+beadswim-layout shape sphere --radius 3 --force 0 --amplitude 0 --direction 1,0,0 --period 500 --viscosity 0.33333333 --density 1 \
+  --units lattice --box 24,24,30 --boundary periodic,periodic,no-slip --position 12,12,20 >at_rest.json
+moving() { # LOWER UPPER OUTPUT
+  jq --argjson lower "$1" --argjson upper "$2" \
+    '.domain.boundary[2] = {"no-slip": {lower_velocity: $lower, upper_velocity: $upper}}' at_rest.json >"$3"
+}
+moving '[0,0,0]' '[0.01,-0.006,0]' walls.json
+settings=(--cells-per-radius 3 --relaxation-time 1.5 --progress none --no-provenance)
+
+# --- the fluid moves with the walls; the sphere moves with the fluid
+accepts beadswim-layout check walls.json
+run beadswim-run walls.json -o one.h5md "${settings[@]}" --cycles 6
+has_status 0
+mv out one.json
+check 'the sphere does not move at 2/3 of the velocity of the wall' \
+  holds '.swimmers[0].cycles[-1].velocity | (.[0] / (0.01 * 2 / 3) - 1 | fabs) < 0.03 and (.[1] / .[0] + 0.6 | fabs) < 1e-4 and (.[2] | fabs) < 1e-4' one.json
+check 'the mean velocity of the fluid is not half of that of the wall' \
+  holds '.swimmers[0].cycles[-1].mean_flow | (.[0] / 0.005 - 1 | fabs) < 0.03' one.json
+check 'the record lacks the walls' holds '.domain.boundary[2]["no-slip"].upper_velocity == [0.01, -0.006, 0]' one.json
+
+# --- the same bits on three ranks and across a restart
+run mpirun -n 3 beadswim-run walls.json -o three.h5md "${settings[@]}" --cycles 3 --checkpoint-every 1 --time-limit 1e-6
+has_status 4
+run mpirun -n 3 beadswim-run --restart three.h5md -o three-on.h5md --cycles 6 --progress none --no-provenance
+has_status 0
+check 'one rank and three ranks with a restart give other states' \
+  test "$(jq .state_sha256 one.json)" = "$(jq .state_sha256 out)"
+
+# --- filters keep the walls; other walls are another scene
+beadswim-layout defect jitter walls.json --sigma 0.5 --seed 1 >jittered.json
+check 'a filter loses the velocity of walls' holds '.domain.boundary[2]["no-slip"].upper_velocity[1] == -0.006' jittered.json
+
+# --- refused
+moving '[0,0,0]' '[0.01,0,0.001]' bad.json
+refuses 'bad.json:/domain/boundary/2/no-slip/upper_velocity: the velocity \(0.01, 0, 0.001\) has a component across the wall, along z; walls move along themselves: set this component to 0' \
+  beadswim-layout check bad.json
+jq '.domain.boundary[2]["no-slip"] |= del(.upper_velocity)' walls.json >bad.json
+refuses 'the object lacks the key "upper_velocity"' beadswim-layout check bad.json
+jq '.domain.boundary[2] = {"free-slip": .domain.boundary[2]["no-slip"]}' walls.json >bad.json
+refuses 'free-slip: unknown key. Keys allowed here: no-slip' beadswim-layout check bad.json
+moving '[0.2,0,0]' '[0,0,0]' bad.json
+refuses 'bad.json:/domain/boundary/2: a wall moves by 0.2 cells in a time step, but only 0.1 are permitted; use a smaller --relaxation-time or more --cells-per-radius' \
+  beadswim-run bad.json -o x.h5md --cells-per-radius 3 --relaxation-time 1.5
+refuses 'boundary/2: the boundary is no-slip, but mobility models lack such walls' beadswim-run walls.json -o x.h5md --model rpy
+check 'a run that was refused leaves files' test ! -e x.h5md
+
+finish
