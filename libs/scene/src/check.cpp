@@ -331,6 +331,24 @@ void check_wall_velocities(const Box& domain, Faults& faults) {
   }
 }
 
+/// Reports a body force that no wall balances, or that acts on a wall.
+void check_body_force(const Layout& layout, Faults& faults) {
+  if (layout.body_force.isZero(0)) return;
+  if (!layout.domain || std::ranges::count(layout.domain->boundary, Boundary::no_slip) == 0) {
+    faults.push_back({"/body_force",
+                      "there are no no-slip walls, so that the body force would accelerate the fluid without "
+                      "end; give an axis the boundary no-slip, or remove the key"});
+    return;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (layout.body_force[axis] == 0 || layout.domain->is_periodic(axis)) continue;
+    faults.push_back({fmt::format("/body_force/{}", axis),
+                      fmt::format("the fluid cannot flow along {}, because walls close this axis; set this "
+                                  "component to 0",
+                                  "xyz"[axis])});
+  }
+}
+
 void check_walls(const Box& domain, const std::vector<PlacedBead>& beads, Faults& faults) {
   constexpr std::array<char, 3> axis_names{'x', 'y', 'z'};
   for (const PlacedBead& bead : beads) {
@@ -388,6 +406,7 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   check_ids(layout.swimmers, faults);
   check_axes(layout.swimmers, faults);
   if (layout.domain) check_wall_velocities(*layout.domain, faults);
+  check_body_force(layout, faults);
   if (layout.domain) check_positions(layout, faults);
   if (!faults.empty()) return faults;
 

@@ -197,6 +197,7 @@ SceneProperties common_properties(const Layout& layout) {
   for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
   return {{SceneProperty::fluid, fluid_value(layout.fluid)},
           {SceneProperty::domain, domain_value(layout.domain)},
+          {SceneProperty::body_force, numbers_value({layout.body_force.begin(), layout.body_force.end()})},
           {SceneProperty::swimmers, swimmers_value(ids)}};
 }
 

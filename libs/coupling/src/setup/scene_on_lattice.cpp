@@ -105,18 +105,39 @@ Index3 whole_cells(const Vec3& lengths, double cell, const std::string& source) 
   return cells;
 }
 
+/// Largest permitted speed of walls and of the flow that a body force drives [cell/step]. The relative error
+/// of the flow is of order 3 speed^2.
+constexpr double max_flow_speed = 0.1;
+
 /// Throws InputError if a wall moves so fast that the fluid is compressed.
 void require_slow_walls(const std::array<WallVelocities, 3>& walls, const std::string& source) {
-  constexpr double max_speed = 0.1;  // [cell/step]; the relative error of the flow is of order 3 speed^2
   for (int a = 0; a < 3; ++a) {
     const double speed = std::max(walls[a].lower.norm(), walls[a].upper.norm());
-    if (speed <= max_speed) continue;
+    if (speed <= max_flow_speed) continue;
     throw InputError(
         fmt::format("{}:/domain/boundary/{}", source, a),
         fmt::format("a wall moves by {:.3g} cells in a time step, but only {} are permitted; use a "
                     "smaller {} or more {}, or a slower wall",
-                    speed, max_speed, Setting::relaxation_time, Setting::cells_per_radius));
+                    speed, max_flow_speed, Setting::relaxation_time, Setting::cells_per_radius));
   }
+}
+
+/// Throws InputError if the body force drives a flow that is so fast that the fluid is compressed. The flow
+/// between the two nearest no-slip walls is not faster than plane Poiseuille flow, g h^2/(8 nu).
+void require_slow_flow(const CoupledScene& scene, double relaxation_time, const std::string& source) {
+  double height = std::numeric_limits<double>::infinity();
+  for (int a = 0; a < 3; ++a)
+    if (scene.boundary[a] == Boundary::no_slip)
+      height = std::min(height, static_cast<double>(scene.cells[a]));
+  const double force = scene.body_force.norm();
+  if (force == 0) return;
+  const double speed = force * height * height / (8 * lattice_viscosity(relaxation_time));
+  if (speed <= max_flow_speed) return;
+  throw InputError(
+      source + ":/body_force",
+      fmt::format("the fluid would move by {:.3g} cells in a time step, but only {} are permitted; "
+                  "use a smaller {} or more {}, or a smaller body force",
+                  speed, max_flow_speed, Setting::relaxation_time, Setting::cells_per_radius));
 }
 
 /// Returns the delay of the force of the fluid on a bead as a phase [rad] of a motion with the period
@@ -244,6 +265,8 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   }
   for (int a = 0; a < 3; ++a) scene.walls[a] = layout.domain->walls[a] / scales.velocity();
   require_slow_walls(scene.walls, source);
+  scene.body_force = layout.body_force / scales.body_force();
+  require_slow_flow(scene, result.lattice.relaxation_time, source);
   require_viscosity(settings.bead_boundary, result.lattice.relaxation_time);
   require_slip(settings.bead_boundary, result.lattice.relaxation_time);
   scene.relaxation_time = result.lattice.relaxation_time;

@@ -4,12 +4,12 @@
 #include <optional>
 #include <span>
 
-#include "beadswim/swimmers/near_contact.hpp"
 #include "beadswim/coupling/bead_on_lattice.hpp"
 #include "beadswim/coupling/coverage.hpp"
 #include "beadswim/coupling/fault.hpp"
 #include "beadswim/coupling/scene.hpp"
 #include "beadswim/coupling/swimmer_state.hpp"
+#include "beadswim/swimmers/near_contact.hpp"
 
 // Loop over pairs of close beads, including periodic images, on the block of one rank. The equations for one
 // pair are in swimmers/near_contact.hpp.

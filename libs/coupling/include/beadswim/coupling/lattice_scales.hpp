@@ -18,6 +18,7 @@ struct LatticeScales {
   double mass() const { return density * cell * cell * cell; }
   double momentum() const { return mass() * velocity(); }
   double force() const { return momentum() / step; }
+  double body_force() const { return force() / (cell * cell * cell); }
   double stiffness() const { return mass() / (step * step); }
   double damping() const { return mass() / step; }
   double energy() const { return mass() * velocity() * velocity(); }

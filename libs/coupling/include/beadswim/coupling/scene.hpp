@@ -22,6 +22,7 @@ struct CoupledScene : Swarm {
   Index3 cells = Index3::Zero();  ///< cells of the box, if all cells are as small as those at the beads
   std::array<Boundary, 3> boundary{};
   std::array<WallVelocities, 3> walls{};
+  Vec3 body_force = Vec3::Zero();  ///< momentum that each cell gains in a step
   /// Cells of each level (levels.hpp) in coordinates of its own cells, coarsest first. The first level fills
   /// the box, the last contains all beads. Empty: one level.
   std::vector<Block> levels;

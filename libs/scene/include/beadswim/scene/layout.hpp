@@ -73,6 +73,8 @@ struct Layout {
   Units units;
   Fluid fluid;
   std::optional<Box> domain;  ///< empty: open space
+  /// Force per volume on fluid and beads, as a pressure gradient acts [mass/(length^2 time^2)].
+  Vec3 body_force = Vec3::Zero();
   std::map<std::string, SwimmerType> types;
   std::vector<Swimmer> swimmers;
   std::optional<Resolution> resolution;

@@ -28,6 +28,7 @@ enum class SceneProperty {
   angular_stiffness,
   fluid,  ///< density and viscosity
   domain,
+  body_force,
   swimmers,  ///< number and ids of the swimmers
   placing,   ///< positions, axes and phase offsets
 };
@@ -46,6 +47,7 @@ inline constexpr auto name_table<SceneProperty> =
                                               {SceneProperty::angular_stiffness, "angular_stiffness"},
                                               {SceneProperty::fluid, "fluid"},
                                               {SceneProperty::domain, "domain"},
+                                              {SceneProperty::body_force, "body_force"},
                                               {SceneProperty::swimmers, "swimmers"},
                                               {SceneProperty::placing, "placing"}});
 

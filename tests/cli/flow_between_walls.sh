@@ -1,5 +1,5 @@
 #!/bin/bash
-# Tests no-slip walls that move: flow between them, and the input that is refused.
+# Tests flow between no-slip walls, which moving walls or a body force drive, and the input that is refused.
 source "$(dirname "$0")/harness.sh"
 
 # A free sphere between walls, of which the upper one moves along x and y.
@@ -31,6 +31,22 @@ has_status 0
 check 'one rank and three ranks with a restart give other states' \
   test "$(jq .state_sha256 one.json)" = "$(jq .state_sha256 out)"
 
+# --- a body force drives plane Poiseuille flow, with a mean velocity of g h^2/(12 rho nu), in any units
+jq '.body_force = [4e-5, 0, 0] | .swimmers[0].position[2] = 15' at_rest.json >forced.json
+run beadswim-run forced.json -o forced.h5md "${settings[@]}" --cycles 4
+has_status 0
+check 'the mean velocity is not that of Poiseuille flow' \
+  holds '.swimmers[0].cycles[-1].mean_flow[0] / (4e-5 * 900 / 12 * 3) | . > 0.97 and . < 1.01' out
+check 'the record lacks the body force' holds '.scene.body_force == [4e-5, 0, 0]' out
+jq '.units = {length: "um", time: "ms", mass: "pg"} | .fluid.density = 2 | .fluid.kinematic_viscosity *= 0.25 | .body_force[0] *= 0.125
+  | .domain.lengths |= map(. * 0.5) | .swimmers[0].position |= map(. * 0.5) | .types[].beads[0] |= (.radius *= 0.5 | .density *= 2)' \
+  forced.json >in_units.json
+run beadswim-run in_units.json -o units.h5md "${settings[@]}" --cycles 4
+has_status 0
+# Velocity has the unit length/time: half the length, in an equal time. The force per volume has rho L/T^2: twice the density.
+check 'another unit system gives another flow' \
+  holds '.swimmers[0].cycles[-1].mean_flow[0] / (0.125 * 4e-5 * 225 / 12 / 2 / (0.33333333 / 4)) | . > 0.97 and . < 1.01' out
+
 # --- filters keep the walls; other walls are another scene
 beadswim-layout defect jitter walls.json --sigma 0.5 --seed 1 >jittered.json
 check 'a filter loses the velocity of walls' holds '.domain.boundary[2]["no-slip"].upper_velocity[1] == -0.006' jittered.json
@@ -46,6 +62,14 @@ refuses 'free-slip: unknown key. Keys allowed here: no-slip' beadswim-layout che
 moving '[0.2,0,0]' '[0,0,0]' bad.json
 refuses 'bad.json:/domain/boundary/2: a wall moves by 0.2 cells in a time step, but only 0.1 are permitted; use a smaller --relaxation-time or more --cells-per-radius' \
   beadswim-run bad.json -o x.h5md --cells-per-radius 3 --relaxation-time 1.5
+jq '.body_force = [0.01, 0, 0]' at_rest.json >bad.json
+refuses 'bad.json:/body_force: the fluid would move by [0-9.]* cells in a time step, but only 0.1 are permitted; use a smaller' \
+  beadswim-run bad.json -o x.h5md --cells-per-radius 3 --relaxation-time 1.5
+jq '.body_force = [0, 0, 1e-5]' at_rest.json >bad.json
+refuses 'bad.json:/body_force/2: the fluid cannot flow along z, because walls close this axis; set this component to 0' \
+  beadswim-layout check bad.json
+jq '.body_force = [1e-5, 0, 0] | .domain.boundary[2] = "periodic"' at_rest.json >bad.json
+refuses 'bad.json:/body_force: there are no no-slip walls' beadswim-layout check bad.json
 refuses 'boundary/2: the boundary is no-slip, but mobility models lack such walls' beadswim-run walls.json -o x.h5md --model rpy
 check 'a run that was refused leaves files' test ! -e x.h5md
 
