@@ -23,13 +23,27 @@ check 'the mean velocity of the fluid is not half of that of the wall' \
   holds '.swimmers[0].cycles[-1].mean_flow | (.[0] / 0.005 - 1 | fabs) < 0.03' one.json
 check 'the record lacks the walls' holds '.domain.boundary[2]["no-slip"].upper_velocity == [0.01, -0.006, 0]' one.json
 
-# --- the same bits on three ranks and across a restart
-run mpirun -n 3 beadswim-run walls.json -o three.h5md "${settings[@]}" --cycles 3 --checkpoint-every 1 --time-limit 1e-6
-has_status 4
-run mpirun -n 3 beadswim-run --restart three.h5md -o three-on.h5md --cycles 6 --progress none --no-provenance
+# --- the same bits on three ranks and across a restart, with a body force and levels of cells that follow a pulled sphere
+beadswim-layout shape sphere --radius 3 --force 2 --amplitude 0 --direction 3,2,1 --period 400 --viscosity 0.16666667 --density 1 \
+  --units lattice --box 72,64,64 --boundary periodic,periodic,no-slip --position 50,32,32 |
+  jq '.domain.boundary[2] = {"no-slip": {lower_velocity: [0.01, 0, 0], upper_velocity: [0, 0.02, 0]}} | .body_force = [1e-6, 2e-6, 0]' >pulled.json
+levels=(--cells-per-radius 3 --relaxation-time 1 --refine 1 --progress none --no-provenance)
+run beadswim-run pulled.json -o one.h5md "${levels[@]}" --cycles 1
 has_status 0
-check 'one rank and three ranks with a restart give other states' \
-  test "$(jq .state_sha256 one.json)" = "$(jq .state_sha256 out)"
+mv out one-pulled.json
+run mpirun -n 3 beadswim-run pulled.json -o three.h5md "${levels[@]}" --cycles 0.5 --checkpoint-every 0.25 --precision double
+has_status 0
+run mpirun -n 2 beadswim-run --restart three.h5md -o three-on.h5md --cycles 1 --progress none --no-provenance
+has_status 0
+check 'ranks and a restart change the state' test "$(jq .state_sha256 one-pulled.json)" = "$(jq .state_sha256 out)"
+check 'fluid at rest has momentum' holds '.momentum.initial | map(fabs) | max < 1e-12' one-pulled.json
+run beadswim-run pulled.json -o uniform.h5md --cells-per-radius 3 --relaxation-time 1 --cycles 1 --progress none --no-provenance
+has_status 0
+check 'levels change the flow' holds '[., input] | map(.swimmers[0].cycles[0]) | (.[0].velocity[0] / .[1].velocity[0] - 1 | fabs) < 0.003
+  and (.[0].mean_flow[1] / .[1].mean_flow[1] - 1 | fabs) < 0.003' one-pulled.json out
+run beadswim-run walls.json -o single.h5md "${settings[@]}" --cycles 6 --precision single
+has_status 0
+check 'single precision changes the flow' holds '[., input] | map(.swimmers[0].cycles[-1].velocity[0]) | (.[0] / .[1] - 1 | fabs) < 1e-3' one.json out
 
 # --- a body force drives plane Poiseuille flow, with a mean velocity of g h^2/(12 rho nu), in any units
 jq '.body_force = [4e-5, 0, 0] | .swimmers[0].position[2] = 15' at_rest.json >forced.json
@@ -37,7 +51,7 @@ run beadswim-run forced.json -o forced.h5md "${settings[@]}" --cycles 4
 has_status 0
 check 'the mean velocity is not that of Poiseuille flow' \
   holds '.swimmers[0].cycles[-1].mean_flow[0] / (4e-5 * 900 / 12 * 3) | . > 0.97 and . < 1.01' out
-check 'the record lacks the body force' holds '.scene.body_force == [4e-5, 0, 0]' out
+check 'the record lacks the body force' holds '.scene.body_force == [4e-5, 0, 0] and .body_force == .scene.body_force' out
 jq '.units = {length: "um", time: "ms", mass: "pg"} | .fluid.density = 2 | .fluid.kinematic_viscosity *= 0.25 | .body_force[0] *= 0.125
   | .domain.lengths |= map(. * 0.5) | .swimmers[0].position |= map(. * 0.5) | .types[].beads[0] |= (.radius *= 0.5 | .density *= 2)' \
   forced.json >in_units.json
@@ -52,6 +66,10 @@ beadswim-layout defect jitter walls.json --sigma 0.5 --seed 1 >jittered.json
 check 'a filter loses the velocity of walls' holds '.domain.boundary[2]["no-slip"].upper_velocity[1] == -0.006' jittered.json
 
 # --- refused
+refuses '--box: walls or a body force move the fluid of this layout' beadswim-layout reduce walls.json --box 60,60,60
+jq '.domain.boundary[0] = "no-slip"' walls.json >bad.json
+refuses 'bad.json:/domain/boundary/2/no-slip/upper_velocity/0: the wall cannot move along x, because no-slip walls close this axis; set this component to 0' \
+  beadswim-layout check bad.json
 moving '[0,0,0]' '[0.01,0,0.001]' bad.json
 refuses 'bad.json:/domain/boundary/2/no-slip/upper_velocity: the velocity \(0.01, 0, 0.001\) has a component across the wall, along z; walls move along themselves: set this component to 0' \
   beadswim-layout check bad.json

@@ -60,6 +60,11 @@ void ReduceCommand::put_in_box(Layout& layout) const {
                      fmt::format("the layout has {} swimmers, but only a single swimmer can be put in "
                                  "another box; leave the flag out",
                                  layout.swimmers.size()));
+  if (has_background_flow(layout))
+    throw InputError(
+        "--box",
+        "walls or a body force move the fluid of this layout, but the other box is periodic and has "
+        "no walls; leave the flag out");
   Swimmer& swimmer = layout.swimmers.front();
   layout.domain = Box{.lengths = parse_vector(box_)};
   swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain);

@@ -40,7 +40,7 @@ struct ErrorReference {
 
 /// Returns true if two run records have the same box, the same driving and the same swimmer ids.
 bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
-  return a.driving == b.driving && a.domain == b.domain &&
+  return a.driving == b.driving && a.domain == b.domain && a.body_force == b.body_force &&
          std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
 }
 

@@ -69,6 +69,7 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
     const std::string& why = surroundings.obstacle;  // form: "reason; remedy"
     result.approximation = "alone in its share of the box (" + why.substr(0, why.find(';')) + ")";
   }
+  if (has_background_flow(cell)) result.approximation += ", in fluid without the flow between the walls";
   if (across) {
     if (!result.approximation.empty()) result.approximation += "; ";
     result.approximation += "driven only by the component of its forces along its axis";

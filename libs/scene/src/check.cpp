@@ -316,15 +316,23 @@ void check_positions(const Layout& layout, Faults& faults) {
   }
 }
 
-/// Reports walls that do not move along themselves.
+/// Reports walls that do not move along themselves, or that move along an axis with other no-slip walls: at
+/// the edges between them the lattice would lose and gain fluid.
 void check_wall_velocities(const Box& domain, Faults& faults) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto check = [&](const Vec3& velocity, const char* key) {
-      if (velocity[axis] == 0) return;
-      faults.push_back({fmt::format("/domain/boundary/{}/no-slip/{}", axis, key),
-                        fmt::format("the velocity {} has a component across the wall, along {}; walls move "
-                                    "along themselves: set this component to 0",
-                                    in_words(velocity), "xyz"[axis])});
+      if (velocity[axis] != 0)
+        faults.push_back({fmt::format("/domain/boundary/{}/no-slip/{}", axis, key),
+                          fmt::format("the velocity {} has a component across the wall, along {}; walls move "
+                                      "along themselves: set this component to 0",
+                                      in_words(velocity), "xyz"[axis])});
+      for (int along = 0; along < 3; ++along) {
+        if (along == axis || velocity[along] == 0 || domain.boundary[along] != Boundary::no_slip) continue;
+        faults.push_back({fmt::format("/domain/boundary/{}/no-slip/{}/{}", axis, key, along),
+                          fmt::format("the wall cannot move along {}, because no-slip walls close this axis; "
+                                      "set this component to 0",
+                                      "xyz"[along])});
+      }
     };
     check(domain.walls[axis].lower, "lower_velocity");
     check(domain.walls[axis].upper, "upper_velocity");

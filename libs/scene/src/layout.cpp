@@ -21,6 +21,11 @@ double smallest_radius(const SwimmerType& type) {
   return std::ranges::min_element(type.beads, {}, &Bead::radius)->radius;
 }
 
+bool has_background_flow(const Layout& layout) {
+  const auto moves = [](const WallVelocities& walls) { return walls.move(); };
+  return !layout.body_force.isZero(0) || (layout.domain && std::ranges::any_of(layout.domain->walls, moves));
+}
+
 double smallest_radius(const Layout& layout) {
   double smallest = std::numeric_limits<double>::infinity();
   for (const Swimmer& swimmer : layout.swimmers)

@@ -185,6 +185,10 @@ PropertyValue domain_value(const std::optional<Box>& domain) {
   return value;
 }
 
+PropertyValue body_force_value(const Vec3& force) {
+  return numbers_value({force.begin(), force.end()});
+}
+
 PropertyValue swimmers_value(std::vector<int> ids) {
   std::ranges::sort(ids);
   std::string text = fmt::format("{} with id {}", ids.size(), ids.front());
@@ -197,7 +201,7 @@ SceneProperties common_properties(const Layout& layout) {
   for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
   return {{SceneProperty::fluid, fluid_value(layout.fluid)},
           {SceneProperty::domain, domain_value(layout.domain)},
-          {SceneProperty::body_force, numbers_value({layout.body_force.begin(), layout.body_force.end()})},
+          {SceneProperty::body_force, body_force_value(layout.body_force)},
           {SceneProperty::swimmers, swimmers_value(ids)}};
 }
 

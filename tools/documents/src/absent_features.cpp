@@ -18,16 +18,16 @@ const std::array<AbsentFeature, 3>& absent_features() {
   static const std::array<AbsentFeature, 3> features{
       {{{"flow", "background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate",
          "strain_rate", "velocity_gradient", "pressure_gradient", "wall_velocity", "wall_velocities"},
-        "this version has no imposed flow: only swimmers and no-slip walls move the fluid; remove the key. "
-        "Walls move if an entry of \"boundary\" is {\"no-slip\": {\"lower_velocity\": [..], "
-        "\"upper_velocity\": [..]}}"},
+        "this version has no imposed flow: only swimmers and, between no-slip walls, walls that move and a "
+        "\"body_force\" move the fluid; remove the key"},
        {{"stroke", "strokes", "prescribed_stroke", "kinematics", "gait", "waveform", "arm_length",
          "arm_lengths", "arm_amplitudes", "arm_phases", "rest_length", "rest_lengths"},
         "this version has no prescribed stroke: harmonic forces drive the beads (amplitude, phase, period of "
         "\"driving\"), and the stroke follows from the forces; remove the key"},
        {{"gravity", "external_force", "temperature", "kT", "thermal_noise", "noise"},
-        "this version has neither external forces nor thermal noise: only springs, driving, contacts and the "
-        "fluid act on beads; remove the key"}}};
+        "this version has neither weight nor thermal noise: only springs, driving, contacts and the fluid "
+        "act on "
+        "beads; remove the key"}}};
   return features;
 }
 

@@ -99,6 +99,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   record.reason = outcome.reason;
   record.units = document.layout.units;
   record.domain = document.layout.domain;
+  if (!document.layout.body_force.isZero(0)) record.body_force = document.layout.body_force;
   record.driving = driving_of(document.layout, parts.plan.base_period);
   if (parts.plan.swimmers.size() <= max_swimmers_listed) {
     record.swimmers = parts.recorder.swimmers();

@@ -234,7 +234,9 @@ SceneTotals CoupledSystem::totals() {
   all_cells = sum_over_ranks(all_cells, communicator_);
   const CellMoments coarser = levels_.sum_of_coarser(std::move(coarser_totals), communicator_);
   const double cells = scene_.cells.cast<double>().prod();
-  return {.momentum = everything.momentum_value() + coarser.momentum + cells * body_force_,
+  const Vec3 owed =
+      cells * (body_force_ - scene_.body_force);  // for driving that has acted (balance_net_force())
+  return {.momentum = everything.momentum_value() + coarser.momentum + owed,
           .mean_flow = (all_cells.momentum_value() + coarser.momentum) / cells,
           .mass_excess = (everything.density_deviation.value() + coarser.density_deviation) / cells};
 }

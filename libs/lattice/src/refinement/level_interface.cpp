@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <map>
+#include <stdexcept>
 #include <unordered_map>
 #include <vector>
 
@@ -359,9 +361,11 @@ class LevelInterface::Search {
 
   std::uint8_t offset_index(const Vec3& offset) {
     const auto found = std::ranges::find(lists_.offsets, offset);
-    const auto index = static_cast<std::uint8_t>(found - lists_.offsets.begin());
+    const std::ptrdiff_t index = found - lists_.offsets.begin();
     if (found == lists_.offsets.end()) lists_.offsets.push_back(offset);
-    return index;
+    if (index > std::numeric_limits<std::uint8_t>::max())
+      throw std::logic_error("a level of cells has more than 256 different offsets");
+    return static_cast<std::uint8_t>(index);
   }
 
   /// Returns the entry of a fine cell of this rank.

@@ -84,6 +84,9 @@ struct Layout {
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 };
 
+/// Returns true if walls or a body force move the fluid.
+bool has_background_flow(const Layout& layout);
+
 /// Return the smallest radius of the beads, or of all beads of the layout's swimmers [length].
 double smallest_radius(const SwimmerType& type);
 double smallest_radius(const Layout& layout);

@@ -76,6 +76,7 @@ struct SceneDifference {
 /// Return the values of single properties.
 PropertyValue numbers_value(const std::vector<double>& numbers);
 PropertyValue domain_value(const std::optional<Box>& domain);
+PropertyValue body_force_value(const Vec3& force);
 PropertyValue swimmers_value(std::vector<int> ids);
 
 /// Returns the fluid, the domain and the ids of the swimmers.

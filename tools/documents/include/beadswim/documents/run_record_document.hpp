@@ -260,7 +260,8 @@ struct RunRecord {
   RunStatus status = RunStatus::finished;
   std::string reason;  ///< why the run stopped early; empty if it finished
   Units units;
-  std::optional<Box> domain;  ///< nullopt: unbounded fluid
+  std::optional<Box> domain;       ///< nullopt: unbounded fluid
+  std::optional<Vec3> body_force;  ///< nullopt: none
   DrivingRecord driving;
   std::vector<SwimmerRecord> swimmers;           ///< empty for more than max_swimmers_listed swimmers
   std::optional<std::vector<SwarmCycle>> swarm;  ///< nullopt for a single swimmer
@@ -282,6 +283,7 @@ struct RunRecord {
     visit("status", record.status);
     visit("units", record.units);
     visit("domain", record.domain);
+    visit("body_force", record.body_force, omitted_if_none);
     visit("driving", record.driving);
     visit("swimmers", record.swimmers, omitted_if_none);
     visit("swarm", record.swarm, omitted_if_none);
