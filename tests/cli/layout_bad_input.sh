@@ -54,7 +54,7 @@ bad 'an imposed flow' 's/"fluid": {/"flow": { "shear_rate": 1 }, &/' '/flow: thi
 bad 'a sheared fluid' 's/"kinematic_viscosity"/"velocity_gradient": [0, 1, 0], &/' '/fluid/velocity_gradient: this version has no imposed flow'
 bad 'a prescribed stroke' 's/"frame": "lab"/&, "stroke": {}/' '/types/a/driving/stroke: this version has no prescribed stroke: .*amplitude, phase, period'
 bad 'a prescribed arm' 's/"frame": "lab"/&, "rest_length": [20, 21]/' '/types/a/driving/rest_length: this version has no prescribed stroke'
-bad 'a swimmer at a temperature' 's/"id": 0/&, "temperature": 300/' '/swimmers/0/temperature: this version has neither external forces nor thermal noise'
+bad 'a swimmer at a temperature' 's/"id": 0/&, "temperature": 300/' '/swimmers/0/temperature: this version has neither gravity nor thermal noise'
 bad 'unknown type' 's/"type": "a"/"type": "b"/' '/swimmers/0/type: the swimmer type "b" is not defined under /types\.'
 bad 'id given twice' "s/$swimmer/$swimmer, { \"id\": 0, \"type\": \"a\", \"position\": [36, 25, 15], \"axis\": [1, 0, 0] }/" \
   '/swimmers/1/id: the id 0 is already used by /swimmers/0'
