@@ -164,9 +164,9 @@ TEST(Walls, BetweenThemASphereMovesWithTheFlowThatABodyForceDrives) {
     scene.types = {sphere};
     CoupledSystem system(scene, self);
     advance(system, 3500);  // the flow becomes steady within height^2/(pi^2 viscosity) = 560 steps
-    const BeadMotion& motion = system.owned_swimmers()[0].motion[0];
-    const double start = motion.position[0];
+    const double start = system.owned_swimmers()[0].motion[0].position[0];
     advance(system, 500);
+    const BeadMotion& motion = system.owned_swimmers()[0].motion[0];
     const double expected = speed * (1 - 4.0 / 3 * 9 / (height * height));
     EXPECT_NEAR((motion.position[0] - start) / 500 / expected, 1, 0.005) << to_text(scheme);
     EXPECT_LT(std::abs(motion.angular_velocity[1]), 1e-9 * speed) << to_text(scheme);
