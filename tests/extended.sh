@@ -52,7 +52,9 @@ tested_commands() { # PAGE
 
 section "Unit tests under the address and undefined-behaviour sanitizers, on 1 and 3 ranks"
 build sanitize unit_tests beadswim-layout beadswim-run
-timeout 2000 ctest --preset sanitize --label-regex unit --exclude-regex 'np[24]$'
+# Left out: long comparisons of numbers, whose code other tests execute.
+GTEST_FILTER='-InertiaCorrected.AgreesWithUnsteadyMultipolesWithinItsOwnUncertainty:UnsteadyMultipole.HasTheStatedError' \
+  timeout 2000 ctest --preset sanitize --label-regex unit --exclude-regex 'np[24]$'
 
 section "Tiny scenes under the sanitizers, on 1 and 3 ranks"
 cd "$scratch"
