@@ -49,12 +49,8 @@ CoupledScene swimmer_in_wide_box(BeadScheme scheme) {
 CoupledScene towed_sphere(double force) {
   CoupledScene scene = swimmer_in_wide_box(BeadScheme::mr);
   scene.cells = {64, 32, 32};
-  SwimmerType sphere;
-  sphere.beads = {scene.types[0].beads[1]};
-  sphere.beads[0].at.setZero();
-  sphere.driving.period = 100;
-  sphere.driving.forces = {{.bead = 0, .direction = Vec3(0.8, 0.6, 0), .constant = force}};
-  scene.types = {sphere};
+  scene.types = {sphere_type(2.2)};
+  scene.types[0].driving.forces = {{.bead = 0, .direction = Vec3(0.8, 0.6, 0), .constant = force}};
   scene.swimmers = {{.id = 0, .type = 0, .position = Vec3(32.3, 15.9, 16.2)}};
   return scene;
 }

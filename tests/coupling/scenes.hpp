@@ -27,6 +27,17 @@ inline CoupledScene small_swimmer(const Index3& cells, const Vec3& position, con
   return scene;
 }
 
+/// Returns a type of one sphere, which nothing drives.
+inline SwimmerType sphere_type(double radius) {
+  SwimmerType type;
+  BeadAtRest& bead = type.beads.emplace_back();
+  bead.radius = radius;
+  bead.density = 1;
+  bead.at.setZero();
+  type.driving.period = 100;
+  return type;
+}
+
 inline void advance(CoupledSystem& system, int steps) {
   for (int n = 0; n < steps; ++n) system.step();
 }

@@ -127,12 +127,7 @@ TEST(Walls, InTheirShearASphereTurnsAtHalfTheRate) {
       scene.boundary[across] = Boundary::no_slip;
       scene.walls[across].lower[along] = -speed;
       scene.walls[across].upper[along] = speed;
-      SwimmerType sphere;
-      sphere.beads = {scene.types[0].beads[1]};
-      sphere.beads[0].radius = 3;
-      sphere.beads[0].at.setZero();
-      sphere.driving.period = 100;
-      scene.types = {sphere};
+      scene.types = {sphere_type(3)};
       CoupledSystem system(scene, self);
       advance(system, 3000);  // the flow becomes steady within height^2/(pi^2 viscosity) = 560 steps
       const BeadMotion& motion = system.owned_swimmers()[0].motion[0];
@@ -156,12 +151,7 @@ TEST(Walls, BetweenThemASphereMovesWithTheFlowThatABodyForceDrives) {
     scene.bead_boundary = scheme;
     scene.boundary[2] = Boundary::no_slip;
     scene.body_force[0] = 8 * lattice_viscosity(scene.relaxation_time) * speed / (height * height);
-    SwimmerType sphere;
-    sphere.beads = {scene.types[0].beads[1]};
-    sphere.beads[0].radius = 3;
-    sphere.beads[0].at.setZero();
-    sphere.driving.period = 100;
-    scene.types = {sphere};
+    scene.types = {sphere_type(3)};
     CoupledSystem system(scene, self);
     advance(system, 3500);  // the flow becomes steady within height^2/(pi^2 viscosity) = 560 steps
     const double start = system.owned_swimmers()[0].motion[0].position[0];

@@ -63,8 +63,8 @@ void ReduceCommand::put_in_box(Layout& layout) const {
   if (has_background_flow(layout))
     throw InputError(
         "--box",
-        "walls or a body force move the fluid of this layout, but the other box is periodic and has "
-        "no walls; leave the flag out");
+        "walls or a body force move the fluid of this layout, but the other box is periodic and has no "
+        "walls; leave the flag out");
   Swimmer& swimmer = layout.swimmers.front();
   layout.domain = Box{.lengths = parse_vector(box_)};
   swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain);

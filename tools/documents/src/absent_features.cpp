@@ -26,8 +26,7 @@ const std::array<AbsentFeature, 3>& absent_features() {
         "\"driving\"), and the stroke follows from the forces; remove the key"},
        {{"gravity", "external_force", "temperature", "kT", "thermal_noise", "noise"},
         "this version has neither gravity nor thermal noise: only springs, driving, contacts and the fluid "
-        "act on "
-        "beads; remove the key"}}};
+        "act on beads; remove the key"}}};
   return features;
 }
 

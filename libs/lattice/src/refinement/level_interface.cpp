@@ -511,8 +511,8 @@ void LevelInterface::begin_fine_step(const Populations& coarse, const Population
 
 void LevelInterface::set_fine_plane(Populations& fine, int z) const {
   const double* entering = lists_->entering.data();
-  set_plane(fine, lists_->entries, z, [&](auto& incoming, int index) {
-    incoming = static_cast<std::remove_reference_t<decltype(incoming)>>(entering[index]);
+  set_plane(fine, lists_->entries, z, [&]<class Real>(Real& incoming, int index) {
+    incoming = static_cast<Real>(entering[index]);
   });
 }
 
