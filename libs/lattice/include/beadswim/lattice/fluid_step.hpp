@@ -29,12 +29,13 @@ constexpr int first_outer_plane(int planes) {
 /// row by row. Calls before_row(y, z) before it sweeps the row (y, z). At this call, the halo cells that the
 /// row reads are filled. before_row must apply the boundary condition on the links of this row (links end at
 /// a bead) that have not been processed yet: links within the row, and links between the row and rows that
-/// have not been swept. Calls after_plane(z) after it has swept all rows of a plane. body_force: momentum
-/// that each cell gains in this step (body_force.hpp). `skipped`: cells that the step leaves as they are
-/// (BlockSweep).
-template <class BeforeRow, class AfterPlane>
+/// have not been swept. Calls before_plane(z) and after_plane(z) before and after it sweeps all rows of a
+/// plane. body_force: momentum that each cell gains in this step (body_force.hpp). `skipped`: cells that the
+/// step leaves as they are (BlockSweep).
+template <class BeforePlane, class BeforeRow, class AfterPlane>
 void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates, const Vec3& body_force,
-                BeforeRow&& before_row, AfterPlane&& after_plane, std::span<const Block> skipped = {}) {
+                BeforePlane&& before_plane, BeforeRow&& before_row, AfterPlane&& after_plane,
+                std::span<const Block> skipped = {}) {
   halo.start(populations);
   BlockSweep sweep(populations, rates, halo.row_ends(), body_force, skipped);
   const int rows = populations.size()[1], planes = populations.size()[2];
@@ -42,6 +43,7 @@ void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rat
     if (n < first_outer_plane(planes)) halo.progress();
     if (n == first_outer_plane(planes)) halo.finish(populations);
     const int z = plane_in_order(n, planes);
+    before_plane(z);
     for (int y = 0; y < rows; ++y) {
       before_row(y, z);
       sweep.row(y, z);
@@ -54,7 +56,7 @@ void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rat
 inline void step_fluid(Populations& populations, Halo& halo, const RelaxationRates& rates,
                        const Vec3& body_force = Vec3::Zero()) {
   step_fluid(
-      populations, halo, rates, body_force, [](int, int) {}, [](int) {});
+      populations, halo, rates, body_force, [](int) {}, [](int, int) {}, [](int) {});
 }
 
 }  // namespace beadswim

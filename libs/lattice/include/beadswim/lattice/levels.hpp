@@ -90,11 +90,11 @@ class Levels {
     if (to_coarser) to_coarser->begin_fine_step(levels_[n - 1]->populations, level.populations);
     step_fluid(
         level.populations, level.halo, level.rates, impulses_[n],
-        [&](int y, int z) {
-          if (y == 0 && to_coarser) to_coarser->set_fine_plane(level.populations, z);
-          if (y == 0 && to_finer) to_finer->set_coarse_plane(level.populations, z);
-          before_row(y, z);
+        [&](int z) {
+          if (to_coarser) to_coarser->set_fine_plane(level.populations, z);
+          if (to_finer) to_finer->set_coarse_plane(level.populations, z);
         },
+        before_row,
         [&](int z) {
           if (to_coarser) to_coarser->read_fine_plane(level.populations, z);
           if (to_finer) to_finer->read_coarse_plane(level.populations, z);
