@@ -158,7 +158,7 @@ RefinedFluid::Error couette_error(const Index3& cells, const Block& refined, int
   const Vec3 velocity = speed * unit_vector(along).cast<double>().matrix();
   std::array<WallVelocities, 3> walls;
   walls[across] = {.lower = -velocity, .upper = velocity};
-  fluid.levels.move_walls(walls);
+  fluid.levels.set_wall_velocities(walls);
   const int n = cells[across];
   const auto profile = [&](const Vec3& place) { return Vec3((2 * place[across] / n - 1) * velocity); };
   fluid.set([&](const Vec3& place) { return CellMoments{0, profile(place)}; });

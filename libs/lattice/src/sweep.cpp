@@ -17,7 +17,7 @@ BodyForce<Real> in_kernel_form(const Vec3& body_force) {
   return force;
 }
 
-constexpr int longest_short_run = 16;  ///< [cell]
+constexpr int max_short_run = 16;  ///< [cell]
 
 /// Begins to load the populations of a short run of cells that begins at cell `first`, as long as `row`. The
 /// processor itself foresees only the addresses of long runs.
@@ -82,7 +82,7 @@ void BlockSweep::row_as(int y, int z) {
   for_each_run_outside(skipped_, cells, y, z, [&](int first, int end) {
     row.first = populations_.cell(first, y, z);
     row.cells = end - first;
-    if (row.cells < std::min(cells, longest_short_run) && y + 2 < populations_.size()[1])
+    if (row.cells < std::min(cells, max_short_run) && y + 2 < populations_.size()[1])
       prefetch(row, populations_.cell(first, y + 2, z));
     row_kernels().sweep(row);
   });

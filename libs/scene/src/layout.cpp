@@ -22,7 +22,7 @@ double smallest_radius(const SwimmerType& type) {
 }
 
 bool has_background_flow(const Layout& layout) {
-  const auto moves = [](const WallVelocities& walls) { return walls.move(); };
+  const auto moves = [](const WallVelocities& walls) { return walls.are_moving(); };
   return !layout.body_force.isZero(0) || (layout.domain && std::ranges::any_of(layout.domain->walls, moves));
 }
 

@@ -178,7 +178,7 @@ PropertyValue domain_value(const std::optional<Box>& domain) {
     const WallVelocities& walls = domain->walls[a];
     for (const Vec3& velocity : {walls.lower, walls.upper})
       value.numbers.insert(value.numbers.end(), velocity.begin(), velocity.end());
-    if (walls.move())
+    if (walls.are_moving())
       value.text += fmt::format(", walls across {} with velocities ({}) and ({})", "xyz"[a],
                                 fmt::join(walls.lower, ", "), fmt::join(walls.upper, ", "));
   }

@@ -52,7 +52,7 @@ CoupledSystem::CoupledSystem(const CoupledScene& scene, const Communicator& comm
       links_(scene.bead_boundary),
       saturated_cells_(in_box(levels_.finest())),
       smallest_gap_(std::numeric_limits<double>::infinity()) {
-  levels_.move_walls(scene_.walls);
+  levels_.set_wall_velocities(scene_.walls);
   body_force_ = scene_.body_force;
   has_net_force_ = needs_balance(scene_);
   for (const SwimmerType& type : scene_.types) substeps_.push_back(substeps_for(type, 1));

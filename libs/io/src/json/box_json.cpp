@@ -8,7 +8,7 @@ void to_json(Json& json, const Box& box) {
   Json boundary = Json::array();
   for (int a = 0; a < 3; ++a) {
     const std::string name = to_text(box.boundary[a]);
-    boundary.push_back(box.walls[a].move() ? Json{{name, box.walls[a]}} : Json(name));
+    boundary.push_back(box.walls[a].are_moving() ? Json{{name, box.walls[a]}} : Json(name));
   }
   json = {{"lengths", box.lengths}, {"boundary", boundary}};
 }

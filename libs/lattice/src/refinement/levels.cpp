@@ -67,9 +67,9 @@ Levels::Levels(const std::vector<LevelPlace>& places, double relaxation_time, Pr
   impulses_.assign(count, Vec3::Zero());
 }
 
-void Levels::move_walls(const std::array<WallVelocities, 3>& walls) {
+void Levels::set_wall_velocities(const std::array<WallVelocities, 3>& walls) {
   for (const auto& level : levels_) {
-    for (int axis = 0; axis < 3; ++axis) level->halo.move_walls(axis, walls[axis]);
+    for (int axis = 0; axis < 3; ++axis) level->halo.set_wall_velocities(axis, walls[axis]);
   }
 }
 

@@ -10,8 +10,8 @@
 namespace beadswim {
 
 /// Sends a fixed list of numbers between ranks, again and again. Each number that this rank sends or receives
-/// has a place. Numbers that it sends are its own numbers; they have the first places, and it also reads
-/// those that it sends to itself there.
+/// has a place. The numbers that it sends are its own numbers and have the first places. A number that it
+/// sends to itself has no other place.
 class NumberExchange {
  public:
   explicit NumberExchange(const Communicator& communicator);

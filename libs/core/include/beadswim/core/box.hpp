@@ -28,7 +28,7 @@ inline constexpr auto name_table<Boundary> = std::to_array<NamedValue<Boundary>>
 struct WallVelocities {
   Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
 
-  bool move() const { return !lower.isZero(0) || !upper.isZero(0); }
+  bool are_moving() const { return !lower.isZero(0) || !upper.isZero(0); }
   WallVelocities operator/(double scale) const { return {.lower = lower / scale, .upper = upper / scale}; }
 
   bool operator==(const WallVelocities&) const = default;

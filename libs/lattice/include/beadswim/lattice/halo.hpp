@@ -43,7 +43,7 @@ class Halo {
 
   /// Sets the velocities of the no-slip walls at the ends of an axis, which are zero by default (lattice
   /// units).
-  void move_walls(int axis, const WallVelocities& walls) {
+  void set_wall_velocities(int axis, const WallVelocities& walls) {
     faces_[axis][0].wall_velocity = walls.lower;
     faces_[axis][1].wall_velocity = walls.upper;
   }

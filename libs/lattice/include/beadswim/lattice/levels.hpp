@@ -37,7 +37,7 @@ class Levels {
 
   /// Sets the velocities of the no-slip walls at the ends of each axis, which are zero by default (lattice
   /// units).
-  void move_walls(const std::array<WallVelocities, 3>& walls);
+  void set_wall_velocities(const std::array<WallVelocities, 3>& walls);
 
   int count() const { return static_cast<int>(levels_.size()); }
   Level& operator[](int n) { return *levels_[n]; }  ///< 0: the coarsest
