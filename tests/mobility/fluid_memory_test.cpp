@@ -65,7 +65,7 @@ std::vector<Complex> oscillating_velocities(const Spheres& s, const Communicator
   for (int n = 1; n <= periods * s.steps; ++n) {
     const double phase = 2 * pi * n / s.steps;
     const std::vector<Vec3> forces = s.forces_times(std::cos(phase));
-    product.apply(s.places, forces, velocities, FlowPart::forces_and_memory);
+    product.apply(s.places, forces, velocities, FlowPart::all);
     product.end_step(s.places, forces, Vec3::Zero());
     for (std::size_t b = 0; b < sums.size() && n > (periods - 1) * s.steps; ++b)
       sums[b] += velocities[b][0] * std::polar(2.0 / s.steps, -phase);
@@ -211,7 +211,7 @@ TEST_F(FluidMemoryTest, AfterAnImpulseDecaysWithThePowerThreeHalves) {
   product.start(s.places, s.forces_times(0));
   for (int n = 1; n <= 141; ++n) {
     const std::vector<Vec3> forces = s.forces_times(n == 1 ? 1 : 0);
-    product.apply(s.places, forces, velocities, FlowPart::forces_and_memory);
+    product.apply(s.places, forces, velocities, FlowPart::all);
     product.end_step(s.places, forces, Vec3::Zero());
     const double time = (n - 1) * step, law = step / (12 * std::pow(pi * time, 1.5));
     if (time < 5) continue;
@@ -243,7 +243,7 @@ TEST_F(FluidMemoryTest, WithoutDensityIsSteadyFlow) {
     light.start(s.places, s.forces_times(1));
     light.end_step(s.places, s.forces_times(-2), Vec3::Zero());
     steady.apply(s.places, s.forces_times(1), expected);
-    light.apply(s.places, s.forces_times(1), found, FlowPart::forces_and_memory);
+    light.apply(s.places, s.forces_times(1), found, FlowPart::all);
     // With higher moments, the iteration begins elsewhere.
     const double limit = order == 0 ? 1e-13 : 1e-5;
     for (int b = 0; b < 6; ++b) EXPECT_LT((found[b] - expected[b]).norm(), limit * expected[b].norm());
@@ -269,8 +269,8 @@ TEST_F(FluidMemoryTest, OfAWallIsThatOfTheMirrorImages) {
     in_whole.start(whole.places, whole.forces_times(0));
     std::vector<Vec3> found(4), expected(8);
     for (int n = 1; n <= 3; ++n) {
-      in_half.apply(half.places, half.forces_times(n), found, FlowPart::forces_and_memory);
-      in_whole.apply(whole.places, whole.forces_times(n), expected, FlowPart::forces_and_memory);
+      in_half.apply(half.places, half.forces_times(n), found, FlowPart::all);
+      in_whole.apply(whole.places, whole.forces_times(n), expected, FlowPart::all);
       in_half.end_step(half.places, half.forces_times(n), Vec3::Zero());
       in_whole.end_step(whole.places, whole.forces_times(n), Vec3::Zero());
     }

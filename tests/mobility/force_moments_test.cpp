@@ -11,6 +11,7 @@
 #include "beadswim/mobility/multipole_mobility.hpp"
 #include "direct_ewald.hpp"
 #include "moment_product.hpp"
+#include "sphere_surfaces.hpp"
 
 // Mobility products with force moments, against integrals over the surfaces of spheres, exact flows and
 // limits.
@@ -20,38 +21,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi, viscosity = 0.7;
 
-struct Node {
-  Eigen::Vector3d normal;
-  double weight;  ///< the sum over a sphere is 1
-};
-
-std::vector<Node> sphere_nodes(int heights) {
-  std::vector<Node> nodes;
-  for (const auto& [z, weight] : gauss_legendre(heights, -1, 1)) {
-    for (int k = 0; k < 2 * heights; ++k) {
-      const double phi = pi * k / heights, rho = std::sqrt(1 - z * z);
-      nodes.push_back({{rho * std::cos(phi), rho * std::sin(phi), z}, weight / (4.0 * heights)});
-    }
-  }
-  return nodes;
-}
-
-/// Returns the force densities of all moments at a normal, times the area: one column per moment.
-Eigen::MatrixXd densities(int order, double radius, const Eigen::Vector3d& n) {
-  std::array<Eigen::Matrix3d, 5> basis;
-  basis.fill(Eigen::Matrix3d::Zero());
-  basis[0].diagonal() << 1, -1, 0;
-  basis[1].diagonal() << -1, -1, 2;
-  basis[2](0, 1) = basis[2](1, 0) = basis[3](0, 2) = basis[3](2, 0) = basis[4](1, 2) = basis[4](2, 1) = 1;
-  for (Eigen::Matrix3d& tensor : basis) tensor /= tensor.norm();
-  Eigen::MatrixXd f = Eigen::MatrixXd::Zero(3, moment_count(order));
-  f.leftCols<3>().setIdentity();
-  for (int m = 0; m < 5 && order >= 1; ++m) f.col(3 + m) = 3 / radius * basis[m] * n;
-  for (int c = 0; c < 3 && order >= 2; ++c)
-    for (int m = 0; m < 5; ++m) f(c, 8 + 5 * c + m) = n.dot(basis[m] * n);
-  return f;
-}
-
 struct SpherePair {
   std::array<double, 2> radii;
   Vec3 apart;  ///< from the second to the first
@@ -60,16 +29,16 @@ struct SpherePair {
 /// Returns the matrix from moments of the second sphere to projections on the first, by integrals over both
 /// surfaces.
 Eigen::MatrixXd surface_matrix(int order, const SpherePair& pair, int heights) {
-  const std::vector<Node> nodes = sphere_nodes(heights);
+  const std::vector<SurfaceNode> nodes = sphere_nodes(heights);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(moment_count(order), moment_count(order));
-  for (const Node& p : nodes) {
-    for (const Node& q : nodes) {
+  for (const SurfaceNode& p : nodes) {
+    for (const SurfaceNode& q : nodes) {
       const Eigen::Vector3d r = pair.apart + pair.radii[0] * p.normal - pair.radii[1] * q.normal;
       const double d = r.norm();
       const Eigen::Matrix3d oseen =
           (Eigen::Matrix3d::Identity() + r * r.transpose() / (d * d)) / (8 * pi * viscosity * d);
-      matrix += p.weight * q.weight * densities(order, pair.radii[0], p.normal).transpose() * oseen *
-                densities(order, pair.radii[1], q.normal);
+      matrix += p.weight * q.weight * moment_densities(order, pair.radii[0], p.normal).transpose() * oseen *
+                moment_densities(order, pair.radii[1], q.normal);
     }
   }
   return matrix;
@@ -152,14 +121,14 @@ TEST_P(MomentOrder, FlowOfOverlappingSpheresIsContinuous) {
 std::vector<double> direct_projections(int order, const std::vector<double>& radii,
                                        const direct::Vectors& centres, const Box& box,
                                        const std::vector<double>& moments) {
-  const std::vector<Node> nodes = sphere_nodes(6);
+  const std::vector<SurfaceNode> nodes = sphere_nodes(6);
   const int count = moment_count(order);
   const auto points_of = [&](std::size_t sphere) {
     direct::Spheres points;
-    for (const Node& node : nodes) {
+    for (const SurfaceNode& node : nodes) {
       points.places.push_back(centres[sphere] + radii[sphere] * node.normal);
       points.radii.push_back(1);
-      points.forces.push_back(node.weight * densities(order, radii[sphere], node.normal) *
+      points.forces.push_back(node.weight * moment_densities(order, radii[sphere], node.normal) *
                               Eigen::Map<const Eigen::VectorXd>(&moments[count * sphere], count));
     }
     return points;
@@ -176,7 +145,7 @@ std::vector<double> direct_projections(int order, const std::vector<double>& rad
     Eigen::VectorXd sum = moment_self_mobility(order, radii[sphere], viscosity) *
                           Eigen::Map<const Eigen::VectorXd>(&moments[count * sphere], count);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      sum += nodes[k].weight * densities(order, radii[sphere], nodes[k].normal).transpose() *
+      sum += nodes[k].weight * moment_densities(order, radii[sphere], nodes[k].normal).transpose() *
              (flow[nodes.size() * sphere + k] - own[k]);
     std::ranges::copy(sum, projections.begin() + count * sphere);
   }

@@ -151,7 +151,7 @@ ImplicitStepResult ImplicitStep::solve_linearised(const ImplicitBalance& balance
   };
   std::deque<Direction> directions;
   Beads forces = balance.initial_forces();
-  Beads velocities = product(forces, FlowPart::forces_and_memory);
+  Beads velocities = product(forces, FlowPart::all);
   Beads residual = balance.residual(forces, velocities);
   for (;;) {
     Beads own = balance.own_forces(residual);

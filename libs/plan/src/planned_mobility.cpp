@@ -63,7 +63,7 @@ StepCost measured_cost(const OverdampedScene& scene, const Communicator& communi
     for (std::size_t b = 0; b < forces.size(); ++b)
       forces[b] = Vec3::UnitX() * (b % 3 == 1 ? -2 : 1) * factor;
     const double begin = MPI_Wtime();
-    product.apply(places, forces, velocities, FlowPart::forces_and_memory);
+    product.apply(places, forces, velocities, FlowPart::all);
     const double middle = MPI_Wtime();
     if (scene.memory) product.end_step(places, forces, Vec3::Zero());
     cost.product += middle - begin;

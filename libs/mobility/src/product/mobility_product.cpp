@@ -14,6 +14,7 @@
 #include "near_pairs.hpp"
 #include "sum_over_ranks.hpp"
 #include "unresolved_memory.hpp"
+#include "wall_images.hpp"
 
 namespace beadswim {
 namespace {
@@ -45,6 +46,9 @@ void check(const MobilityScene& scene) {
                                              scene.moment_order));
   if (scene.memory && !scene.box)
     throw InputError("mobility", "a fluid with memory needs a box; give a box, or leave the memory out");
+  if (scene.box && (scene.half_space || !scene.flow.is_zero()))
+    throw InputError("mobility",
+                     "a half-space or a background flow is incompatible with a box; leave the box out");
   if (!scene.box) return;
   for (const double length : scene.box->lengths)
     if (!(length > 0 && std::isfinite(length)))
@@ -83,6 +87,7 @@ struct MobilityProduct::Parts {
   /// Self-mobility of each sphere, minus the part of it that the far part of the Ewald sum contains
   /// [time/mass].
   std::vector<double> self;
+  std::optional<WallImages> wall;              ///< of forces without moments; nullopt: without half-space
   std::optional<UnresolvedMemory> unresolved;  ///< of forces without moments; nullopt: without memory
   std::optional<NearField> near_field;
   std::optional<NearMap> near_map;  ///< map S of the forces at the positions mapped_places
@@ -112,6 +117,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                          .mesh = {},
                          .moments = {},
                          .self = {},
+                         .wall = {},
                          .unresolved = {},
                          .near_field = {},
                          .near_map = {},
@@ -126,6 +132,13 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
     return;
   }
   for (const double radius : scene.radii) parts_->self.push_back(self_mobility(radius, scene.viscosity));
+  const bool is_sphere = has_finite_radii(scene.model);
+  if (scene.half_space)
+    parts_->wall.emplace(
+        WallImages::Law{.order = 0,
+                        .viscosity = scene.viscosity,
+                        .half_space = *scene.half_space,
+                        .radii = is_sphere ? scene.radii : std::vector<double>(scene.radii.size(), 0.0)});
   if (!parts_->plan) return;
   const EwaldPlan& plan = *parts_->plan;
   parts_->near_pairs = std::make_unique<NearPairs>(NearPairs::Law{.model = scene.model,
@@ -135,7 +148,6 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                                                                   .xi = plan.xi,
                                                                   .cutoff = plan.cutoff});
   ParticleMesh::Beads beads{{}, scene.viscosity, 0, inertial_memory(scene.memory)};
-  const bool is_sphere = has_finite_radii(scene.model);
   if (is_sphere)
     for (const double radius : radii) beads.squared_radii.push_back(radius * radius);
   parts_->mesh = std::make_unique<ParticleMesh>(plan, lengths, beads, communicator);
@@ -174,6 +186,7 @@ void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std
   } else {
     add_all_pairs(scene.model, scene.viscosity, scene.radii, places, sources, velocities, communicator);
   }
+  if (wall) wall->add_flows(places, flat(sources), flat(velocities), communicator);
   sum_over_ranks({velocities[0].data(), 3 * velocities.size()}, communicator);
   for (std::size_t b = 0; b < velocities.size(); ++b) velocities[b] += self[b] * forces[b];
 }
@@ -190,6 +203,9 @@ ProductWork MobilityProduct::apply(std::span<const Vec3> positions, std::span<co
   } else {
     parts_->add_corrected_velocities(positions, forces, velocities);
   }
+  const BackgroundFlow& flow = parts_->scene.flow;
+  if (part == FlowPart::all && !parts_->moments && !flow.is_zero())
+    for (std::size_t b = 0; b < velocities.size(); ++b) velocities[b] += flow.at(positions[b]);
   return work;
 }
 

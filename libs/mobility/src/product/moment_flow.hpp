@@ -22,14 +22,15 @@
 
 namespace beadswim {
 
-/// Number of the sum of two derivatives of orders up to 3.
+/// Number of the sum of two derivatives of orders up to 5; 0 if the order of the sum is above the maximum.
 struct DerivativeSums {
-  unsigned char of[20][20]{};
+  unsigned char of[derivative_count(5)][derivative_count(5)]{};
 };
 constexpr DerivativeSums derivative_sums = [] {
   DerivativeSums sums;
-  for (int d = 0; d < 20; ++d) {
-    for (int e = 0; e < 20; ++e) {
+  for (int d = 0; d < derivative_count(5); ++d) {
+    for (int e = 0; e < derivative_count(5); ++e) {
+      if (derivative_table.order[d] + derivative_table.order[e] > max_derivative_order) continue;
       const auto &p = derivative_table.degree[d], &q = derivative_table.degree[e];
       sums.of[d][e] =
           static_cast<unsigned char>(derivative_table.index[p[0] + q[0]][p[1] + q[1]][p[2] + q[2]]);
@@ -43,7 +44,7 @@ constexpr DerivativeSums derivative_sums = [] {
 template <int order, class Value>
 BEADSWIM_KERNEL void cartesian_derivatives(const Value (&r)[3], const Value* radial, Value* result) {
   constexpr const DerivativeTable& table = derivative_table;
-  Value other[DerivativeTable::size];
+  Value other[derivative_count(order)];
   Value *now = (order % 2 == 0) ? result : other, *above = (order % 2 == 0) ? other : result;
   now[0] = radial[order];
   for (int n = order - 1; n >= 0; --n) {
@@ -66,11 +67,12 @@ BEADSWIM_KERNEL void cartesian_derivatives(const Value (&r)[3], const Value* rad
   }
 }
 
-/// Derivatives of the radial functions of a pair, divided by 8 pi eta. For spheres of finite size, chi is
-/// replaced by chi + (c_i a_i^2 + c_j a_j^2) laplacian chi.
-template <class Value>
+/// Derivatives of the radial functions of a pair, divided by 8 pi eta, for moments up to `order`. For spheres
+/// of finite size, chi is replaced by chi + (c_i a_i^2 + c_j a_j^2) laplacian chi.
+template <int order, class Value>
 struct PairDerivatives {
-  Value chi[DerivativeTable::size], laplacian[DerivativeTable::size], bilaplacian[DerivativeTable::size];
+  Value chi[derivative_count(2 + 2 * order)], laplacian[derivative_count(2 + 2 * order)],
+      bilaplacian[derivative_count(2 * order)];
 };
 
 /// Adds the flow at a sphere, up to its derivatives of `order`, to `flow` (order of elements:
@@ -79,7 +81,7 @@ struct PairDerivatives {
 ///   scaled_source  c_l a^2 A_c^d for the radius a of the other sphere
 ///   size           c_l a^2 for the radius a of the sphere itself, l = 0, 1, 2
 template <int order, class Value>
-BEADSWIM_KERNEL void add_moment_flow(const PairDerivatives<Value>& pair, const Value* source,
+BEADSWIM_KERNEL void add_moment_flow(const PairDerivatives<order, Value>& pair, const Value* source,
                                      const Value* scaled_source, const Value (&size)[3], Value* flow) {
   constexpr int count = derivative_count(order), next = derivative_count(order + 1);
   // Derivatives of div(A chi), and of its Laplacian, for all derivatives up to the next order.

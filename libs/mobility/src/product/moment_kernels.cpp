@@ -11,7 +11,7 @@ BEADSWIM_KERNEL void moment_pairs_of(const OneSphere& one, MomentPairs& pairs) {
   constexpr int count = derivative_count(order), highest = 2 + 2 * order;
   const Lanes r[3]{load(pairs.r[0]), load(pairs.r[1]), load(pairs.r[2])};
   Lanes radial[highest + 1];
-  PairDerivatives<Lanes> pair;
+  PairDerivatives<order, Lanes> pair;
   const auto derive = [&]<int upto>(const double(*functions)[lanes], Lanes* result)
       __attribute__((always_inline)) {
     for (int n = 0; n <= upto; ++n) radial[n] = load(functions[n]);
@@ -47,6 +47,64 @@ BEADSWIM_KERNEL void moment_pairs_of(const OneSphere& one, MomentPairs& pairs) {
 
 void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs) {
   order == 1 ? moment_pairs_of<1>(one, pairs) : moment_pairs_of<2>(one, pairs);
+}
+
+namespace {
+
+BEADSWIM_KERNEL double sum_of_lanes(const Lanes& values) {
+  double sum = 0;
+  for (int l = 0; l < lanes; ++l) sum += values[l];
+  return sum;
+}
+
+}  // namespace
+
+// The flow of the sources is that of add_moment_flow(), in open space, where the second Laplacian of chi is
+// 0. The pressure is p/eta = -sum_d sum_b A_b^d D^(d + e_b) laplacian chi/(8 pi eta).
+template <int order>
+BEADSWIM_KERNEL void mirror_flow_of(int axis, const PointSources& sources, MirrorFlow& flow) {
+  constexpr int count = derivative_count(order), high = derivative_count(order + 2), highest = 2 * order + 4;
+  constexpr auto& plus = derivative_sums.of;
+  const Lanes r[3]{load(sources.r[0]), load(sources.r[1]), load(sources.r[2])};
+  Lanes radial[highest + 1], chi[derivative_count(highest)], laplacian[derivative_count(highest)];
+  for (int n = 0; n <= highest; ++n) radial[n] = load(sources.chi[n]);
+  cartesian_derivatives<highest>(r, radial, chi);
+  for (int n = 0; n <= highest; ++n) radial[n] = load(sources.laplacian[n]);
+  cartesian_derivatives<highest>(r, radial, laplacian);
+  Lanes source[3 * count], scaled_source[3 * count];
+  for (int s = 0; s < 3 * count; ++s) {
+    source[s] = load(sources.source[s]);
+    scaled_source[s] = load(sources.size[derivative_table.order[s % count]]) * source[s];
+  }
+  /// Derivative e of the velocity component c.
+  const auto velocity = [&](int c, int e) __attribute__((always_inline)) {
+    Lanes sum{};
+    const int by_c = plus[e][1 + c];
+    for (int d = 0; d < count; ++d) sum += source[c * count + d] * laplacian[plus[d][e]];
+    for (int b = 0; b < 3; ++b) {
+      for (int d = 0; d < count; ++d) {
+        const int all = plus[plus[1 + b][d]][by_c];
+        sum -= source[b * count + d] * chi[all] + scaled_source[b * count + d] * laplacian[all];
+      }
+    }
+    return sum_of_lanes(sum);
+  };
+  for (int c = 0; c < 3; ++c)
+    for (int e = 0; e < count; ++e) flow.velocity[c][e] += velocity(c, e);
+  for (int e = 0; e < high; ++e) {
+    flow.across[e] += e < count ? 0 : velocity(axis, e);
+    Lanes sum{};
+    for (int b = 0; b < 3; ++b)
+      for (int d = 0; d < count; ++d) sum += source[b * count + d] * laplacian[plus[plus[1 + b][d]][e]];
+    flow.pressure[e] -= sum_of_lanes(sum);
+  }
+  for (int e = 0; e < count; ++e) flow.across[e] = flow.velocity[axis][e];
+}
+
+void mirror_flow(int order, int axis, const PointSources& sources, MirrorFlow& flow) {
+  order == 0   ? mirror_flow_of<0>(axis, sources, flow)
+  : order == 1 ? mirror_flow_of<1>(axis, sources, flow)
+               : mirror_flow_of<2>(axis, sources, flow);
 }
 
 /// Weights of the window of a bead along one axis and their first and second derivatives by the mesh

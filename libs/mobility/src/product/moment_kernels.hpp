@@ -2,6 +2,7 @@
 
 #include "beadswim/core/lanes.hpp"
 #include "mobility_kernels.hpp"
+#include "wall_reflection.hpp"
 
 // Kernels of a mobility product with force moments (force_moments.hpp), compiled once per instruction set, as
 // those of mobility_kernels.hpp.
@@ -21,6 +22,15 @@ struct MomentPairs {
   double flow[30][lanes];    ///< flow of the one sphere at the other spheres
 };
 
+/// Up to 8 spheres, one in each lane, whose flow at a point is needed. The vector r is the point minus the
+/// position of the sphere. Unused lanes contain a copy of another sphere and sources of zero.
+struct PointSources {
+  double r[3][lanes];
+  double chi[9][lanes], laplacian[9][lanes];  ///< as of MomentPairs
+  double source[30][lanes];
+  double size[3][lanes];
+};
+
 /// The one sphere of MomentPairs.
 struct OneSphere {
   const double* source;
@@ -35,6 +45,7 @@ using ConstMeshValues = const double* const*;
 #define BEADSWIM_DECLARE_MOMENT_KERNELS(instruction_set)                                                  \
   namespace instruction_set {                                                                             \
   void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs);                                 \
+  void mirror_flow(int order, int axis, const PointSources& sources, MirrorFlow& flow);                   \
   void spread_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources, \
                       MeshValues onto);                                                                   \
   void gather_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,  \
@@ -50,6 +61,8 @@ BEADSWIM_DECLARE_MOMENT_KERNELS(x86_64_v4)
 struct MomentKernels {
   /// Evaluates the flows of all pairs in both directions.
   void (*moment_pairs)(int order, const OneSphere&, MomentPairs&);
+  /// Adds the flow of the sources at the mirror point of a sphere. `axis`: of the wall's normal.
+  void (*mirror_flow)(int order, int axis, const PointSources&, MirrorFlow&);
   /// Adds the derivatives of the windows of the beads, multiplied by `sources`, to the three meshes.
   /// `sources`: 3 * derivative_count(order) numbers per bead.
   void (*spread_moments)(int order, const WindowMesh&, const WindowBeads&, const double* sources,

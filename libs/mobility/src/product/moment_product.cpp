@@ -61,6 +61,11 @@ MomentProduct::MomentProduct(const MobilityScene& scene, const std::optional<Ewa
               .cutoff = plan ? plan->cutoff : 0}),
       self_(moment_self_mobility(scene.moment_order, 1, scene.viscosity)),
       inverse_self_(self_.inverse()) {
+  if (scene.half_space)
+    wall_.emplace(WallImages::Law{.order = scene.moment_order,
+                                  .viscosity = scene.viscosity,
+                                  .half_space = *scene.half_space,
+                                  .radii = scene.radii});
   if (!plan) return;
   ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, inertial_memory(scene.memory)};
   for (const double radius : with_images(scene.radii, scene.box))
@@ -91,6 +96,7 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
   std::vector<double> flows(numbers * spheres, 0.0);
   pairs_.add_flows(places, sources, flows, communicator_);
   if (mesh_) mesh_->add_flows(places, sources, part, flows);
+  if (wall_) wall_->add_flows(places, sources, flows, communicator_);
   sum_over_ranks(flows, communicator_);
   if (mesh_) pairs_.subtract_far_flow(sources, flows);
   for (std::size_t b = 0; b < spheres; ++b) {
@@ -102,6 +108,24 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
             self_mobility_scale(degree_of_moment(m), radius) * self_(m, k) * moments[count * b + k];
   }
   if (unresolved_) unresolved_->add_projections(moments, part, projections);
+  if (part == FlowPart::all && !scene_.flow.is_zero()) {
+    const std::vector<double> background = projected_background(positions);
+    for (std::size_t k = 0; k < background.size(); ++k) projections[k] += background[k];
+  }
+}
+
+std::vector<double> MomentProduct::projected_background(std::span<const Vec3> positions) const {
+  const int order = scene_.moment_order, count = moment_count(order), derivatives = derivative_count(order);
+  std::vector<double> projections(count * positions.size()), flow(3 * derivatives, 0.0);
+  for (std::size_t b = 0; b < positions.size(); ++b) {
+    const Vec3 velocity = scene_.flow.at(positions[b]);
+    for (int c = 0; c < 3; ++c) {
+      flow[c * derivatives] = velocity[c];
+      for (int g = 0; g < 3; ++g) flow[c * derivatives + 1 + g] = scene_.flow.velocity_gradient(c, g);
+    }
+    project_flow(order, scene_.radii[b], flow.data(), &projections[count * b]);
+  }
+  return projections;
 }
 
 std::vector<double> MomentProduct::precondition(std::span<const double> projections) const {
@@ -135,18 +159,27 @@ void add_velocities(double factor, std::span<const double> flow, std::span<Vec3>
 
 }  // namespace
 
-/// Returns the power of the forces, to which the residual is compared. With memory of the fluid, whose flow
-/// can oppose the forces, it is the mean of F^2 mu and v^2/mu with the self-mobility mu of each sphere, which
-/// is at least as large.
-double MomentProduct::power(std::span<const Vec3> forces, std::span<const Vec3> velocities) const {
+/// Returns the power of the forces, to which the residual is compared. With memory of the fluid or background
+/// flow, which can oppose the forces, it is the mean of F^2 mu and v^2/mu with the self-mobility mu of each
+/// sphere, which is at least as large. v is then relative to the background flow, whose dissipation by each
+/// sphere alone is added.
+double MomentProduct::power(std::span<const Vec3> positions, std::span<const Vec3> forces,
+                            std::span<const Vec3> velocities, FlowPart part) const {
+  const bool has_background = part == FlowPart::all && !scene_.flow.is_zero();
   double sum = 0;
   for (std::size_t b = 0; b < forces.size(); ++b) {
-    if (unresolved_) {
+    if (unresolved_ || has_background) {
       const double mobility = self_(0, 0) / scene_.radii[b];
-      sum += (mobility * forces[b].squaredNorm() + velocities[b].squaredNorm() / mobility) / 2;
+      const Vec3 relative =
+          has_background ? Vec3(velocities[b] - scene_.flow.at(positions[b])) : velocities[b];
+      sum += (mobility * forces[b].squaredNorm() + relative.squaredNorm() / mobility) / 2;
     } else {
       sum += forces[b].dot(velocities[b]);
     }
+  }
+  if (has_background) {
+    const std::vector<double> background = projected_background(positions);
+    sum += dot(background, precondition(background));
   }
   return sum;
 }
@@ -171,7 +204,7 @@ ProductWork MomentProduct::solve_end_of_step(std::span<const Vec3> positions, st
   std::vector<double> moments = moments_in_step_;
   moments.resize(moment_count(scene_.moment_order) * positions.size(), 0.0);
   std::vector<Vec3> velocities(positions.size());
-  const ProductWork work = solve_from(positions, forces, velocities, FlowPart::forces_and_memory, moments);
+  const ProductWork work = solve_from(positions, forces, velocities, FlowPart::all, moments);
   const auto [places, sources] = sources_of(positions, moments);
   mesh_->read_sources(places, sources);
   if (moment_history_.empty()) moment_history_ = moments;
@@ -202,7 +235,8 @@ ProductWork MomentProduct::solve_from(std::span<const Vec3> positions, std::span
   cg.square = from_root(dot(cg.residual, cg.step));
   ProductWork work{.products = 1};
   for (;; ++work.iterations) {
-    work.residual = cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(forces, velocities)));
+    work.residual =
+        cg.square == 0 ? 0 : std::sqrt(cg.square / from_root(power(positions, forces, velocities, part)));
     if (!(work.residual > residual_share * scene_.tolerance)) break;  // NaN ends the loop too
     apply(positions, cg.direction, flow);
     const double curvature = from_root(dot(cg.direction, flow));

@@ -11,6 +11,7 @@
 #include "beadswim/mobility/particle_mesh.hpp"
 #include "moment_sum.hpp"
 #include "unresolved_memory.hpp"
+#include "wall_images.hpp"
 
 namespace beadswim {
 
@@ -31,7 +32,7 @@ class MomentProduct {
                     FlowPart part = FlowPart::forces);
 
   /// Sets `projections` to M `moments`, moment_count() numbers per sphere each, with the projections of the
-  /// flow that earlier forces have left if `part` asks for it. Collective.
+  /// background flow and of that which earlier forces have left if `part` asks for them. Collective.
   void apply(std::span<const Vec3> positions, std::span<const double> moments, std::span<double> projections,
              FlowPart part = FlowPart::forces) const;
 
@@ -49,7 +50,10 @@ class MomentProduct {
   std::optional<UnresolvedMemory>& unresolved() { return unresolved_; }
 
  private:
-  double power(std::span<const Vec3> forces, std::span<const Vec3> velocities) const;
+  double power(std::span<const Vec3> positions, std::span<const Vec3> forces,
+               std::span<const Vec3> velocities, FlowPart part) const;
+  /// Returns the projections of the background flow.
+  std::vector<double> projected_background(std::span<const Vec3> positions) const;
   /// Returns the moments at the end of a step, extrapolated from earlier steps.
   std::vector<double> extrapolated_moments(std::size_t spheres) const;
   /// As solve(), beginning with the higher moments in `moments`, and returns all moments there.
@@ -68,6 +72,7 @@ class MomentProduct {
   const Communicator& communicator_;
   MomentSum pairs_;
   std::unique_ptr<ParticleMesh> mesh_;          ///< null: all pairs are summed without a mesh
+  std::optional<WallImages> wall_;              ///< nullopt: without half-space
   std::optional<UnresolvedMemory> unresolved_;  ///< nullopt: steady flow
   Eigen::MatrixXd self_, inverse_self_;         ///< self-mobility of a sphere of radius 1, and its inverse
   std::vector<double> moment_history_;   ///< moments at the end of the last step, and of the step before

@@ -11,11 +11,6 @@
 namespace beadswim {
 namespace {
 
-std::array<double, 3> sizes(double radius) {
-  return {size_factors[0] * radius * radius, size_factors[1] * radius * radius,
-          size_factors[2] * radius * radius};
-}
-
 void set_radials(MomentPairs& pairs, int lane, const MomentRadials& radials) {
   for (int n = 0; n < 7; ++n) {
     pairs.chi[n][lane] = radials.chi[n];
@@ -48,7 +43,7 @@ void MomentSum::flush(Work& work) const {
   }
   const std::size_t n = elements();
   OneSphere one{.source = &work.sources[n * work.one], .size = {}, .flow = &work.flows[n * work.one]};
-  std::ranges::copy(sizes(work.radii[work.one]), one.size);
+  std::ranges::copy(moment_sizes(work.radii[work.one]), one.size);
   moment_kernels().moment_pairs(law_.order, one, pairs);
   for (int lane = 0; lane < work.count; ++lane)
     for (std::size_t k = 0; k < n; ++k) work.flows[n * work.other[lane] + k] += pairs.flow[k][lane];
@@ -71,7 +66,7 @@ void MomentSum::add_pair(Work& work, int one, int other, const Vec3& d) const {
   work.other[lane] = other;
   for (int a = 0; a < 3; ++a) work.pairs.r[a][lane] = d[a];
   set_radials(work.pairs, lane, radials);
-  const std::array<double, 3> size = sizes(work.radii[other]);
+  const std::array<double, 3> size = moment_sizes(work.radii[other]);
   for (int l = 0; l < 3; ++l) work.pairs.size[l][lane] = size[l];
   const std::size_t n = elements();
   for (std::size_t k = 0; k < n; ++k) work.pairs.source[k][lane] = work.sources[n * other + k];
@@ -90,7 +85,7 @@ void MomentSum::add_overlap(Work& work, int one, int other, const Vec3& d) const
     for (int m = 0; m <= law_.order; ++m) {
       const MomentRadials radials =
           overlap_radials(l, m, work.radii[one], work.radii[other], r, law_.viscosity);
-      double chi[DerivativeTable::size], laplacian[DerivativeTable::size];
+      double chi[derivative_count(6)], laplacian[derivative_count(6)];
       cartesian_derivatives<6>(vector, radials.chi, chi);
       cartesian_derivatives<6>(vector, radials.laplacian, laplacian);
       const auto add_flow = [&](const double* source, int of, double* flow, int at, double sign) {
@@ -162,7 +157,7 @@ void MomentSum::subtract_far_flow(std::span<const double> sources, std::span<dou
   const std::vector<double> none(n, 0.0);
   std::vector<double> flow(n);
   for (std::size_t b = 0; n * b < flows.size(); ++b) {
-    const std::array<double, 3> size = sizes(law_.radii[b]);
+    const std::array<double, 3> size = moment_sizes(law_.radii[b]);
     std::ranges::fill(flow, 0.0);
     OneSphere one{.source = none.data(), .size = {}, .flow = flow.data()};
     for (int l = 0; l < 3; ++l) one.size[l] = pairs.size[l][0] = size[l];

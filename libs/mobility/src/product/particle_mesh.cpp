@@ -293,7 +293,7 @@ void ParticleMesh::Mesh::multiply(FlowPart part) {
   } else {
     multiply_periodic();
   }
-  if (memory) memory->add_flow(values, part == FlowPart::forces_and_memory);
+  if (memory) memory->add_flow(values, part == FlowPart::all);
   for (auto& field : values)
     for (FftwArray& component : field) transform->backward(component);
 }

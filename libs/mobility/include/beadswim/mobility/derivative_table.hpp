@@ -5,13 +5,13 @@
 
 namespace beadswim {
 
-constexpr int max_derivative_order = 6;
+constexpr int max_derivative_order = 8;
 
 struct DerivativeTable {
-  static constexpr int size = 84;
+  static constexpr int size = 165;
   int degree[size][3]{};                  ///< (i, j, k) of each derivative
   int order[size]{};                      ///< i + j + k of each derivative
-  int index[7][7][7]{};                   ///< number of the derivative (i, j, k)
+  int index[9][9][9]{};                   ///< number of the derivative (i, j, k)
   int first[max_derivative_order + 2]{};  ///< number of the first derivative of each order
 };
 constexpr DerivativeTable derivative_table = [] {

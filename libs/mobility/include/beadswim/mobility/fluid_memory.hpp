@@ -45,9 +45,11 @@ inline std::optional<FluidMemory> inertial_memory(const std::optional<FluidMemor
   return memory && memory->density > 0 ? memory : std::nullopt;
 }
 
-/// Flow that a product evaluates: of the given forces, or with the flow that earlier forces have left in a
-/// fluid with memory. The first is linear in the forces. Without memory both are equal.
-enum class FlowPart { forces, forces_and_memory };
+/// Flow that a product evaluates.
+enum class FlowPart {
+  forces,  ///< of the given forces; linear in them
+  all,     ///< with the background flow, and the flow that earlier forces have left in a fluid with memory
+};
 
 /// Largest number of radii whose form factors a mesh with memory treats without interpolation.
 constexpr std::size_t max_exact_radii = 4;

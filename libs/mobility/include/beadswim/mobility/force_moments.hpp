@@ -49,6 +49,12 @@ constexpr int degree_of_moment(int m) {
 /// c_l of the equation above.
 constexpr std::array<double, 3> size_factors{1.0 / 6, 1.0 / 10, 1.0 / 14};
 
+/// Returns c_l a^2 of a sphere, by degree l.
+constexpr std::array<double, 3> moment_sizes(double radius) {
+  return {size_factors[0] * radius * radius, size_factors[1] * radius * radius,
+          size_factors[2] * radius * radius};
+}
+
 // A source contains the coefficients of the derivatives of a point force, a flow the derivatives of a
 // velocity, up to the order of the moments. Element c * derivative_count(order) + d is component c,
 // derivative d (derivative_table.hpp).

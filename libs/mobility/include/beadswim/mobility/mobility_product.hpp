@@ -6,8 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "beadswim/core/background_flow.hpp"
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/half_space.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 #include "beadswim/mobility/fluid_memory.hpp"
@@ -53,7 +55,9 @@ struct MobilityScene {
   std::vector<int> lines{};
   int moment_order =
       0;  ///< models multipole and unsteady: highest moment of the force on each sphere, 0 to 2
-  std::optional<FluidMemory> memory{};  ///< model unsteady
+  std::optional<FluidMemory> memory{};     ///< model unsteady
+  std::optional<HalfSpace> half_space{};   ///< without box and memory
+  BackgroundFlow flow{};                   ///< without box and memory
 };
 
 /// Work of products. Only products with force moments need iterations.

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "beadswim/core/vec3.hpp"
+
+namespace beadswim {
+
+/// Fluid over a plane no-slip wall: where the coordinate along `axis` is above 0.
+struct HalfSpace {
+  int axis = 2;
+
+  double height(const Vec3& position) const { return position[axis]; }
+  Vec3 mirrored(Vec3 position) const {
+    position[axis] = -position[axis];
+    return position;
+  }
+
+  bool operator==(const HalfSpace&) const = default;
+};
+
+}  // namespace beadswim

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+
+#include "beadswim/mobility/derivative_table.hpp"
+
+// clang-format off
+// Flow w that a plane no-slip wall at z = 0 adds to a flow v of forces in the fluid above it. Lorentz's reflection
+// gives it from v in open space and its pressure p, at the mirror point Jx of x:
+//
+//   w(x) = -v(Jx) + 2 z grad phi + z^2 grad q,   phi(x) = v_z(Jx),   q(x) = p(Jx)/eta
+//   laplacian w = grad (q + 2 z d_z q + 4 d_z phi)
+//
+//   z    height of x above the wall [length];  J: mirror at the wall
+//   eta  dynamic viscosity
+//
+// At z = 0, w = -v. w and its pressure fulfil the Stokes equations, because phi and q do: laplacian q = 0,
+// laplacian phi = -d_z q.
+//
+// Lorentz, Abh. Theor. Phys. 1 (1907) 23; Kim & Karrila, Microhydrodynamics (1991), section 12.2.2. The flow of
+// one point force is that of Blake, Proc. Camb. Phil. Soc. 70 (1971) 303. Page: docs/method/half-space.md.
+// clang-format on
+
+namespace beadswim {
+
+/// Flow of forces at the mirror point of a sphere: derivatives of the velocity up to the order n of the
+/// moments, and of its component across the wall and of p/eta up to the order n + 2.
+struct MirrorFlow {
+  static constexpr int max_count = derivative_count(4);
+  double velocity[3][derivative_count(2)]{};
+  double across[max_count]{}, pressure[max_count]{};
+};
+
+/// Adds the flow w at a sphere, with the factors P_l (force_moments.hpp), to `flow`.
+///   order    of the moments
+///   axis     of the wall's normal
+///   height   z of the sphere [length]
+///   sizes    c_l a^2 of the sphere [length^2]
+void add_reflected_flow(int order, int axis, double height, const std::array<double, 3>& sizes,
+                        const MirrorFlow& at_mirror, double* flow);
+
+}  // namespace beadswim

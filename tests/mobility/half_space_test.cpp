@@ -1,0 +1,323 @@
+#include <gtest/gtest.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/mobility/mobility_product.hpp"
+#include "moment_product.hpp"
+#include "sphere_surfaces.hpp"
+
+// Mobility of spheres over a plane no-slip wall and in a linear background flow, against Blake's tensor,
+// exact solutions and limits.
+
+namespace beadswim {
+namespace {
+
+constexpr double pi = std::numbers::pi, viscosity = 0.7;
+
+struct Spheres {
+  std::vector<double> radii;
+  std::vector<Vec3> places;
+};
+
+MobilityScene over_wall(MobilityModel model, const Spheres& spheres, int order = 0, int axis = 2) {
+  return {.model = model,
+          .viscosity = viscosity,
+          .box = {},
+          .radii = spheres.radii,
+          .tolerance = 1e-12,
+          .moment_order = order,
+          .half_space = HalfSpace{axis}};
+}
+
+std::vector<Vec3> velocities(const MobilityScene& scene, const Spheres& spheres,
+                             const std::vector<Vec3>& forces) {
+  const Communicator self(MPI_COMM_SELF);
+  const MobilityProduct product(scene, spheres.places, self);
+  std::vector<Vec3> result(forces.size());
+  EXPECT_TRUE(product.apply(spheres.places, forces, result, FlowPart::all).is_converged);
+  return result;
+}
+
+/// Returns the matrix from all forces to all velocities.
+Eigen::MatrixXd mobility(const MobilityScene& scene, const Spheres& spheres) {
+  const Eigen::Index size = 3 * std::ssize(spheres.radii);
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    std::vector<Vec3> forces(spheres.radii.size(), Vec3::Zero());
+    forces[k / 3][k % 3] = 1;
+    const std::vector<Vec3> v = velocities(scene, spheres, forces);
+    matrix.col(k) = Eigen::Map<const Eigen::VectorXd>(v[0].data(), size);
+  }
+  return matrix;
+}
+
+/// Flow at x of a point force at y over a wall at z = 0: Blake's tensor [time/mass].
+Eigen::Matrix3d blake_tensor(const Vec3& x, const Vec3& y) {
+  const Vec3 r = x - y, R(x[0] - y[0], x[1] - y[1], x[2] + y[2]);
+  const double d = r.norm(), D = R.norm(), h = y[2];
+  Eigen::Matrix3d G;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double same = i == j ? 1 : 0;
+      G(i, j) = same / d + r[i] * r[j] / (d * d * d) - same / D - R[i] * R[j] / (D * D * D);
+      // 2 h (+-) d/dR_j { h R_i/R^3 - (delta_i3/R + R_i R_3/R^3) }, with - for j = 3
+      const double source = h * (same / std::pow(D, 3) - 3 * R[i] * R[j] / std::pow(D, 5));
+      const double along_3 = i == 2 ? -R[j] / std::pow(D, 3) : 0.0;
+      const double stokeslet = along_3 + (same * R[2] + (j == 2 ? R[i] : 0.0)) / std::pow(D, 3) -
+                               3 * R[i] * R[2] * R[j] / std::pow(D, 5);
+      G(i, j) += (j == 2 ? -2 : 2) * h * (source - stokeslet);
+    }
+  }
+  return G / (8 * pi * viscosity);
+}
+
+TEST(HalfSpace, FlowOfPointForcesIsBlakesTensor) {
+  const Spheres spheres{.radii = {0.3, 0.5}, .places = {{0.2, -0.1, 0.9}, {1.4, 0.7, 0.35}}};
+  const Eigen::MatrixXd found = mobility(over_wall(MobilityModel::oseen, spheres), spheres);
+  EXPECT_LT((found.block<3, 3>(0, 3) - blake_tensor(spheres.places[0], spheres.places[1])).norm(), 1e-14);
+  EXPECT_LT((found.block<3, 3>(3, 0) - blake_tensor(spheres.places[1], spheres.places[0])).norm(), 1e-14);
+  for (int b = 0; b < 2; ++b) {  // -9/(16 H) along the wall, -9/(8 H) across it
+    const double stokes = 1 / (6 * pi * viscosity * spheres.radii[b]);
+    const double near = spheres.radii[b] / spheres.places[b][2];
+    EXPECT_NEAR(found(3 * b, 3 * b), stokes * (1 - 9 * near / 16), 1e-14);
+    EXPECT_NEAR(found(3 * b + 2, 3 * b + 2), stokes * (1 - 9 * near / 8), 1e-14);
+  }
+}
+
+// Swan & Brady (2007).
+TEST(HalfSpace, MobilityOfOneSphereOfFiniteSizeIsThatOfTheFormula) {
+  const double a = 0.8, stokes = 1 / (6 * pi * viscosity * a);
+  for (const int axis : {0, 1, 2}) {
+    for (const double H : {1.0, 1.1, 2.0, 5.0, 40.0}) {
+      const Spheres sphere{.radii = {a}, .places = {Vec3(0.3, -2, 1)}};
+      Spheres placed = sphere;
+      placed.places[0][axis] = H * a;
+      const Eigen::MatrixXd found = mobility(over_wall(MobilityModel::rpy, placed, 0, axis), placed);
+      for (int c = 0; c < 3; ++c) {
+        const double expected = c == axis ? 1 - (9 / H - 4 / std::pow(H, 3) + 1 / std::pow(H, 5)) / 8
+                                          : 1 - (9 / H - 2 / std::pow(H, 3) + 1 / std::pow(H, 5)) / 16;
+        EXPECT_NEAR(found(c, c) / stokes, expected, 1e-14) << axis << c << H;
+        EXPECT_NEAR(found(c, (c + 1) % 3) / stokes, 0, 1e-15);
+      }
+    }
+  }
+}
+
+class HalfSpaceOrder : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Orders, HalfSpaceOrder, testing::Values(0, 1, 2));
+
+/// Returns the matrix from all moments to all projections of several spheres over a wall.
+Eigen::MatrixXd moment_matrix(int order, const Spheres& spheres, int axis = 2) {
+  if (order == 0) return mobility(over_wall(MobilityModel::rpy, spheres, 0, axis), spheres);
+  const Communicator self(MPI_COMM_SELF);
+  const MomentProduct product(over_wall(MobilityModel::multipole, spheres, order, axis), {}, self);
+  const Eigen::Index size = moment_count(order) * std::ssize(spheres.radii);
+  Eigen::MatrixXd matrix(size, size);
+  for (Eigen::Index k = 0; k < size; ++k) {
+    std::vector<double> moments(size, 0.0);
+    moments[k] = 1;
+    product.apply(spheres.places, moments, {matrix.col(k).data(), static_cast<std::size_t>(size)});
+  }
+  return matrix;
+}
+
+// Catches a wrong derivative, sign or size factor in the reflection.
+TEST_P(HalfSpaceOrder, FlowOfMomentsIsTheIntegralOverBothSurfaces) {
+  const int order = GetParam(), count = moment_count(order);
+  const Spheres spheres{.radii = {0.7, 0.4}, .places = {{0.1, 0.2, 0.9}, {2.1, -0.7, 0.5}}};
+  const Eigen::MatrixXd found = moment_matrix(order, spheres);
+  const std::vector<SurfaceNode> nodes = sphere_nodes(16);
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(count, count);
+  for (const SurfaceNode& p : nodes) {
+    for (const SurfaceNode& q : nodes) {
+      const Vec3 x = spheres.places[0] + spheres.radii[0] * p.normal;
+      const Vec3 y = spheres.places[1] + spheres.radii[1] * q.normal;
+      expected += p.weight * q.weight * moment_densities(order, spheres.radii[0], p.normal).transpose() *
+                  blake_tensor(x, y) * moment_densities(order, spheres.radii[1], q.normal);
+    }
+  }
+  EXPECT_LT((found.block(0, count, count, count) - expected).norm(), 1e-7 * expected.norm());
+  for (int m = 0; m < count; ++m)
+    EXPECT_LT((found.block(0, count + m, count, 1) - expected.col(m)).norm(), 1e-6 * expected.col(m).norm())
+        << m;
+}
+
+TEST_P(HalfSpaceOrder, AnyAxisIsEqualExceptForItsName) {
+  const int order = GetParam();
+  const Spheres over_z{.radii = {0.7, 0.4}, .places = {{0.1, 0.2, 0.9}, {1.0, -0.6, 0.55}}};
+  Spheres over_x = over_z;
+  for (Vec3& place : over_x.places) place = Vec3(place[2], place[0], place[1]);
+  const Eigen::MatrixXd found = mobility(over_wall(MobilityModel::multipole, over_x, order, 0), over_x);
+  const Eigen::MatrixXd expected = mobility(over_wall(MobilityModel::multipole, over_z, order), over_z);
+  for (int k = 0; k < 6; ++k)
+    for (int m = 0; m < 6; ++m)
+      EXPECT_NEAR(found(3 * (k / 3) + (k % 3 + 1) % 3, 3 * (m / 3) + (m % 3 + 1) % 3), expected(k, m), 1e-11);
+}
+
+/// Returns spheres of random radii, some of which touch the wall.
+Spheres random_spheres(std::mt19937& random, int count) {
+  std::uniform_real_distribution<double> unit(0, 1);
+  Spheres spheres;
+  for (int b = 0; b < count; ++b) {
+    const double radius = std::pow(10.0, -1.5 * unit(random));
+    const double gap = unit(random) < 0.3 ? 0 : std::pow(10.0, 2 - 5 * unit(random));
+    spheres.radii.push_back(radius);
+    spheres.places.emplace_back(3 * unit(random), 3 * unit(random), radius + gap);
+  }
+  return spheres;
+}
+
+// Spheres may overlap one another and touch the wall.
+TEST(HalfSpace, MobilityOfPairsIsSymmetricAndPositiveDefinite) {
+  std::mt19937 random(20261127);
+  for (int n = 0; n < 10000; ++n) {
+    const Spheres spheres = random_spheres(random, 2);
+    Eigen::MatrixXd m = mobility(over_wall(MobilityModel::rpy, spheres), spheres);
+    ASSERT_LT((m - m.transpose()).norm(), 1e-13 * m.norm()) << n;
+    const Eigen::VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m).eigenvalues();
+    ASSERT_GT(eigenvalues.minCoeff(), 1e-3 * m.diagonal().minCoeff()) << n;
+  }
+}
+
+TEST_P(HalfSpaceOrder, MatrixOfMomentsIsSymmetricAndPositiveDefinite) {
+  const int order = GetParam(), count = moment_count(order);
+  std::mt19937 random(20261128);
+  for (int n = 0; n < 200; ++n) {
+    const Spheres spheres = random_spheres(random, 3);
+    Eigen::MatrixXd m = moment_matrix(order, spheres);
+    for (Eigen::Index b = 0; b < m.rows(); ++b) {  // all moments in units of a force
+      if (degree_of_moment(static_cast<int>(b % count)) != 1) continue;
+      m.row(b) *= spheres.radii[b / count];
+      m.col(b) *= spheres.radii[b / count];
+    }
+    ASSERT_LT((m - m.transpose()).norm(), 1e-12 * m.norm()) << n;
+    const Eigen::VectorXd eigenvalues =
+        Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(m + m.transpose()).eigenvalues();
+    ASSERT_GT(eigenvalues.minCoeff(), 0) << n;
+  }
+}
+
+TEST_P(HalfSpaceOrder, FluidIsAtRestOnTheWall) {
+  const int order = GetParam();
+  std::mt19937 random(20261129);
+  for (int n = 0; n < 20; ++n) {
+    Spheres spheres = random_spheres(random, 3);
+    spheres.radii.push_back(1e-15);  // a tracer on the wall, without force
+    spheres.places.emplace_back(1.5, 1.2, 1e-15);
+    const std::vector<Vec3> forces{{1, -0.4, 2}, {0.3, 1, -1}, {-2, 0.1, 0.7}, Vec3::Zero()};
+    const std::vector<Vec3> v =
+        velocities(over_wall(MobilityModel::multipole, spheres, order), spheres, forces);
+    double largest = 0;
+    for (int b = 0; b < 3; ++b) largest = std::max(largest, v[b].norm());
+    EXPECT_LT(v[3].norm(), 1e-12 * largest);
+  }
+}
+
+/// Stokes drag of a sphere that moves towards a plane wall, divided by the drag far away; h: height over
+/// radius. Brenner, Chem. Eng. Sci. 16 (1961) 242.
+double brenner_drag(double h) {
+  const double alpha = std::acosh(h);
+  double sum = 0;
+  for (int n = 1; n < 4000; ++n) {
+    const double k = 2 * n + 1, s = std::sinh(alpha);
+    const double half = std::sinh((n + 0.5) * alpha);
+    const double fraction =
+        (2 * std::sinh(k * alpha) + k * std::sinh(2 * alpha)) / (4 * half * half - k * k * s * s) - 1;
+    if (!std::isfinite(fraction)) break;
+    sum += n * (n + 1.0) / ((2 * n - 1.0) * (2 * n + 3.0)) * fraction;
+  }
+  return 4.0 / 3 * std::sinh(alpha) * sum;
+}
+
+TEST(HalfSpace, ASphereApproachesTheWallAsByBrennersExactSolution) {
+  EXPECT_NEAR(1 / brenner_drag(2), 0.47047, 5e-6);
+  EXPECT_NEAR(1 / brenner_drag(3), 0.63727, 5e-6);
+  EXPECT_NEAR(1 / brenner_drag(5), 0.77816, 5e-6);
+  const double stokes = 1 / (6 * pi * viscosity);
+  for (int order = 0; order <= 2; ++order) {
+    const int power = 4 + 2 * order;
+    const double leading =
+        std::array{0.63, 0.30, 0.12}[order];  // of the error times H^power, measured far away
+    for (const double H : {1.5, 2.0, 3.0, 5.0, 8.0}) {
+      const Spheres sphere{.radii = {1}, .places = {Vec3(0, 0, H)}};
+      const double found =
+          mobility(over_wall(MobilityModel::multipole, sphere, order), sphere)(2, 2) / stokes;
+      const double error = (found * brenner_drag(H) - 1) * std::pow(H, power);
+      EXPECT_GT(error, leading * 0.9) << H << order;
+      EXPECT_LT(error, leading * (1 + 4.5 / (H * H))) << H << order;
+    }
+  }
+}
+
+/// Velocity of a free sphere in shear flow along a wall, divided by the velocity of this flow at its centre,
+/// by height over radius. Goldman, Cox & Brenner, Chem. Eng. Sci. 22 (1967) 653, table 2.
+constexpr std::pair<double, double> goldman_velocities[]{
+    {3.7622, 0.99436}, {2.3524, 0.97768}, {1.5431, 0.92185}};
+
+TEST(HalfSpace, AFreeSphereLagsBehindShearFlowAsInTheExactSolution) {
+  for (const auto& [H, expected] : goldman_velocities) {
+    double last = 1 - expected;  // of order 0, which moves with the flow
+    for (int order = 0; order <= 2; ++order) {
+      const Spheres sphere{.radii = {0.5}, .places = {Vec3(7, -2, 0.5 * H)}};
+      MobilityScene scene = over_wall(MobilityModel::multipole, sphere, order);
+      scene.flow.velocity_gradient(0, 2) = 3;
+      const Vec3 v = velocities(scene, sphere, {Vec3::Zero()})[0];
+      const double error = std::abs(v[0] / (3 * 0.5 * H) - expected);
+      EXPECT_LT(error, (order == 0 ? 1 : 0.25) * last + 5e-6) << H << order;  // the table has five digits
+      EXPECT_NEAR(v[1], 0, 1e-14);
+      EXPECT_NEAR(v[2], 0, 1e-14);
+      last = error;
+    }
+  }
+}
+
+// Batchelor & Green, J. Fluid Mech. 56 (1972) 375: two equal spheres at r = r n in the rate of strain E have
+// the relative velocity r E n - r [A nn + B (I - nn)] E n.
+TEST(BackgroundFlow, FreePairsMoveAsByBatchelorAndGreen) {
+  const double r = 6;  // radii
+  const double A = 5 / std::pow(r, 3) - 8 / std::pow(r, 5) + 25 / std::pow(r, 6);
+  const double B = 16.0 / 3 / std::pow(r, 5);
+  const Vec3 n = Vec3(2, -1, 2).normalized();
+  Eigen::Matrix3d gradient;
+  gradient << 0.3, 1, -0.2, 0.4, -0.8, 0.1, 2, 0.3, 0.5;
+  const Eigen::Matrix3d strain = (gradient + gradient.transpose()) / 2;
+  const Spheres spheres{.radii = {2, 2}, .places = {{1, 2, 3}, Vec3(Vec3(1, 2, 3) + 2 * r * n)}};
+  for (int order = 0; order <= 2; ++order) {
+    const MobilityScene scene{.model = MobilityModel::multipole,
+                              .viscosity = viscosity,
+                              .box = {},
+                              .radii = spheres.radii,
+                              .tolerance = 1e-12,
+                              .moment_order = order,
+                              .flow = {.velocity = {5, 6, 7}, .velocity_gradient = gradient}};
+    const std::vector<Vec3> v = velocities(scene, spheres, std::vector<Vec3>(2, Vec3::Zero()));
+    const Vec3 relative = (v[1] - v[0]) / (2 * r) - gradient * n;
+    const Vec3 along = n * n.dot(strain * n);
+    const Vec3 expected = -A * along - B * (strain * n - along);
+    EXPECT_LT((v[0] + v[1] - scene.flow.at(spheres.places[0]) - scene.flow.at(spheres.places[1])).norm(),
+              1e-12);
+    const double limit = std::array{1 + 1e-12, 0.03, 0.01}[order];  // order 0 moves with the flow
+    EXPECT_LT((relative - expected).norm(), limit * expected.norm());
+  }
+}
+
+TEST(BackgroundFlow, ABoxIsRefused) {
+  const Communicator self(MPI_COMM_SELF);
+  const Spheres sphere{.radii = {1}, .places = {{4, 4, 4}}};
+  MobilityScene scene = over_wall(MobilityModel::rpy, sphere);
+  scene.box = Box{.lengths = Vec3(9, 9, 9)};
+  EXPECT_THROW(MobilityProduct(scene, sphere.places, self), InputError);
+  scene.half_space.reset();
+  EXPECT_NO_THROW(MobilityProduct(scene, sphere.places, self));
+  scene.flow.velocity[1] = 1;
+  EXPECT_THROW(MobilityProduct(scene, sphere.places, self), InputError);
+}
+
+}  // namespace
+}  // namespace beadswim
