@@ -50,8 +50,8 @@ bad 'SI as a name' 's/"lattice"/"SI"/' \
   '/units: "SI": the value must be "lattice", or an object such as \{"length":"um","time":"ms","mass":"pg"\}'
 bad 'a unit that has no name' 's/"lattice"/{ "length": "lambda", "time": "s", "mass": "pg" }/' \
   '/units/length: "lambda": the value must be one of .*, or an object such as \{"name":"my length","si_factor":1e-07\}'
-bad 'an imposed flow' 's/"fluid": {/"flow": { "shear_rate": 1 }, &/' '/flow: this version has no imposed flow: .*; remove the key'
-bad 'a sheared fluid' 's/"kinematic_viscosity"/"velocity_gradient": [0, 1, 0], &/' '/fluid/velocity_gradient: this version has no imposed flow'
+bad 'an imposed flow' 's/"fluid": {/"shear": { "rate": 1 }, &/' '/shear: imposed flow has other keys: "flow" of .*; remove the key'
+bad 'a sheared fluid' 's/"kinematic_viscosity"/"velocity_gradient": [0, 1, 0], &/' '/fluid/velocity_gradient: imposed flow has other keys'
 bad 'a prescribed stroke' 's/"frame": "lab"/&, "stroke": {}/' '/types/a/driving/stroke: this version has no prescribed stroke: .*amplitude, phase, period'
 bad 'a prescribed arm' 's/"frame": "lab"/&, "rest_length": [20, 21]/' '/types/a/driving/rest_length: this version has no prescribed stroke'
 bad 'a swimmer at a temperature' 's/"id": 0/&, "temperature": 300/' '/swimmers/0/temperature: this version has neither gravity nor thermal noise'

@@ -14,7 +14,7 @@ namespace {
 RunRecord older_record() {
   RunRecord record;
   record.model = "lbm";
-  record.domain = paper_single().domain;
+  record.domain.box = paper_single().domain.box;
   record.driving = {.period = 4800, .amplitude = {{0.2, 0.2}}, .phase = 1.5};
   record.swimmers = {{.id = 0, .cycles = {}, .period = {}}, {.id = 7, .cycles = {}, .period = 2000}};
   return record;
@@ -69,7 +69,7 @@ TEST(ScenesOfDocuments, OlderDocumentsAreComparedByWhatTheyState) {
 TEST(ScenesOfDocuments, AnOlderRunIsComparedWithAScene) {
   PredictionDocument prediction = older_prediction();
   prediction.scene = layout_of_two();
-  prediction.scene->domain.reset();
+  prediction.scene->domain.box.reset();
   prediction.scene->swimmers.erase(prediction.scene->swimmers.begin());
   const Differences expected{
       {SceneProperty::domain, "1200 x 800 x 800, free-slip, free-slip, free-slip", "open space"},

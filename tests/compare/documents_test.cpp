@@ -20,7 +20,7 @@ RunRecord full_record() {
   record.model = "lbm";
   record.status = RunStatus::stopped_signal;
   record.units = {false, {"um", 1e-6}, {"ms", 1e-3}, {"pg", 1e-15}};
-  record.domain = Box{{120, 80, 70}, {Boundary::periodic, Boundary::free_slip, Boundary::no_slip}};
+  record.domain.box = Box{{120, 80, 70}, {Boundary::periodic, Boundary::free_slip, Boundary::no_slip}};
   record.driving = {.period = 4800.5, .amplitude = {{0.2, 0.4}}, .phase = -1.5};
   CycleStatistics cycle;
   cycle.index = 3;
@@ -100,7 +100,7 @@ TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
   RunRecord record = full_record();
   record.units = {};
   record.driving = {.period = 4800.5, .amplitude = {}, .phase = {}};
-  record.domain.reset();
+  record.domain.box.reset();
   record.momentum.reset();
   record.mass_relative_change.reset();
   record.dimensionless.mach.reset();
@@ -109,7 +109,7 @@ TEST(RunRecord, SurvivesWithoutWhatAModelMayLack) {
   record.cost->mlups.reset();
   const RunRecord read = through_text(record);
   EXPECT_TRUE(read.units.lattice);
-  EXPECT_FALSE(read.domain || read.momentum || read.mass_relative_change || read.resolution);
+  EXPECT_FALSE(read.domain.box || read.momentum || read.mass_relative_change || read.resolution);
   EXPECT_EQ(run_record_to_json(read, RecordProvenance::written),
             run_record_to_json(record, RecordProvenance::written));
 }

@@ -28,7 +28,7 @@ inline void require_whole_or_refused(const std::string& path) {
               "whole swimmers");
       require(header.swimmer.size() == beads && header.radius.size() == beads, "a number for each bead");
       require(std::ranges::all_of(header.radius, [](double r) { return r > 0; }), "radii are positive");
-      require(header.box ? header.box->lengths == file.layout.domain->lengths : !file.layout.domain,
+      require(header.box ? header.box->lengths == file.layout.domain.box->lengths : !file.layout.domain.box,
               "the box is the layout's");
       require(file.period() > 0 && file.swimmers().size() * 3 == beads,
               "a period, and an id for each swimmer");

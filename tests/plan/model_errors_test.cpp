@@ -18,7 +18,7 @@ namespace {
 /// Returns the paper's single swimmer in the middle of a periodic box.
 Layout single(const Vec3& box, double period = 2000) {
   Layout layout = paper_single();
-  layout.domain = Box{.lengths = box, .boundary = {}};
+  layout.domain.box = Box{.lengths = box, .boundary = {}};
   SwimmerType& type = layout.types.at("a");
   type.driving.period = period;
   layout.swimmers.front().position = box / 2;
@@ -33,7 +33,7 @@ Layout swarm(int count) {
                        .blocks = {1, 1, 1},
                        .core_gap = Vec3::Constant(32),
                        .block_gap = Vec3::Constant(32)};
-  layout.domain = swarm_box(plan, type);
+  layout.domain.box = swarm_box(plan, type);
   layout.swimmers = swarm_swimmers(plan, type, layout.types.begin()->first);
   return layout;
 }

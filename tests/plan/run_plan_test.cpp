@@ -14,8 +14,8 @@ namespace {
 /// Returns the paper's single swimmer in a periodic box.
 Layout single() {
   Layout layout = paper_single();
-  layout.domain = Box{.lengths = {96, 64, 64}, .boundary = {}};
-  layout.swimmers.front().position = layout.domain->lengths / 2;
+  layout.domain.box = Box{.lengths = {96, 64, 64}, .boundary = {}};
+  layout.swimmers.front().position = layout.domain.box->lengths / 2;
   return layout;
 }
 

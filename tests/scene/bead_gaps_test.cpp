@@ -78,7 +78,7 @@ TEST_P(BeadGaps, SmallestGapIsThatOfAllPairsImagesAndWalls) {
       }
       if (domain) expected = std::min({expected, i.centre[1] - i.radius, 30 - i.centre[1] - i.radius});
     }
-    EXPECT_NEAR(smallest_gap(beads, domain), expected, roundoff);
+    EXPECT_NEAR(smallest_gap(beads, {.box = domain}), expected, roundoff);
   }
 }
 

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 /// Returns the paper's swimmer in a small periodic box, with beads at x = 16, 36, 56.
 Layout small_scene() {
   Layout layout = paper_single();
-  layout.domain = Box{.lengths = Vec3(72, 30, 30), .boundary = {}};
+  layout.domain.box = Box{.lengths = Vec3(72, 30, 30), .boundary = {}};
   layout.swimmers[0].position = Vec3(36, 15, 15);
   return layout;
 }
@@ -90,14 +90,14 @@ TEST(CheckLayout, LetsArmsCrossASeamButNotAWall) {
   Layout layout = small_scene();
   layout.swimmers[0].position = Vec3(10, 15, 15);
   EXPECT_EQ(faults(layout), "");
-  layout.domain->boundary[0] = Boundary::free_slip;
+  layout.domain.box->boundary[0] = Boundary::free_slip;
   EXPECT_THAT(faults(layout),
               HasSubstr("bead 1 of radius 4 at (-10, 15, 15) is not completely between the walls along x"));
 }
 
 TEST(CheckLayout, RefusesABeadThatPiercesAWallWithItsCentreInside) {
   Layout layout = small_scene();
-  layout.domain->boundary[2] = Boundary::no_slip;
+  layout.domain.box->boundary[2] = Boundary::no_slip;
   layout.swimmers[0].position[2] = 3.5;
   EXPECT_THAT(faults(layout), HasSubstr("along z: its centre must be between 4 and 26"));
 }
@@ -120,9 +120,9 @@ TEST(CheckLayout, NamesBothSwimmersOfAnOverlap) {
 TEST(CheckLayout, RefusesABoxSoShortThatASwimmerMeetsItsOwnImages) {
   Layout layout = small_scene();
   layout.swimmers[0].position = Vec3(10, 15, 15);
-  layout.domain->lengths[0] = 48.5;  // bead 3 and the image of bead 1 are 8.5 apart
+  layout.domain.box->lengths[0] = 48.5;  // bead 3 and the image of bead 1 are 8.5 apart
   EXPECT_EQ(faults(layout), "");
-  layout.domain->lengths[0] = 47.5;
+  layout.domain.box->lengths[0] = 47.5;
   EXPECT_THAT(faults(layout), HasSubstr("through the periodic boundary"));
 }
 

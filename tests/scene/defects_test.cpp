@@ -103,7 +103,7 @@ TEST(Interstitials, GoWhereThereIsRoom) {
   // Spread over the box, not in a corner of it.
   Vec3 mean = Vec3::Zero();
   for (std::size_t s = 2250; s < 2290; ++s) mean += layout.swimmers[s].position / 40;
-  EXPECT_LT((mean.cwiseQuotient(layout.domain->lengths) - Vec3::Constant(0.5)).norm(), 0.25);
+  EXPECT_LT((mean.cwiseQuotient(layout.domain.box->lengths) - Vec3::Constant(0.5)).norm(), 0.25);
   Layout full = swarm_of(paper_uniform_plan(), paper_swarm().types.at("a"));
   EXPECT_THROW(add_interstitials(full, std::int64_t{1000}, 5), InputError);
   Layout numbered = swarm_of(paper_uniform_plan(), paper_swarm().types.at("a"));
@@ -127,7 +127,7 @@ TEST(Jitter, MovesByNormalDeviates) {
   jitter(at_face, draw_swimmer_indices(at_face, 1.0, 2), 0.3, 2);
   for (const Swimmer& swimmer : at_face.swimmers) {
     EXPECT_GE(swimmer.position[1], 0);
-    EXPECT_LE(swimmer.position[1], at_face.domain->lengths[1]);
+    EXPECT_LE(swimmer.position[1], at_face.domain.box->lengths[1]);
   }
   // Half of them, and those as if all had been moved.
   Layout half = swarm;
@@ -180,7 +180,7 @@ TEST(Domains, AreRegionsOfOneDirection) {
     for (std::size_t t = 0; t < s; ++t) {
       Vec3 apart = layout.swimmers[s].position - layout.swimmers[t].position;
       for (int a = 0; a < 3; ++a)
-        apart[a] -= layout.domain->lengths[a] * std::round(apart[a] / layout.domain->lengths[a]);
+        apart[a] -= layout.domain.box->lengths[a] * std::round(apart[a] / layout.domain.box->lengths[a]);
       if (apart.norm() > 33) continue;
       ++pairs;
       alike += layout.swimmers[s].axis == layout.swimmers[t].axis ? 1 : 0;
@@ -230,14 +230,14 @@ TEST(Spacing, ChangesTheGapsBetweenLayers) {
   double sum = 0;
   std::set<double> changes;
   for (std::size_t n = 0; n < places.size(); ++n) {
-    const double gap = places[n] - (n > 0 ? places[n - 1] : places.back() - spaced.domain->lengths[1]);
+    const double gap = places[n] - (n > 0 ? places[n - 1] : places.back() - spaced.domain.box->lengths[1]);
     EXPECT_NEAR(std::remainder(gap - 32, 2), 0, 1e-9);
     changes.insert(gap - 32);
     sum += gap - 32;
   }
   EXPECT_GT(changes.size(), 3);
-  EXPECT_NEAR(spaced.domain->lengths[1] - swarm.domain->lengths[1], sum, 1e-9);
-  EXPECT_EQ(spaced.domain->lengths[0], swarm.domain->lengths[0]);
+  EXPECT_NEAR(spaced.domain.box->lengths[1] - swarm.domain.box->lengths[1], sum, 1e-9);
+  EXPECT_EQ(spaced.domain.box->lengths[0], swarm.domain.box->lengths[0]);
   for (std::size_t s = 0; s < swarm.swimmers.size(); ++s)
     EXPECT_EQ(spaced.swimmers[s].position[2], swarm.swimmers[s].position[2]);
   Layout one = swarm;
@@ -245,7 +245,7 @@ TEST(Spacing, ChangesTheGapsBetweenLayers) {
   std::set<double> across_z;
   for (const Swimmer& swimmer : one.swimmers) across_z.insert(swimmer.position[2]);
   int changed = 0;
-  double before = *across_z.rbegin() - one.domain->lengths[2];
+  double before = *across_z.rbegin() - one.domain.box->lengths[2];
   for (const double place : across_z) {
     changed += std::abs(place - before - 32) > 1e-9 ? 1 : 0;
     before = place;
@@ -260,13 +260,13 @@ TEST(Spacing, KeepsALayerAtTheFaceTogether) {
     Layout layout = swarm_of(paper_uniform_plan(), paper_swarm().types.at("a"));
     for (Swimmer& swimmer : layout.swimmers) swimmer.position[1] += swimmer.id == 3 ? 80 - 1e-9 : -16;
     space_layers(layout, {.axis = 1, .sigma = 2}, 1.0, seed);
-    const double length = layout.domain->lengths[1];
+    const double length = layout.domain.box->lengths[1];
     const double apart = layout.swimmers[3].position[1] - layout.swimmers[0].position[1];
     EXPECT_NEAR(std::remainder(apart, length), 0, 1e-8) << seed;
   }
   Layout walled = paper_single();
   space_layers(walled, {.axis = 1, .sigma = 100}, 1.0, 3);
-  EXPECT_EQ(walled.domain->lengths, paper_single().domain->lengths);
+  EXPECT_EQ(walled.domain.box->lengths, paper_single().domain.box->lengths);
 }
 
 TEST(Repair, PartsWhatOverlaps) {
@@ -293,7 +293,7 @@ TEST(Repair, PartsWhatOverlaps) {
   EXPECT_TRUE(check_layout(walled).empty());
   // In a channel of little room, not past the middle and back for ever; and no further than need be.
   Layout channel = paper_single();
-  channel.domain->lengths[1] = 16;
+  channel.domain.box->lengths[1] = 16;
   channel.swimmers.front().position[1] = 1;
   repair_overlaps(channel);
   EXPECT_NEAR(channel.swimmers.front().position[1], 4.4, 0.21);

@@ -32,7 +32,7 @@ LayoutDocument full_document() {
   LayoutDocument document{.layout = paper_single(), .provenance = {{{"program", "test"}}}};
   Layout& layout = document.layout;
   layout.units = {.lattice = false, .length = {"um", 1e-6}, .time = {"tick", 2.5e-7}, .mass = {"pg", 1e-15}};
-  layout.domain->boundary = {Boundary::periodic, Boundary::free_slip, Boundary::no_slip};
+  layout.domain.box->boundary = {Boundary::periodic, Boundary::free_slip, Boundary::no_slip};
   SwimmerType& type = layout.types["b"] = layout.types["a"];
   change(type, [](ThreeBeadSwimmer& three) {
     three.beads[1] = {.radius = 3.25, .density = 1.1};
@@ -56,7 +56,7 @@ TEST(LayoutDocument, KeepsTheValuesOfAllParts) {
   const Layout layout = read_back(layout_to_json(full_document())).layout;
   EXPECT_FALSE(layout.units.lattice);
   EXPECT_EQ(layout.units.time.si_factor, 2.5e-7);
-  EXPECT_EQ(layout.domain->boundary[2], Boundary::no_slip);
+  EXPECT_EQ(layout.domain.box->boundary[2], Boundary::no_slip);
   EXPECT_EQ(layout.types.at("b").beads[1].radius, 3.25);
   EXPECT_EQ(layout.types.at("b").bonds[1].damping, 0.1);
   EXPECT_EQ(layout.types.at("b").driving.frame, DrivingFrame::body);
@@ -76,9 +76,9 @@ TEST(LayoutDocument, ASwimmersDrivingChangesOnlyWhatItNames) {
 
 TEST(LayoutDocument, NullIsUnboundedFluid) {
   LayoutDocument document = full_document();
-  document.layout.domain.reset();
+  document.layout.domain.box.reset();
   EXPECT_TRUE(layout_to_json(document)["domain"].is_null());
-  EXPECT_FALSE(read_back(layout_to_json(document)).layout.domain.has_value());
+  EXPECT_FALSE(read_back(layout_to_json(document)).layout.domain.box.has_value());
 }
 
 TEST(LayoutDocument, FaultsAcrossFieldsNameTheFileAndThePointer) {

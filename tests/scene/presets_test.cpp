@@ -26,7 +26,7 @@ TEST(PaperSingle, HasThePapersNumbers) {
   EXPECT_EQ(type.driving.phase, std::numbers::pi / 2);
   EXPECT_EQ(type.driving.period, 4800);
   EXPECT_EQ(layout.fluid.kinematic_viscosity, 1.0 / 3);
-  EXPECT_EQ(layout.domain->lengths, Vec3(1200, 800, 800));
+  EXPECT_EQ(layout.domain.box->lengths, Vec3(1200, 800, 800));
   EXPECT_EQ(layout.swimmers[0].position, Vec3(600, 400, 400));
 }
 
@@ -93,7 +93,7 @@ TEST(ShiftOffLatticePlanes, KeepsBeadsOffPlanesAtAllUsualResolutions) {
 
 TEST(ShiftOffLatticePlanes, LeavesASwimmerInTheMiddleBetweenWalls) {
   const Layout layout = paper_single();
-  Box box = layout.domain.value();
+  Box box = layout.domain.box.value();
   const SwimmerType& type = layout.types.at("a");
   EXPECT_EQ(shift_off_lattice_planes(type, Vec3::UnitX(), box), Vec3::Zero());
   box.boundary[2] = Boundary::periodic;

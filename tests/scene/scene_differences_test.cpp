@@ -14,7 +14,7 @@ namespace {
 /// Returns two swimmers in a box of 1200 x 800 x 800 that is periodic along x and y and has walls along z.
 Layout two_swimmers() {
   Layout layout = paper_single();
-  layout.domain->boundary = {Boundary::periodic, Boundary::periodic, Boundary::no_slip};
+  layout.domain.box->boundary = {Boundary::periodic, Boundary::periodic, Boundary::no_slip};
   layout.swimmers.push_back({.id = 3, .type = "a", .position = Vec3(100, 400, 500)});
   return layout;
 }
@@ -64,9 +64,9 @@ TEST(SceneDifferences, EachPropertyHasItsName) {
   EXPECT_EQ(names_after_change([](auto& three) { three.angular_stiffness = 0; }), "angular_stiffness");
   EXPECT_EQ(names_after([](Layout& l) { l.fluid.density = 1.1; }), "fluid");
   EXPECT_EQ(names_after([](Layout& l) { l.fluid.kinematic_viscosity = 0.3; }), "fluid");
-  EXPECT_EQ(names_after([](Layout& l) { l.domain->lengths[1] = 900; }), "domain");
-  EXPECT_EQ(names_after([](Layout& l) { l.domain->boundary[0] = Boundary::free_slip; }), "domain");
-  EXPECT_EQ(names_after([](Layout& l) { l.domain.reset(); }), "domain");
+  EXPECT_EQ(names_after([](Layout& l) { l.domain.box->lengths[1] = 900; }), "domain");
+  EXPECT_EQ(names_after([](Layout& l) { l.domain.box->boundary[0] = Boundary::free_slip; }), "domain");
+  EXPECT_EQ(names_after([](Layout& l) { l.domain.box.reset(); }), "domain");
   EXPECT_EQ(names_after([](Layout& l) { l.swimmers.pop_back(); }), "swimmers");
   EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].id = 2; }), "swimmers");
   EXPECT_EQ(names_after([](Layout& l) { l.swimmers[1].position[0] += 1e-3; }), "placing");
@@ -127,7 +127,7 @@ TEST(SceneDifferences, StateTheOrientationOfASwimmerTurnedAboutItsAxis) {
 
 TEST(SceneDifferences, AreSortedAndStateBothValues) {
   const auto differences = after([](Layout& layout) {
-    layout.domain.reset();
+    layout.domain.box.reset();
     layout.swimmers[1].driving = type(layout).driving;
     change(*layout.swimmers[1].driving, [](ThreeBeadDriving& driving) {
       driving.amplitude = {0.2, 0.3};
@@ -159,7 +159,7 @@ TEST(SceneDifferences, APositionInAnotherPeriodicImageIsNone) {
 
 TEST(SceneDifferences, ATranslationInOpenSpaceIsNone) {
   Layout run = two_swimmers();
-  run.domain.reset();
+  run.domain.box.reset();
   Layout reference = run;
   move_all(reference, Vec3(1, 2, 3));
   EXPECT_TRUE(scene_differences(run, reference).empty());

@@ -9,7 +9,7 @@ namespace beadswim {
 inline Layout swarm_of(const SwarmPlan& plan, const SwimmerType& type) {
   Layout layout = paper_swarm();
   layout.types["a"] = type;
-  layout.domain = swarm_box(plan, type);
+  layout.domain.box = swarm_box(plan, type);
   layout.swimmers = swarm_swimmers(plan, type, "a");
   return layout;
 }

@@ -46,7 +46,7 @@ TEST(Swarm, KeepsTheGapsOfThePlan) {
       if (apart.norm() < 1e-12) places.push_back(swimmer.position[axis]);
     }
     std::ranges::sort(places);
-    places.push_back(places.front() + layout.domain->lengths[axis]);
+    places.push_back(places.front() + layout.domain.box->lengths[axis]);
     std::vector<double> gaps;
     for (std::size_t n = 1; n < places.size(); ++n)
       gaps.push_back(places[n] - places[n - 1] - (axis == 0 ? 64 : 0));
@@ -74,11 +74,11 @@ TEST(Reduce, FindsTheUniformSwarmsOneSwimmerAndTheDefectSwarmsNine) {
   defect.blocks = Index3(2, 5, 1);
   const ReducedCell one = reduce(swarm_of(uniform, type), 1e-9);
   EXPECT_EQ(one.layout.swimmers.size(), 1);
-  EXPECT_EQ(one.layout.domain->lengths, Vec3(96, 32, 32));
+  EXPECT_EQ(one.layout.domain.box->lengths, Vec3(96, 32, 32));
   EXPECT_TRUE((one.cells == Index3(3, 6, 12)).all());
   const ReducedCell nine = reduce(swarm_of(defect, type), 1e-9);
   EXPECT_EQ(nine.layout.swimmers.size(), 9);
-  EXPECT_EQ(nine.layout.domain->lengths, Vec3(120, 120, 120));
+  EXPECT_EQ(nine.layout.domain.box->lengths, Vec3(120, 120, 120));
   EXPECT_TRUE(check_layout(nine.layout).empty());
 }
 
@@ -109,7 +109,7 @@ TEST(Reduce, KeepsWhatDiffers) {
             }),
             1);
   EXPECT_EQ(cells_with([](Layout& layout, Swimmer& one) { one.driving = layout.types["a"].driving; }), 18);
-  EXPECT_EQ(cells_with([](Layout& layout, Swimmer&) { layout.domain->boundary[1] = Boundary::free_slip; }),
+  EXPECT_EQ(cells_with([](Layout& layout, Swimmer&) { layout.domain.box->boundary[1] = Boundary::free_slip; }),
             6);
 }
 
@@ -121,7 +121,7 @@ TEST(Reduce, RepeatsToTheScene) {
   Layout swarm = swarm_of(plan, type);
   for (Swimmer& swimmer : swarm.swimmers) {
     for (int a = 0; a < 3; ++a) {  // so that some are at the faces of cells, to roundoff
-      const double length = swarm.domain->lengths[a];
+      const double length = swarm.domain.box->lengths[a];
       swimmer.position[a] += 97 + 1e-13 * (swimmer.id % 3 - 1);
       swimmer.position[a] -= length * std::floor(swimmer.position[a] / length);
     }
@@ -140,7 +140,7 @@ TEST(Reduce, RepeatsToTheScene) {
 
 TEST(Reduce, RefusesUnboundedFluid) {
   Layout layout = paper_single();
-  layout.domain.reset();
+  layout.domain.box.reset();
   EXPECT_THROW(reduce(layout, 1e-9), InputError);
 }
 

@@ -45,7 +45,7 @@ TEST(SceneNumbers, ArmAmplitudesTendToThePapersForLongArms) {
   const auto expected = paper_amplitudes(A, B, alpha, k, W);
   for (const double arm : {400.0, 4000.0}) {
     Layout layout = paper_single();
-    layout.domain.reset();
+    layout.domain.box.reset();
     change(layout.types["a"], [&](ThreeBeadSwimmer& type) {
       for (Spring& spring : type.springs) spring.rest_length = arm;
       type.driving = {.amplitude = {A, B}, .phase = alpha, .period = T};
@@ -79,7 +79,7 @@ TEST(SceneNumbers, AreTheSameInAnyUnits) {
   const double length = 0.37, time = 5.1, mass = 0.023;
   after.fluid.density *= mass / std::pow(length, 3);
   after.fluid.kinematic_viscosity *= length * length / time;
-  after.domain->lengths *= length;
+  after.domain.box->lengths *= length;
   after.swimmers[0].position *= length;
   change(after.types["a"], [&](ThreeBeadSwimmer& type) {
     for (Bead& bead : type.beads) bead.radius *= length;

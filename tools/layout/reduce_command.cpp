@@ -44,7 +44,7 @@ ReduceCommand::ReduceCommand(CLI::App& program)
 void ReduceCommand::reduce_to_cell(Layout& layout) const {
   ReducedCell reduced = reduce(layout, tolerance_ * smallest_radius(layout));
   const std::size_t before = layout.swimmers.size(), after = reduced.layout.swimmers.size();
-  const Vec3& box = reduced.layout.domain->lengths;
+  const Vec3& box = reduced.layout.domain.box->lengths;
   print_to_stderr(fmt::format(
       "beadswim-layout: the scene consists of {} x {} x {} copies of one cell; the new layout is "
       "this cell, with {} swimmers reduced to {}, in a box of {:g} x {:g} x {:g}; the copies differ "
@@ -66,8 +66,8 @@ void ReduceCommand::put_in_box(Layout& layout) const {
         "walls or a body force move the fluid of this layout, but the other box is periodic and has no "
         "walls; leave the flag out");
   Swimmer& swimmer = layout.swimmers.front();
-  layout.domain = Box{.lengths = parse_vector(box_)};
-  swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain);
+  layout.domain.box = Box{.lengths = parse_vector(box_)};
+  swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain.box);
   require_sound(layout, "the flags");
 }
 

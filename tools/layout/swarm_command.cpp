@@ -80,7 +80,7 @@ void SwarmCommand::run(const CLI::App& program) const {
   Layout& layout = document.layout;
   const SwarmPlan swarm = plan();
   const SwimmerType& type = layout.types.at("a");
-  layout.domain = swarm_box(swarm, type);
+  layout.domain.box = swarm_box(swarm, type);
   layout.swimmers = swarm_swimmers(swarm, type, "a");
   require_sound(layout, "the flags");
   write_text("-", dump_json(layout_to_json(document)));

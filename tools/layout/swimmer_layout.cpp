@@ -156,7 +156,7 @@ void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
 }
 
 void PlaceFlags::apply(Layout& layout) const {
-  apply_domain(layout.domain);
+  apply_domain(layout.domain.box);
   const auto& [name, type] = *layout.types.begin();
   Swimmer swimmer{.id = 0, .type = name};
   if (!axis_.empty()) swimmer.axis = parse_vector(axis_).stableNormalized();
@@ -165,7 +165,7 @@ void PlaceFlags::apply(Layout& layout) const {
     swimmer.turn = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
     swimmer.axis = swimmer.orientation().col(0);
   }
-  swimmer.position = position_.empty() ? centred_position(type, swimmer.orientation(), layout.domain)
+  swimmer.position = position_.empty() ? centred_position(type, swimmer.orientation(), layout.domain.box)
                                        : parse_vector(position_);
   layout.swimmers = {swimmer};
 }

@@ -72,10 +72,7 @@ SettingTexts setting_of(const RunRecord& record) {
     setting[3] = fmt::format("τ = {:.2g}", resolution->relaxation_time);
     setting[4] = resolution->precision;
   }
-  if (record.domain) {
-    const Vec3& box = record.domain->lengths;
-    setting[5] = fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
-  }
+  if (record.domain != Domain{}) setting[5] = in_words(record.domain);
   return setting;
 }
 

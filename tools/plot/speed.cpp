@@ -40,7 +40,7 @@ struct ErrorReference {
 
 /// Returns true if two run records have the same box, the same driving and the same swimmer ids.
 bool are_of_one_scene(const RunRecord& a, const RunRecord& b) {
-  return a.driving == b.driving && a.domain == b.domain && a.body_force == b.body_force &&
+  return a.driving == b.driving && a.domain == b.domain && a.flow == b.flow && a.body_force == b.body_force &&
          std::ranges::equal(a.swimmers, b.swimmers, {}, &SwimmerRecord::id, &SwimmerRecord::id);
 }
 
@@ -108,11 +108,11 @@ ErrorReference read_reference(const PlotInputs& inputs, const SpeedFlags& flags,
 /// Returns the number of driving periods that a run has completed. For a lattice run it is a fraction,
 /// computed from the number of cell updates; for other runs it is the number of complete cycles.
 double periods_done(const RunRecord& record) {
-  if (!record.resolution || !record.domain || !record.cost->cell_updates) {
+  if (!record.resolution || !record.domain.box || !record.cost->cell_updates) {
     const std::vector<CycleStatistics>& cycles = record.swimmers.front().cycles;
     return cycles.empty() ? 0 : cycles.back().index;
   }
-  const double cells = record.domain->lengths.prod() / std::pow(record.resolution->cell_size, 3);
+  const double cells = record.domain.box->lengths.prod() / std::pow(record.resolution->cell_size, 3);
   return static_cast<double>(*record.cost->cell_updates) /
          (cells * static_cast<double>(record.resolution->steps_per_cycle));
 }

@@ -126,7 +126,7 @@ PointGroup points_by_cycle(const PlotInputs& inputs, const PlottedRun& run, cons
   for (const SwimmerRecord& swimmer : run.record.swimmers) {
     for (const CycleStatistics& cycle : swimmer.cycles) {
       points.x.push_back(cycle.index);
-      points.y.push_back(number.in(evaluate_compared_values(cycle, run.record.domain)));
+      points.y.push_back(number.in(evaluate_compared_values(cycle, run.record.domain.box)));
     }
   }
   return points;
@@ -222,7 +222,7 @@ Figure stroke_by_cycle(const PlotInputs& inputs, const std::vector<int>& shown) 
   for (const PlottedRun& run : inputs.runs)
     for (const SwimmerRecord& swimmer : run.record.swimmers)
       for (const CycleStatistics& cycle : swimmer.cycles)
-        strokes.push_back(evaluate_compared_values(cycle, run.record.domain));
+        strokes.push_back(evaluate_compared_values(cycle, run.record.domain.box));
   const auto panel = [&](const StrokeNumbers& numbers, const AxisLabel& y_label) {
     return panel_by_cycle(inputs, numbers, y_label, range);
   };

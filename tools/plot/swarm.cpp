@@ -143,8 +143,8 @@ std::string scene_text(const SwarmScene& scene, const Triple& repeat) {
   const Vec3& box = scene.box;
   const std::size_t swimmers = scene.swimmers.size();
   std::string note = fmt::format("{} swimmer{} in ", swimmers, swimmers == 1 ? "" : "s");
-  if (!scene.layout.domain) {
-    note += "open space, a box drawn around";
+  if (!scene.layout.domain.box) {
+    note += in_words(scene.layout.domain) + ", a box drawn around";
   } else {
     note += fmt::format("a box of {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
   }

@@ -85,12 +85,12 @@ SwarmScene read_swarm_scene(const std::string& path, std::optional<std::size_t> 
   }
   SwarmScene scene = is_trajectory(path) ? scene_of(open_trajectory(path), frame)
                                          : scene_of(read_layout(path).layout, source_name(path));
-  if (!scene.layout.domain) {
+  if (!scene.layout.domain.box) {
     scene.box = enclose_swimmers(scene.swimmers);
     return scene;
   }
-  scene.box = scene.layout.domain->lengths;
-  wrap_swimmers(scene.swimmers, *scene.layout.domain);
+  scene.box = scene.layout.domain.box->lengths;
+  wrap_swimmers(scene.swimmers, *scene.layout.domain.box);
   return scene;
 }
 

@@ -19,7 +19,7 @@ struct SwarmScene {
   std::vector<PicturedSwimmer> swimmers;  ///< the middle bead of each swimmer is in the box
   Vec3 box = Vec3::Zero();  ///< edges of the box, or, in open space, of a box around the swimmers [length]
 
-  bool is_periodic(int axis) const { return layout.domain && layout.domain->is_periodic(axis); }
+  bool is_periodic(int axis) const { return layout.domain.box && layout.domain.box->is_periodic(axis); }
 };
 
 /// Reads a layout (JSON, "-" for standard input), or one frame of a trajectory. `frame`: number of the frame;

@@ -79,9 +79,7 @@ std::string unlabelled_parameters(const ThreeBeadSwimmer& type) {
 std::string fluid_text(const Layout& layout) {
   std::string note =
       fmt::format("Fluid: ρ = {:.4g}, ν = {:.4g}; ", layout.fluid.density, layout.fluid.kinematic_viscosity);
-  if (!layout.domain) return note + "unbounded";
-  const Vec3& box = layout.domain->lengths;
-  return note + fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
+  return note + in_words(layout.domain);
 }
 
 SwimmerSketch swimmer_figure(const std::vector<std::string>& files, std::optional<int> id) {

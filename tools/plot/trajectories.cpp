@@ -109,12 +109,6 @@ void require_few(std::size_t curves) {
                                              curves, max_curves));
 }
 
-std::string space_of(const TrajectoryFile& file) {
-  if (!file.layout.domain) return "open space";
-  const Vec3& box = file.layout.domain->lengths;
-  return fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
-}
-
 /// Returns a note that states the scenes and the lengths of all trajectories, with ranges where they differ.
 Note scenes_note(const std::vector<TrajectoryFile>& files) {
   std::vector<double> swimmers, periods, cycles;
@@ -123,7 +117,7 @@ Note scenes_note(const std::vector<TrajectoryFile>& files) {
     swimmers.push_back(static_cast<double>(file.swimmers().size()));
     periods.push_back(file.period());
     cycles.push_back(file.reader.frame(file.reader.frames() - 1).time / file.period());
-    spaces.insert(space_of(file));
+    spaces.insert(in_words(file.layout.domain));
   }
   const std::string count = range_text(swimmers, 6);
   return {.text = fmt::format("{} swimmer{}, T = {}, {}; {} cycles", count, count == "1" ? "" : "s",

@@ -54,7 +54,7 @@ std::unique_ptr<ModelPlan> plan_for(const LayoutDocument& document, const Reques
 
 TrajectoryHeader header_of(const LayoutDocument& document, const ModelPlan& plan) {
   TrajectoryHeader header;
-  header.box = document.layout.domain;
+  header.box = document.layout.domain.box;
   for (const PlacedSwimmer& swimmer : plan.swimmers) {
     for (std::size_t b = 0; b < plan.radii[swimmer.type].size(); ++b) {
       header.swimmer.push_back(swimmer.id);

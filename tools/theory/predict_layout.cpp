@@ -28,8 +28,17 @@ TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer, const
   const SwimmerType type = layout.resolved_type(swimmer);
   const double viscosity = layout.fluid.dynamic_viscosity();
   const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
-  if (!three || !stays_on_a_line(*three, swimmer.axis))
-    return ShapedSwimmer{type, swimmer.orientation(), viscosity};
+  const bool is_at_rest = !layout.domain.half_space && layout.flow.is_zero();
+  if (!three || !stays_on_a_line(*three, swimmer.axis) || !is_at_rest) {
+    ShapedSwimmer shape{.type = type,
+                        .orientation = swimmer.orientation(),
+                        .viscosity = viscosity,
+                        .half_space = layout.domain.half_space,
+                        .flow = layout.flow};
+    if (shape.is_held())
+      shape.place = columns_of_beads(rest_positions(type, swimmer.position, shape.orientation)).rowwise().mean();
+    return shape;
+  }
   try {
     return collinear_swimmer(*three, swimmer.axis, viscosity);
   } catch (const InputError& error) {
@@ -179,7 +188,7 @@ void predict_shape(const ShapedSwimmer& shape, const Layout& layout, const Theor
     throw InputError(
         "--stroke-from",
         "no method can use a measured stroke for this swimmer; such methods are for three beads on a "
-        "line");
+        "line in fluid at rest");
   predict_by(request.methods, ShapeQuestion{shape, layout.fluid.density}, predicted);
 }
 

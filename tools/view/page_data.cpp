@@ -82,7 +82,7 @@ Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& f
              {"period", period},
              {"box", nullptr},
              {"periodic", std::vector<bool>(3)}};
-  if (const auto& box = layout.domain) {
+  if (const auto& box = layout.domain.box) {
     scene["box"] = std::vector<double>(box->lengths.begin(), box->lengths.end());
     scene["periodic"] = {box->is_periodic(0), box->is_periodic(1), box->is_periodic(2)};
   }
@@ -177,7 +177,7 @@ std::string all_cycle_elements(const std::vector<TrajectoryCycle>& cycles, const
   for (const TrajectoryCycle& cycle : cycles) {
     const auto records = records_of<CycleStatistics>(cycle.columns, swimmers);
     for (std::size_t s = 0; s < swimmers; ++s) {
-      velocity.rows.push_back(velocity_relative_to_fluid(records[s], file.layout.domain));
+      velocity.rows.push_back(velocity_relative_to_fluid(records[s], file.layout.domain.box));
       append_bonds(records[s].arm_amplitudes, file.type(s).bonds.size(), amplitudes.rows);
       append_bonds(records[s].arm_phases, file.type(s).bonds.size(), phases.rows);
     }

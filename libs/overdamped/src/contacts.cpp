@@ -63,8 +63,9 @@ ContactScale::ContactScale(const OverdampedScene& scene)
   if (strength == 0) strength = spring * largest_radius;
 }
 
-std::vector<Contact> find_contacts(const ContactScale& scale, const std::optional<Box>& box,
+std::vector<Contact> find_contacts(const ContactScale& scale, const Domain& domain,
                                    std::span<const double> radii, std::span<const Vec3> positions) {
+  const std::optional<Box>& box = domain.box;
   std::vector<Contact> contacts;
   ContactFinder finder(scale, contacts);
   // The lengths are doubled along axes with walls, so that no pair is found across a wall.
@@ -82,6 +83,8 @@ std::vector<Contact> find_contacts(const ContactScale& scale, const std::optiona
         finder.add_pair(i, order[t], d != direct, d, radii[i] + radii[order[t]]);
       }
     });
+    if (const auto& half_space = domain.half_space)
+      finder.add_wall(i, half_space->height(positions[i]), Vec3::Unit(half_space->axis), radii[i]);
     if (!box) continue;
     for (int a = 0; a < 3; ++a) {
       if (!box->has_mirrors(a)) continue;

@@ -80,13 +80,13 @@ FluidMemory fluid_memory(const Layout& layout, const OverdampedScene& scene, boo
                             "unsteady resolves up to {} times; use {} lbm",
                             largest / smallest, max_radius_ratio, Setting::model));
   check_light_beads(scene, density, source);
-  if (!layout.domain) check_net_forces(scene, source);
+  if (!layout.domain.box) check_net_forces(scene, source);
   const FluidMemory memory{.density = density,
                            .step = scene.step,
                            .spacing = std::min(per_radius * smallest, per_depth * depth),
                            .has_reynolds_stress = has_reynolds_stress};
   const double points = (mirrored_lengths(scene.box) / memory.spacing).prod();
-  if (points > max_mesh_points && !layout.domain)
+  if (points > max_mesh_points && !layout.domain.box)
     throw InputError(source,
                      fmt::format("the periodic cube of edge {:.4g} that replaces open space in the model "
                                  "unsteady needs a mesh of {:.2g} points, above the limit of {:.2g}; "

@@ -13,13 +13,27 @@ namespace beadswim {
 namespace {
 
 void check_no_slip_walls(const Layout& layout, const std::string& source) {
-  for (int a = 0; a < 3 && layout.domain; ++a) {
-    if (layout.domain->boundary[a] != Boundary::no_slip) continue;
+  for (int a = 0; a < 3 && layout.domain.box; ++a) {
+    if (layout.domain.box->boundary[a] != Boundary::no_slip) continue;
     throw InputError(fmt::format("{}:/domain/boundary/{}", source, a),
-                     fmt::format("the boundary is no-slip, but mobility models lack such walls; make the "
-                                 "layout with {} periodic or free-slip, or use {} lbm",
+                     fmt::format("the boundary is no-slip at both ends of the axis, but mobility models "
+                                 "treat only one such wall, of a half-space; set the domain to a half-space, "
+                                 "make the layout with {} periodic or free-slip, or use {} lbm",
                                  Setting::boundary, Setting::model));
   }
+}
+
+/// Throws InputError if the model unsteady cannot treat the domain or the flow.
+void check_unbounded(const Layout& layout, const std::string& source) {
+  if (layout.domain.half_space)
+    throw InputError(source + ":/domain/half_space",
+                     fmt::format("the model unsteady lacks no-slip walls; use {} rpy or multipole, or lbm in a "
+                                 "box with such walls",
+                                 Setting::model));
+  if (!layout.flow.is_zero())
+    throw InputError(source + ":/flow",
+                     fmt::format("the model unsteady lacks background flow; use {} rpy or multipole",
+                                 Setting::model));
 }
 
 /// Throws InputError if the box is too narrow for the Ewald sum or for contacts between beads and images.
@@ -56,7 +70,10 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   scene.moment_order = has_moment_order(model) ? settings.multipole_order : 0;
   scene.viscosity = layout.fluid.dynamic_viscosity();
   check_no_slip_walls(layout, source);
-  scene.box = layout.domain;
+  if (model == MobilityModel::unsteady) check_unbounded(layout, source);
+  scene.box = layout.domain.box;
+  scene.half_space = layout.domain.half_space;
+  scene.flow = layout.flow;
   scene.tolerance = settings.tolerance;
   static_cast<Swarm&>(scene) = placed_swimmers(layout);
   if (model == MobilityModel::unsteady && !scene.box) scene.box = box_for_open_space(scene);

@@ -36,7 +36,9 @@ MobilityScene mobility_scene(const OverdampedScene& scene) {
                          .radii = bead_radii(scene),
                          .tolerance = scene.tolerance,
                          .moment_order = scene.moment_order,
-                         .memory = scene.memory};
+                         .memory = scene.memory,
+                         .half_space = scene.half_space,
+                         .flow = scene.flow};
   const std::vector<BeadRange> ranges = bead_ranges(scene);
   for (std::size_t s = 0; s < ranges.size(); ++s) {
     if (has_three_beads_in_order(scene.type_of(scene.swimmers[s])))
@@ -273,6 +275,8 @@ void OverdampedSystem::check_faults() {
       const int number = static_cast<int>(b - first) + 1;
       if (!std::isfinite(moved)) record_fault(OverdampedFaultKind::not_finite, swimmer, b, number, moved);
       if (moved > 1) record_fault(OverdampedFaultKind::speed, swimmer, b, number, moved);
+      if (const double into = scene_.half_space ? radii_[b] - scene_.half_space->height(now[b]) : 0; into > 0)
+        record_fault(OverdampedFaultKind::no_slip_wall, swimmer, b, number, into / radii_[b]);
       for (int a = 0; a < 3 && scene_.box; ++a) {
         const double beyond = std::max(-now[b][a], now[b][a] - scene_.box->lengths[a]);
         if (scene_.box->has_mirrors(a) && beyond > 0)

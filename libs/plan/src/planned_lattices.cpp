@@ -29,8 +29,8 @@ constexpr std::array usual_times{0.6, 0.8, 1.0, 1.5, 2.0};
 /// differ from `usual_cells` by at most 13 %. Multiples of 1/4 are preferred. Returns an empty list in open
 /// space.
 std::vector<double> commensurate_resolutions(const Layout& layout) {
-  if (!layout.domain) return {};
-  const Vec3 edges = layout.domain->lengths / smallest_radius(layout);
+  if (!layout.domain.box) return {};
+  const Vec3 edges = layout.domain.box->lengths / smallest_radius(layout);
   const auto is_commensurate = [&](double cells) {
     constexpr double roundoff = 1e-9;  // relative deviation, as in put_on_lattice()
     return (cells * edges.array() - (cells * edges.array()).round()).abs().maxCoeff() <

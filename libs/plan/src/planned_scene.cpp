@@ -79,7 +79,7 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
   SceneFacts facts;
   for (const auto& [name, type] : layout.types)
     if (!three_bead_form(type)) facts.unvalidated = name;
-  if (layout.domain) {
+  if (layout.domain.box) {
     constexpr double off_place = 1e-6;  // relative to the smallest radius, as in beadswim-layout reduce
     ReducedCell reduced = reduce(layout, off_place * smallest_radius(layout));
     facts.cell = std::move(reduced.layout);

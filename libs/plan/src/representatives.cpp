@@ -62,10 +62,10 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
                                        cell.fluid.dynamic_viscosity());
   question.fluid_density = cell.fluid.density;
   question.box = surroundings.box;
-  if (!cell.domain && cell.swimmers.size() > 1) {
+  if (!cell.domain.box && cell.swimmers.size() > 1) {
     result.approximation = "alone in open space, without neighbours";
   } else if (!surroundings.obstacle.empty()) {
-    question.box = share_of(*cell.domain, cell.swimmers.size(), question.swimmer, swimmer.axis);
+    question.box = share_of(*cell.domain.box, cell.swimmers.size(), question.swimmer, swimmer.axis);
     const std::string& why = surroundings.obstacle;  // form: "reason; remedy"
     result.approximation = "alone in its share of the box (" + why.substr(0, why.find(';')) + ")";
   }

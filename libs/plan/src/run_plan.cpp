@@ -119,7 +119,7 @@ void add_hard_cases(RunPlan& plan, const SceneFacts& facts) {
 
 void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts) {
   if (const int copies = facts.cells.prod(); copies > 1) {
-    const Vec3& box = facts.cell.domain->lengths;
+    const Vec3& box = facts.cell.domain.box->lengths;
     plan.proposals.push_back({fmt::format(
         "the scene consists of {} copies of a cell of {:g} x {:g} x {:g} with {} of the {} swimmers; a run "
         "of one such cell has 1/{} of the cost of a run of the scene",
@@ -131,7 +131,7 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
   const std::optional<SufficientBox> box =
       sufficient_box(swimmer_facts.representative.question, plan.tolerance / 3);
   constexpr double worthwhile = 0.7;  // largest proposed volume, relative to the box of the layout
-  if (!box || (layout.domain && box->lengths.prod() > worthwhile * layout.domain->lengths.prod())) return;
+  if (!box || (layout.domain.box && box->lengths.prod() > worthwhile * layout.domain.box->lengths.prod())) return;
   int along = 0;
   layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);
   Vec3 lengths;

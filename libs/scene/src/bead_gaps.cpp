@@ -26,13 +26,14 @@ std::vector<BeadPair> own_image_pairs(const std::vector<PlacedBead>& beads,
   return pairs;
 }
 
-double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Box& domain) {
+double smallest_wall_gap(const std::vector<PlacedBead>& beads, const Domain& domain) {
   double gap = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (domain.is_periodic(axis)) continue;
-    for (const PlacedBead& bead : beads) {
+  for (const PlacedBead& bead : beads) {
+    if (domain.half_space) gap = std::min(gap, domain.half_space->height(bead.centre) - bead.radius);
+    for (int axis = 0; axis < 3 && domain.box; ++axis) {
+      if (domain.box->is_periodic(axis)) continue;
       const double x = bead.centre[axis];
-      gap = std::min({gap, x - bead.radius, domain.lengths[axis] - x - bead.radius});
+      gap = std::min({gap, x - bead.radius, domain.box->lengths[axis] - x - bead.radius});
     }
   }
   return gap;
@@ -97,16 +98,16 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
   return found;
 }
 
-double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain) {
-  double gap = domain ? smallest_wall_gap(beads, *domain) : std::numeric_limits<double>::infinity();
-  for (const BeadPair& pair : own_image_pairs(beads, domain)) gap = std::min(gap, surface_gap(beads, pair));
+double smallest_gap(const std::vector<PlacedBead>& beads, const Domain& domain) {
+  double gap = smallest_wall_gap(beads, domain);
+  for (const BeadPair& pair : own_image_pairs(beads, domain.box)) gap = std::min(gap, surface_gap(beads, pair));
   for (std::size_t i = 1; i < beads.size(); ++i) {  // gives an upper bound of the gap
     const BeadPair pair{
         .first = i, .second = i - 1, .distance = (beads[i].centre - beads[i - 1].centre).norm()};
     gap = std::min(gap, surface_gap(beads, pair));
   }
   const double cutoff = 2 * largest_radius(beads) + gap;
-  visit_close_pairs(beads, domain, cutoff, [&](const BeadPair& pair) {
+  visit_close_pairs(beads, domain.box, cutoff, [&](const BeadPair& pair) {
     gap = std::min(gap, surface_gap(beads, pair));
     return true;
   });

@@ -302,7 +302,7 @@ void check_axes(const std::vector<Swimmer>& swimmers, Faults& faults) {
 }
 
 void check_positions(const Layout& layout, Faults& faults) {
-  const Vec3& box = layout.domain->lengths;
+  const Vec3& box = layout.domain.box->lengths;
   for (std::size_t i = 0; i < layout.swimmers.size(); ++i) {
     const Vec3& x = layout.swimmers[i].position;
     if ((x.array() >= 0).all() && (x.array() <= box.array()).all()) continue;
@@ -342,18 +342,62 @@ void check_wall_velocities(const Box& domain, Faults& faults) {
 /// Reports a body force that no wall balances, or that acts on a wall.
 void check_body_force(const Layout& layout, Faults& faults) {
   if (layout.body_force.isZero(0)) return;
-  if (!layout.domain || std::ranges::count(layout.domain->boundary, Boundary::no_slip) == 0) {
+  if (!layout.domain.box || std::ranges::count(layout.domain.box->boundary, Boundary::no_slip) == 0) {
     faults.push_back({"/body_force",
                       "there are no no-slip walls, so that the body force would accelerate the fluid without "
                       "end; give an axis the boundary no-slip, or remove the key"});
     return;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    if (layout.body_force[axis] == 0 || layout.domain->is_periodic(axis)) continue;
+    if (layout.body_force[axis] == 0 || layout.domain.box->is_periodic(axis)) continue;
     faults.push_back({fmt::format("/body_force/{}", axis),
                       fmt::format("the fluid cannot flow along {}, because walls close this axis; set this "
                                   "component to 0",
                                   "xyz"[axis])});
+  }
+}
+
+/// Reports a background flow that is compressible, or that walls would stop.
+void check_flow(const Layout& layout, Faults& faults) {
+  if (layout.flow.is_zero()) return;
+  const Eigen::Matrix3d& gradient = layout.flow.velocity_gradient;
+  constexpr double roundoff = 1e-12;
+  if (std::abs(gradient.trace()) > roundoff * gradient.cwiseAbs().maxCoeff())
+    faults.push_back({"/flow/velocity_gradient",
+                      fmt::format("the trace is {:.6g}, but an incompressible flow has the trace 0; change an "
+                                  "element of the diagonal",
+                                  gradient.trace())});
+  if (layout.domain.box)
+    faults.push_back({"/flow",
+                      "a background flow is unbounded, but the domain is a box; set the domain to null or to a "
+                      "half-space, or replace the flow by no-slip walls that move or a body force"});
+  if (!layout.domain.half_space) return;
+  const int across = layout.domain.half_space->axis;
+  if (!layout.flow.velocity.isZero(0))
+    faults.push_back({"/flow/velocity",
+                      fmt::format("the flow must be 0 on the no-slip wall at {} = 0; set this velocity to 0",
+                                  "xyz"[across])});
+  for (int c = 0; c < 3; ++c) {
+    for (int by = 0; by < 3; ++by) {
+      if (gradient(c, by) == 0 || (by == across && c != across)) continue;
+      faults.push_back({fmt::format("/flow/velocity_gradient/{}/{}", c, by),
+                        fmt::format("over a no-slip wall at {0} = 0 only shear along the wall is possible, a "
+                                    "velocity along {1} or {2} that changes along {0}; set this element to 0",
+                                    "xyz"[across], "xyz"[across == 0 ? 1 : 0], "xyz"[across == 2 ? 1 : 2])});
+    }
+  }
+}
+
+/// Reports beads that are not completely above the wall of a half-space.
+void check_heights(const HalfSpace& half_space, const std::vector<PlacedBead>& beads, Faults& faults) {
+  for (const PlacedBead& bead : beads) {
+    const double height = half_space.height(bead.centre);
+    if (height > bead.radius) continue;
+    faults.push_back(
+        {swimmer_place(bead.swimmer, "position"),
+         fmt::format("bead {} of radius {} at {} is not completely in the fluid: its centre is {:.6g} above "
+                     "the wall at {} = 0, but must be more than its radius above; move the swimmer",
+                     bead.bead + 1, bead.radius, in_words(bead.centre), height, "xyz"[half_space.axis])});
   }
 }
 
@@ -381,7 +425,7 @@ std::string bead_in_words(const PlacedBead& bead, const Layout& layout) {
 }
 
 void check_overlaps(const Layout& layout, const std::vector<PlacedBead>& beads, Faults& faults) {
-  for (const BeadPair& pair : overlapping_pairs(beads, layout.domain, max_overlaps)) {
+  for (const BeadPair& pair : overlapping_pairs(beads, layout.domain.box, max_overlaps)) {
     const PlacedBead& first = beads[pair.first];
     const PlacedBead& second = beads[pair.second];
     const bool through_boundary =
@@ -413,13 +457,15 @@ std::vector<LayoutFault> check_layout(const Layout& layout) {
   check_type_names(layout, faults);
   check_ids(layout.swimmers, faults);
   check_axes(layout.swimmers, faults);
-  if (layout.domain) check_wall_velocities(*layout.domain, faults);
+  if (layout.domain.box) check_wall_velocities(*layout.domain.box, faults);
   check_body_force(layout, faults);
-  if (layout.domain) check_positions(layout, faults);
+  check_flow(layout, faults);
+  if (layout.domain.box) check_positions(layout, faults);
   if (!faults.empty()) return faults;
 
   const std::vector<PlacedBead> beads = placed_beads(layout);
-  if (layout.domain) check_walls(*layout.domain, beads, faults);
+  if (layout.domain.box) check_walls(*layout.domain.box, beads, faults);
+  if (layout.domain.half_space) check_heights(*layout.domain.half_space, beads, faults);
   if (faults.empty()) check_overlaps(layout, beads, faults);
   keep_first_of_each_place(faults);
   return faults;

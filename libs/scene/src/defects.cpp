@@ -53,12 +53,12 @@ std::vector<std::size_t> draw_keys(const std::vector<std::uint64_t>& keys, std::
 }
 
 const Box& required_box(const Layout& layout, const char* defect) {
-  if (layout.domain) return *layout.domain;
+  if (layout.domain.box) return *layout.domain.box;
   throw InputError(
       "/domain",
       fmt::format(
-          "the domain is null (unbounded fluid), but {} requires a box; make the layout with {} X,Y,Z",
-          defect, Setting::box));
+          "the fluid is unbounded ({}), but {} requires a box; make the layout with {} X,Y,Z",
+          in_words(layout.domain), defect, Setting::box));
 }
 
 /// Returns the gap to other surfaces that the positions of added swimmers must have, and that displaced
@@ -150,7 +150,7 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
   const Box domain = required_box(layout, "an interstitial");
   std::vector<PlacedBead> beads = placed_beads(layout);
   const double clearance = min_clearance(layout), cutoff = 2 * largest_radius(beads) + clearance;
-  CellList cells = bead_cells(beads, layout.domain, cutoff);
+  CellList cells = bead_cells(beads, layout.domain.box, cutoff);
   std::size_t sorted = beads.size();  // number of beads in `cells`; beads added later are tested one by one
 
   const auto is_free = [&](const Vec3& centre, double radius) {
@@ -207,7 +207,7 @@ void add_interstitials(Layout& layout, const ShareOrCount& share_or_count, std::
     layout.swimmers.push_back(added);
     constexpr std::size_t max_unsorted = 100;
     if (beads.size() - sorted > max_unsorted) {
-      cells = bead_cells(beads, layout.domain, cutoff);
+      cells = bead_cells(beads, layout.domain.box, cutoff);
       sorted = beads.size();
     }
   }
@@ -217,7 +217,7 @@ void jitter(Layout& layout, const std::vector<std::size_t>& chosen, double sigma
   for (const std::size_t s : chosen) {
     Swimmer& swimmer = layout.swimmers[s];
     KeyedRandom random = swimmer_random(swimmer, seed, Purpose::place);
-    swimmer.position = wrapped(swimmer.position + sigma * random.normal3(), layout.domain);
+    swimmer.position = wrapped(swimmer.position + sigma * random.normal3(), layout.domain.box);
   }
 }
 
@@ -252,7 +252,7 @@ void add_domains(Layout& layout, std::int64_t domains, std::uint64_t seed) {
     std::size_t nearest = 0;
     double nearest_distance = std::numeric_limits<double>::infinity();
     for (std::size_t d = 0; d < points.size(); ++d) {
-      const double distance = nearest_separation(swimmer.position, points[d], layout.domain).norm();
+      const double distance = nearest_separation(swimmer.position, points[d], layout.domain.box).norm();
       if (distance < nearest_distance) nearest = d;
       nearest_distance = std::min(nearest_distance, distance);
     }
@@ -292,15 +292,15 @@ void disorder_frequencies(Layout& layout, const std::vector<std::size_t>& chosen
 void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCount& share_or_count,
                   std::uint64_t seed) {
   const int axis = spacing.axis;
-  const bool periodic = layout.domain && layout.domain->is_periodic(axis);
-  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain);
+  const bool periodic = layout.domain.box && layout.domain.box->is_periodic(axis);
+  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain.box);
   std::vector<std::size_t> order(layout.swimmers.size());
   for (std::size_t s = 0; s < order.size(); ++s) order[s] = s;
   const auto height = [&](std::size_t s) -> double& { return layout.swimmers[s].position[axis]; };
   std::ranges::sort(order, {}, [&](std::size_t s) { return height(s); });
   const double same = 1e-6 * smallest_radius(layout);
   if (periodic) {  // joins the two parts of a layer that lies at a periodic face
-    const double length = layout.domain->lengths[axis];
+    const double length = layout.domain.box->lengths[axis];
     while (height(order.back()) > length - same && height(order.front()) < same) {
       height(order.back()) -= length;
       std::rotate(order.begin(), order.end() - 1, order.end());
@@ -320,7 +320,7 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
   for (std::size_t n = first; n < layers.size(); ++n) numbers.push_back(n);
   const std::vector<std::size_t> moved = draw_keys(
       numbers, resolved_count(share_or_count, numbers.size(), "gaps between layers"), seed, Purpose::draw);
-  double shift = 0, before = periodic ? height(layers.back().front()) - layout.domain->lengths[axis] : 0;
+  double shift = 0, before = periodic ? height(layers.back().front()) - layout.domain.box->lengths[axis] : 0;
   for (std::size_t n = 0; n < layers.size(); ++n) {
     const double here = height(layers[n].front());
     if (n >= first && std::ranges::binary_search(moved, n - first)) {
@@ -339,9 +339,9 @@ void space_layers(Layout& layout, const LayerSpacing& spacing, const ShareOrCoun
     before = here;
     for (const std::size_t s : layers[n]) height(s) += shift;
   }
-  if (!layout.domain) return;
-  layout.domain->lengths[axis] += shift;
-  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain);
+  if (!layout.domain.box) return;
+  layout.domain.box->lengths[axis] += shift;
+  for (Swimmer& swimmer : layout.swimmers) swimmer.position = wrapped(swimmer.position, layout.domain.box);
 }
 
 void repair_overlaps(Layout& layout) {
@@ -355,21 +355,21 @@ void repair_overlaps(Layout& layout) {
     std::vector<Push> pushes(layout.swimmers.size());
     bool any = false;
     const double cutoff = 2 * largest_radius(beads) + clearance;
-    visit_close_pairs(beads, layout.domain, cutoff, [&](const BeadPair& pair) {
+    visit_close_pairs(beads, layout.domain.box, cutoff, [&](const BeadPair& pair) {
       const PlacedBead &one = beads[pair.first], &other = beads[pair.second];
       const double missing_gap = one.radius + other.radius + clearance - pair.distance;
       if (one.swimmer == other.swimmer || missing_gap <= tolerance) return true;
       any = true;
-      const Vec3 separation = nearest_separation(one.centre, other.centre, layout.domain);
+      const Vec3 separation = nearest_separation(one.centre, other.centre, layout.domain.box);
       const Vec3 away = pair.distance > 0 ? Vec3(separation / pair.distance) : Vec3(Vec3::UnitZ());
       pushes[one.swimmer].add_bead_push(-0.5 * missing_gap * away);
       pushes[other.swimmer].add_bead_push(0.5 * missing_gap * away);
       return true;
     });
     for (const PlacedBead& bead : beads) {
-      for (int a = 0; layout.domain && a < 3; ++a) {
-        if (layout.domain->is_periodic(a)) continue;
-        const double low = bead.radius + clearance, high = layout.domain->lengths[a] - low;
+      for (int a = 0; layout.domain.box && a < 3; ++a) {
+        if (layout.domain.box->is_periodic(a)) continue;
+        const double low = bead.radius + clearance, high = layout.domain.box->lengths[a] - low;
         const double inward = std::clamp(bead.centre[a], low, std::max(low, high)) - bead.centre[a];
         if (std::abs(inward) <= tolerance) continue;
         any = true;
@@ -378,7 +378,7 @@ void repair_overlaps(Layout& layout) {
     }
     if (!any) return;
     for (std::size_t s = 0; s < pushes.size(); ++s)
-      layout.swimmers[s].position = wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain);
+      layout.swimmers[s].position = wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain.box);
   }
   throw InputError(Setting::repair,
                    fmt::format("beads are still too close to each other after {} attempts to move "

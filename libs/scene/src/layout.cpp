@@ -1,5 +1,7 @@
 #include "beadswim/scene/layout.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -21,9 +23,19 @@ double smallest_radius(const SwimmerType& type) {
   return std::ranges::min_element(type.beads, {}, &Bead::radius)->radius;
 }
 
+std::string in_words(const Domain& domain) {
+  if (domain.half_space)
+    return fmt::format("half-space {} > 0 over a no-slip wall", "xyz"[domain.half_space->axis]);
+  if (!domain.box) return "open space";
+  const Vec3& box = domain.box->lengths;
+  return fmt::format("box {:g} × {:g} × {:g}", box.x(), box.y(), box.z());
+}
+
 bool has_background_flow(const Layout& layout) {
   const auto moves = [](const WallVelocities& walls) { return walls.are_moving(); };
-  return !layout.body_force.isZero(0) || (layout.domain && std::ranges::any_of(layout.domain->walls, moves));
+  const auto& box = layout.domain.box;
+  return !layout.flow.is_zero() || !layout.body_force.isZero(0) ||
+         (box && std::ranges::any_of(box->walls, moves));
 }
 
 double smallest_radius(const Layout& layout) {

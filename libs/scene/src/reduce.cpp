@@ -62,7 +62,7 @@ class SwimmerFinder {
 /// between the two [length], or infinity if a swimmer has no equivalent one.
 double largest_shift_after_move(const Layout& layout, const SwimmerFinder& finder, int axis,
                                 std::size_t parts) {
-  const Vec3 step = Vec3::Unit(axis) * layout.domain->lengths[axis] / static_cast<double>(parts);
+  const Vec3 step = Vec3::Unit(axis) * layout.domain.box->lengths[axis] / static_cast<double>(parts);
   const auto is_any = [](std::size_t) { return true; };
   double largest = 0;
   for (std::size_t s = 0; s < layout.swimmers.size() && std::isfinite(largest); ++s)
@@ -73,16 +73,16 @@ double largest_shift_after_move(const Layout& layout, const SwimmerFinder& finde
 }  // namespace
 
 ReducedCell reduce(const Layout& layout, double tolerance) {
-  if (!layout.domain) {
-    throw InputError("/domain", fmt::format("the domain is null (unbounded fluid), so the scene does not "
-                                            "repeat; make the layout with {} X,Y,Z",
-                                            Setting::box));
+  if (!layout.domain.box) {
+    throw InputError("/domain", fmt::format("the fluid is unbounded ({}), so the scene does not repeat; make "
+                                            "the layout with {} X,Y,Z",
+                                            in_words(layout.domain), Setting::box));
   }
   const std::size_t all = layout.swimmers.size();
   ReducedCell result{.layout = layout};
-  const SwimmerFinder finder(layout, *layout.domain, tolerance);
+  const SwimmerFinder finder(layout, *layout.domain.box, tolerance);
   for (int axis = 0; axis < 3; ++axis) {
-    if (!layout.domain->is_periodic(axis)) continue;
+    if (!layout.domain.box->is_periodic(axis)) continue;
     for (std::size_t parts = all; parts > 1; --parts) {
       if (all % parts != 0) continue;
       const double shift = largest_shift_after_move(layout, finder, axis, parts);
@@ -93,8 +93,8 @@ ReducedCell reduce(const Layout& layout, double tolerance) {
     }
   }
 
-  Box& cell = *result.layout.domain;
-  cell.lengths = layout.domain->lengths.cwiseQuotient(result.cells.cast<double>().matrix());
+  Box& cell = *result.layout.domain.box;
+  cell.lengths = layout.domain.box->lengths.cwiseQuotient(result.cells.cast<double>().matrix());
   for (Swimmer& swimmer : result.layout.swimmers) swimmer.position = wrapped(swimmer.position, cell);
   // Keeps one swimmer of each set of equivalent swimmers. Two swimmers within the tolerance of a third
   // swimmer can differ by up to twice the tolerance.

@@ -54,8 +54,8 @@ std::vector<Pair> common_swimmers(const Layout& run, const Layout& reference) {
 
 // --- Placing
 
-bool has_walls(const std::optional<Box>& domain, int axis) {
-  return domain && !domain->is_periodic(axis);
+bool has_walls(const Domain& domain, int axis) {
+  return (domain.box && !domain.box->is_periodic(axis)) || (domain.half_space && domain.half_space->axis == axis);
 }
 
 /// Returns the translation that moves the swimmer of the run to the one of the reference, along axes on which
@@ -69,7 +69,7 @@ Vec3 translation(const Pair& pair, const Layout& run, const Layout& reference) {
 
 /// Returns the largest absolute value of all coordinates and box lengths [length].
 double largest_coordinate(const Layout& layout) {
-  double largest = layout.domain ? layout.domain->lengths.maxCoeff() : 0;
+  double largest = layout.domain.box ? layout.domain.box->lengths.maxCoeff() : 0;
   for (const Swimmer& swimmer : layout.swimmers)
     largest = std::max(largest, swimmer.position.cwiseAbs().maxCoeff());
   return largest;
@@ -95,7 +95,7 @@ std::optional<SceneDifference> placing_difference(const Layout& run, const Layou
                            fmt::format("swimmer {} {} {}", pair.run.id, what, other)};
   };
   const bool same_domain = agree(domain_value(run.domain), domain_value(reference.domain));
-  const std::optional<Box> box = same_domain ? run.domain : std::nullopt;
+  const std::optional<Box> box = same_domain ? run.domain.box : std::nullopt;
   const double largest_distance =
       tolerance * std::max(largest_coordinate(run), largest_coordinate(reference));
   const Vec3 shift = pairs.empty() ? Vec3::Zero() : translation(pairs.front(), run, reference);
@@ -163,19 +163,20 @@ PropertyValue numbers_value(const std::vector<double>& numbers) {
   return {numbers, joined(numbers)};
 }
 
-PropertyValue domain_value(const std::optional<Box>& domain) {
-  if (!domain) return {{}, "open space"};
-  PropertyValue value{
-      {domain->lengths.begin(), domain->lengths.end()},
-      fmt::format("{} x {} x {}", domain->lengths.x(), domain->lengths.y(), domain->lengths.z())};
+PropertyValue domain_value(const Domain& domain) {
+  if (domain.half_space) return {{static_cast<double>(domain.half_space->axis)}, in_words(domain)};
+  if (!domain.box) return {{}, in_words(domain)};
+  const Box& box = *domain.box;
+  PropertyValue value{{box.lengths.begin(), box.lengths.end()},
+                      fmt::format("{} x {} x {}", box.lengths.x(), box.lengths.y(), box.lengths.z())};
   std::vector<std::string> boundaries;
-  for (const Boundary boundary : domain->boundary) {
+  for (const Boundary boundary : box.boundary) {
     value.numbers.push_back(static_cast<double>(boundary));
     boundaries.push_back(to_text(boundary));
   }
   value.text += fmt::format(", {}", fmt::join(boundaries, ", "));
   for (int a = 0; a < 3; ++a) {
-    const WallVelocities& walls = domain->walls[a];
+    const WallVelocities& walls = box.walls[a];
     for (const Vec3& velocity : {walls.lower, walls.upper})
       value.numbers.insert(value.numbers.end(), velocity.begin(), velocity.end());
     if (walls.are_moving())
@@ -183,6 +184,13 @@ PropertyValue domain_value(const std::optional<Box>& domain) {
                                 fmt::join(walls.lower, ", "), fmt::join(walls.upper, ", "));
   }
   return value;
+}
+
+PropertyValue flow_value(const BackgroundFlow& flow) {
+  std::vector<double> numbers(flow.velocity.begin(), flow.velocity.end());
+  const Eigen::Matrix3d rows = flow.velocity_gradient.transpose();
+  numbers.insert(numbers.end(), rows.data(), rows.data() + rows.size());
+  return numbers_value(numbers);
 }
 
 PropertyValue body_force_value(const Vec3& force) {
@@ -201,6 +209,7 @@ SceneProperties common_properties(const Layout& layout) {
   for (const Swimmer& swimmer : layout.swimmers) ids.push_back(swimmer.id);
   return {{SceneProperty::fluid, fluid_value(layout.fluid)},
           {SceneProperty::domain, domain_value(layout.domain)},
+          {SceneProperty::flow, flow_value(layout.flow)},
           {SceneProperty::body_force, body_force_value(layout.body_force)},
           {SceneProperty::swimmers, swimmers_value(ids)}};
 }

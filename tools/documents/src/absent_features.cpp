@@ -16,10 +16,10 @@ struct AbsentFeature {
 
 const std::array<AbsentFeature, 3>& absent_features() {
   static const std::array<AbsentFeature, 3> features{
-      {{{"flow", "background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate",
+      {{{"background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate",
          "strain_rate", "velocity_gradient", "pressure_gradient", "wall_velocity", "wall_velocities"},
-        "this version has no imposed flow: only swimmers and, between no-slip walls, walls that move and a "
-        "\"body_force\" move the fluid; remove the key"},
+        "imposed flow has other keys: \"flow\" of the layout for a linear flow of unbounded fluid, "
+        "\"body_force\" and moving walls for flow between no-slip walls; remove the key"},
        {{"stroke", "strokes", "prescribed_stroke", "kinematics", "gait", "waveform", "arm_length",
          "arm_lengths", "arm_amplitudes", "arm_phases", "rest_length", "rest_lengths"},
         "this version has no prescribed stroke: harmonic forces drive the beads (amplitude, phase, period of "

@@ -24,6 +24,7 @@ SceneProperties stated_properties(const RunRecord& run, int id) {
   const bool has_period = swimmer != run.swimmers.end() && swimmer->period;
   SceneProperties properties{
       {SceneProperty::domain, domain_value(run.domain)},
+      {SceneProperty::flow, flow_value(run.flow.value_or(BackgroundFlow{}))},
       {SceneProperty::body_force, body_force_value(run.body_force.value_or(Vec3::Zero()))},
       {SceneProperty::swimmers, swimmers_value(swimmers_of(run))},
       {SceneProperty::period, numbers_value({has_period ? *swimmer->period : run.driving.period})}};

@@ -128,10 +128,11 @@ Json json_of(const Swimmer& swimmer, const SwimmerType& type, Version version) {
   return json;
 }
 
-/// Appends fluid, domain, body force, types and swimmers to a JSON object.
+/// Appends fluid, domain, flow, body force, types and swimmers to a JSON object.
 void add_scene(Json& json, const Layout& layout, Version version) {
   json["fluid"] = layout.fluid;
   json["domain"] = layout.domain;
+  if (!layout.flow.is_zero()) json["flow"] = layout.flow;
   if (!layout.body_force.isZero(0)) json["body_force"] = layout.body_force;
   json["types"] = Json::object();
   json["swimmers"] = Json::array();
@@ -146,6 +147,7 @@ Layout layout_from(const Json& json, Version version) {
   layout.units = units_from(json["units"]);
   json["fluid"].get_to(layout.fluid);
   json["domain"].get_to(layout.domain);
+  if (json.contains("flow")) json["flow"].get_to(layout.flow);
   if (json.contains("body_force")) json["body_force"].get_to(layout.body_force);
   for (const auto& [name, type] : json["types"].items()) layout.types[name] = type_from(type, version);
   for (const Json& swimmer : json["swimmers"])

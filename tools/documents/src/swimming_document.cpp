@@ -115,7 +115,7 @@ ComparedValues swimming_of(const RunRecord& run, const SwimmerRecord& swimmer, c
                            const std::string& source) {
   std::vector<ComparedValues> cycles;
   for (const CycleStatistics& cycle : select_cycles(swimmer.cycles, choice, source)) {
-    cycles.push_back(evaluate_compared_values(cycle, run.domain));
+    cycles.push_back(evaluate_compared_values(cycle, run.domain.box));
   }
   return average_compared_values(cycles);
 }

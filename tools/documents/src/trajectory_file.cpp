@@ -34,7 +34,7 @@ Layout layout_of(const TrajectoryReader& reader, const std::string& path) {
             "file is damaged or was edited: give a trajectory file as beadswim-run wrote it",
             layout.swimmers.size(), reader.header().swimmers()));
   }
-  if (!have_equal_lengths(reader.header().box, layout.domain)) {
+  if (!have_equal_lengths(reader.header().box, layout.domain.box)) {
     throw InputError(
         path + ":/particles/beads/box/edges",
         "the box of the first frame differs from the box of the layout that the file contains; the file is "

@@ -39,7 +39,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
     warnings.push_back(
         {"tolerance-flag",
          "the flag --tolerance is used as --sum-tolerance; with a mobility model write --sum-tolerance"});
-  if (scene.memory && !layout.domain)
+  if (scene.memory && !layout.domain.box)
     warnings.push_back(
         {"periodic-cube",
          fmt::format("the model unsteady replaces open space by a periodic cube of edge {:.6g}; its images "
@@ -48,7 +48,7 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
   announcement = fmt::format(
       "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
       "on {} ranks",
-      to_text(scene.model), swimmers.size(), layout.domain ? "a box" : "open space", scene.tolerance,
+      to_text(scene.model), swimmers.size(), in_words(layout.domain), scene.tolerance,
       steps_per_cycle, communicator.size());
 }
 
@@ -137,6 +137,11 @@ std::string OverdampedModel::message_of(const OverdampedFault& fault) const {
       return fmt::format(
           "bead {} {} lies {:.3g} beyond a wall; increase --steps-per-cycle, reduce the driving amplitude, "
           "or enlarge the box",
+          fault.bead, place, fault.value);
+    case OverdampedFaultKind::no_slip_wall:
+      return fmt::format(
+          "bead {} {} overlaps the wall by {:.3g} radii; increase --steps-per-cycle, or reduce the driving "
+          "amplitude",
           fault.bead, place, fault.value);
     case OverdampedFaultKind::not_converged:
       return "the solver for the velocities and forces of a step did not converge; increase "

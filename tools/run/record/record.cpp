@@ -85,7 +85,7 @@ void add_errors(RunRecord& record, const ModelPlan& plan, const std::vector<RunW
         ExpectedErrorRecord{.velocity = total.velocity, .arm_amplitudes = total.arm_amplitudes};
   }
   for (SwimmerRecord& swimmer : record.swimmers) {
-    if (!swimmer.cycles.empty()) swimmer.uncertainty = uncertainty_of(swimmer, record.domain, plan.expected);
+    if (!swimmer.cycles.empty()) swimmer.uncertainty = uncertainty_of(swimmer, record.domain.box, plan.expected);
   }
   record.warnings = plan.warnings;
   record.warnings->insert(record.warnings->end(), after.begin(), after.end());
@@ -99,6 +99,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
   record.reason = outcome.reason;
   record.units = document.layout.units;
   record.domain = document.layout.domain;
+  if (!document.layout.flow.is_zero()) record.flow = document.layout.flow;
   if (!document.layout.body_force.isZero(0)) record.body_force = document.layout.body_force;
   record.driving = driving_of(document.layout, parts.plan.base_period);
   if (parts.plan.swimmers.size() <= max_swimmers_listed) {

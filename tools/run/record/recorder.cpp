@@ -52,7 +52,7 @@ Recorder::Recorder(const ModelPlan& plan, const Layout& layout, TrajectoryWriter
       steps_per_cycle_(plan.steps_per_cycle),
       frames_per_cycle_(
           static_cast<int>(std::min<long>(plan.options.settings.frames_per_cycle, steps_per_cycle_))),
-      box_(layout.domain),
+      box_(layout.domain.box),
       dynamic_viscosity_(layout.fluid.dynamic_viscosity()),
       towing_method_(towing_method(plan.options.settings.model)),
       pairs_(plan.options.settings.model == RunModel::oseen ? oseen_pairs : rotne_prager_tensor),

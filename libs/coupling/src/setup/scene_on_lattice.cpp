@@ -30,7 +30,17 @@ constexpr Resolution default_resolution{.cells_per_radius = 4, .relaxation_time 
 constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
-  if (layout.domain) return;
+  if (!layout.flow.is_zero())
+    throw InputError(source + ":/flow",
+                     fmt::format("a background flow is unbounded, but a lattice ends at its box; use {} rpy or "
+                                 "multipole, or no-slip walls that move or a body force",
+                                 Setting::model));
+  if (layout.domain.half_space)
+    throw InputError(source + ":/domain/half_space",
+                     fmt::format("a half-space is unbounded, but a lattice needs a box; use {} rpy or "
+                                 "multipole, or a box with the boundary no-slip along {}, high above the swimmers",
+                                 Setting::model, "xyz"[layout.domain.half_space->axis]));
+  if (layout.domain.box) return;
   throw InputError(source + ":/domain",
                    fmt::format("the domain is null (unbounded fluid), but a lattice needs a box; make the "
                                "layout with {} X,Y,Z and {}, or use {} rpy or beadswim-theory",
@@ -44,8 +54,8 @@ void require_off_walls(const Layout& layout, double cell, const std::string& sou
     const std::vector<Vec3> beads = rest_positions(type, swimmer.position, swimmer.orientation());
     for (std::size_t b = 0; b < beads.size(); ++b) {
       for (int a = 0; a < 3; ++a) {
-        if (layout.domain->is_periodic(a)) continue;
-        const double to_wall = std::min(beads[b][a], layout.domain->lengths[a] - beads[b][a]);
+        if (layout.domain.box->is_periodic(a)) continue;
+        const double to_wall = std::min(beads[b][a], layout.domain.box->lengths[a] - beads[b][a]);
         const double gap = to_wall - type.beads[b].radius;
         if (gap >= min_wall_gap * cell) continue;
         throw InputError(fmt::format("{}:/swimmers/{}/position", source, s),
@@ -254,8 +264,8 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
   scene.corrects_radii = settings.radius_correction;
   scene.lubrication = settings.lubrication;
   scene.friction = settings.friction;
-  scene.cells = whole_cells(layout.domain->lengths, scales.cell, source);
-  scene.boundary = layout.domain->boundary;
+  scene.cells = whole_cells(layout.domain.box->lengths, scales.cell, source);
+  scene.boundary = layout.domain.box->boundary;
   add_swimmers(scene, layout, result.lattice, settings.delay_correction);
   if (settings.refinement != 0)
     scene.levels = chosen_levels(scene, settings.refinement, result.lattice.steps_per_period);
@@ -263,7 +273,7 @@ SceneOnLattice put_on_lattice(const Layout& layout, const LatticeSettings& setti
     result.lattice = lattice_for(layout, result.resolution, result.period, 1L << (scene.levels.size() - 1));
     add_swimmers(scene, layout, result.lattice, settings.delay_correction);
   }
-  for (int a = 0; a < 3; ++a) scene.walls[a] = layout.domain->walls[a] / scales.velocity();
+  for (int a = 0; a < 3; ++a) scene.walls[a] = layout.domain.box->walls[a] / scales.velocity();
   require_slow_walls(scene.walls, source);
   scene.body_force = layout.body_force / scales.body_force();
   require_slow_flow(scene, result.lattice.relaxation_time, source);

@@ -27,4 +27,37 @@ void from_json(const Json& json, Box& box) {
   }
 }
 
+void to_json(Json& json, const Domain& domain) {
+  if (domain.half_space) {
+    json = {{"half_space",
+             {{"axis", std::string(1, "xyz"[domain.half_space->axis])}, {"boundary", to_text(Boundary::no_slip)}}}};
+  } else {
+    json = domain.box;
+  }
+}
+
+void from_json(const Json& json, Domain& domain) {
+  domain = {};
+  if (json.is_object() && json.contains("half_space")) {
+    const std::string axis = json.at("half_space").at("axis").get<std::string>();
+    domain.half_space = HalfSpace{static_cast<int>(std::string("xyz").find(axis))};
+  } else {
+    json.get_to(domain.box);
+  }
+}
+
+void to_json(Json& json, const BackgroundFlow& flow) {
+  Json rows = Json::array();
+  for (int c = 0; c < 3; ++c) rows.push_back(Vec3(flow.velocity_gradient.row(c)));
+  json = {{"velocity_gradient", rows}, {"velocity", flow.velocity}};
+}
+
+void from_json(const Json& json, BackgroundFlow& flow) {
+  flow = {};
+  if (json.contains("velocity")) json.at("velocity").get_to(flow.velocity);
+  if (!json.contains("velocity_gradient")) return;
+  for (int c = 0; c < 3; ++c)
+    flow.velocity_gradient.row(c) = json.at("velocity_gradient").at(c).get<Vec3>();
+}
+
 }  // namespace beadswim

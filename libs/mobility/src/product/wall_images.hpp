@@ -26,6 +26,9 @@ class WallImages {
   /// Adds the flows at the spheres that this rank evaluates. `sources` and `flows`: force_moments.hpp.
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows,
                  const Communicator& communicator) const;
+  /// Adds the flow of all spheres at a sphere at `place` in the fluid.
+  void add_flow(std::span<const Vec3> positions, std::span<const double> sources, const Vec3& place,
+                double radius, double* flow) const;
 
  private:
   MirrorFlow flow_at_mirror(std::span<const Vec3> positions, std::span<const double> sources,

@@ -124,7 +124,7 @@ Prediction predict(const Method& method, const ShapeQuestion& question) {
     throw InputError(
         method.name,
         fmt::format("this method treats three beads on a line with the driving forces of the paper "
-                    "only; methods for this swimmer are {}",
+                    "only, in fluid at rest without half-space; methods for this swimmer are {}",
                     fmt::join(methods_for_shapes(), ", ")));
   Prediction prediction = method.predict_shape(question);
   prediction.method = method.name;

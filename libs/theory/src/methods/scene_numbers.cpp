@@ -40,7 +40,7 @@ TypeNumbers type_numbers(const SwimmerType& type, const Layout& layout) {
     numbers.drag_over_spring.push_back(drag * omega / bond.stiffness);
     numbers.arm_gap.push_back(bond.rest_length - 2 * radius);
   }
-  if (layout.domain) numbers.box_over_length = box_over_length(*layout.domain, type);
+  if (layout.domain.box) numbers.box_over_length = box_over_length(*layout.domain.box, type);
   const std::optional<ThreeBeadSwimmer> three = three_bead_form(type);
   if (!three) return numbers;
   const CollinearSwimmer swimmer = along_own_axis(*three, layout.fluid);
@@ -73,7 +73,7 @@ ResolutionNumbers resolution_numbers(const Layout& layout) {
       fastest = std::max(fastest, speed);
   }
   if (is_known) numbers.mach = fastest / sound_speed;
-  if (layout.domain) numbers.cells_in_box = layout.domain->lengths.prod() / std::pow(numbers.cell, 3);
+  if (layout.domain.box) numbers.cells_in_box = layout.domain.box->lengths.prod() / std::pow(numbers.cell, 3);
   return numbers;
 }
 

@@ -18,6 +18,15 @@ struct Pairs {
 };
 const Pairs oseen_flow{"Oseen", oseen_pairs}, rotne_prager_flow{"Rotne-Prager", rotne_prager_tensor};
 
+std::string fluid_text(const ShapedSwimmer& swimmer) {
+  std::string text = "unbounded fluid";
+  if (const auto& half_space = swimmer.half_space)
+    text = fmt::format("fluid over a no-slip wall, at the height {:.6g}", half_space->height(swimmer.place));
+  if (!swimmer.flow.is_zero()) text += " with background flow";
+  if (swimmer.is_held()) text += ", moved back to its place and orientation after each cycle";
+  return text;
+}
+
 Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, const ShapeMotion& motion,
                            const std::string& amplitude) {
   const ShapedSwimmer& swimmer = question.swimmer;
@@ -36,12 +45,11 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
   const double depth = std::sqrt(2 * swimmer.viscosity / (question.fluid_density * omega));
   const double radius = std::ranges::max(swimmer.type.beads, {}, &Bead::radius).radius;
   prediction.validity = fmt::format(
-      "{} pairs; {}; alone in unbounded fluid; no inertia of fluid or beads (penetration depth {:.2f} "
-      "radii); "
+      "{} pairs; {}; alone in {}; no inertia of fluid or beads (penetration depth {:.2f} radii); "
       "the error for this shape is not known",
-      pairs.name, amplitude, depth / radius);
+      pairs.name, amplitude, fluid_text(swimmer), depth / radius);
   prediction.settings = {{"mobility", pairs.name},
-                         {"fluid", "unbounded"},
+                         {"fluid", swimmer.half_space ? "half-space" : "unbounded"},
                          {"period", swimmer.type.driving.period},
                          {"towing_drag", drag}};
   if (swimmer.type.beads.size() > 1)

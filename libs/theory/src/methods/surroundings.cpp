@@ -37,7 +37,7 @@ BoxPlace box_place(const Box& box, const Swimmer& swimmer, int axis) {
 }  // namespace
 
 Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
-  if (!layout.domain) return {};
+  if (!layout.domain.box) return {};
   if (layout.swimmers.size() > 1) {
     return {.box = {},
             .obstacle = fmt::format("the box holds {} swimmers, but theory treats only one swimmer per box; "
@@ -45,7 +45,7 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
                                     "neglect the other swimmers in a layout without box ({})",
                                     layout.swimmers.size(), Setting::unbounded)};
   }
-  const auto& boundary = layout.domain->boundary;
+  const auto& boundary = layout.domain.box->boundary;
   if (std::find(boundary.begin(), boundary.end(), Boundary::no_slip) != boundary.end()) {
     return {.box = {},
             .obstacle =
@@ -58,7 +58,7 @@ Surroundings surroundings_of(const Layout& layout, const Swimmer& swimmer) {
             .obstacle =
                 "the swimmer is not parallel to a box axis, so the swimmer's images push it sideways; theory "
                 "requires an axis along x, y or z"};
-  return {.box = box_place(*layout.domain, swimmer, *axis), .obstacle = {}};
+  return {.box = box_place(*layout.domain.box, swimmer, *axis), .obstacle = {}};
 }
 
 }  // namespace beadswim

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "beadswim/mobility/wall_mobility.hpp"
 #include "beadswim/swimmers/swimmer_forces.hpp"
 #include "beadswim/swimmers/swimmer_matrices.hpp"
 
@@ -41,6 +42,10 @@ BeadVectors centred(const BeadVectors& beads) {
   return beads.colwise() - Vec3(beads.rowwise().mean());
 }
 
+BeadVectors placed(const ShapedSwimmer& swimmer, const BeadVectors& shape) {
+  return shape.colwise() + swimmer.place;
+}
+
 Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to) {
   SwimmerType shape;
   for (const auto& place : from.colwise()) shape.beads.push_back({{}, place});
@@ -54,7 +59,12 @@ ShapeFlow::ShapeFlow(const ShapedSwimmer& swimmer, PairTensorLaw law)
 }
 
 Eigen::MatrixXd ShapeFlow::mobility(const BeadVectors& beads) const {
-  return mobility_matrix<Eigen::MatrixXd>(law_, swimmer_.type.beads, beads, swimmer_.viscosity);
+  auto mu = mobility_matrix<Eigen::MatrixXd>(law_, swimmer_.type.beads, beads, swimmer_.viscosity);
+  if (!swimmer_.half_space) return mu;
+  std::vector<double> radii;
+  for (const Bead& bead : swimmer_.type.beads) radii.push_back(law_ == oseen_pairs ? 0 : bead.radius);
+  add_wall_mobility(*swimmer_.half_space, radii, beads, swimmer_.viscosity, mu);
+  return mu;
 }
 
 Eigen::MatrixXd ShapeFlow::damping(const BeadVectors& beads) const {
@@ -69,7 +79,10 @@ Eigen::VectorXd ShapeFlow::forces(const BeadVectors& beads, double time) const {
 
 Eigen::VectorXd ShapeFlow::velocities(const BeadVectors& beads, double time) const {
   const Eigen::MatrixXd mu = mobility(beads);
-  const Eigen::VectorXd undamped = mu * forces(beads, time);
+  Eigen::VectorXd undamped = mu * forces(beads, time);
+  if (!swimmer_.flow.is_zero())
+    for (Eigen::Index b = 0; b < beads.cols(); ++b)
+      undamped.segment<3>(3 * b) += swimmer_.flow.at(beads.col(b));
   if (!is_damped_) return undamped;
   const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(mu.rows(), mu.cols());
   return (unit + mu * damping(beads)).partialPivLu().solve(undamped);
@@ -86,7 +99,7 @@ Eigen::MatrixXd ShapeFlow::relaxation(const BeadVectors& beads, double time) con
 double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
                    PairTensorLaw law) {
   const Eigen::VectorXd along = axis.replicate(shape.cols(), 1);
-  return along.dot(ShapeFlow(swimmer, law).mobility(shape).ldlt().solve(along));
+  return along.dot(ShapeFlow(swimmer, law).mobility(placed(swimmer, shape)).ldlt().solve(along));
 }
 
 }  // namespace beadswim

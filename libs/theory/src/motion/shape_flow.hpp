@@ -32,6 +32,9 @@ Eigen::VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads);
 /// Moves the beads so that their mean is the origin.
 BeadVectors centred(const BeadVectors& beads);
 
+/// Moves the shape, whose mean is the origin, to the place of the swimmer.
+BeadVectors placed(const ShapedSwimmer& swimmer, const BeadVectors& shape);
+
 /// Returns the rotation that fits `from` to `to` best after a translation.
 Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to);
 

@@ -20,15 +20,21 @@ namespace beadswim {
 namespace {
 
 /// Returns true if the motion does not depend on the orientation in the box.
-bool is_free_to_turn(const Driving& driving) {
-  return driving.forces.empty() || driving.frame == DrivingFrame::body;
+bool is_free_to_turn(const ShapedSwimmer& swimmer) {
+  const Driving& driving = swimmer.type.driving;
+  return !swimmer.is_held() && (driving.forces.empty() || driving.frame == DrivingFrame::body);
 }
 
-/// Returns the beads at the end of a cycle, moved back to those at its start: without the translation and, if
-/// the swimmer is free to turn, without the rotation.
+/// Returns true if the shape repeats only in a frame that turns.
+bool has_turning_frame(const ShapedSwimmer& swimmer) {
+  return swimmer.is_held() || is_free_to_turn(swimmer);
+}
+
+/// Returns the beads at the end of a cycle, moved back to those at its start: without the translation and
+/// without the rotation of the frame.
 BeadVectors moved_back(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
   const BeadVectors end = centred(cycle.beads.back());
-  if (!is_free_to_turn(swimmer.type.driving)) return end;
+  if (!has_turning_frame(swimmer)) return end;
   return best_rotation(cycle.beads.front(), end).transpose() * end;
 }
 
@@ -46,7 +52,10 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTenso
   double smallest = std::numeric_limits<double>::infinity();
   for (int cycle = 0; cycle < max_cycles; ++cycle) {
     start = centred(start);
-    const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, start, steps);
+    if (swimmer.is_held())
+      start = swimmer.orientation *
+              fitted_orientation(swimmer.type, start, swimmer.orientation).transpose() * start;
+    const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, placed(swimmer, start), steps);
     if (!motion) return std::nullopt;
     const BeadVectors end = moved_back(swimmer, *motion);
     const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
@@ -118,7 +127,7 @@ MovingFrame moving_frame(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) 
   const double period = swimmer.type.driving.period;
   const int steps = static_cast<int>(cycle.beads.size()) - 1;
   Vec3 turn = Vec3::Zero();  // Omega T
-  if (is_free_to_turn(swimmer.type.driving)) turn = rotation_in(cycle);
+  if (has_turning_frame(swimmer)) turn = rotation_in(cycle);
   const auto centre = [&](int s) -> Vec3 { return cycle.beads[s].rowwise().mean(); };
   Eigen::Matrix<double, 6, 6> equations = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
@@ -163,8 +172,8 @@ PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cy
   // Results are for the orientation of the layout; the motion was found in another one.
   const Eigen::Matrix3d fit = fitted_orientation(type, motion.mean_shape, swimmer.orientation);
   const Eigen::Matrix3d turn = swimmer.orientation * fit.transpose();
-  const bool free = is_free_to_turn(type.driving);
-  if (!free) motion.turn = Eigen::AngleAxisd(turn).angle();
+  const bool free = is_free_to_turn(swimmer);
+  if (!has_turning_frame(swimmer)) motion.turn = Eigen::AngleAxisd(turn).angle();
   const Eigen::Matrix3d to_box = free ? turn : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   motion.mean_shape = to_box * motion.mean_shape;
   motion.velocity = to_box * frame.velocity;
@@ -203,7 +212,7 @@ PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw 
     if (!cycle) continue;
     const std::optional<PeriodicShapeMotion> coarse = motion;
     motion = motion_of(swimmer, *cycle);
-    start = cycle->beads.front();
+    start = centred(cycle->beads.front());
     if (!coarse) continue;
     motion->numerical_error = (motion->velocity - coarse->velocity).norm();
     const double enough = std::max(resolved * motion->velocity.norm(), roundoff * largest_speed(*cycle));

@@ -268,6 +268,10 @@ Stroke stroke_of_bonds(const SwimmerType& type, const ShapeExpansion& expansion,
 }  // namespace
 
 ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law) {
+  if (swimmer.half_space || !swimmer.flow.is_zero())
+    throw InputError("the domain or flow",
+                     "methods of second order treat a swimmer in open space in fluid at rest; use a method "
+                     "whose name ends in -ode");
   const ShapeExpansion expansion(swimmer, law);
   const Expansion order = expansion.first_order();
   const SecondOrder second = second_order_part(swimmer, expansion, order);

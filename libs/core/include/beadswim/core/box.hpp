@@ -5,10 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "beadswim/core/half_space.hpp"
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// The box that contains fluid and swimmers, and the periodic and mirror images of points in it. All lengths
+// The domain or box that contains fluid and swimmers, and the periodic and mirror images of points in it. All lengths
 // have the same unit, which is not prescribed.
 
 namespace beadswim {
@@ -49,6 +50,15 @@ struct Box {
   bool has_mirrors(int axis) const { return boundary[axis] == Boundary::free_slip; }
 
   bool operator==(const Box&) const = default;
+};
+
+/// The part of space that the fluid fills: all of space if it has neither box nor half-space. It has at most
+/// one of them.
+struct Domain {
+  std::optional<Box> box{};
+  std::optional<HalfSpace> half_space{};
+
+  bool operator==(const Domain&) const = default;
 };
 
 /// Returns, for each periodic axis, the number of the periodic copy of the box that contains the position:

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "beadswim/core/background_flow.hpp"
 #include "beadswim/core/box.hpp"
 #include "beadswim/io/json.hpp"
 
-// Conversion between JSON and boxes. An axis with walls that move has the boundary
+// Conversion between JSON and domains, boxes and background flows. A domain is null, a box or
+// {"half_space": {"axis": "z", "boundary": "no-slip"}}. An axis with walls that move has the boundary
 // {"no-slip": {"lower_velocity": [..], "upper_velocity": [..]}}, every other axis a name. The JSON must have
 // been validated against its schema before it is read.
 
@@ -11,5 +13,9 @@ namespace beadswim {
 
 void to_json(Json& json, const Box& box);
 void from_json(const Json& json, Box& box);
+void to_json(Json& json, const Domain& domain);
+void from_json(const Json& json, Domain& domain);
+void to_json(Json& json, const BackgroundFlow& flow);
+void from_json(const Json& json, BackgroundFlow& flow);
 
 }  // namespace beadswim

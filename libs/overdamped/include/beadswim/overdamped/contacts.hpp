@@ -32,8 +32,7 @@ struct ContactScale {
 
 /// Finds all contacts of beads with the given radii and positions [length]. Each pair of beads is listed
 /// once, with its nearest periodic image. A bead and its own mirror image behind a wall are a contact too.
-/// Without `box`, space is unbounded.
-std::vector<Contact> find_contacts(const ContactScale& scale, const std::optional<Box>& box,
+std::vector<Contact> find_contacts(const ContactScale& scale, const Domain& domain,
                                    std::span<const double> radii, std::span<const Vec3> positions);
 
 }  // namespace beadswim

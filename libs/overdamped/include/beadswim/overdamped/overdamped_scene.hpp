@@ -18,6 +18,8 @@ struct OverdampedScene : Swarm {
   int moment_order = 0;  ///< models multipole and unsteady: highest moment of the force on each bead, 0 to 2
   double viscosity = 0;  ///< dynamic viscosity eta of the fluid [mass/(length time)]
   std::optional<Box> box;  ///< box of the fluid; no value means unbounded fluid
+  std::optional<HalfSpace> half_space;
+  BackgroundFlow flow;
   double step = 0;         ///< time step [time]
   /// Largest relative error of the velocities that the mobility product returns. The linear solver of a time
   /// step stops at a relative error of 0.3 times this value.

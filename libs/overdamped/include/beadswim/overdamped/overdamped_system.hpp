@@ -51,6 +51,7 @@ enum class OverdampedFaultKind {
   speed,          ///< a bead moved by more than its radius in a step; value: displacement [radius]
   torn_arm,       ///< an arm exceeds twice its rest length; value: length [rest length]
   wall,           ///< the centre of a bead is beyond a wall; value: distance beyond it [length]
+  no_slip_wall,   ///< a bead overlaps the wall of a half-space; value: depth of the overlap [radius]
   not_converged,  ///< the linear solver of a step did not converge; swimmer and bead are 0
 };
 

@@ -52,6 +52,6 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
 
 /// Returns the smallest distance between two surfaces of beads, their periodic images and walls [length].
 /// Negative if surfaces overlap.
-double smallest_gap(const std::vector<PlacedBead>& beads, const std::optional<Box>& domain);
+double smallest_gap(const std::vector<PlacedBead>& beads, const Domain& domain);
 
 }  // namespace beadswim

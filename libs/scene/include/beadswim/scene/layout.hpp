@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "beadswim/core/background_flow.hpp"
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
@@ -72,7 +73,8 @@ struct Resolution {
 struct Layout {
   Units units;
   Fluid fluid;
-  std::optional<Box> domain;  ///< empty: open space
+  Domain domain;
+  BackgroundFlow flow{};  ///< without box
   /// Force per volume on fluid and beads, as a pressure gradient acts [mass/(length^2 time^2)].
   Vec3 body_force = Vec3::Zero();
   std::map<std::string, SwimmerType> types;
@@ -84,7 +86,11 @@ struct Layout {
   SwimmerType resolved_type(const Swimmer& swimmer) const;
 };
 
-/// Returns true if walls or a body force move the fluid.
+/// Returns the domain in words, for figures and messages: "box 120 × 80 × 80", "open space" or "half-space
+/// z > 0 over a no-slip wall".
+std::string in_words(const Domain& domain);
+
+/// Returns true if a background flow, walls or a body force move the fluid.
 bool has_background_flow(const Layout& layout);
 
 /// Return the smallest radius of the beads, or of all beads of the layout's swimmers [length].

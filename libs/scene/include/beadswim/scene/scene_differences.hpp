@@ -28,6 +28,7 @@ enum class SceneProperty {
   angular_stiffness,
   fluid,  ///< density and viscosity
   domain,
+  flow,
   body_force,
   swimmers,  ///< number and ids of the swimmers
   placing,   ///< positions, axes and phase offsets
@@ -47,6 +48,7 @@ inline constexpr auto name_table<SceneProperty> =
                                               {SceneProperty::angular_stiffness, "angular_stiffness"},
                                               {SceneProperty::fluid, "fluid"},
                                               {SceneProperty::domain, "domain"},
+                                              {SceneProperty::flow, "flow"},
                                               {SceneProperty::body_force, "body_force"},
                                               {SceneProperty::swimmers, "swimmers"},
                                               {SceneProperty::placing, "placing"}});
@@ -75,7 +77,8 @@ struct SceneDifference {
 
 /// Return the values of single properties.
 PropertyValue numbers_value(const std::vector<double>& numbers);
-PropertyValue domain_value(const std::optional<Box>& domain);
+PropertyValue domain_value(const Domain& domain);
+PropertyValue flow_value(const BackgroundFlow& flow);
 PropertyValue body_force_value(const Vec3& force);
 PropertyValue swimmers_value(std::vector<int> ids);
 

@@ -1,23 +1,32 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
+#include "beadswim/core/background_flow.hpp"
+#include "beadswim/core/half_space.hpp"
 #include "beadswim/mobility/mobility_matrix.hpp"
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// Motion of a swimmer of any shape, alone in open space and without inertia of fluid and beads.
+// Motion of a swimmer of any shape, alone in open space or over a plane no-slip wall, without inertia of fluid
+// and beads.
 //
-//   v = mu(x) [F(x, t) - C(x) v],   dx/dt = v
+//   v = u(x) + mu(x) [F(x, t) - C(x) v],   dx/dt = v
 //
 //   x, v   positions [length] and velocities of the beads [length/time]
-//   mu     mobility of the beads by a pair law [time/mass]
+//   mu     mobility of the beads by a pair law, with the images of the beads behind the wall [time/mass]
+//   u      background flow [length/time]
 //   F, C   forces of springs, angular springs and drives [force], and damping of the dashpots [mass/time]
 //
 // A periodic motion repeats in a frame that moves with the swimmer: the frame has a constant velocity V and a
 // constant angular velocity Omega in its own axes. If drives act along directions of the box, the motion is
 // periodic only if Omega is zero.
+//
+// Over a wall or in a flow with a gradient, a motion does not repeat, because place and orientation change.
+// The motion is then that of a swimmer whose shape repeats if it is moved back to its place and orientation
+// after each cycle.
 //
 // Page: docs/method/motion-of-shapes.md.
 
@@ -28,6 +37,13 @@ struct ShapedSwimmer {
   SwimmerType type;
   Eigen::Matrix3d orientation;  ///< at the start, from the frame of the type to the box
   double viscosity = 0;         ///< eta, dynamic [mass/(length time)]
+  std::optional<HalfSpace> half_space{};
+  BackgroundFlow flow{};
+  /// Mean position of the beads at time 0, where wall or flow make it matter [length].
+  Vec3 place = Vec3::Zero();
+
+  /// Returns true if the motion depends on place and orientation.
+  bool is_held() const { return half_space || !flow.velocity_gradient.isZero(0); }
 
   bool operator==(const ShapedSwimmer&) const = default;
 };
@@ -58,7 +74,7 @@ BeadVectors relaxed_shape(const ShapedSwimmer& swimmer);
 /// the harmonics f_n of the drives. Second order: the mean of the quadratic part of R, evaluated by a central
 /// difference, is balanced by V, Omega and a mean change of the shape.
 ///
-/// Throws InputError if the springs leave a deformation free, which then drifts.
+/// Throws InputError if the springs leave a deformation free, which then drifts, or over a wall or in a flow.
 ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
 
 /// Motion at finite amplitude, with details of its calculation.
@@ -78,8 +94,8 @@ struct PeriodicShapeMotion : ShapeMotion {
 /// Throws InputError if the motion does not become periodic, or if beads touch.
 PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
 
-/// Returns the drag coefficient of the swimmer with the beads at `shape`, towed along `axis` without rotation
-/// [mass/time].
+/// Returns the drag coefficient of the swimmer with the beads at `shape` about their mean position, towed along
+/// `axis` without rotation [mass/time].
 double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
                    PairTensorLaw law);
 

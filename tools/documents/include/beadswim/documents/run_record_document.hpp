@@ -260,7 +260,8 @@ struct RunRecord {
   RunStatus status = RunStatus::finished;
   std::string reason;  ///< why the run stopped early; empty if it finished
   Units units;
-  std::optional<Box> domain;       ///< nullopt: unbounded fluid
+  Domain domain;
+  std::optional<BackgroundFlow> flow;  ///< nullopt: none
   std::optional<Vec3> body_force;  ///< nullopt: none
   DrivingRecord driving;
   std::vector<SwimmerRecord> swimmers;           ///< empty for more than max_swimmers_listed swimmers
@@ -283,6 +284,7 @@ struct RunRecord {
     visit("status", record.status);
     visit("units", record.units);
     visit("domain", record.domain);
+    visit("flow", record.flow, omitted_if_none);
     visit("body_force", record.body_force, omitted_if_none);
     visit("driving", record.driving);
     visit("swimmers", record.swimmers, omitted_if_none);
