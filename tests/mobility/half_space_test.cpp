@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/mobility/mobility_product.hpp"
@@ -253,6 +254,101 @@ TEST(HalfSpace, ASphereApproachesTheWallAsByBrennersExactSolution) {
       EXPECT_LT(error, leading * (1 + 4.5 / (H * H))) << H << order;
     }
   }
+}
+
+/// Returns spheres of random radii in a slab over the wall, the lowest at the height of their radius.
+Spheres slab_of_spheres(int count) {
+  std::mt19937 random(20261130);
+  std::uniform_real_distribution<double> unit(0, 1);
+  const double edge = 1.8 * std::sqrt(count);
+  Spheres spheres;
+  for (int b = 0; b < count; ++b) {
+    spheres.radii.push_back(0.4 + 0.6 * unit(random));
+    const double height = spheres.radii.back() + (b % 4 == 0 ? 0 : 9 * unit(random));
+    spheres.places.emplace_back(edge * unit(random), edge * unit(random), height);
+  }
+  return spheres;
+}
+
+struct FastSum {
+  MobilityModel model;
+  int order;
+  double tolerance;
+};
+
+class FastSumOverWall : public testing::TestWithParam<FastSum> {};
+INSTANTIATE_TEST_SUITE_P(Models, FastSumOverWall,
+                         testing::Values(FastSum{MobilityModel::oseen, 0, 1e-4},
+                                         FastSum{MobilityModel::rpy, 0, 1e-3},
+                                         FastSum{MobilityModel::rpy, 0, 1e-6},
+                                         FastSum{MobilityModel::multipole, 1, 1e-4},
+                                         FastSum{MobilityModel::multipole, 2, 1e-4}));
+
+/// Returns the moments of all spheres as forces of random directions, and weaker higher moments.
+std::vector<double> random_moments(int order, const Spheres& spheres) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<double> moments;
+  for (const double radius : spheres.radii)
+    for (int m = 0; m < moment_count(order); ++m)
+      moments.push_back(normal(random) * (m < 3 ? 1 : 0.3) * (degree_of_moment(m) == 1 ? radius : 1));
+  return moments;
+}
+
+/// Returns M moments with the scene's mesh or, for few spheres, sums over all pairs; both for forces and
+/// for moments.
+std::vector<double> projections(MobilityScene scene, const Spheres& spheres,
+                                const std::vector<double>& moments) {
+  const Communicator world(MPI_COMM_WORLD);
+  scene.radii = spheres.radii;
+  std::vector<double> result(moments.size());
+  if (scene.moment_order == 0) {
+    std::vector<Vec3> forces, v(spheres.radii.size());
+    for (std::size_t b = 0; b < v.size(); ++b)
+      forces.emplace_back(moments[3 * b], moments[3 * b + 1], moments[3 * b + 2]);
+    MobilityProduct(scene, spheres.places, world).apply(spheres.places, forces, v);
+    std::copy_n(v[0].data(), result.size(), result.begin());
+    return result;
+  }
+  const MobilityProduct product(scene, spheres.places, world);  // for its plan
+  MomentProduct(scene, product.plan(), world).apply(spheres.places, moments, result);
+  return result;
+}
+
+// The direct sums are over groups of spheres, too few for a mesh, and one sphere at which the flow is found.
+TEST_P(FastSumOverWall, EqualsTheSumOverAllPairs) {
+  const auto [model, order, tolerance] = GetParam();
+  const int count = moment_count(order), spheres_in_group = 499;
+  const Spheres all = slab_of_spheres(1000);
+  const std::vector<double> moments = random_moments(order, all);
+  MobilityScene scene = over_wall(model, all, order);
+  scene.tolerance = tolerance;
+  const std::vector<double> found = projections(scene, all, moments);
+  scene.tolerance = 1e-12;
+  double error = 0, size = 0;
+  for (int target = 0; target < 20; target += 4) {
+    std::vector<double> expected(count, 0.0);
+    bool has_self = true;  // the flow at the target by itself is counted in the first group
+    for (std::size_t first = 0; first < all.radii.size(); first += spheres_in_group) {
+      Spheres group{.radii = {all.radii[target]}, .places = {all.places[target]}};
+      std::vector<double> sources(count, 0.0);
+      if (std::exchange(has_self, false)) std::copy_n(&moments[count * target], count, sources.begin());
+      for (std::size_t b = first; b < std::min(first + spheres_in_group, all.radii.size()); ++b) {
+        if (static_cast<int>(b) == target) continue;
+        group.radii.push_back(all.radii[b]);
+        group.places.push_back(all.places[b]);
+        sources.insert(sources.end(), &moments[count * b], &moments[count * b] + count);
+      }
+      const std::vector<double> part = projections(scene, group, sources);
+      for (int m = 0; m < count; ++m) expected[m] += part[m];
+    }
+    for (int m = 0; m < count; ++m) {  // rates of strain as velocities at the surface
+      const double scale = degree_of_moment(m) == 1 ? all.radii[target] : 1;
+      error += std::pow(scale * (found[count * target + m] - expected[m]), 2);
+      size += m < 3 ? std::pow(expected[m], 2) : 0;
+    }
+  }
+  EXPECT_LT(std::sqrt(error / size), tolerance);
 }
 
 /// Velocity of a free sphere in shear flow along a wall, divided by the velocity of this flow at its centre,

@@ -36,7 +36,8 @@ TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer, const
                         .half_space = layout.domain.half_space,
                         .flow = layout.flow};
     if (shape.is_held())
-      shape.place = columns_of_beads(rest_positions(type, swimmer.position, shape.orientation)).rowwise().mean();
+      shape.place =
+          columns_of_beads(rest_positions(type, swimmer.position, shape.orientation)).rowwise().mean();
     return shape;
   }
   try {

@@ -49,7 +49,8 @@ ImplicitBalance::ImplicitBalance(const StepScene& step, const StepRule& rule, co
   const auto is_within_swimmer = [&](const Contact& c) {
     return swimmer_of(bead_ranges_, c.first) == swimmer_of(bead_ranges_, c.second) && !c.is_image;
   };
-  for (const Contact& contact : find_contacts(step.contact_scale, {.box = scene.box, .half_space = scene.half_space}, step.radii, places))
+  for (const Contact& contact : find_contacts(
+           step.contact_scale, {.box = scene.box, .half_space = scene.half_space}, step.radii, places))
     (is_within_swimmer(contact) ? internal_contacts_ : external_contacts_).push_back(contact);
   Beads external_forces = zero_vectors(start.size());
   std::vector<Eigen::MatrixXd> stiffness(last_ - first_);  // empty without contacts

@@ -26,14 +26,15 @@ void check_no_slip_walls(const Layout& layout, const std::string& source) {
 /// Throws InputError if the model unsteady cannot treat the domain or the flow.
 void check_unbounded(const Layout& layout, const std::string& source) {
   if (layout.domain.half_space)
-    throw InputError(source + ":/domain/half_space",
-                     fmt::format("the model unsteady lacks no-slip walls; use {} rpy or multipole, or lbm in a "
-                                 "box with such walls",
-                                 Setting::model));
+    throw InputError(
+        source + ":/domain/half_space",
+        fmt::format("the model unsteady lacks no-slip walls; use {} rpy or multipole, or lbm in a "
+                    "box with such walls",
+                    Setting::model));
   if (!layout.flow.is_zero())
-    throw InputError(source + ":/flow",
-                     fmt::format("the model unsteady lacks background flow; use {} rpy or multipole",
-                                 Setting::model));
+    throw InputError(
+        source + ":/flow",
+        fmt::format("the model unsteady lacks background flow; use {} rpy or multipole", Setting::model));
 }
 
 /// Throws InputError if the box is too narrow for the Ewald sum or for contacts between beads and images.

@@ -131,7 +131,8 @@ void add_proposals(RunPlan& plan, const Layout& layout, const SceneFacts& facts)
   const std::optional<SufficientBox> box =
       sufficient_box(swimmer_facts.representative.question, plan.tolerance / 3);
   constexpr double worthwhile = 0.7;  // largest proposed volume, relative to the box of the layout
-  if (!box || (layout.domain.box && box->lengths.prod() > worthwhile * layout.domain.box->lengths.prod())) return;
+  if (!box || (layout.domain.box && box->lengths.prod() > worthwhile * layout.domain.box->lengths.prod()))
+    return;
   int along = 0;
   layout.swimmers.front().axis.cwiseAbs().maxCoeff(&along);
   Vec3 lengths;

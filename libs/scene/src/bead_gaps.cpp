@@ -100,7 +100,8 @@ std::vector<BeadPair> overlapping_pairs(const std::vector<PlacedBead>& beads,
 
 double smallest_gap(const std::vector<PlacedBead>& beads, const Domain& domain) {
   double gap = smallest_wall_gap(beads, domain);
-  for (const BeadPair& pair : own_image_pairs(beads, domain.box)) gap = std::min(gap, surface_gap(beads, pair));
+  for (const BeadPair& pair : own_image_pairs(beads, domain.box))
+    gap = std::min(gap, surface_gap(beads, pair));
   for (std::size_t i = 1; i < beads.size(); ++i) {  // gives an upper bound of the gap
     const BeadPair pair{
         .first = i, .second = i - 1, .distance = (beads[i].centre - beads[i - 1].centre).norm()};

@@ -363,14 +363,16 @@ void check_flow(const Layout& layout, Faults& faults) {
   const Eigen::Matrix3d& gradient = layout.flow.velocity_gradient;
   constexpr double roundoff = 1e-12;
   if (std::abs(gradient.trace()) > roundoff * gradient.cwiseAbs().maxCoeff())
-    faults.push_back({"/flow/velocity_gradient",
-                      fmt::format("the trace is {:.6g}, but an incompressible flow has the trace 0; change an "
-                                  "element of the diagonal",
-                                  gradient.trace())});
+    faults.push_back(
+        {"/flow/velocity_gradient",
+         fmt::format("the trace is {:.6g}, but an incompressible flow has the trace 0; change an "
+                     "element of the diagonal",
+                     gradient.trace())});
   if (layout.domain.box)
-    faults.push_back({"/flow",
-                      "a background flow is unbounded, but the domain is a box; set the domain to null or to a "
-                      "half-space, or replace the flow by no-slip walls that move or a body force"});
+    faults.push_back(
+        {"/flow",
+         "a background flow is unbounded, but the domain is a box; set the domain to null or to a "
+         "half-space, or replace the flow by no-slip walls that move or a body force"});
   if (!layout.domain.half_space) return;
   const int across = layout.domain.half_space->axis;
   if (!layout.flow.velocity.isZero(0))

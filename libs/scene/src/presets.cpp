@@ -32,7 +32,7 @@ Layout paper_scene(double radius, double arm, double stiffness, double amplitude
 Layout paper_single() {
   Layout layout = paper_scene(4, 20, 0.0347, 0.2, 4800);
   layout.domain.box = Box{.lengths = Vec3(1200, 800, 800),
-                      .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
+                          .boundary = {Boundary::free_slip, Boundary::free_slip, Boundary::free_slip}};
   layout.swimmers = {
       {.type = "a",
        .position = centred_position(layout.types.at("a"), Eigen::Matrix3d::Identity(), layout.domain.box)}};

@@ -55,7 +55,8 @@ std::vector<Pair> common_swimmers(const Layout& run, const Layout& reference) {
 // --- Placing
 
 bool has_walls(const Domain& domain, int axis) {
-  return (domain.box && !domain.box->is_periodic(axis)) || (domain.half_space && domain.half_space->axis == axis);
+  return (domain.box && !domain.box->is_periodic(axis)) ||
+         (domain.half_space && domain.half_space->axis == axis);
 }
 
 /// Returns the translation that moves the swimmer of the run to the one of the reference, along axes on which

@@ -30,7 +30,8 @@ void from_json(const Json& json, Box& box) {
 void to_json(Json& json, const Domain& domain) {
   if (domain.half_space) {
     json = {{"half_space",
-             {{"axis", std::string(1, "xyz"[domain.half_space->axis])}, {"boundary", to_text(Boundary::no_slip)}}}};
+             {{"axis", std::string(1, "xyz"[domain.half_space->axis])},
+              {"boundary", to_text(Boundary::no_slip)}}}};
   } else {
     json = domain.box;
   }
@@ -56,8 +57,7 @@ void from_json(const Json& json, BackgroundFlow& flow) {
   flow = {};
   if (json.contains("velocity")) json.at("velocity").get_to(flow.velocity);
   if (!json.contains("velocity_gradient")) return;
-  for (int c = 0; c < 3; ++c)
-    flow.velocity_gradient.row(c) = json.at("velocity_gradient").at(c).get<Vec3>();
+  for (int c = 0; c < 3; ++c) flow.velocity_gradient.row(c) = json.at("velocity_gradient").at(c).get<Vec3>();
 }
 
 }  // namespace beadswim

@@ -67,6 +67,7 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
                    .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirror_count(scene.box)),
                    .largest_radius = *std::ranges::max_element(scene.radii),
                    .moment_order = highest_moment(scene),
+                   .has_wall = scene.half_space.has_value(),
                    .tolerance = scene.tolerance};
   if (scene.memory) ewald.max_spacing = scene.memory->spacing;
   if (scene.box) return ewald;
@@ -138,7 +139,9 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
         WallImages::Law{.order = 0,
                         .viscosity = scene.viscosity,
                         .half_space = *scene.half_space,
-                        .radii = is_sphere ? scene.radii : std::vector<double>(scene.radii.size(), 0.0)});
+                        .radii = is_sphere ? scene.radii : std::vector<double>(scene.radii.size(), 0.0),
+                        .xi = parts_->plan ? parts_->plan->xi : 0,
+                        .cutoff = parts_->plan ? parts_->plan->cutoff : 0});
   if (!parts_->plan) return;
   const EwaldPlan& plan = *parts_->plan;
   parts_->near_pairs = std::make_unique<NearPairs>(NearPairs::Law{.model = scene.model,
@@ -182,11 +185,11 @@ void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std
   for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
   if (mesh) {
     near_pairs->add_velocities(places, sources, velocities, communicator);
-    mesh->add_velocities(places, sources, part, velocities);
+    if (!wall) mesh->add_velocities(places, sources, part, velocities);
   } else {
     add_all_pairs(scene.model, scene.viscosity, scene.radii, places, sources, velocities, communicator);
   }
-  if (wall) wall->add_flows(places, flat(sources), flat(velocities), communicator);
+  if (wall) wall->add_flows(places, flat(sources), flat(velocities), mesh.get(), communicator);
   sum_over_ranks({velocities[0].data(), 3 * velocities.size()}, communicator);
   for (std::size_t b = 0; b < velocities.size(); ++b) velocities[b] += self[b] * forces[b];
 }

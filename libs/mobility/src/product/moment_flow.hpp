@@ -39,11 +39,35 @@ constexpr DerivativeSums derivative_sums = [] {
   return sums;
 }();
 
+/// Terms of the recursion for R(n, d + e_a): the derivatives with one and two orders less along axis a.
+struct DerivativeSteps {
+  struct Step {
+    unsigned char axis, once, twice;
+    double factor;
+  };
+  Step of[DerivativeTable::size]{};
+};
+constexpr DerivativeSteps derivative_steps = [] {
+  DerivativeSteps steps;
+  for (int d = 1; d < DerivativeTable::size; ++d) {
+    int degree[3] = {derivative_table.degree[d][0], derivative_table.degree[d][1],
+                     derivative_table.degree[d][2]};
+    const int axis = degree[0] > 0 ? 0 : (degree[1] > 0 ? 1 : 2);
+    DerivativeSteps::Step& step = steps.of[d];
+    step.axis = static_cast<unsigned char>(axis);
+    step.factor = --degree[axis];
+    step.once = static_cast<unsigned char>(derivative_table.index[degree[0]][degree[1]][degree[2]]);
+    if (degree[axis] == 0) continue;
+    --degree[axis];
+    step.twice = static_cast<unsigned char>(derivative_table.index[degree[0]][degree[1]][degree[2]]);
+  }
+  return steps;
+}();
+
 /// Sets result[d] to the derivative d of a function f of r, for all derivatives up to `order`. radial[n]:
 /// ((1/r) d/dr)^n f, n = 0 to `order`. Value: double, or a vector of doubles with one lane per pair.
 template <int order, class Value>
 BEADSWIM_KERNEL void cartesian_derivatives(const Value (&r)[3], const Value* radial, Value* result) {
-  constexpr const DerivativeTable& table = derivative_table;
   Value other[derivative_count(order)];
   Value *now = (order % 2 == 0) ? result : other, *above = (order % 2 == 0) ? other : result;
   now[0] = radial[order];
@@ -52,17 +76,10 @@ BEADSWIM_KERNEL void cartesian_derivatives(const Value (&r)[3], const Value* rad
     above = now;
     now = swapped;
     now[0] = radial[n];
-    for (int d = 1; d < table.first[order - n + 1]; ++d) {
-      int degree[3] = {table.degree[d][0], table.degree[d][1], table.degree[d][2]};
-      const int axis = degree[0] > 0 ? 0 : (degree[1] > 0 ? 1 : 2);
-      --degree[axis];
-      Value sum = r[axis] * above[table.index[degree[0]][degree[1]][degree[2]]];
-      if (degree[axis] > 0) {
-        const double factor = degree[axis];
-        --degree[axis];
-        sum += factor * above[table.index[degree[0]][degree[1]][degree[2]]];
-      }
-      now[d] = sum;
+    for (int d = 1; d < derivative_count(order - n); ++d) {
+      const DerivativeSteps::Step& step = derivative_steps.of[d];
+      now[d] = r[step.axis] * above[step.once];
+      if (step.factor > 0) now[d] += step.factor * above[step.twice];
     }
   }
 }

@@ -1,6 +1,8 @@
 // Compiled once per instruction set. BEADSWIM_INSTRUCTION_SET is the namespace of the instruction set.
 #include "moment_kernels.hpp"
 
+#include <type_traits>
+
 #include "mesh_window.hpp"
 #include "moment_flow.hpp"
 
@@ -49,20 +51,10 @@ void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs) {
   order == 1 ? moment_pairs_of<1>(one, pairs) : moment_pairs_of<2>(one, pairs);
 }
 
-namespace {
-
-BEADSWIM_KERNEL double sum_of_lanes(const Lanes& values) {
-  double sum = 0;
-  for (int l = 0; l < lanes; ++l) sum += values[l];
-  return sum;
-}
-
-}  // namespace
-
-// The flow of the sources is that of add_moment_flow(), in open space, where the second Laplacian of chi is
-// 0. The pressure is p/eta = -sum_d sum_b A_b^d D^(d + e_b) laplacian chi/(8 pi eta).
-template <int order>
-BEADSWIM_KERNEL void mirror_flow_of(int axis, const PointSources& sources, MirrorFlow& flow) {
+// The flow of the sources is that of add_moment_flow(). The pressure is p/eta = -sum_d sum_b A_b^d D^(d +
+// e_b) laplacian chi/(8 pi eta).
+template <int order, bool has_bilaplacian>
+BEADSWIM_KERNEL void mirror_flow_of(int axis, const PointSources& sources, MirrorFlowParts& flow) {
   constexpr int count = derivative_count(order), high = derivative_count(order + 2), highest = 2 * order + 4;
   constexpr auto& plus = derivative_sums.of;
   const Lanes r[3]{load(sources.r[0]), load(sources.r[1]), load(sources.r[2])};
@@ -71,6 +63,11 @@ BEADSWIM_KERNEL void mirror_flow_of(int axis, const PointSources& sources, Mirro
   cartesian_derivatives<highest>(r, radial, chi);
   for (int n = 0; n <= highest; ++n) radial[n] = load(sources.laplacian[n]);
   cartesian_derivatives<highest>(r, radial, laplacian);
+  Lanes bilaplacian[has_bilaplacian ? derivative_count(highest - 2) : 1];
+  if constexpr (has_bilaplacian) {
+    for (int n = 0; n <= highest - 2; ++n) radial[n] = load(sources.bilaplacian[n]);
+    cartesian_derivatives<highest - 2>(r, radial, bilaplacian);
+  }
   Lanes source[3 * count], scaled_source[3 * count];
   for (int s = 0; s < 3 * count; ++s) {
     source[s] = load(sources.source[s]);
@@ -80,31 +77,110 @@ BEADSWIM_KERNEL void mirror_flow_of(int axis, const PointSources& sources, Mirro
   const auto velocity = [&](int c, int e) __attribute__((always_inline)) {
     Lanes sum{};
     const int by_c = plus[e][1 + c];
-    for (int d = 0; d < count; ++d) sum += source[c * count + d] * laplacian[plus[d][e]];
+    for (int d = 0; d < count; ++d) {
+      sum += source[c * count + d] * laplacian[plus[d][e]];
+      if constexpr (has_bilaplacian) sum += scaled_source[c * count + d] * bilaplacian[plus[d][e]];
+    }
     for (int b = 0; b < 3; ++b) {
       for (int d = 0; d < count; ++d) {
         const int all = plus[plus[1 + b][d]][by_c];
         sum -= source[b * count + d] * chi[all] + scaled_source[b * count + d] * laplacian[all];
       }
     }
-    return sum_of_lanes(sum);
+    return sum;
+  };
+  const auto add = [](double* to, const Lanes& more) __attribute__((always_inline)) {
+    store(to, load(to) + more);
   };
   for (int c = 0; c < 3; ++c)
-    for (int e = 0; e < count; ++e) flow.velocity[c][e] += velocity(c, e);
+    for (int e = 0; e < count; ++e) add(flow.velocity[c][e], velocity(c, e));
   for (int e = 0; e < high; ++e) {
-    flow.across[e] += e < count ? 0 : velocity(axis, e);
+    add(flow.across[e], velocity(axis, e));
     Lanes sum{};
     for (int b = 0; b < 3; ++b)
-      for (int d = 0; d < count; ++d) sum += source[b * count + d] * laplacian[plus[plus[1 + b][d]][e]];
-    flow.pressure[e] -= sum_of_lanes(sum);
+      for (int d = 0; d < count; ++d) sum -= source[b * count + d] * laplacian[plus[plus[1 + b][d]][e]];
+    add(flow.pressure[e], sum);
   }
-  for (int e = 0; e < count; ++e) flow.across[e] = flow.velocity[axis][e];
 }
 
-void mirror_flow(int order, int axis, const PointSources& sources, MirrorFlow& flow) {
-  order == 0   ? mirror_flow_of<0>(axis, sources, flow)
-  : order == 1 ? mirror_flow_of<1>(axis, sources, flow)
-               : mirror_flow_of<2>(axis, sources, flow);
+void mirror_flow(int order, int axis, const PointSources& sources, MirrorFlowParts& flow) {
+  const auto of = [&]<int n>(std::integral_constant<int, n>) __attribute__((always_inline)) {
+    sources.has_bilaplacian ? mirror_flow_of<n, true>(axis, sources, flow)
+                            : mirror_flow_of<n, false>(axis, sources, flow);
+  };
+  if (order == 0) of(std::integral_constant<int, 0>{});
+  if (order == 1) of(std::integral_constant<int, 1>{});
+  if (order == 2) of(std::integral_constant<int, 2>{});
+}
+
+/// Weights of the window of a point along one axis and their derivatives up to the fourth: with the slope g
+/// of the exponent, W^(k+1) = g W^(k) + k g' W^(k-1).
+template <int P>
+struct HighlyDerivedWindow {
+  static constexpr int highest = 4;
+  Window<P> window;
+  double weight[highest + 1][3][P];  ///< [derivative][axis][point]
+
+  BEADSWIM_KERNEL void set_position(const WindowMesh& mesh, const double* position) {
+    window.set_position(mesh, position);
+    for (int a = 0; a < 3; ++a) {
+      const double slope = -2 * mesh.decay[a] * mesh.inverse_spacing[a],
+                   curve = slope * mesh.inverse_spacing[a];
+      for (int p = 0; p < P; ++p) {
+        const double g = slope * (window.offset[a] + p);
+        weight[0][a][p] = window.weight[a][p];
+        weight[1][a][p] = g * weight[0][a][p];
+        for (int k = 1; k < highest; ++k)
+          weight[k + 1][a][p] = g * weight[k][a][p] + k * curve * weight[k - 1][a][p];
+      }
+    }
+  }
+};
+
+/// Adds the derivatives up to `highest` of a mesh at a point to `result`.
+template <int P>
+BEADSWIM_KERNEL void add_derivatives_at(const WindowMesh& mesh, const HighlyDerivedWindow<P>& w, int highest,
+                                        const double* from, double* result) {
+  constexpr int orders = HighlyDerivedWindow<P>::highest + 1;
+  const bool wraps = w.window.wraps(mesh);
+  for (int p = 0; p < P; ++p) {
+    if (w.window.planes[p] < 0) continue;
+    double in_plane[orders][orders]{};  // derivatives by y and z
+    for (int q = 0; q < P; ++q) {
+      const double* const row = from + w.window.row(mesh, p, q);
+      double values[P];
+      for (int s = 0; s < P; ++s)
+        values[s] =
+            row[wraps ? Window<P>::wrapped(w.window.first[2] + s, mesh.points[2]) : w.window.first[2] + s];
+      for (int k = 0; k <= highest; ++k) {
+        double sum = 0;
+        for (int s = 0; s < P; ++s) sum += values[s] * w.weight[k][2][s];
+        for (int j = 0; j <= highest - k; ++j) in_plane[j][k] += w.weight[j][1][q] * sum;
+      }
+    }
+    // The window depends on mesh point minus position of the point: odd derivatives have the opposite sign.
+    for (int d = 0; d < derivative_count(highest); ++d) {
+      const auto& degree = derivative_table.degree[d];
+      const double value = w.weight[degree[0]][0][p] * in_plane[degree[1]][degree[2]];
+      result[d] += derivative_table.order[d] % 2 == 0 ? value : -value;
+    }
+  }
+}
+
+void gather_mirror_flows(int order, int axis, const WindowMesh& mesh, const WindowBeads& points,
+                         const double* const* from, MirrorFlow* flows) {
+  with_window(
+      mesh.window, [&]<int P>() __attribute__((always_inline)) {
+        HighlyDerivedWindow<P> w;
+        for (long b = 0; b < points.count; ++b) {
+          w.set_position(mesh, points.positions + 3 * b);
+          double* const results[]{flows[b].velocity[0], flows[b].velocity[1], flows[b].velocity[2],
+                                  flows[b].across, flows[b].pressure};
+          const double* const values[]{from[0], from[1], from[2], from[axis], from[3]};
+          for (int f = 0; f < 5; ++f)
+            add_derivatives_at<P>(mesh, w, f < 3 ? order : order + 2, values[f], results[f]);
+        }
+      });
 }
 
 /// Weights of the window of a bead along one axis and their first and second derivatives by the mesh

@@ -26,9 +26,16 @@ struct MomentPairs {
 /// position of the sphere. Unused lanes contain a copy of another sphere and sources of zero.
 struct PointSources {
   double r[3][lanes];
-  double chi[9][lanes], laplacian[9][lanes];  ///< as of MomentPairs
+  double chi[9][lanes], laplacian[9][lanes], bilaplacian[7][lanes];  ///< as of MomentPairs
+  bool has_bilaplacian;                                              ///< false: it is 0
   double source[30][lanes];
   double size[3][lanes];
+};
+
+/// Sum of the flows of many spheres at a mirror point, with one part of the sum in each lane.
+struct MirrorFlowParts {
+  double velocity[3][derivative_count(2)][lanes]{};
+  double across[MirrorFlow::max_count][lanes]{}, pressure[MirrorFlow::max_count][lanes]{};
 };
 
 /// The one sphere of MomentPairs.
@@ -45,7 +52,9 @@ using ConstMeshValues = const double* const*;
 #define BEADSWIM_DECLARE_MOMENT_KERNELS(instruction_set)                                                  \
   namespace instruction_set {                                                                             \
   void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs);                                 \
-  void mirror_flow(int order, int axis, const PointSources& sources, MirrorFlow& flow);                   \
+  void mirror_flow(int order, int axis, const PointSources& sources, MirrorFlowParts& flow);              \
+  void gather_mirror_flows(int order, int axis, const WindowMesh& mesh, const WindowBeads& points,        \
+                           const double* const* from, MirrorFlow* flows);                                 \
   void spread_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, const double* sources, \
                       MeshValues onto);                                                                   \
   void gather_moments(int order, const WindowMesh& mesh, const WindowBeads& beads, ConstMeshValues from,  \
@@ -62,7 +71,11 @@ struct MomentKernels {
   /// Evaluates the flows of all pairs in both directions.
   void (*moment_pairs)(int order, const OneSphere&, MomentPairs&);
   /// Adds the flow of the sources at the mirror point of a sphere. `axis`: of the wall's normal.
-  void (*mirror_flow)(int order, int axis, const PointSources&, MirrorFlow&);
+  void (*mirror_flow)(int order, int axis, const PointSources&, MirrorFlowParts&);
+  /// Adds the derivatives of the mesh values at mirror points, divided by the volume of a mesh cell. `from`:
+  /// meshes of the three components of the velocity and of the pressure.
+  void (*gather_mirror_flows)(int order, int axis, const WindowMesh&, const WindowBeads& points,
+                              const double* const* from, MirrorFlow* flows);
   /// Adds the derivatives of the windows of the beads, multiplied by `sources`, to the three meshes.
   /// `sources`: 3 * derivative_count(order) numbers per bead.
   void (*spread_moments)(int order, const WindowMesh&, const WindowBeads&, const double* sources,

@@ -10,34 +10,32 @@
 namespace beadswim {
 namespace {
 
-constexpr int max_derivative = 6;
-
 double unit(double viscosity) {
   return 1 / (8 * std::numbers::pi * viscosity);
 }
 
 }  // namespace
 
-MomentRadials open_radials(double r, double viscosity) {
+MomentRadials open_radials(double r, double viscosity, int highest) {
   MomentRadials f;
   double value = unit(viscosity) / r;  // ((1/r) d/dr)^n (1/r)
-  for (int n = 0; n <= max_derivative; ++n) {
-    if (n < max_derivative) f.chi[n + 1] = value;
+  for (int n = 0; n <= highest; ++n) {
+    if (n < highest) f.chi[n + 1] = value;
     f.laplacian[n] = 2 * value;
     value *= -(2 * n + 1) / (r * r);
   }
   return f;
 }
 
-MomentRadials near_radials(double xi, double r, double viscosity) {
+MomentRadials near_radials(double xi, double r, double viscosity, int highest) {
   MomentRadials f;
   const double x2 = xi * xi, r2 = r * r,
                bell = unit(viscosity) / std::sqrt(std::numbers::pi) * std::exp(-x2 * r2);
   double B = unit(viscosity) * std::erfc(xi * r) / r, power = 1, sign = 1;  // power: (2 xi^2)^n
-  for (int n = 0; n <= max_derivative; ++n) {
-    if (n < max_derivative) f.chi[n + 1] = sign * B;
+  for (int n = 0; n <= highest; ++n) {
+    if (n < highest) f.chi[n + 1] = sign * B;
     f.laplacian[n] = sign * (2 * B - 2 * xi * power * bell);
-    if (n < 5) f.bilaplacian[n] = sign * power * x2 * xi * (20 - 8 * x2 * r2 + 8 * n) * bell;
+    if (n <= highest - 2) f.bilaplacian[n] = sign * power * x2 * xi * (20 - 8 * x2 * r2 + 8 * n) * bell;
     power *= 2 * x2;
     B = ((2 * n + 1) * B + power * bell / xi) / r2;
     sign = -sign;
@@ -48,15 +46,15 @@ MomentRadials near_radials(double xi, double r, double viscosity) {
 namespace {
 
 /// Boys functions F_0 to F_6 at T >= 0: a series for the last, then the recursion downwards.
-void boys_functions(double T, double (&F)[max_derivative + 1]) {
+void boys_functions(double T, double (&F)[highest_of_pairs + 1]) {
   const double bell = std::exp(-T);
-  double term = 1.0 / (2 * max_derivative + 1), sum = 0;
+  double term = 1.0 / (2 * highest_of_pairs + 1), sum = 0;
   for (int k = 0; term > 1e-17 * sum; ++k) {
     sum += term;
-    term *= 2 * T / (2 * (max_derivative + k) + 3);
+    term *= 2 * T / (2 * (highest_of_pairs + k) + 3);
   }
-  F[max_derivative] = bell * sum;
-  for (int n = max_derivative - 1; n >= 0; --n) F[n] = (2 * T * F[n + 1] + bell) / (2 * n + 1);
+  F[highest_of_pairs] = bell * sum;
+  for (int n = highest_of_pairs - 1; n >= 0; --n) F[n] = (2 * T * F[n + 1] + bell) / (2 * n + 1);
 }
 
 }  // namespace
@@ -65,12 +63,12 @@ MomentRadials far_radials(double xi, double r, double viscosity) {
   MomentRadials f;
   const double x2 = xi * xi, r2 = r * r, scale = unit(viscosity) * 2 * xi / std::sqrt(std::numbers::pi);
   const double bell = std::exp(-x2 * r2);
-  double F[max_derivative + 1], power = scale;  // (-2 xi^2)^n 2 xi/sqrt(pi)
+  double F[highest_of_pairs + 1], power = scale;  // (-2 xi^2)^n 2 xi/sqrt(pi)
   boys_functions(x2 * r2, F);
-  for (int n = 0; n <= max_derivative; ++n) {
-    if (n < max_derivative) f.chi[n + 1] = power * F[n];
+  for (int n = 0; n <= highest_of_pairs; ++n) {
+    if (n < highest_of_pairs) f.chi[n + 1] = power * F[n];
     f.laplacian[n] = power * (2 * F[n] + bell);
-    if (n < 5) f.bilaplacian[n] = -power * x2 / 2 * (20 - 8 * x2 * r2 + 8 * n) * bell;
+    if (n <= highest_of_pairs - 2) f.bilaplacian[n] = -power * x2 / 2 * (20 - 8 * x2 * r2 + 8 * n) * bell;
     power *= -2 * x2;
   }
   return f;
@@ -143,11 +141,10 @@ Polynomial outside_part(int l, int m, double a, double b) {
 
 /// Adds ((1/r) d/dr)^n of coefficient v^k/r, with dv/dr = 1, to derivatives[n] for all n. Each derivative is
 /// a sum of terms v^(k - j) r^-(2 n + 1 - j).
-void add_derivatives(double coefficient, std::size_t k, double v, double r,
-                     double (&derivatives)[max_derivative + 1]) {
-  std::array<double, max_derivative + 2> terms{coefficient};  // coefficient of term j
-  for (int n = 0; n <= max_derivative; ++n) {
-    std::array<double, max_derivative + 2> next{};
+void add_derivatives(double coefficient, std::size_t k, double v, double r, double* derivatives) {
+  std::array<double, highest_of_pairs + 2> terms{coefficient};  // coefficient of term j
+  for (int n = 0; n <= highest_of_pairs; ++n) {
+    std::array<double, highest_of_pairs + 2> next{};
     for (int j = 0; j <= n; ++j) {
       if (terms[j] == 0) continue;
       const int exponent = static_cast<int>(k) - j, inverse = 2 * n + 1 - j;
@@ -160,8 +157,8 @@ void add_derivatives(double coefficient, std::size_t k, double v, double r,
 }
 
 /// Adds ((1/r) d/dr)^n of coefficient r^exponent to derivatives[n] for all n; exponent is even, 0 or more.
-void add_even_power(double coefficient, int exponent, double r, double (&derivatives)[max_derivative + 1]) {
-  for (int n = 0; n <= max_derivative && exponent >= 0; ++n, exponent -= 2) {
+void add_even_power(double coefficient, int exponent, double r, double* derivatives) {
+  for (int n = 0; n <= highest_of_pairs && exponent >= 0; ++n, exponent -= 2) {
     derivatives[n] += coefficient * std::pow(r, exponent);
     coefficient *= exponent;
   }

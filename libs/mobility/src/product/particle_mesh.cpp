@@ -14,6 +14,7 @@
 #include "mesh_transform.hpp"
 #include "moment_kernels.hpp"
 #include "source_classes.hpp"
+#include "wall_reflection.hpp"
 
 namespace beadswim {
 namespace {
@@ -53,11 +54,18 @@ struct ParticleMesh::Mesh {
   std::vector<std::array<FftwArray, 3>> values;  ///< mesh values per field: forces, replaced by velocities
   std::vector<int> order;                        ///< beads sorted by rows of the mesh, for memory locality
   std::vector<std::vector<std::array<double, 6>>> kernel;  ///< open space: Fourier transforms of K and L
-  std::unique_ptr<MemoryField> memory;                     ///< null: steady flow
+  /// Over a wall: imaginary part of the Fourier transform of the kernel of p/eta, and mesh values of p/eta.
+  std::vector<std::array<double, 3>> pressure_kernel;
+  FftwArray pressure;
+  std::unique_ptr<MemoryField> memory;  ///< null: steady flow
 
   void set_points(const std::array<int, 3>& points);
   void fit_to_beads(std::span<const Vec3> positions);
   void sample_kernel();
+  void sample_pressure_kernel();
+  void set_pressure();
+  void gather_mirrors(const HalfSpace& half_space, std::span<const Vec3> positions,
+                      std::span<MirrorFlow> at_mirrors);
   void spread(std::span<const Vec3> positions, std::span<const double> sources);
   void gather(std::span<const Vec3> positions, std::span<double> flows);
   double weight_of(std::size_t field, int bead, std::size_t derivative) const;
@@ -88,6 +96,8 @@ ParticleMesh::ParticleMesh(const EwaldPlan& plan, const Vec3& lengths, Beads bea
                      .values = {},
                      .order = {},
                      .kernel = {},
+                     .pressure_kernel = {},
+                     .pressure = {},
                      .memory = {}}) {
   const std::vector<double>& squares = mesh_->beads.squared_radii;
   const auto [smallest, largest] = std::ranges::minmax_element(squares);
@@ -172,6 +182,7 @@ void ParticleMesh::Mesh::fit_to_beads(std::span<const Vec3> positions) {
   if (transform && std::ranges::equal(points, geometry.points)) return;
   set_points(points);
   sample_kernel();
+  pressure_kernel.clear();
 }
 
 void ParticleMesh::Mesh::sample_kernel() {
@@ -208,6 +219,44 @@ void ParticleMesh::Mesh::sample_kernel() {
       const Complex* waves = as_complex(samples[c]);
       for (std::ptrdiff_t w = 0; w < transform->wave_count(); ++w) kernel[k][w][c] = scale * waves[w].real();
     }
+  }
+}
+
+/// Samples -grad of the far part of laplacian chi/(8 pi eta), without the windows. Its Fourier transform is
+/// imaginary.
+void ParticleMesh::Mesh::sample_pressure_kernel() {
+  pressure = transform->array();
+  pressure_kernel.resize(transform->wave_count());
+  const double share = share_of(plan, geometry, 0);
+  const auto& n = geometry.points;
+  const double scale = std::pow(plan.spacing, 3) / (double(n[0]) * n[1] * n[2]);
+  const FftwArray samples = transform->array();
+  for (int c = 0; c < 3; ++c) {
+    const auto displacement = [&](int i, int axis) {
+      return (2 * i >= n[axis] ? i - n[axis] : i) * plan.spacing;
+    };
+    for (int i = 0; i < geometry.planes; ++i) {
+      for (int j = 0; j < n[1]; ++j) {
+        const std::ptrdiff_t row = (std::ptrdiff_t{i} * n[1] + j) * geometry.row_length;
+        for (int l = 0; l < n[2]; ++l) {
+          const Vec3 d(displacement(geometry.first_plane + i, 0), displacement(j, 1), displacement(l, 2));
+          samples[row + l] = far_pressure(plan.xi, share, d.norm(), beads.viscosity) * d[c];
+        }
+      }
+    }
+    transform->forward(samples);
+    for (std::ptrdiff_t w = 0; w < transform->wave_count(); ++w)
+      pressure_kernel[w][c] = scale * as_complex(samples)[w].imag();
+  }
+}
+
+/// Sets the Fourier transform of the pressure from that of the forces.
+void ParticleMesh::Mesh::set_pressure() {
+  if (pressure_kernel.empty()) sample_pressure_kernel();
+  for (std::ptrdiff_t w = 0; w < transform->wave_count(); ++w) {
+    Complex sum = 0;
+    for (int c = 0; c < 3; ++c) sum += Complex(0, pressure_kernel[w][c]) * as_complex(values[0][c])[w];
+    as_complex(pressure)[w] = sum;
   }
 }
 
@@ -277,6 +326,22 @@ void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<doubl
         flows[3 * count * order[s] + n] +=
             volume * weight_of(f, order[s], n % count) * sums[3 * count * s + n];
   }
+}
+
+void ParticleMesh::Mesh::gather_mirrors(const HalfSpace& half_space, std::span<const Vec3> positions,
+                                        std::span<MirrorFlow> at_mirrors) {
+  std::vector<Vec3> points;
+  points.reserve(positions.size());
+  for (const Vec3& position : positions) points.push_back(half_space.mirrored(position));
+  sort(points);
+  const std::vector<Vec3> places = in_order(order, points);
+  std::vector<MirrorFlow> flows(places.size());
+  const std::array<const double*, 4> from{values[0][0].get(), values[0][1].get(), values[0][2].get(),
+                                          pressure.get()};
+  moment_kernels().gather_mirror_flows(beads.moment_order, half_space.axis, geometry,
+                                       {std::ssize(places), places[0].data()}, from.data(), flows.data());
+  const double volume = spacing[0] * spacing[1] * spacing[2];
+  for (std::size_t s = 0; s < places.size(); ++s) at_mirrors[order[s]].add(volume, flows[s]);
 }
 
 void ParticleMesh::Mesh::transform_forces() {
@@ -391,6 +456,22 @@ void ParticleMesh::add_flows(std::span<const Vec3> positions, std::span<const do
   mesh.transform_forces();
   mesh.multiply(part);
   mesh.gather(positions, flows);
+}
+
+void ParticleMesh::add_flows_and_mirrors(const HalfSpace& half_space, std::span<const Vec3> positions,
+                                         std::span<const double> sources, std::span<double> flows,
+                                         std::span<MirrorFlow> at_mirrors) {
+  Mesh& mesh = *mesh_;
+  std::vector<Vec3> points(positions.begin(), positions.end());
+  for (const Vec3& position : positions) points.push_back(half_space.mirrored(position));
+  mesh.fit_to_beads(points);
+  mesh.spread(positions, sources);
+  mesh.transform_forces();
+  mesh.set_pressure();
+  mesh.multiply(FlowPart::forces);
+  mesh.transform->backward(mesh.pressure);
+  mesh.gather(positions, flows);
+  mesh.gather_mirrors(half_space, positions, at_mirrors);
 }
 
 void ParticleMesh::read_sources(std::span<const Vec3> positions, std::span<const double> sources) {

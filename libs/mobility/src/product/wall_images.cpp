@@ -1,49 +1,82 @@
 #include "wall_images.hpp"
 
-#include <numbers>
+#include <numeric>
 
+#include "beadswim/core/cell_list.hpp"
 #include "beadswim/mobility/force_moments.hpp"
 #include "beadswim/mobility/wall_mobility.hpp"
 #include "moment_kernels.hpp"
+#include "moment_radials.hpp"
 
 namespace beadswim {
 
-MirrorFlow WallImages::flow_at_mirror(std::span<const Vec3> positions, std::span<const double> sources,
-                                      const Vec3& point) const {
+void WallImages::add_flow_at_mirror(std::span<const Vec3> positions, std::span<const double> sources,
+                                    std::span<const int> spheres, const Vec3& point, MirrorFlow& flow) const {
   const int numbers = 3 * derivative_count(law_.order), highest = 2 * law_.order + 4;
-  MirrorFlow flow;
   PointSources batch{};
-  for (std::size_t first = 0; first < positions.size(); first += lanes) {
+  MirrorFlowParts parts;
+  batch.has_bilaplacian = law_.xi > 0;
+  for (std::size_t first = 0; first < spheres.size(); first += lanes) {
     for (int lane = 0; lane < lanes; ++lane) {
-      const bool is_used = first + lane < positions.size();
-      const std::size_t sphere = is_used ? first + lane : first;
+      const bool is_used = first + lane < spheres.size();
+      const int sphere = spheres[is_used ? first + lane : first];
       const Vec3 r = point - positions[sphere];
-      const double inverse = 1 / r.norm();
+      const MomentRadials radials = law_.xi > 0 ? near_radials(law_.xi, r.norm(), law_.viscosity, highest)
+                                                : open_radials(r.norm(), law_.viscosity, highest);
       for (int a = 0; a < 3; ++a) batch.r[a][lane] = r[a];
-      double value = inverse / (8 * std::numbers::pi * law_.viscosity);  // ((1/r) d/dr)^n (1/r)
       for (int n = 0; n <= highest; ++n) {
-        if (n < highest) batch.chi[n + 1][lane] = value;
-        batch.laplacian[n][lane] = 2 * value;
-        value *= -(2 * n + 1) * inverse * inverse;
+        batch.chi[n][lane] = radials.chi[n];
+        batch.laplacian[n][lane] = radials.laplacian[n];
+        if (n <= highest - 2) batch.bilaplacian[n][lane] = radials.bilaplacian[n];
       }
-      for (int l = 0; l < 3; ++l) batch.size[l][lane] = moment_sizes(law_.radii[sphere])[l];
+      const std::array<double, 3> sizes = moment_sizes(law_.radii[sphere]);
+      for (int l = 0; l < 3; ++l) batch.size[l][lane] = sizes[l];
       for (int k = 0; k < numbers; ++k) batch.source[k][lane] = is_used ? sources[numbers * sphere + k] : 0;
     }
-    moment_kernels().mirror_flow(law_.order, law_.half_space.axis, batch, flow);
+    moment_kernels().mirror_flow(law_.order, law_.half_space.axis, batch, parts);
   }
-  return flow;
+  const auto add = [](double& to, const double* part) {
+    for (int lane = 0; lane < lanes; ++lane) to += part[lane];
+  };
+  for (int d = 0; d < derivative_count(law_.order); ++d)
+    for (int c = 0; c < 3; ++c) add(flow.velocity[c][d], parts.velocity[c][d]);
+  for (int d = 0; d < derivative_count(law_.order + 2); ++d) {
+    add(flow.across[d], parts.across[d]);
+    add(flow.pressure[d], parts.pressure[d]);
+  }
 }
 
 void WallImages::add_flows(std::span<const Vec3> positions, std::span<const double> sources,
-                           std::span<double> flows, const Communicator& communicator) const {
-  const int numbers = 3 * derivative_count(law_.order);
-  for (std::size_t b = communicator.rank(); b < positions.size(); b += communicator.size())
-    add_flow(positions, sources, positions[b], law_.radii[b], &flows[numbers * b]);
+                           std::span<double> flows, ParticleMesh* mesh,
+                           const Communicator& communicator) const {
+  const std::size_t numbers = 3 * derivative_count(law_.order);
+  std::vector<MirrorFlow> at_mirrors(positions.size());
+  if (mesh) mesh->add_flows_and_mirrors(law_.half_space, positions, sources, flows, at_mirrors);
+  std::vector<int> spheres(positions.size());
+  std::iota(spheres.begin(), spheres.end(), 0);
+  const CellList cells(positions, mesh ? law_.cutoff : 1, Vec3::Zero());
+  for (std::size_t b = communicator.rank(); b < positions.size(); b += communicator.size()) {
+    const Vec3 point = law_.half_space.mirrored(positions[b]);
+    if (mesh) {
+      spheres.clear();
+      cells.visit_neighbours(point, [&](std::size_t other) {
+        if ((positions[other] - point).norm() < law_.cutoff) spheres.push_back(static_cast<int>(other));
+        return true;
+      });
+    }
+    add_flow_at_mirror(positions, sources, spheres, point, at_mirrors[b]);
+  }
+  for (std::size_t b = 0; b < positions.size(); ++b)
+    add_reflected_flow(law_.order, law_.half_space.axis, law_.half_space.height(positions[b]),
+                       moment_sizes(law_.radii[b]), at_mirrors[b], &flows[numbers * b]);
 }
 
 void WallImages::add_flow(std::span<const Vec3> positions, std::span<const double> sources, const Vec3& place,
                           double radius, double* flow) const {
-  const MirrorFlow at_mirror = flow_at_mirror(positions, sources, law_.half_space.mirrored(place));
+  MirrorFlow at_mirror;
+  std::vector<int> spheres(positions.size());
+  std::iota(spheres.begin(), spheres.end(), 0);
+  add_flow_at_mirror(positions, sources, spheres, law_.half_space.mirrored(place), at_mirror);
   add_reflected_flow(law_.order, law_.half_space.axis, law_.half_space.height(place), moment_sizes(radius),
                      at_mirror, flow);
 }

@@ -6,6 +6,7 @@
 #include "beadswim/core/communicator.hpp"
 #include "beadswim/core/half_space.hpp"
 #include "beadswim/core/vec3.hpp"
+#include "beadswim/mobility/particle_mesh.hpp"
 #include "wall_reflection.hpp"
 
 namespace beadswim {
@@ -19,20 +20,24 @@ class WallImages {
     double viscosity;
     HalfSpace half_space;
     std::vector<double> radii;  ///< [length]; 0: point forces
+    double xi = 0, cutoff = 0;  ///< of the Ewald sum (ewald_plan.hpp); 0: all pairs are summed directly
   };
 
   explicit WallImages(Law law) : law_(std::move(law)) {}
 
-  /// Adds the flows at the spheres that this rank evaluates. `sources` and `flows`: force_moments.hpp.
+  /// Adds this rank's part of the flows at the spheres. `sources` and `flows`: force_moments.hpp. Without
+  /// `mesh`, all pairs are summed; with it, the near part is summed over pairs, and this function adds the
+  /// far part of the flow without wall too. Collective.
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows,
-                 const Communicator& communicator) const;
+                 ParticleMesh* mesh, const Communicator& communicator) const;
   /// Adds the flow of all spheres at a sphere at `place` in the fluid.
   void add_flow(std::span<const Vec3> positions, std::span<const double> sources, const Vec3& place,
                 double radius, double* flow) const;
 
  private:
-  MirrorFlow flow_at_mirror(std::span<const Vec3> positions, std::span<const double> sources,
-                            const Vec3& point) const;
+  /// Adds the flow of the spheres with these indices at a mirror point.
+  void add_flow_at_mirror(std::span<const Vec3> positions, std::span<const double> sources,
+                          std::span<const int> spheres, const Vec3& point, MirrorFlow& flow) const;
 
   Law law_;
 };

@@ -53,8 +53,8 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTenso
   for (int cycle = 0; cycle < max_cycles; ++cycle) {
     start = centred(start);
     if (swimmer.is_held())
-      start = swimmer.orientation *
-              fitted_orientation(swimmer.type, start, swimmer.orientation).transpose() * start;
+      start = swimmer.orientation * fitted_orientation(swimmer.type, start, swimmer.orientation).transpose() *
+              start;
     const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, placed(swimmer, start), steps);
     if (!motion) return std::nullopt;
     const BeadVectors end = moved_back(swimmer, *motion);

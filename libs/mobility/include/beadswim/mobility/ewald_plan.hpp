@@ -18,6 +18,7 @@ struct EwaldScene {
   double beads = 0;           ///< number of beads in the box
   double largest_radius = 0;  ///< radius of the largest bead [length]
   int moment_order = 0;       ///< highest moment of the forces (force_moments.hpp)
+  bool has_wall = false;      ///< true: in open space, over the wall of a half-space
   double tolerance = 1e-4;    ///< accepted error of bead velocities, divided by their root mean square
   double max_spacing = std::numeric_limits<double>::infinity();  ///< upper bound of the mesh spacing [length]
 };

@@ -122,6 +122,18 @@ inline SplitTensor far_tensor(double xi, double share, double r, double eta) {
                    .second = 2 * inverse_second + p * G * X2 * (4 * X2 * r2 - 2)};
   return {.oseen = chi.tensor(unit), .laplacian = lap.tensor(unit)};
 }
+
+/// Evaluates p/eta at the vector r from a point force F, divided by F.r, for the far part of the kernel of
+/// far_tensor(): -chi_lap'/(8 pi eta r). Returns 0 for r = 0. The pressure of the far and the near part together
+/// is F.r/(4 pi r^3).
+inline double far_pressure(double xi, double share, double r, double eta) {
+  if (r == 0) return 0;
+  const double X = xi / std::sqrt(1 - share), X2 = X * X, root = std::sqrt(std::numbers::pi);
+  const double G = std::exp(-X2 * r * r), E = std::erf(X * r);
+  const double inverse_first = (2 * X / root * G - E / r) / (r * r);  // (E/r)'/r
+  const double p = 2 * X2 * X / (root * xi * xi);
+  return -(2 * inverse_first - 2 * X2 * p * G) / (8 * std::numbers::pi * eta);
+}
 // clang-format on
 
 }  // namespace beadswim

@@ -55,9 +55,9 @@ struct MobilityScene {
   std::vector<int> lines{};
   int moment_order =
       0;  ///< models multipole and unsteady: highest moment of the force on each sphere, 0 to 2
-  std::optional<FluidMemory> memory{};     ///< model unsteady
-  std::optional<HalfSpace> half_space{};   ///< without box and memory
-  BackgroundFlow flow{};                   ///< without box and memory
+  std::optional<FluidMemory> memory{};    ///< model unsteady
+  std::optional<HalfSpace> half_space{};  ///< without box and memory
+  BackgroundFlow flow{};                  ///< without box and memory
 };
 
 /// Work of products. Only products with force moments need iterations.

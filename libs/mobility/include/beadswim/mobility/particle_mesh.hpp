@@ -7,6 +7,7 @@
 
 #include "beadswim/core/box.hpp"
 #include "beadswim/core/communicator.hpp"
+#include "beadswim/core/half_space.hpp"
 #include "beadswim/core/vec3.hpp"
 #include "beadswim/mobility/ewald_plan.hpp"
 #include "beadswim/mobility/fluid_memory.hpp"
@@ -32,12 +33,16 @@
 // periodic box the Fourier transform of K is known in closed form. In open space K is smooth and is sampled
 // on a mesh of twice the size, where the periodic convolution equals the convolution in open space.
 //
+// Over the wall of a half-space, the flow is also needed at the mirror points of the beads, with its pressure
+// p. The mesh then contains these points too.
+//
 // References: Lindbo and Tornberg, J. Comput. Phys. 229, 8994 (2010); af Klinteberg, Shamshirgar and
 // Tornberg, Res. Math. Sci. 4, 1 (2017). Page: docs/method/mobility-product.md.
 
 namespace beadswim {
 
 class MemoryField;
+struct MirrorFlow;
 
 class ParticleMesh {
  public:
@@ -69,6 +74,12 @@ class ParticleMesh {
   /// The flows at the first beads are added to `flows` (force_moments.hpp).
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, FlowPart part,
                  std::span<double> flows);
+
+  /// Does the same in open space over the wall of a half-space. Adds to at_mirrors[i] also the contribution
+  /// of this rank to the flow at the mirror point of each bead. Collective.
+  void add_flows_and_mirrors(const HalfSpace& half_space, std::span<const Vec3> positions,
+                             std::span<const double> sources, std::span<double> flows,
+                             std::span<MirrorFlow> at_mirrors);
 
   /// Spreads and transforms the sources, which MemoryField::start() or end_step() then uses. Collective.
   void read_sources(std::span<const Vec3> positions, std::span<const double> sources);

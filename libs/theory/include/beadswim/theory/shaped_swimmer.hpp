@@ -10,8 +10,8 @@
 #include "beadswim/swimmers/swimmer_shape.hpp"
 #include "beadswim/theory/stroke.hpp"
 
-// Motion of a swimmer of any shape, alone in open space or over a plane no-slip wall, without inertia of fluid
-// and beads.
+// Motion of a swimmer of any shape, alone in open space or over a plane no-slip wall, without inertia of
+// fluid and beads.
 //
 //   v = u(x) + mu(x) [F(x, t) - C(x) v],   dx/dt = v
 //
@@ -94,8 +94,8 @@ struct PeriodicShapeMotion : ShapeMotion {
 /// Throws InputError if the motion does not become periodic, or if beads touch.
 PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
 
-/// Returns the drag coefficient of the swimmer with the beads at `shape` about their mean position, towed along
-/// `axis` without rotation [mass/time].
+/// Returns the drag coefficient of the swimmer with the beads at `shape` about their mean position, towed
+/// along `axis` without rotation [mass/time].
 double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
                    PairTensorLaw law);
 
