@@ -88,7 +88,7 @@ refuses 'bad.json:/body_force/2: the fluid cannot flow along z, because walls cl
   beadswim-layout check bad.json
 jq '.body_force = [1e-5, 0, 0] | .domain.boundary[2] = "periodic"' at_rest.json >bad.json
 refuses 'bad.json:/body_force: there are no no-slip walls' beadswim-layout check bad.json
-refuses 'boundary/2: the boundary is no-slip, but mobility models lack such walls' beadswim-run walls.json -o x.h5md --model rpy
+refuses 'boundary/2: the boundary is no-slip at both ends of the axis, but mobility models' beadswim-run walls.json -o x.h5md --model rpy
 check 'a run that was refused leaves files' test ! -e x.h5md
 
 finish

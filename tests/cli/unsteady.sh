@@ -81,7 +81,7 @@ limit 'the box needs a mesh of .* points .*--model rpy' '.domain.lengths = [6000
 beadswim-layout shape sphere >towed.json
 refuses '^beadswim-run: towed.json: driving forces that do not sum to zero need a box .*--model rpy' beadswim-run towed.json --model unsteady -o x.h5md
 jq '.domain.boundary[1] = "no-slip"' swarm.json >limit.json
-refuses 'no-slip, but mobility models lack such walls; .*--model lbm' beadswim-run limit.json --model unsteady -o x.h5md
+refuses 'the boundary is no-slip at both ends of the axis, but .*--model lbm' beadswim-run limit.json --model unsteady -o x.h5md
 
 # --- the page has the table of its records
 page=$BEADSWIM_SOURCE/docs/fluid-inertia.md

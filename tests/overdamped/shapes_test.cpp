@@ -341,5 +341,77 @@ TEST(TowedChain, MovesAsARigidRod) {
   EXPECT_LT(resistance[1] / resistance[0], 2);
 }
 
+/// Returns two beads, held at the distance `apart` by a stiff spring, in shear flow u_x = `rate` z.
+OverdampedScene dumbbell_in_shear(double apart, double rate, double step, int order) {
+  SwimmerType type = beads_at({Vec3(0, 0, 0), Vec3(apart, 0, 0)}, 1);
+  add_bond(type, 0, 1, 1000);
+  OverdampedScene scene = lone(type, 1);
+  scene.model = MobilityModel::multipole;
+  scene.moment_order = order;
+  scene.tolerance = 1e-10;
+  scene.swimmers[0].position = {0, 0, 0.5};
+  scene.flow.velocity_gradient(0, 2) = rate;
+  scene.step = step;
+  return scene;
+}
+
+/// Returns the time in which the dumbbell turns by half a turn, from one crossing of the x axis to the next.
+double half_turn(const OverdampedScene& scene) {
+  const Communicator world(MPI_COMM_WORLD);
+  OverdampedSystem system(scene, world);
+  const auto slope = [&] {
+    const Vec3 line = system.positions()[1] - system.positions()[0];
+    return std::pair{line.z(), line.x()};
+  };
+  std::vector<double> crossings;
+  double before = 0;
+  while (crossings.size() < 2) {
+    system.step();
+    EXPECT_FALSE(system.fault());
+    if (system.fault()) break;
+    const double z = slope().first;
+    if (z * before < 0 || (before == 0 && system.steps_done() == 1))
+      crossings.push_back(system.time() - scene.step * z / (z - before));
+    before = z;
+  }
+  return crossings.size() < 2 ? 0 : crossings[1] - crossings[0];
+}
+
+// A pair of spheres at a fixed distance turns as by Jeffery with the parameter 1 - B, where B is the mobility
+// function of Batchelor & Green, J. Fluid Mech. 56 (1972) 375; B = 16/3 (a/r)^5 far away. The whole turn takes
+// 4 pi/(rate sqrt(1 - (1 - B)^2)).
+TEST(BackgroundFlow, ADumbbellTurnsWithJefferysPeriod) {
+  const double rate = 0.02, apart = 5;
+  const double B = 16.0 / 3 / std::pow(apart, 5);
+  const double expected = 2 * pi / (rate * std::sqrt(1 - (1 - B) * (1 - B)));
+  for (const int order : {1, 2}) {
+    const double found = half_turn(dumbbell_in_shear(apart, rate, expected / 1500, order));
+    EXPECT_NEAR(found / expected, 1, 0.01) << order;
+  }
+}
+
+// The force presses the bead on the wall until the repulsion balances it: at half the range of the repulsion.
+TEST(HalfSpaceRuns, ABeadThatIsPressedOnTheWallStopsAboveIt) {
+  for (const int axis : {0, 2}) {
+    SwimmerType type = beads_at({Vec3::Zero()}, 2);
+    type.driving.forces = {{.bead = 0, .direction = -Vec3::Unit(axis), .constant = 0.3}};
+    OverdampedScene scene = lone(type, 200);
+    scene.half_space = HalfSpace{axis};
+    scene.swimmers[0].position = Vec3::Constant(2.5);
+    const Communicator world(MPI_COMM_WORLD);
+    OverdampedSystem system(scene, world);
+    double before = system.positions()[0][axis];
+    for (int n = 0; n < 2000; ++n) {
+      system.step();
+      EXPECT_LE(system.positions()[0][axis], before);
+      before = system.positions()[0][axis];
+    }
+    EXPECT_FALSE(system.fault());
+    constexpr double range = 0.2 * 2;  // of the gap between bead and mirror image
+    EXPECT_NEAR(before - 2, range / 4, 1e-3);
+    EXPECT_NEAR(system.state().smallest_gap, range / 4, 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace beadswim

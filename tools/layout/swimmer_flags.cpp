@@ -112,12 +112,22 @@ PlaceFlags::PlaceFlags(CLI::App& command, const std::string& origin, const std::
                              ->type_name("B|BX,BY,BZ")
                              ->check(number_list({1, 3}, one_of(all_names<Boundary>())))
                              ->default_str(default_boundary);
+  auto* const unbounded =
+      command
+          .add_flag("--unbounded", unbounded_,
+                    "Use unbounded fluid instead of a box. Only theory and mobility models can treat it, not "
+                    "the lattice.")
+          ->excludes(box)
+          ->excludes(boundary);
   command
-      .add_flag("--unbounded", unbounded_,
-                "Use unbounded fluid instead of a box. Only theory and mobility models can treat it, not the "
-                "lattice.")
+      .add_option("--half-space", half_space_,
+                  "Use fluid over a plane no-slip wall instead of a box, where this coordinate is above 0. "
+                  "Only theory and mobility models can treat it, not the lattice. Needs --position.")
+      ->type_name("x|y|z")
+      ->check(one_of({"x", "y", "z"}))
       ->excludes(box)
-      ->excludes(boundary);
+      ->excludes(boundary)
+      ->excludes(unbounded);
   begin_group(command, "Placement");
   command
       .add_option("--position", position_,

@@ -77,16 +77,16 @@ class PlaceFlags {
   /// Adds the flag --orientation.
   void add_orientation(CLI::App& command);
 
-  /// Returns true if --box or --unbounded is given.
-  bool defines_box() const { return !box_.empty() || unbounded_; }
+  /// Returns true if --box, --unbounded or --half-space is given.
+  bool defines_domain() const { return !box_.empty() || unbounded_ || !half_space_.empty(); }
 
   /// Applies the flags to the box of the layout, and replaces all swimmers by one swimmer of the first type.
   void apply(Layout& layout) const;
 
  private:
-  void apply_domain(std::optional<Box>& domain) const;
+  void apply_domain(Domain& domain) const;
 
-  std::string box_, boundary_;
+  std::string box_, boundary_, half_space_;
   bool unbounded_ = false;
   std::string position_, axis_, orientation_;
 };

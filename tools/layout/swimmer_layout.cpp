@@ -137,26 +137,32 @@ Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags)
   return layout;
 }
 
-void PlaceFlags::apply_domain(std::optional<Box>& domain) const {
-  if (unbounded_) {
-    domain.reset();
+void PlaceFlags::apply_domain(Domain& domain) const {
+  if (unbounded_ || !half_space_.empty()) domain = {};
+  if (!half_space_.empty()) {
+    if (position_.empty())
+      throw InputError("--half-space",
+                       "the wall is at the coordinate 0; give the position of the swimmer above it with "
+                       "--position");
+    domain.half_space = HalfSpace{static_cast<int>(std::string_view("xyz").find(half_space_))};
     return;
   }
-  if (!domain && box_.empty()) {
+  std::optional<Box>& box = domain.box;
+  if (!box && box_.empty()) {
     if (!boundary_.empty())
       throw InputError("--boundary", "unbounded fluid has no boundary; give the edges of a box with --box");
     return;
   }
-  if (!domain) domain.emplace();
-  if (!box_.empty()) domain->lengths = parse_vector(box_);
+  if (!box) box.emplace();
+  if (!box_.empty()) box->lengths = parse_vector(box_);
   if (boundary_.empty()) return;
   const std::vector<std::string> names = split_at_commas(boundary_);
   for (int axis = 0; axis < 3; ++axis)
-    domain->boundary[axis] = from_text<Boundary>(names[names.size() == 1 ? 0 : axis]);
+    box->boundary[axis] = from_text<Boundary>(names[names.size() == 1 ? 0 : axis]);
 }
 
 void PlaceFlags::apply(Layout& layout) const {
-  apply_domain(layout.domain.box);
+  apply_domain(layout.domain);
   const auto& [name, type] = *layout.types.begin();
   Swimmer swimmer{.id = 0, .type = name};
   if (!axis_.empty()) swimmer.axis = parse_vector(axis_).stableNormalized();

@@ -94,6 +94,13 @@ std::string mobility_obstacle(const SceneFacts& facts) {
   return {};
 }
 
+/// Returns the relative error of the mobility of one sphere across a plane no-slip wall, at this height over its
+/// radius: c H^-(4 + 2 n) for moments up to order n, with c as found near the wall (docs/method/half-space.md).
+double wall_error(double height, int order) {
+  constexpr std::array coefficients{1.1, 0.7, 0.33};
+  return coefficients[order] * std::pow(height, -4 - 2 * order);
+}
+
 /// Sets the cost of the candidate `run`: core-seconds for products of mobility matrix and forces and for
 /// other work of each step, memory and disk space (docs/method/mobility-swarms.md, docs/performance.md).
 void add_cost(PlannedRun& run, const OverdampedSetup& setup, const Communicator& communicator) {
@@ -149,7 +156,9 @@ ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
   const auto error_of = [&](const SwimmerFacts& swimmer_facts) {
     return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
   };
-  return scene_error(facts, error_of, model != MobilityModel::unsteady);
+  ErrorEstimate error = scene_error(facts, error_of, model != MobilityModel::unsteady);
+  error.velocity += wall_error(facts.height, has_moment_order(model) ? settings.multipole_order : 0);
+  return error;
 }
 
 std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& facts,
@@ -163,7 +172,12 @@ std::vector<PlannedRun> mobility_runs(const Layout& layout, const SceneFacts& fa
   };
   for (const MobilityModel model : {MobilityModel::oseen, MobilityModel::rpy, MobilityModel::rpy_near})
     add_run(model, usual_order);
-  if (request.model == RunModel::multipole) add_run(MobilityModel::multipole, usual_order);
+  if (request.model == RunModel::multipole) {
+    add_run(MobilityModel::multipole, usual_order);
+  } else if (layout.domain.half_space || !layout.flow.is_zero()) {  // the model unsteady lacks them
+    for (int order = 1; order <= max_moment_order; ++order)
+      if (request.multipole_order.value_or(order) == order) add_run(MobilityModel::multipole, order);
+  }
   for (int order = 0; order <= max_moment_order; ++order)
     if (request.multipole_order.value_or(order) == order) add_run(MobilityModel::unsteady, order);
   return runs;

@@ -9,6 +9,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/core/setting.hpp"
 #include "beadswim/plan/reason_against.hpp"
+#include "beadswim/scene/bead_gaps.hpp"
 #include "beadswim/scene/reduce.hpp"
 #include "beadswim/swimmers/three_bead_swimmer.hpp"
 
@@ -87,6 +88,9 @@ SceneFacts scene_facts(const Layout& layout, double cycles) {
   } else {
     facts.cell = layout;
   }
+  if (const auto& half_space = layout.domain.half_space)
+    for (const PlacedBead& bead : placed_beads(layout))
+      facts.height = std::min(facts.height, half_space->height(bead.centre) / bead.radius);
   for (Representative& representative : representatives(facts.cell))
     facts.swimmer_facts.push_back(evaluate_swimmer(std::move(representative)));
   for (SwimmerFacts& swimmer_facts : facts.swimmer_facts)

@@ -29,6 +29,8 @@ struct SceneFacts {
   std::vector<SwimmerFacts> swimmer_facts;
   std::string unvalidated;     ///< name of a type for which errors have not been validated; empty if none
   double disorder_growth = 1;  ///< factor by which deviations from the order of the swarm grow in the run
+  /// Smallest height of a bead over the wall of a half-space at rest [radius].
+  double height = std::numeric_limits<double>::infinity();
 };
 
 /// Throws InputError if the errors of a type of swimmer have not been validated.

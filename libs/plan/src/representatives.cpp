@@ -1,5 +1,8 @@
 #include "beadswim/plan/representatives.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -62,18 +65,19 @@ Representative representative(const Layout& cell, const Swimmer& swimmer) {
                                        cell.fluid.dynamic_viscosity());
   question.fluid_density = cell.fluid.density;
   question.box = surroundings.box;
-  if (!cell.domain.box && cell.swimmers.size() > 1) {
-    result.approximation = "alone in open space, without neighbours";
+  std::vector<std::string> approximations;
+  if (!cell.domain.box && (cell.swimmers.size() > 1 || cell.domain.half_space)) {
+    approximations.push_back("alone in open space");
+    if (cell.domain.half_space) approximations.push_back("without the wall");
+    if (cell.swimmers.size() > 1) approximations.push_back("without neighbours");
   } else if (!surroundings.obstacle.empty()) {
     question.box = share_of(*cell.domain.box, cell.swimmers.size(), question.swimmer, swimmer.axis);
     const std::string& why = surroundings.obstacle;  // form: "reason; remedy"
-    result.approximation = "alone in its share of the box (" + why.substr(0, why.find(';')) + ")";
+    approximations.push_back("alone in its share of the box (" + why.substr(0, why.find(';')) + ")");
   }
-  if (has_background_flow(cell)) result.approximation += ", in fluid without the flow between the walls";
-  if (across) {
-    if (!result.approximation.empty()) result.approximation += "; ";
-    result.approximation += "driven only by the component of its forces along its axis";
-  }
+  if (has_background_flow(cell)) approximations.push_back("in fluid without the background flow");
+  if (across) approximations.push_back("driven only by the component of its forces along its axis");
+  result.approximation = fmt::format("{}", fmt::join(approximations, ", "));
   question = with_exact_reference(std::move(question));
   return result;
 }

@@ -99,7 +99,7 @@ std::optional<ShapeCycle> integrate_cycle(const ShapedSwimmer& swimmer, PairTens
                                           const BeadVectors& start, int steps) {
   const ShapeFlow flow(swimmer, law);
   const double h = swimmer.type.driving.period / steps;
-  const double size = centred(start).cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
+  const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
   ShapeCycle cycle;
   BeadVectors x = start;
   for (int s = 0;; ++s) {

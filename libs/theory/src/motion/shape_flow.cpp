@@ -42,10 +42,6 @@ BeadVectors centred(const BeadVectors& beads) {
   return beads.colwise() - Vec3(beads.rowwise().mean());
 }
 
-BeadVectors placed(const ShapedSwimmer& swimmer, const BeadVectors& shape) {
-  return shape.colwise() + swimmer.place;
-}
-
 Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to) {
   SwimmerType shape;
   for (const auto& place : from.colwise()) shape.beads.push_back({{}, place});
@@ -63,7 +59,7 @@ Eigen::MatrixXd ShapeFlow::mobility(const BeadVectors& beads) const {
   if (!swimmer_.half_space) return mu;
   std::vector<double> radii;
   for (const Bead& bead : swimmer_.type.beads) radii.push_back(law_ == oseen_pairs ? 0 : bead.radius);
-  add_wall_mobility(*swimmer_.half_space, radii, beads, swimmer_.viscosity, mu);
+  add_wall_mobility(*swimmer_.half_space, radii, beads.colwise() + swimmer_.place, swimmer_.viscosity, mu);
   return mu;
 }
 
@@ -82,7 +78,7 @@ Eigen::VectorXd ShapeFlow::velocities(const BeadVectors& beads, double time) con
   Eigen::VectorXd undamped = mu * forces(beads, time);
   if (!swimmer_.flow.is_zero())
     for (Eigen::Index b = 0; b < beads.cols(); ++b)
-      undamped.segment<3>(3 * b) += swimmer_.flow.at(beads.col(b));
+      undamped.segment<3>(3 * b) += swimmer_.flow.at(beads.col(b) + swimmer_.place);
   if (!is_damped_) return undamped;
   const Eigen::MatrixXd unit = Eigen::MatrixXd::Identity(mu.rows(), mu.cols());
   return (unit + mu * damping(beads)).partialPivLu().solve(undamped);
@@ -99,7 +95,7 @@ Eigen::MatrixXd ShapeFlow::relaxation(const BeadVectors& beads, double time) con
 double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
                    PairTensorLaw law) {
   const Eigen::VectorXd along = axis.replicate(shape.cols(), 1);
-  return along.dot(ShapeFlow(swimmer, law).mobility(placed(swimmer, shape)).ldlt().solve(along));
+  return along.dot(ShapeFlow(swimmer, law).mobility(shape).ldlt().solve(along));
 }
 
 }  // namespace beadswim

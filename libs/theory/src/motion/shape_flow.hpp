@@ -5,7 +5,8 @@
 #include "beadswim/theory/shaped_swimmer.hpp"
 
 // Velocities, forces and matrices of the beads of a swimmer (symbols: shaped_swimmer.hpp). Vectors and
-// matrices have the components x, y, z of bead 1, then of bead 2, and so on.
+// matrices have the components x, y, z of bead 1, then of bead 2, and so on. Positions are relative to
+// ShapedSwimmer::place.
 
 namespace beadswim {
 
@@ -31,9 +32,6 @@ Eigen::VectorXd bond_lengths(const SwimmerType& type, const BeadVectors& beads);
 
 /// Moves the beads so that their mean is the origin.
 BeadVectors centred(const BeadVectors& beads);
-
-/// Moves the shape, whose mean is the origin, to the place of the swimmer.
-BeadVectors placed(const ShapedSwimmer& swimmer, const BeadVectors& shape);
 
 /// Returns the rotation that fits `from` to `to` best after a translation.
 Eigen::Matrix3d best_rotation(const BeadVectors& from, const BeadVectors& to);

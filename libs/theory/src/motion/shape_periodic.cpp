@@ -30,12 +30,23 @@ bool has_turning_frame(const ShapedSwimmer& swimmer) {
   return swimmer.is_held() || is_free_to_turn(swimmer);
 }
 
+Eigen::Matrix3d orientation_of(const ShapedSwimmer& swimmer, const BeadVectors& beads) {
+  return fitted_orientation(swimmer.type, beads, swimmer.orientation);
+}
+
+/// Returns the rotation from one time to another. Over a wall, which bends a swimmer slightly, it is that of the
+/// fitted orientation, because a rotation about a line of beads is not defined.
+Eigen::Matrix3d rotation_between(const ShapedSwimmer& swimmer, const BeadVectors& from, const BeadVectors& to) {
+  if (!swimmer.is_held()) return best_rotation(from, to);
+  return orientation_of(swimmer, to) * orientation_of(swimmer, from).transpose();
+}
+
 /// Returns the beads at the end of a cycle, moved back to those at its start: without the translation and
 /// without the rotation of the frame.
 BeadVectors moved_back(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
   const BeadVectors end = centred(cycle.beads.back());
   if (!has_turning_frame(swimmer)) return end;
-  return best_rotation(cycle.beads.front(), end).transpose() * end;
+  return rotation_between(swimmer, cycle.beads.front(), end).transpose() * end;
 }
 
 /// Returns the cycle of the periodic motion, with its mean bead position at the origin at time 0. start:
@@ -53,9 +64,8 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTenso
   for (int cycle = 0; cycle < max_cycles; ++cycle) {
     start = centred(start);
     if (swimmer.is_held())
-      start = swimmer.orientation * fitted_orientation(swimmer.type, start, swimmer.orientation).transpose() *
-              start;
-    const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, placed(swimmer, start), steps);
+      start = swimmer.orientation * orientation_of(swimmer, start).transpose() * start;
+    const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, start, steps);
     if (!motion) return std::nullopt;
     const BeadVectors end = moved_back(swimmer, *motion);
     const double size = start.cwiseAbs().maxCoeff() + swimmer.type.beads[0].radius;
@@ -82,11 +92,11 @@ Vec3 rotation_vector(const Eigen::Matrix3d& rotation) {
 }
 
 /// Returns the rotation vector of the whole cycle; its angle may exceed half a turn.
-Vec3 rotation_in(const ShapeCycle& cycle) {
+Vec3 rotation_in(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) {
   Vec3 sum = Vec3::Zero();
   for (std::size_t s = 0; s + 1 < cycle.beads.size(); ++s)
-    sum += rotation_vector(best_rotation(cycle.beads[s], cycle.beads[s + 1]));
-  const Vec3 rest = rotation_vector(best_rotation(cycle.beads.front(), cycle.beads.back()));
+    sum += rotation_vector(rotation_between(swimmer, cycle.beads[s], cycle.beads[s + 1]));
+  const Vec3 rest = rotation_vector(rotation_between(swimmer, cycle.beads.front(), cycle.beads.back()));
   const double angle = rest.norm();
   constexpr double roundoff = 1e-9;
   const Vec3 axis = angle > roundoff ? Vec3(rest / angle) : sum.stableNormalized();
@@ -127,7 +137,7 @@ MovingFrame moving_frame(const ShapedSwimmer& swimmer, const ShapeCycle& cycle) 
   const double period = swimmer.type.driving.period;
   const int steps = static_cast<int>(cycle.beads.size()) - 1;
   Vec3 turn = Vec3::Zero();  // Omega T
-  if (has_turning_frame(swimmer)) turn = rotation_in(cycle);
+  if (has_turning_frame(swimmer)) turn = rotation_in(swimmer, cycle);
   const auto centre = [&](int s) -> Vec3 { return cycle.beads[s].rowwise().mean(); };
   Eigen::Matrix<double, 6, 6> equations = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 1> right = Eigen::Matrix<double, 6, 1>::Zero();
@@ -170,7 +180,7 @@ PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cy
   }
   motion.stroke = stroke_of(amplitudes);
   // Results are for the orientation of the layout; the motion was found in another one.
-  const Eigen::Matrix3d fit = fitted_orientation(type, motion.mean_shape, swimmer.orientation);
+  const Eigen::Matrix3d fit = orientation_of(swimmer, motion.mean_shape);
   const Eigen::Matrix3d turn = swimmer.orientation * fit.transpose();
   const bool free = is_free_to_turn(swimmer);
   if (!has_turning_frame(swimmer)) motion.turn = Eigen::AngleAxisd(turn).angle();
@@ -212,7 +222,7 @@ PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw 
     if (!cycle) continue;
     const std::optional<PeriodicShapeMotion> coarse = motion;
     motion = motion_of(swimmer, *cycle);
-    start = centred(cycle->beads.front());
+    start = cycle->beads.front();
     if (!coarse) continue;
     motion->numerical_error = (motion->velocity - coarse->velocity).norm();
     const double enough = std::max(resolved * motion->velocity.norm(), roundoff * largest_speed(*cycle));

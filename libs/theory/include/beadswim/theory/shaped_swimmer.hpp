@@ -94,7 +94,7 @@ struct PeriodicShapeMotion : ShapeMotion {
 /// Throws InputError if the motion does not become periodic, or if beads touch.
 PeriodicShapeMotion periodic_motion(const ShapedSwimmer& swimmer, PairTensorLaw law);
 
-/// Returns the drag coefficient of the swimmer with the beads at `shape` about their mean position, towed
+/// Returns the drag coefficient of the swimmer with the beads at `shape`, relative to its place, towed
 /// along `axis` without rotation [mass/time].
 double towing_drag(const ShapedSwimmer& swimmer, const BeadVectors& shape, const Vec3& axis,
                    PairTensorLaw law);

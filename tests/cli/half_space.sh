@@ -1,0 +1,96 @@
+#!/bin/bash
+# Tests fluid over a plane no-slip wall and background flow: runs, predictions, and the input that is refused.
+source "$(dirname "$0")/harness.sh"
+
+over_wall() { # HEIGHT FLAGS...
+  beadswim-layout swimmer --preset paper-single --half-space z --position "0,0,$1" --frame body "${@:2}"
+}
+settings=(--model rpy --progress none --no-provenance)
+
+# --- a run far from the wall moves as predicted, and its record states the half-space
+over_wall 24 >over.json
+accepts beadswim-layout check over.json
+run beadswim-run over.json -o over.h5md "${settings[@]}" --cycles 4
+has_status 0
+mv out over-run.json
+check 'the record lacks the half-space' holds '.domain == {half_space: {axis: "z", boundary: "no-slip"}} and .scene.domain == .domain' over-run.json
+run beadswim-theory over.json --method rpy-ode
+has_status 0
+mv out over-theory.json
+check 'the run does not move as predicted' holds '[.[0].swimmers[0].cycles[-1], .[1].predictions[0]]
+  | (.[0].velocity[0] / .[1].velocity_vector[0] - 1 | fabs) < 1e-3
+    and (.[0].angular_velocity[1] / .[1].angular_velocity[1] - 1 | fabs) < 0.05' <(jq -s . over-run.json over-theory.json)
+run beadswim-compare over-run.json over-theory.json --tolerance 0.01
+has_status 0
+run beadswim-theory over.json
+has_status 0
+check 'other methods ignore the wall' holds '[.predictions[].method] == ["oseen-ode", "rpy-ode"]' out
+
+# --- models, ranks and a restart agree
+run mpirun -n 2 beadswim-run over.json -o two.h5md "${settings[@]}" --cycles 2 --checkpoint-every 1
+has_status 0
+run beadswim-run --restart two.h5md -o on.h5md --cycles 4 --progress none --no-provenance
+has_status 0
+check 'ranks and a restart change the motion' holds '[., input] | map(.swimmers[0].cycles[-1].velocity[0]) | (.[0] / .[1] - 1 | fabs) < 1e-4' over-run.json out
+for model in oseen rpy+near multipole; do
+  run beadswim-run over.json -o model.h5md --model "$model" --cycles 2 --progress none --no-provenance
+  has_status 0
+  check "$model differs too much" holds '[., input] | map(.swimmers[0].cycles[1].velocity[0]) | .[0] / .[1] | . > 0.8 and . < 1.2' over-run.json out
+done
+
+# --- the same motion over a wall across another axis, in other units
+beadswim-layout swimmer --preset paper-single --half-space x --position 24,0,0 --axis 0,1,0 --frame body >across_x.json
+run beadswim-run across_x.json -o x.h5md "${settings[@]}" --cycles 4
+has_status 0
+check 'the axis of the wall matters' holds '[., input] | map(.swimmers[0].cycles[-1].velocity) | (.[0][0] / .[1][1] - 1 | fabs) < 1e-6 and (.[0][2] - .[1][0] | fabs) < 1e-6 * .[0][0]' over-run.json out
+
+# --- a background flow moves a swimmer and turns it; strain acts only on beads with higher moments
+over_wall 24 --amplitude 0 | jq '.flow = {velocity_gradient: [[0, 0, 1e-5], [0, 0, 0], [0, 0, 0]]}' >sheared.json
+run beadswim-run sheared.json -o sheared.h5md "${settings[@]}" --cycles 1
+has_status 0
+check 'the swimmer does not move with the flow' holds '.flow.velocity_gradient[0][2] == 1e-5 and (.swimmers[0].cycles[0].velocity[0] / 24e-5 - 1 | fabs) < 1e-3' out
+run beadswim-theory sheared.json --method rpy-ode
+has_status 0
+check 'theory does not move it with the flow' holds '.predictions[0].velocity_vector[0] / 24e-5 - 1 | fabs < 1e-3' out
+run beadswim-run sheared.json -o sheared.h5md --model multipole --cycles 1 --progress none --no-provenance
+has_status 0
+check 'beads do not lag behind the flow' holds '.swimmers[0].cycles[0].velocity[0] / 24e-5 | . < 0.9999 and . > 0.98' out
+jq '.domain = null | .flow = {velocity: [1e-4, 2e-4, 0]}' over.json >carried.json
+beadswim-layout swimmer --preset paper-single --unbounded --frame body >free.json
+run beadswim-run free.json -o free.h5md "${settings[@]}" --cycles 1
+mv out free-run.json
+run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
+has_status 0
+check 'a uniform flow changes more than the velocity' holds '[., input] | map(.swimmers[0].cycles[0].velocity) | (.[1][0] - .[0][0] - 1e-4 | fabs) < 1e-9 and (.[1][1] - 2e-4 | fabs) < 1e-9' free-run.json out
+
+# --- what cannot be treated is refused with the remedy
+refuses 'over.json:/domain/half_space: a half-space is unbounded, but a lattice needs a box; use --model rpy or multipole, or a box' \
+  beadswim-run over.json -o bad.h5md --model lbm
+refuses 'over.json:/domain/half_space: the model unsteady lacks no-slip walls' beadswim-run over.json -o bad.h5md --model unsteady
+refuses 'carried.json:/flow: the model unsteady lacks background flow' beadswim-run carried.json -o bad.h5md --model unsteady
+refuses 'carried.json:/flow: a background flow is unbounded, but a lattice ends at its box' beadswim-run carried.json -o bad.h5md --model lbm
+refuses 'bead 1 of radius 4 at .* is not completely in the fluid: its centre is 3.9 above the wall at z = 0' \
+  beadswim-layout swimmer --preset paper-single --half-space z --position 0,0,3.9
+refuses '--half-space: the wall is at the coordinate 0; give the position' beadswim-layout swimmer --preset paper-single --half-space z
+refuses 'half-space' beadswim-layout swimmer --preset paper-single --half-space w --position 0,0,9
+jq '.flow.velocity_gradient[1][1] = 1e-6' sheared.json >bad.json
+refuses 'bad.json:/flow/velocity_gradient: the trace is 1e-06, but' beadswim-layout check bad.json
+jq '.flow.velocity_gradient[0][1] = 1e-6' sheared.json >bad.json
+refuses 'bad.json:/flow/velocity_gradient/0/1: over a no-slip wall at z = 0 only shear' beadswim-layout check bad.json
+jq '.flow.velocity = [1e-5, 0, 0]' sheared.json >bad.json
+refuses 'bad.json:/flow/velocity: the flow must be 0 on the no-slip wall' beadswim-layout check bad.json
+jq '.body_force = [1e-5, 0, 0]' over.json >bad.json
+refuses 'bad.json:/body_force: there are no no-slip walls' beadswim-layout check bad.json
+beadswim-layout swimmer --preset paper-single --box 120,80,80 | jq '.flow = {velocity: [1e-5, 0, 0]}' >bad.json
+refuses 'bad.json:/flow: a background flow is unbounded, but the domain is a box' beadswim-layout check bad.json
+beadswim-layout swimmer --preset paper-single --box 120,80,80 --boundary periodic,periodic,no-slip >slit.json
+refuses 'slit.json:/domain/boundary/2: the boundary is no-slip at both ends' beadswim-run slit.json -o bad.h5md --model rpy
+jq '.domain.half_space.axis = "w"' over.json >bad.json
+refuses 'bad.json:/domain/half_space/axis: "w"' beadswim-layout check bad.json
+jq '.domain.half_space.boundary = "free-slip"' over.json >bad.json
+refuses 'bad.json:/domain/half_space/boundary: "free-slip"' beadswim-layout check bad.json
+refuses '/domain: the fluid is unbounded .half-space' beadswim-layout reduce over.json
+run beadswim-theory over.json --method rpy-perturbation
+has_status 2
+
+finish
