@@ -63,6 +63,20 @@ run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
 has_status 0
 check 'a uniform flow changes more than the velocity' holds '[., input] | map(.swimmers[0].cycles[0].velocity) | (.[1][0] - .[0][0] - 1e-4 | fabs) < 1e-9 and (.[1][1] - 2e-4 | fabs) < 1e-9' free-run.json out
 
+# --- pages and figures show the wall; the page of docs has the table of its records
+writes_file() { # the command writes a file and no error
+  run "$@"
+  has_status 0
+}
+writes_file beadswim-view over.h5md -o over.html
+check 'the page lacks the wall' grep -q '"walls":\[{"axis":2,"at":0.0}\]' over.html
+writes_file beadswim-plot trajectories over.h5md --along z --against angle -o angle.svg
+check 'the figure lacks the angle' grep -q 'angle of the axis to the plane across z' angle.svg
+check 'the figure does not name the half-space' grep -q 'half-space z &gt; 0 over a no-slip wall' angle.svg
+results=$BEADSWIM_SOURCE/docs/results
+check "the page has other numbers than the records" cmp -s <(jq -rs -f "$results/walls.jq" "$results/walls.jsonl") \
+  <(sed -n '/^<!-- from walls.jsonl -->$/,/^$/p' "$BEADSWIM_SOURCE/docs/walls.md" | sed '1d;$d')
+
 # --- what cannot be treated is refused with the remedy
 refuses 'over.json:/domain/half_space: a half-space is unbounded, but a lattice needs a box; use --model rpy or multipole, or a box' \
   beadswim-run over.json -o bad.h5md --model lbm

@@ -351,6 +351,22 @@ TEST_P(FastSumOverWall, EqualsTheSumOverAllPairs) {
   EXPECT_LT(std::sqrt(error / size), tolerance);
 }
 
+// Far from the wall a mesh with the mirror points would be mostly empty, and is not used.
+TEST(HalfSpace, ManySpheresHighAboveTheWallNeedNoLargeMesh) {
+  const int count = 1000;
+  Spheres spheres = slab_of_spheres(count);
+  const double height = 1e6;
+  for (Vec3& place : spheres.places) place.z() += height;
+  MobilityScene scene = over_wall(MobilityModel::rpy, spheres);
+  scene.tolerance = 1e-4;
+  const std::vector<double> moments = random_moments(0, spheres);
+  const std::vector<double> found = projections(scene, spheres, moments);
+  scene.half_space.reset();
+  const std::vector<double> open = projections(scene, spheres, moments);
+  const double stokes = 1 / (6 * pi * viscosity);
+  for (int k = 0; k < 3 * count; ++k) ASSERT_NEAR(found[k], open[k], 1e-3 * stokes);
+}
+
 /// Velocity of a free sphere in shear flow along a wall, divided by the velocity of this flow at its centre,
 /// by height over radius. Goldman, Cox & Brenner, Chem. Eng. Sci. 22 (1967) 653, table 2.
 constexpr std::pair<double, double> goldman_velocities[]{

@@ -40,11 +40,11 @@ constexpr std::array kinds{
              {"beadswim-plot speed-against-error run.json lbm.json --reference theory.json -o speed.svg",
               "beadswim-plot speed-against-error verdict.json -o verdict.svg"}},
     PlotKind{"trajectories",
-             "Draws one coordinate of beads against time.",
+             "Draws one coordinate of beads against time, or against the angle of the swimmer's axis.",
              trajectories,
              add_trajectory_flags,
              {"beadswim-plot trajectories run.h5md -o trajectory.svg",
-              "beadswim-plot trajectories run.h5md lbm.h5md --beads 1,2,3 -o trajectories.svg"}},
+              "beadswim-plot trajectories over-wall.h5md --along z --against angle -o approach.svg"}},
     PlotKind{"swarm",
              "Draws all beads and bonds of a layout, or of one frame of a trajectory.",
              "Layout file (- is standard input), trajectory file (.h5md), or file of an unfinished run "

@@ -2,10 +2,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <numbers>
 #include <optional>
 #include <set>
+#include <span>
 
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/swimming_document.hpp"
@@ -19,10 +22,17 @@
 namespace beadswim {
 namespace {
 
+/// Abscissa of the figure.
+enum class Against {
+  time,
+  angle,  ///< of the swimmer's axis to the plane across the coordinate that is drawn
+};
+
 struct TrajectoryFlags {
   std::vector<int> swimmers;  ///< ids; empty: all swimmers
   std::vector<int> beads;     ///< numbers from 1; empty: the middle bead of each swimmer
   int axis = 0;               ///< coordinate that is drawn: 0, 1, 2 for x, y, z
+  Against against = Against::time;
 };
 
 constexpr std::size_t max_curves = 12;  // readers cannot distinguish more curves
@@ -82,20 +92,37 @@ std::string curve_label(const TrajectoryFile& file, bool several_files, int swim
   return label;
 }
 
+/// Returns the angle of a swimmer's axis to the plane across a coordinate [degree].
+double angle_of(const TrajectoryFile& file, int swimmer, const TrajectoryFrame& frame, int coordinate) {
+  const std::vector<int> ids = file.swimmers();
+  const std::size_t index = std::ranges::find(ids, swimmer) - ids.begin();
+  const std::size_t first = file.reader.header().first_beads()[index];
+  const SwimmerType& type = file.type(index);
+  const std::span<const Vec3> beads(&frame.positions[first], type.beads.size());
+  const Vec3 axis = axis_of(type, beads, file.layout.swimmers[file.in_layout[index]].orientation());
+  return std::asin(std::clamp(axis[coordinate], -1.0, 1.0)) * 180 / std::numbers::pi;
+}
+
 /// Returns the curves of a file, sorted by swimmer and then by bead.
 std::vector<Series> curves_of(const TrajectoryFile& file, bool several_files, const TrajectoryFlags& flags) {
   std::vector<std::size_t> beads;  // indices in the trajectory
+  std::vector<int> swimmers;       // of each curve
   std::vector<Series> curves;
   for (const int swimmer : selected_swimmers(file, flags)) {
     std::ranges::copy(bead_indices(file, swimmer, flags.beads), std::back_inserter(beads));
+    swimmers.insert(swimmers.end(), beads_per_swimmer(flags), swimmer);
     for (int i = 0; i < beads_per_swimmer(flags); ++i)
       curves.push_back({curve_label(file, several_files, swimmer,
                                     flags.beads.size() > 1 ? std::optional(flags.beads[i]) : std::nullopt)});
   }
   for (std::size_t n = 0; n < file.reader.frames(); ++n) {
     const TrajectoryFrame frame = file.reader.frame(n);
+    const double cycles = frame.time / file.period();
+    constexpr double roundoff = 1e-6;
+    if (flags.against == Against::angle && std::abs(cycles - std::round(cycles)) > roundoff) continue;
     for (std::size_t c = 0; c < curves.size(); ++c) {
-      curves[c].x.push_back(frame.time / file.period());
+      curves[c].x.push_back(flags.against == Against::time ? cycles
+                                                           : angle_of(file, swimmers[c], frame, flags.axis));
       curves[c].y.push_back(frame.positions[beads[c]][flags.axis]);
     }
   }
@@ -150,16 +177,20 @@ Figure trajectory_figure(const std::vector<std::string>& paths, const Trajectory
   std::size_t swimmers = 0;
   for (const TrajectoryFile& file : files) swimmers += selected_swimmers(file, options).size();
   require_few(swimmers * static_cast<std::size_t>(beads_per_swimmer(options)));
-  Panel panel{.x_label = {"time", "cycles of the driving"},
+  const bool by_time = options.against == Against::time;
+  const std::string across = fmt::format("angle of the axis to the plane across {}", "xyz"[options.axis]);
+  Panel panel{.x_label = by_time ? AxisLabel{"time", "cycles of the driving"} : AxisLabel{across, "degrees"},
               .y_label = {std::string(1, "xyz"[options.axis]), length_unit(files.front().layout.units)}};
   for (const TrajectoryFile& file : files)
     std::ranges::move(curves_of(file, files.size() > 1, options), std::back_inserter(panel.series));
   style_bead_curves(beads_per_swimmer(options), panel.series);
-  return {.title = title_of(files, options),
-          .panels = {std::move(panel)},
-          .notes = {{.text = "Coordinates are not wrapped into the box. The mean slope over a cycle is the "
-                             "velocity, mean flow included."},
-                    scenes_note(files)}};
+  return {
+      .title = title_of(files, options),
+      .panels = {std::move(panel)},
+      .notes = {{.text = by_time ? "Coordinates are not wrapped into the box. The mean slope over a cycle "
+                                   "is the velocity, mean flow included."
+                                 : "Points at the ends of cycles. Coordinates are not wrapped into the box."},
+                scenes_note(files)}};
 }
 
 }  // namespace
@@ -176,6 +207,12 @@ Drawing add_trajectory_flags(CLI::App& command) {
       ->default_str("the middle bead");
   add_word(command, "--along", {"x", "y", "z"}, "x", "Coordinate to draw, not wrapped into the box",
            [options](const std::string& word) { options->axis = word[0] - 'x'; });
+  add_word(
+      command, "--against", {"time", "angle"}, "time",
+      "Abscissa: time, or the angle of the swimmer's axis to the plane across the coordinate, such as a wall",
+      [options](const std::string& word) {
+        options->against = word == "time" ? Against::time : Against::angle;
+      });
   return
       [options](const PlotFiles& files) { return figure_to_svg(trajectory_figure(files.inputs, *options)); };
 }

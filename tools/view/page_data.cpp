@@ -68,6 +68,19 @@ std::size_t count_bonds(const TrajectoryFile& file) {
   return bonds;
 }
 
+/// Returns the walls: the axis across each, and its coordinate along this axis.
+Json walls_of(const Domain& domain) {
+  Json walls = Json::array();
+  const auto add = [&](int axis, double at) { walls.push_back({{"axis", axis}, {"at", at}}); };
+  if (domain.half_space) add(domain.half_space->axis, 0);
+  for (int axis = 0; axis < 3 && domain.box; ++axis) {
+    if (domain.box->is_periodic(axis)) continue;
+    add(axis, 0);
+    add(axis, domain.box->lengths[axis]);
+  }
+  return walls;
+}
+
 /// Returns the content of the HTML element "scene": data about file, box, swimmers, frames and cycles.
 Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& frames,
                    const std::vector<TrajectoryCycle>& cycles, const PageOptions& options) {
@@ -80,8 +93,10 @@ Json scene_to_json(const TrajectoryFile& file, const std::vector<std::size_t>& f
              {"length_unit", length_unit(layout.units)},
              {"velocity_unit", velocity_unit(layout.units)},
              {"period", period},
+             {"space", in_words(layout.domain)},
              {"box", nullptr},
-             {"periodic", std::vector<bool>(3)}};
+             {"periodic", std::vector<bool>(3)},
+             {"walls", walls_of(layout.domain)}};
   if (const auto& box = layout.domain.box) {
     scene["box"] = std::vector<double>(box->lengths.begin(), box->lengths.end());
     scene["periodic"] = {box->is_periodic(0), box->is_periodic(1), box->is_periodic(2)};

@@ -76,6 +76,17 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
   return ewald;
 }
 
+/// Returns true if the mesh for the beads and their mirror points is at most so much longer than that for the
+/// beads alone.
+bool fits_mirror_points(const MobilityScene& scene, std::span<const Vec3> positions) {
+  if (!scene.half_space) return false;
+  constexpr double max_ratio = 16;
+  const auto [low, high] =
+      std::ranges::minmax(positions, {}, [&](const Vec3& x) { return scene.half_space->height(x); });
+  const double thickness = scene.half_space->height(high - low) + 2 * *std::ranges::max_element(scene.radii);
+  return 2 * scene.half_space->height(high) <= max_ratio * thickness;
+}
+
 }  // namespace
 
 struct MobilityProduct::Parts {
@@ -126,6 +137,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.lines, scene.box);
   if (scene.box || scene.radii.size() >= min_spheres_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
+  if (parts_->plan) parts_->plan->has_mirror_points = fits_mirror_points(scene, positions);
   // Roundoff may differ between processors, so all ranks use the plan of rank 0.
   if (parts_->plan) MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   if (highest_moment(scene) > 0) {
@@ -140,8 +152,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
                         .viscosity = scene.viscosity,
                         .half_space = *scene.half_space,
                         .radii = is_sphere ? scene.radii : std::vector<double>(scene.radii.size(), 0.0),
-                        .xi = parts_->plan ? parts_->plan->xi : 0,
-                        .cutoff = parts_->plan ? parts_->plan->cutoff : 0});
+                        .plan = parts_->plan});
   if (!parts_->plan) return;
   const EwaldPlan& plan = *parts_->plan;
   parts_->near_pairs = std::make_unique<NearPairs>(NearPairs::Law{.model = scene.model,
@@ -185,7 +196,7 @@ void MobilityProduct::Parts::add_velocities(std::span<const Vec3> positions, std
   for (auto* vectors : {&places, &sources}) add_mirror_images(scene.box, *vectors);
   if (mesh) {
     near_pairs->add_velocities(places, sources, velocities, communicator);
-    if (!wall) mesh->add_velocities(places, sources, part, velocities);
+    if (!(wall && wall->uses_mesh())) mesh->add_velocities(places, sources, part, velocities);
   } else {
     add_all_pairs(scene.model, scene.viscosity, scene.radii, places, sources, velocities, communicator);
   }

@@ -66,8 +66,7 @@ MomentProduct::MomentProduct(const MobilityScene& scene, const std::optional<Ewa
                                   .viscosity = scene.viscosity,
                                   .half_space = *scene.half_space,
                                   .radii = scene.radii,
-                                  .xi = plan ? plan->xi : 0,
-                                  .cutoff = plan ? plan->cutoff : 0});
+                                  .plan = plan});
   if (!plan) return;
   ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, inertial_memory(scene.memory)};
   for (const double radius : with_images(scene.radii, scene.box))
@@ -97,11 +96,8 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
   const auto [places, sources] = sources_of(positions, moments);
   std::vector<double> flows(numbers * spheres, 0.0);
   pairs_.add_flows(places, sources, flows, communicator_);
-  if (wall_) {
-    wall_->add_flows(places, sources, flows, mesh_.get(), communicator_);
-  } else if (mesh_) {
-    mesh_->add_flows(places, sources, part, flows);
-  }
+  if (wall_) wall_->add_flows(places, sources, flows, mesh_.get(), communicator_);
+  if (mesh_ && !(wall_ && wall_->uses_mesh())) mesh_->add_flows(places, sources, part, flows);
   sum_over_ranks(flows, communicator_);
   if (mesh_) pairs_.subtract_far_flow(sources, flows);
   for (std::size_t b = 0; b < spheres; ++b) {

@@ -15,14 +15,15 @@ void WallImages::add_flow_at_mirror(std::span<const Vec3> positions, std::span<c
   const int numbers = 3 * derivative_count(law_.order), highest = 2 * law_.order + 4;
   PointSources batch{};
   MirrorFlowParts parts;
-  batch.has_bilaplacian = law_.xi > 0;
+  batch.has_bilaplacian = uses_mesh();
   for (std::size_t first = 0; first < spheres.size(); first += lanes) {
     for (int lane = 0; lane < lanes; ++lane) {
       const bool is_used = first + lane < spheres.size();
       const int sphere = spheres[is_used ? first + lane : first];
       const Vec3 r = point - positions[sphere];
-      const MomentRadials radials = law_.xi > 0 ? near_radials(law_.xi, r.norm(), law_.viscosity, highest)
-                                                : open_radials(r.norm(), law_.viscosity, highest);
+      const MomentRadials radials = uses_mesh()
+                                        ? near_radials(law_.plan->xi, r.norm(), law_.viscosity, highest)
+                                        : open_radials(r.norm(), law_.viscosity, highest);
       for (int a = 0; a < 3; ++a) batch.r[a][lane] = r[a];
       for (int n = 0; n <= highest; ++n) {
         batch.chi[n][lane] = radials.chi[n];
@@ -51,16 +52,17 @@ void WallImages::add_flows(std::span<const Vec3> positions, std::span<const doub
                            const Communicator& communicator) const {
   const std::size_t numbers = 3 * derivative_count(law_.order);
   std::vector<MirrorFlow> at_mirrors(positions.size());
-  if (mesh) mesh->add_flows_and_mirrors(law_.half_space, positions, sources, flows, at_mirrors);
+  if (uses_mesh()) mesh->add_flows_and_mirrors(law_.half_space, positions, sources, flows, at_mirrors);
   std::vector<int> spheres(positions.size());
   std::iota(spheres.begin(), spheres.end(), 0);
-  const CellList cells(positions, mesh ? law_.cutoff : 1, Vec3::Zero());
+  std::optional<CellList> cells;
+  if (uses_mesh()) cells.emplace(positions, law_.plan->cutoff, Vec3::Zero());
   for (std::size_t b = communicator.rank(); b < positions.size(); b += communicator.size()) {
     const Vec3 point = law_.half_space.mirrored(positions[b]);
-    if (mesh) {
+    if (cells) {
       spheres.clear();
-      cells.visit_neighbours(point, [&](std::size_t other) {
-        if ((positions[other] - point).norm() < law_.cutoff) spheres.push_back(static_cast<int>(other));
+      cells->visit_neighbours(point, [&](std::size_t other) {
+        if ((positions[other] - point).norm() < law_.plan->cutoff) spheres.push_back(static_cast<int>(other));
         return true;
       });
     }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,15 +20,18 @@ class WallImages {
     int order;  ///< highest moment, 0 to 2
     double viscosity;
     HalfSpace half_space;
-    std::vector<double> radii;  ///< [length]; 0: point forces
-    double xi = 0, cutoff = 0;  ///< of the Ewald sum (ewald_plan.hpp); 0: all pairs are summed directly
+    std::vector<double> radii;        ///< [length]; 0: point forces
+    std::optional<EwaldPlan> plan{};  ///< nullopt, or without mirror points: all pairs are summed directly
   };
 
   explicit WallImages(Law law) : law_(std::move(law)) {}
 
-  /// Adds this rank's part of the flows at the spheres. `sources` and `flows`: force_moments.hpp. Without
-  /// `mesh`, all pairs are summed; with it, the near part is summed over pairs, and this function adds the
-  /// far part of the flow without wall too. Collective.
+  /// Returns true if add_flows() sums only the near part over pairs, and adds the far part of the flow
+  /// without wall too.
+  bool uses_mesh() const { return law_.plan && law_.plan->has_mirror_points; }
+
+  /// Adds this rank's part of the flows at the spheres. `sources` and `flows`: force_moments.hpp. `mesh`: of
+  /// the plan; not used if all pairs are summed directly. Collective.
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, std::span<double> flows,
                  ParticleMesh* mesh, const Communicator& communicator) const;
   /// Adds the flow of all spheres at a sphere at `place` in the fluid.

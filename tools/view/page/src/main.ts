@@ -52,7 +52,7 @@ class Player {
   private fillControls(): void {
     const { scene } = this;
     const swimmers = `${scene.ids.length} swimmer${scene.ids.length === 1 ? "" : "s"}`;
-    const box = scene.box ? `box ${scene.box.map((edge) => Number(edge.toPrecision(6))).join(" × ")} ${scene.lengthUnit}` : "open space";
+    const box = scene.box ? `box ${scene.box.map((edge) => Number(edge.toPrecision(6))).join(" × ")} ${scene.lengthUnit}` : scene.space;
     element("title").textContent = document.title = `${scene.file} – Beadswim`;
     element("facts").textContent = `${swimmers}, ${box}, period ${Number(scene.period.toPrecision(6))}, ` +
       `${scene.times.length} frame${this.last === 0 ? "" : "s"} over ${Number((scene.times[this.last] - scene.times[0]).toPrecision(4))} cycles`;

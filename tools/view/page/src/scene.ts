@@ -25,8 +25,10 @@ export interface Scene {
   lengthUnit: string;
   velocityUnit: string;
   period: number; // base period [time]
-  box: number[] | null; // edges [length]; null in open space
+  space: string; // the domain in words
+  box: number[] | null; // edges [length]; null in open space or a half-space
   periodic: boolean[];
+  walls: { axis: number; at: number }[]; // axis across each wall, and its coordinate [length]
   ids: number[]; // one per swimmer
   shapes: Shape[]; // one per swimmer
   blocks: number[]; // block number of each swimmer
@@ -114,8 +116,10 @@ export function readScene(page: Document): Scene {
     lengthUnit: header.length_unit,
     velocityUnit: header.velocity_unit,
     period: header.period,
+    space: header.space,
     box: header.box,
     periodic: header.periodic,
+    walls: header.walls,
     ids: header.ids,
     shapes,
     blocks: header.blocks,

@@ -60,6 +60,7 @@ export class Stage {
     this.sceneSize = this.boundary().getSize(new three.Vector3()).length();
     this.addSwimmers();
     this.addBox();
+    this.addWalls();
     this.path = new three.Line(new three.BufferGeometry(), new three.LineBasicMaterial({ color: 0xdb0080 }));
     this.path.frustumCulled = false;
     this.world.add(this.path);
@@ -182,13 +183,30 @@ export class Stage {
     this.world.add(lines);
   }
 
-  /** Returns the box, or the bounding box of the beads in open space. */
+  /** Draws each wall as a transparent plane, as large as the box; in a half-space, larger than the scene. */
+  private addWalls(): void {
+    const boundary = this.boundary(), middle = boundary.getCenter(new three.Vector3()), size = boundary.getSize(new three.Vector3());
+    if (!this.scene.box) size.multiplyScalar(4);
+    for (const { axis, at } of this.scene.walls) {
+      const [across, up] = [(axis + 1) % 3, (axis + 2) % 3];
+      const wall = new three.Mesh(new three.PlaneGeometry(size.getComponent(across), size.getComponent(up)),
+        new three.MeshBasicMaterial({ color: 0x8a94a3, transparent: true, opacity: 0.25, side: three.DoubleSide, depthWrite: false }));
+      const axes = [across, up, axis].map((a) => new three.Vector3().setComponent(a, 1));
+      wall.quaternion.setFromRotationMatrix(new three.Matrix4().makeBasis(axes[0], axes[1], axes[2]));
+      wall.position.copy(middle.clone().setComponent(axis, at));
+      this.world.add(wall);
+    }
+  }
+
+  /** Returns the box, or the bounding box of the beads and the wall of a half-space. */
   private boundary(): three.Box3 {
     const { box } = this.scene;
     const boundary = new three.Box3();
     if (box) return boundary.set(new three.Vector3(), new three.Vector3(box[0], box[1], box[2]));
     boundary.setFromArray(Array.from(this.positions));
-    return boundary.expandByScalar(2 * this.scene.radius.reduce((a, b) => Math.max(a, b), 0));
+    boundary.expandByScalar(2 * this.scene.radius.reduce((a, b) => Math.max(a, b), 0));
+    for (const { axis, at } of this.scene.walls) boundary.min.setComponent(axis, at);
+    return boundary;
   }
 
   /** Returns the distance from the centre at which the camera, with its present direction, sees all corners of `boundary`. */

@@ -37,6 +37,9 @@ struct EwaldPlan {
   /// Shape m of the window: at the edge of the window, where it is truncated, the Gaussian has decreased to
   /// exp(-m^2/2) of its maximum.
   double window_shape = 0;
+  /// Over the wall of a half-space: true if the mesh contains the mirror points of the beads. Beads far from
+  /// the wall would need a mesh that is mostly empty.
+  bool has_mirror_points = false;
 };
 
 /// Returns the parameters of the Ewald sum with the smallest estimated computing time for the tolerance of
