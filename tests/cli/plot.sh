@@ -24,7 +24,7 @@ has_flags stroke --method --cycle --against --bonds
 has_flags velocity-against-period --method --cycle --relative-to --axes
 has_flags separation --method --cycle --relative-to --axes
 has_flags speed-against-error --method --cycle --reference
-has_flags trajectories --swimmers --beads --along
+has_flags trajectories --swimmers --beads --along --against
 has_flags swarm --frame --colours --block-swimmers --repeat --mark --distances
 has_flags swimmer --swimmers
 has_flags mobility-products
