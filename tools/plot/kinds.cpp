@@ -44,7 +44,7 @@ constexpr std::array kinds{
              trajectories,
              add_trajectory_flags,
              {"beadswim-plot trajectories run.h5md -o trajectory.svg",
-              "beadswim-plot trajectories over-wall.h5md --along z --against angle -o approach.svg"}},
+              "beadswim-plot trajectories run.h5md --along z --against angle -o heights.svg"}},
     PlotKind{"swarm",
              "Draws all beads and bonds of a layout, or of one frame of a trajectory.",
              "Layout file (- is standard input), trajectory file (.h5md), or file of an unfinished run "
