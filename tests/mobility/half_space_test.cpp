@@ -326,7 +326,7 @@ TEST_P(FastSumOverWall, EqualsTheSumOverAllPairs) {
   const std::vector<double> found = projections(scene, all, moments);
   scene.tolerance = 1e-12;
   double error = 0, size = 0;
-  for (int target = 0; target < 20; target += 4) {
+  for (int target = 0; target < (order == 2 ? 8 : 20); target += 4) {
     std::vector<double> expected(count, 0.0);
     bool has_self = true;  // the flow at the target by itself is counted in the first group
     for (std::size_t first = 0; first < all.radii.size(); first += spheres_in_group) {
