@@ -19,7 +19,8 @@ has_status 0
 mv out over-theory.json
 check 'the run does not move as predicted' holds '[.[0].swimmers[0].cycles[-1], .[1].predictions[0]]
   | (.[0].velocity[0] / .[1].velocity_vector[0] - 1 | fabs) < 1e-3
-    and (.[0].angular_velocity[1] / .[1].angular_velocity[1] - 1 | fabs) < 0.05' <(jq -s . over-run.json over-theory.json)
+    and (.[0].angular_velocity[1] / .[1].angular_velocity[1] - 1 | fabs) < 0.05
+    and (.[0].efficiency / .[1].efficiency - 1 | fabs) < 0.01' <(jq -s . over-run.json over-theory.json)
 run beadswim-compare over-run.json over-theory.json --tolerance 0.01
 has_status 0
 run beadswim-theory over.json
@@ -104,6 +105,15 @@ refuses 'bad.json:/domain/half_space/axis: "w"' beadswim-layout check bad.json
 jq '.domain.half_space.boundary = "free-slip"' over.json >bad.json
 refuses 'bad.json:/domain/half_space/boundary: "free-slip"' beadswim-layout check bad.json
 refuses '/domain: the fluid is unbounded .half-space' beadswim-layout reduce over.json
+jq '.domain.lengths = [1, 1, 1]' over.json >bad.json
+refuses 'bad.json:/domain/lengths: unknown key' beadswim-layout check bad.json
+refuses '--box: the fluid of this layout ends at the wall of a half-space' beadswim-layout reduce over.json --box 120,80,80
+run beadswim-theory <(beadswim-layout shape sphere --half-space z --position 0,0,5 --force 2 --direction 0,0,-1 --amplitude 0)
+has_status 0
+check 'a bead moves into the wall' holds '.predictions | map(select(.method == "rpy-ode")) | .[0].usable == false' out
+jq '.swimmers = [range(6) | {id: ., type: "a", position: [0, 14 * ., 6], axis: [1, 0, 0]}]' over.json >six.json
+run beadswim-layout defect jitter six.json --sigma 3 --seed 1 --repair
+has_status 0
 run beadswim-theory over.json --method rpy-perturbation
 has_status 2
 

@@ -75,6 +75,22 @@ TEST(SceneDifferences, EachPropertyHasItsName) {
 }
 
 // Shapes with the same lengths and amplitudes differ in their places, their bonds or what is driven.
+// In a flow with a gradient, the velocity depends on the place along the gradient.
+TEST(SceneDifferences, FlowAndPlaceInItMatter) {
+  EXPECT_EQ(names_after([](Layout& l) { l.flow.velocity[1] = 0.1; }), "flow");
+  EXPECT_EQ(names_after([](Layout& l) { l.flow.velocity_gradient(0, 2) = 0.1; }), "flow");
+  EXPECT_EQ(names_after([](Layout& l) { l.domain = {.box = {}, .half_space = HalfSpace{}}; }), "domain");
+  Layout one = two_swimmers();
+  one.domain = {};
+  one.flow.velocity_gradient(0, 2) = 0.1;
+  Layout along = one, across = one;
+  move_all(along, Vec3(3, 4, 0));
+  move_all(across, Vec3(0, 0, 1));
+  EXPECT_TRUE(scene_differences(one, along).empty());
+  ASSERT_EQ(scene_differences(one, across).size(), 1U);
+  EXPECT_EQ(scene_differences(one, across)[0].property, SceneProperty::placing);
+}
+
 TEST(SceneDifferences, KnowShapesAndWhatIsDriven) {
   Layout triangle;
   SwimmerType& shape = triangle.types["t"];

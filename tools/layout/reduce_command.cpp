@@ -63,11 +63,17 @@ void ReduceCommand::put_in_box(Layout& layout) const {
   if (has_background_flow(layout))
     throw InputError(
         "--box",
-        "walls or a body force move the fluid of this layout, but the other box is periodic and has no "
-        "walls; leave the flag out");
+        "a background flow, walls or a body force move the fluid of this layout, but the other box is "
+        "periodic and has no walls; leave the flag out");
+  if (layout.domain.half_space)
+    throw InputError(
+        "--box",
+        "the fluid of this layout ends at the wall of a half-space, but the other box is periodic "
+        "and has no walls; leave the flag out");
   Swimmer& swimmer = layout.swimmers.front();
   layout.domain.box = Box{.lengths = parse_vector(box_)};
-  swimmer.position = centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain.box);
+  swimmer.position =
+      centred_position(layout.resolved_type(swimmer), swimmer.orientation(), layout.domain.box);
   require_sound(layout, "the flags");
 }
 

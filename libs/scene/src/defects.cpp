@@ -56,9 +56,8 @@ const Box& required_box(const Layout& layout, const char* defect) {
   if (layout.domain.box) return *layout.domain.box;
   throw InputError(
       "/domain",
-      fmt::format(
-          "the fluid is unbounded ({}), but {} requires a box; make the layout with {} X,Y,Z",
-          in_words(layout.domain), defect, Setting::box));
+      fmt::format("the fluid is unbounded ({}), but {} requires a box; make the layout with {} X,Y,Z",
+                  in_words(layout.domain), defect, Setting::box));
 }
 
 /// Returns the gap to other surfaces that the positions of added swimmers must have, and that displaced
@@ -367,6 +366,13 @@ void repair_overlaps(Layout& layout) {
       return true;
     });
     for (const PlacedBead& bead : beads) {
+      if (const auto& half_space = layout.domain.half_space) {
+        const double upward = bead.radius + clearance - half_space->height(bead.centre);
+        if (upward > tolerance) {
+          any = true;
+          pushes[bead.swimmer].add_wall_push(half_space->axis, upward);
+        }
+      }
       for (int a = 0; layout.domain.box && a < 3; ++a) {
         if (layout.domain.box->is_periodic(a)) continue;
         const double low = bead.radius + clearance, high = layout.domain.box->lengths[a] - low;
@@ -378,7 +384,8 @@ void repair_overlaps(Layout& layout) {
     }
     if (!any) return;
     for (std::size_t s = 0; s < pushes.size(); ++s)
-      layout.swimmers[s].position = wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain.box);
+      layout.swimmers[s].position =
+          wrapped(layout.swimmers[s].position + pushes[s].move(), layout.domain.box);
   }
   throw InputError(Setting::repair,
                    fmt::format("beads are still too close to each other after {} attempts to move "

@@ -59,12 +59,19 @@ bool has_walls(const Domain& domain, int axis) {
          (domain.half_space && domain.half_space->axis == axis);
 }
 
+/// Returns true if the background flow depends on the coordinate.
+bool has_gradient(const Layout& layout, int axis) {
+  return !layout.flow.velocity_gradient.col(axis).isZero(0);
+}
+
 /// Returns the translation that moves the swimmer of the run to the one of the reference, along axes on which
 /// a translation changes nothing.
 Vec3 translation(const Pair& pair, const Layout& run, const Layout& reference) {
   Vec3 shift = pair.reference.position - pair.run.position;
   for (int a = 0; a < 3; ++a)
-    if (has_walls(run.domain, a) && has_walls(reference.domain, a)) shift[a] = 0;
+    if ((has_walls(run.domain, a) && has_walls(reference.domain, a)) || has_gradient(run, a) ||
+        has_gradient(reference, a))
+      shift[a] = 0;
   return shift;
 }
 

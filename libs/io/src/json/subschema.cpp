@@ -13,8 +13,13 @@ struct Branches {
 };
 
 Branches branches(const Json& condition, const Json* value) {
-  if (!value || condition.size() != 1 || !condition.contains("type")) return {};
-  const bool met = condition["type"] == value->type_name();
+  if (!value || !condition.contains("type")) return {};
+  bool met = condition["type"] == value->type_name();
+  for (const auto& [keyword, required] : condition.items()) {
+    if (keyword == "type") continue;
+    if (keyword != "required") return {};
+    for (const Json& key : required) met = met && value->contains(key.get<std::string>());
+  }
   return {met, !met};
 }
 

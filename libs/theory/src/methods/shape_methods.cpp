@@ -39,7 +39,9 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
   prediction.sin_phase_shift = motion.stroke.sin_phase_shift();
   prediction.arm_means = motion.bond_means;
   prediction.power = motion.power;
-  const double drag = towing_drag(swimmer, motion.mean_shape, axis, pairs.law);
+  ShapedSwimmer in_open_space = swimmer;  // as the efficiency of runs
+  in_open_space.half_space.reset();
+  const double drag = towing_drag(in_open_space, motion.mean_shape, axis, pairs.law);
   prediction.efficiency = lighthill_efficiency(drag, prediction.velocity, motion.power);
   const double omega = 2 * std::numbers::pi / swimmer.type.driving.period;
   const double depth = std::sqrt(2 * swimmer.viscosity / (question.fluid_density * omega));
@@ -52,9 +54,11 @@ Prediction prediction_from(const ShapeQuestion& question, const Pairs& pairs, co
                          {"fluid", swimmer.half_space ? "half-space" : "unbounded"},
                          {"period", swimmer.type.driving.period},
                          {"towing_drag", drag}};
-  if (swimmer.type.beads.size() > 1)
+  if (std::isfinite(motion.smallest_gap))
     prediction.settings.emplace_back("smallest_gap_over_radius", motion.smallest_gap / radius);
-  if (motion.smallest_gap < 0) mark_unusable(prediction, "in this motion the beads would overlap");
+  if (motion.smallest_gap < 0)
+    mark_unusable(prediction, swimmer.half_space ? "in this motion beads would overlap, or the wall"
+                                                 : "in this motion the beads would overlap");
   return prediction;
 }
 

@@ -23,8 +23,12 @@ int highest_multiple(const Driving& driving) {
   return highest;
 }
 
-double smallest_gap(const SwimmerType& type, const BeadVectors& beads) {
+double smallest_gap(const ShapedSwimmer& swimmer, const BeadVectors& beads) {
+  const SwimmerType& type = swimmer.type;
   double smallest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < beads.cols() && swimmer.half_space; ++i)
+    smallest =
+        std::min(smallest, swimmer.half_space->height(beads.col(i) + swimmer.place) - type.beads[i].radius);
   for (int i = 0; i < beads.cols(); ++i)
     for (int j = 0; j < i; ++j)
       smallest = std::min(smallest, (beads.col(i) - beads.col(j)).norm() - contact_distance(type, i, j));

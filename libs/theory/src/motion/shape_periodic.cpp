@@ -34,9 +34,10 @@ Eigen::Matrix3d orientation_of(const ShapedSwimmer& swimmer, const BeadVectors& 
   return fitted_orientation(swimmer.type, beads, swimmer.orientation);
 }
 
-/// Returns the rotation from one time to another. Over a wall, which bends a swimmer slightly, it is that of the
-/// fitted orientation, because a rotation about a line of beads is not defined.
-Eigen::Matrix3d rotation_between(const ShapedSwimmer& swimmer, const BeadVectors& from, const BeadVectors& to) {
+/// Returns the rotation from one time to another. Over a wall, which bends a swimmer slightly, it is that of
+/// the fitted orientation, because a rotation about a line of beads is not defined.
+Eigen::Matrix3d rotation_between(const ShapedSwimmer& swimmer, const BeadVectors& from,
+                                 const BeadVectors& to) {
   if (!swimmer.is_held()) return best_rotation(from, to);
   return orientation_of(swimmer, to) * orientation_of(swimmer, from).transpose();
 }
@@ -63,8 +64,7 @@ std::optional<ShapeCycle> periodic_cycle(const ShapedSwimmer& swimmer, PairTenso
   double smallest = std::numeric_limits<double>::infinity();
   for (int cycle = 0; cycle < max_cycles; ++cycle) {
     start = centred(start);
-    if (swimmer.is_held())
-      start = swimmer.orientation * orientation_of(swimmer, start).transpose() * start;
+    if (swimmer.is_held()) start = swimmer.orientation * orientation_of(swimmer, start).transpose() * start;
     const std::optional<ShapeCycle> motion = integrate_cycle(swimmer, law, start, steps);
     if (!motion) return std::nullopt;
     const BeadVectors end = moved_back(swimmer, *motion);
@@ -170,7 +170,7 @@ PeriodicShapeMotion motion_of(const ShapedSwimmer& swimmer, const ShapeCycle& cy
     const BeadVectors& beads = cycle.beads[s];
     motion.mean_shape += rotation_by(-time * frame.angular_velocity) * centred(beads) / steps;
     motion.power += power_of_drives(type, time, beads, cycle.velocities[s], swimmer.orientation) / steps;
-    motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(type, beads));
+    motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(swimmer, beads));
     lengths.col(s) = bond_lengths(type, beads);
   }
   std::vector<std::complex<double>> amplitudes;

@@ -300,8 +300,7 @@ ShapeMotion second_order_motion(const ShapedSwimmer& swimmer, PairTensorLaw law)
   }
   motion.smallest_gap = std::numeric_limits<double>::infinity();
   for (int m = 0; m < expansion.nodes(); ++m)
-    motion.smallest_gap =
-        std::min(motion.smallest_gap, smallest_gap(swimmer.type, expansion.beads(order, m, 1)));
+    motion.smallest_gap = std::min(motion.smallest_gap, smallest_gap(swimmer, expansion.beads(order, m, 1)));
   return motion;
 }
 
