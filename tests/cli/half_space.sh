@@ -62,6 +62,11 @@ run beadswim-run free.json -o free.h5md "${settings[@]}" --cycles 1
 mv out free-run.json
 run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
 has_status 0
+run beadswim-run <(jq '.flow.velocity = [0.2, 0, 0]' carried.json) -o fast.h5md "${settings[@]}" --cycles 1
+has_status 0
+mv out fast-run.json
+check 'a fast uniform flow changes the motion' holds '[., input] | map(.swimmers[0].cycles[0].velocity[0]) | .[1] - .[0] - 0.2 | fabs < 1e-7' free-run.json fast-run.json
+run beadswim-run carried.json -o carried.h5md "${settings[@]}" --cycles 1
 check 'a uniform flow changes more than the velocity' holds '[., input] | map(.swimmers[0].cycles[0].velocity) | (.[1][0] - .[0][0] - 1e-4 | fabs) < 1e-9 and (.[1][1] - 2e-4 | fabs) < 1e-9' free-run.json out
 
 # --- pages and figures show the wall; the page of docs has the table of its records

@@ -94,9 +94,12 @@ std::string mobility_obstacle(const SceneFacts& facts) {
   return {};
 }
 
-/// Returns the relative error of the mobility of one sphere across a plane no-slip wall, at this height over its
-/// radius: c H^-(4 + 2 n) for moments up to order n, with c as found near the wall (docs/method/half-space.md).
-double wall_error(double height, int order) {
+/// Returns the relative error of the mobility of one sphere across a plane no-slip wall, at this height over
+/// its radius: c H^-(4 + 2 n) for moments up to order n, with c as found near the wall
+/// (docs/method/half-space.md); H^-3 for point forces.
+double wall_error(double height, MobilityModel model, const MobilitySettings& settings) {
+  if (!has_finite_radii(model)) return std::pow(height, -3);
+  const int order = has_moment_order(model) ? settings.multipole_order : 0;
   constexpr std::array coefficients{1.1, 0.7, 0.33};
   return coefficients[order] * std::pow(height, -4 - 2 * order);
 }
@@ -157,7 +160,7 @@ ErrorEstimate mobility_scene_error(const SceneFacts& facts, MobilityModel model,
     return mobility_error(swimmer_facts.representative.question, *swimmer_facts.best, model, settings);
   };
   ErrorEstimate error = scene_error(facts, error_of, model != MobilityModel::unsteady);
-  error.velocity += wall_error(facts.height, has_moment_order(model) ? settings.multipole_order : 0);
+  error.velocity += wall_error(facts.height, model, settings);
   return error;
 }
 

@@ -47,8 +47,10 @@
 namespace beadswim {
 
 enum class OverdampedFaultKind {
-  not_finite,     ///< a position is non-finite
-  speed,          ///< a bead moved by more than its radius in a step; value: displacement [radius]
+  not_finite,  ///< a position is non-finite
+  /// A bead moved by more than its radius in a step, relative to the background flow; value: displacement
+  /// [radius].
+  speed,
   torn_arm,       ///< an arm exceeds twice its rest length; value: length [rest length]
   wall,           ///< the centre of a bead is beyond a wall; value: distance beyond it [length]
   no_slip_wall,   ///< a bead overlaps the wall of a half-space; value: depth of the overlap [radius]
