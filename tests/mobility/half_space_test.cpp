@@ -368,7 +368,7 @@ TEST(HalfSpace, ManySpheresHighAboveTheWallNeedNoLargeMesh) {
 }
 
 /// Velocity of a free sphere in shear flow along a wall, divided by the velocity of this flow at its centre,
-/// by height over radius. Goldman, Cox & Brenner, Chem. Eng. Sci. 22 (1967) 653, table 2.
+/// by height over radius. Goldman, Cox & Brenner, Chem. Eng. Sci. 22 (1967) 653.
 constexpr std::pair<double, double> goldman_velocities[]{
     {3.7622, 0.99436}, {2.3524, 0.97768}, {1.5431, 0.92185}};
 

@@ -378,8 +378,8 @@ double half_turn(const OverdampedScene& scene) {
 }
 
 // A pair of spheres at a fixed distance turns as by Jeffery with the parameter 1 - B, where B is the mobility
-// function of Batchelor & Green, J. Fluid Mech. 56 (1972) 375; B = 16/3 (a/r)^5 far away. The whole turn takes
-// 4 pi/(rate sqrt(1 - (1 - B)^2)).
+// function of Batchelor & Green, J. Fluid Mech. 56 (1972) 375; B = 16/3 (a/r)^5 far away. The whole turn
+// takes 4 pi/(rate sqrt(1 - (1 - B)^2)).
 TEST(BackgroundFlow, ADumbbellTurnsWithJefferysPeriod) {
   const double rate = 0.02, apart = 5;
   const double B = 16.0 / 3 / std::pow(apart, 5);

@@ -109,8 +109,8 @@ TEST(Reduce, KeepsWhatDiffers) {
             }),
             1);
   EXPECT_EQ(cells_with([](Layout& layout, Swimmer& one) { one.driving = layout.types["a"].driving; }), 18);
-  EXPECT_EQ(cells_with([](Layout& layout, Swimmer&) { layout.domain.box->boundary[1] = Boundary::free_slip; }),
-            6);
+  EXPECT_EQ(
+      cells_with([](Layout& layout, Swimmer&) { layout.domain.box->boundary[1] = Boundary::free_slip; }), 6);
 }
 
 // The reduced cell, repeated, has every swimmer of the scene, also where folding meets the cell's faces.

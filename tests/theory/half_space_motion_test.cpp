@@ -23,8 +23,7 @@ ShapedSwimmer towed_bead(const Vec3& force, double height) {
   SwimmerType type;
   type.beads = {{{.radius = 1, .density = 1}, Vec3::Zero()}};
   type.driving.period = 0.01;
-  type.driving.forces = {
-      {.bead = 0, .direction = force.normalized(), .constant = force.norm()}};
+  type.driving.forces = {{.bead = 0, .direction = force.normalized(), .constant = force.norm()}};
   return {.type = type,
           .orientation = Eigen::Matrix3d::Identity(),
           .viscosity = eta,
@@ -42,8 +41,10 @@ TEST(ShapesOverAWall, ATowedBeadMovesAsByTheFormula) {
       const Vec3 expected = stokes * force.cwiseProduct(Vec3(along, along, across));
       const Vec3 rpy = periodic_motion(towed_bead(force, H), rotne_prager_tensor).velocity;
       EXPECT_LT((rpy - expected).norm(), 1e-6 * expected.norm());
-      const Vec3 of_points = stokes * force.cwiseProduct(Vec3(1 - 9 / (16 * H), 1 - 9 / (16 * H), 1 - 9 / (8 * H)));
-      EXPECT_LT((periodic_motion(towed_bead(force, H), oseen_pairs).velocity - of_points).norm(), 1e-6 * expected.norm());
+      const Vec3 of_points =
+          stokes * force.cwiseProduct(Vec3(1 - 9 / (16 * H), 1 - 9 / (16 * H), 1 - 9 / (8 * H)));
+      EXPECT_LT((periodic_motion(towed_bead(force, H), oseen_pairs).velocity - of_points).norm(),
+                1e-6 * expected.norm());
     }
   }
 }
@@ -90,7 +91,8 @@ double far_limit(const std::array<double, 3>& f) {
 //   rate of the pitch angle = -3 p sin 2a/(128 pi eta h^3) (1 + (1 + sin^2 a)/2)      for a slender body
 //
 // A pusher along the wall is attracted and turns parallel to the wall; a puller is repelled and turns away.
-// Berke, Turner, Berg & Lauga, Phys. Rev. Lett. 101 (2008) 038102; Spagnolie & Lauga, J. Fluid Mech. 700 (2012) 105.
+// Berke, Turner, Berg & Lauga, Phys. Rev. Lett. 101 (2008) 038102; Spagnolie & Lauga, J. Fluid Mech. 700
+// (2012) 105.
 TEST(ShapesOverAWall, FarFromItASwimmerFollowsTheImageOfItsDipole) {
   for (const auto& [arms, phase, is_pusher] :
        {std::tuple{std::array{10.0, 20.0}, 1.5, true}, {std::array{20.0, 10.0}, 1.5, false}}) {

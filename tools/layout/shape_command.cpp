@@ -238,9 +238,10 @@ void ShapeCommand::add_kind(const std::string& name, const std::string& help,
 }
 
 ShapeCommand::ShapeCommand(CLI::App& program)
-    : command_(program.add_subcommand("shape",
-                                      "Writes a layout of one swimmer of a kind from the literature. All "
-                                      "flags have defaults; without --box and --half-space, the fluid is unbounded.")) {
+    : command_(program.add_subcommand(
+          "shape",
+          "Writes a layout of one swimmer of a kind from the literature. All "
+          "flags have defaults; without --box and --half-space, the fluid is unbounded.")) {
   command_->require_subcommand(1);
   add_kind<Dumbbell>("dumbbell",
                      "Two beads whose distance oscillates; alone, it does not swim without inertia.",

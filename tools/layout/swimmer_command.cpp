@@ -28,8 +28,9 @@ SwimmerCommand::SwimmerCommand(CLI::App& program)
 
 void SwimmerCommand::run(const CLI::App& program) const {
   LayoutDocument document{
-      .layout = flags_.layout(place_.defines_domain() ? std::vector<std::string>{}
-                                                   : std::vector<std::string>{"--box, --unbounded or --half-space"}),
+      .layout = flags_.layout(place_.defines_domain()
+                                  ? std::vector<std::string>{}
+                                  : std::vector<std::string>{"--box, --unbounded or --half-space"}),
       .provenance = {provenance_record(program)}};
   place_.apply(document.layout);
   require_sound(document.layout, "the flags");

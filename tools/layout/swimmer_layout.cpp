@@ -144,7 +144,7 @@ void PlaceFlags::apply_domain(Domain& domain) const {
       throw InputError("--half-space",
                        "the wall is at the coordinate 0; give the position of the swimmer above it with "
                        "--position");
-    domain.half_space = HalfSpace{static_cast<int>(std::string_view("xyz").find(half_space_))};
+    domain.half_space = half_space_across(half_space_);
     return;
   }
   std::optional<Box>& box = domain.box;

@@ -24,7 +24,7 @@ void check_no_slip_walls(const Layout& layout, const std::string& source) {
 }
 
 /// Throws InputError if the model unsteady cannot treat the domain or the flow.
-void check_unbounded(const Layout& layout, const std::string& source) {
+void check_unsteady_scene(const Layout& layout, const std::string& source) {
   if (layout.domain.half_space)
     throw InputError(
         source + ":/domain/half_space",
@@ -71,7 +71,7 @@ OverdampedSetup overdamped_setup(const Layout& layout, MobilityModel model, cons
   scene.moment_order = has_moment_order(model) ? settings.multipole_order : 0;
   scene.viscosity = layout.fluid.dynamic_viscosity();
   check_no_slip_walls(layout, source);
-  if (model == MobilityModel::unsteady) check_unbounded(layout, source);
+  if (model == MobilityModel::unsteady) check_unsteady_scene(layout, source);
   scene.box = layout.domain.box;
   scene.half_space = layout.domain.half_space;
   scene.flow = layout.flow;

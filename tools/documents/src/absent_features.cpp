@@ -16,8 +16,8 @@ struct AbsentFeature {
 
 const std::array<AbsentFeature, 3>& absent_features() {
   static const std::array<AbsentFeature, 3> features{
-      {{{"background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate",
-         "strain_rate", "velocity_gradient", "pressure_gradient", "wall_velocity", "wall_velocities"},
+      {{{"background_flow", "imposed_flow", "external_flow", "inflow", "shear", "shear_rate", "strain_rate",
+         "velocity_gradient", "pressure_gradient", "wall_velocity", "wall_velocities"},
         "imposed flow has other keys: \"flow\" of the layout for a linear flow of unbounded fluid, "
         "\"body_force\" and moving walls for flow between no-slip walls; remove the key"},
        {{"stroke", "strokes", "prescribed_stroke", "kinematics", "gait", "waveform", "arm_length",

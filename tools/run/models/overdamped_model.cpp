@@ -48,8 +48,8 @@ OverdampedPlan::OverdampedPlan(const Layout& layout, const RunOptions& requested
   announcement = fmt::format(
       "model {}, {} swimmers in {}, relative tolerance {:.3g} of the bead velocities, {} steps per cycle, "
       "on {} ranks",
-      to_text(scene.model), swimmers.size(), in_words(layout.domain), scene.tolerance,
-      steps_per_cycle, communicator.size());
+      to_text(scene.model), swimmers.size(), in_words(layout.domain), scene.tolerance, steps_per_cycle,
+      communicator.size());
 }
 
 std::unique_ptr<Model> OverdampedPlan::make(long) const {

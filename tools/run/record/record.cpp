@@ -85,7 +85,8 @@ void add_errors(RunRecord& record, const ModelPlan& plan, const std::vector<RunW
         ExpectedErrorRecord{.velocity = total.velocity, .arm_amplitudes = total.arm_amplitudes};
   }
   for (SwimmerRecord& swimmer : record.swimmers) {
-    if (!swimmer.cycles.empty()) swimmer.uncertainty = uncertainty_of(swimmer, record.domain.box, plan.expected);
+    if (!swimmer.cycles.empty())
+      swimmer.uncertainty = uncertainty_of(swimmer, record.domain.box, plan.expected);
   }
   record.warnings = plan.warnings;
   record.warnings->insert(record.warnings->end(), after.begin(), after.end());

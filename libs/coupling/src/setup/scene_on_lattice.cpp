@@ -31,15 +31,17 @@ constexpr double smallest_bead = 1;
 
 void require_box(const Layout& layout, const std::string& source) {
   if (!layout.flow.is_zero())
-    throw InputError(source + ":/flow",
-                     fmt::format("a background flow is unbounded, but a lattice ends at its box; use {} rpy or "
-                                 "multipole, or no-slip walls that move or a body force",
-                                 Setting::model));
+    throw InputError(
+        source + ":/flow",
+        fmt::format("a background flow is unbounded, but a lattice ends at its box; use {} rpy or "
+                    "multipole, or no-slip walls that move or a body force",
+                    Setting::model));
   if (layout.domain.half_space)
-    throw InputError(source + ":/domain/half_space",
-                     fmt::format("a half-space is unbounded, but a lattice needs a box; use {} rpy or "
-                                 "multipole, or a box with the boundary no-slip along {}, high above the swimmers",
-                                 Setting::model, "xyz"[layout.domain.half_space->axis]));
+    throw InputError(
+        source + ":/domain/half_space",
+        fmt::format("a half-space is unbounded, but a lattice needs a box; use {} rpy or "
+                    "multipole, or a box with the boundary no-slip along {}, high above the swimmers",
+                    Setting::model, "xyz"[layout.domain.half_space->axis]));
   if (layout.domain.box) return;
   throw InputError(source + ":/domain",
                    fmt::format("the domain is null (unbounded fluid), but a lattice needs a box; make the "

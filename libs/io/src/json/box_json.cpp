@@ -40,8 +40,7 @@ void to_json(Json& json, const Domain& domain) {
 void from_json(const Json& json, Domain& domain) {
   domain = {};
   if (json.is_object() && json.contains("half_space")) {
-    const std::string axis = json.at("half_space").at("axis").get<std::string>();
-    domain.half_space = HalfSpace{static_cast<int>(std::string("xyz").find(axis))};
+    domain.half_space = half_space_across(json.at("half_space").at("axis").get<std::string>());
   } else {
     json.get_to(domain.box);
   }

@@ -76,15 +76,15 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
   return ewald;
 }
 
-/// Returns true if the mesh for the beads and their mirror points is at most so much longer than that for the
-/// beads alone.
-bool fits_mirror_points(const MobilityScene& scene, std::span<const Vec3> positions) {
+/// Returns true if the spheres are at most eight times as high above the wall as their layer is thick.
+/// Otherwise a mesh with their mirror points would be mostly empty.
+bool is_near_wall(const MobilityScene& scene, std::span<const Vec3> positions) {
   if (!scene.half_space) return false;
-  constexpr double max_ratio = 16;
+  constexpr double max_ratio = 8;
   const auto [low, high] =
       std::ranges::minmax(positions, {}, [&](const Vec3& x) { return scene.half_space->height(x); });
   const double thickness = scene.half_space->height(high - low) + 2 * *std::ranges::max_element(scene.radii);
-  return 2 * scene.half_space->height(high) <= max_ratio * thickness;
+  return scene.half_space->height(high) <= max_ratio * thickness;
 }
 
 }  // namespace
@@ -137,7 +137,7 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.lines, scene.box);
   if (scene.box || scene.radii.size() >= min_spheres_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
-  if (parts_->plan) parts_->plan->has_mirror_points = fits_mirror_points(scene, positions);
+  if (parts_->plan) parts_->plan->has_mirror_points = is_near_wall(scene, positions);
   // Roundoff may differ between processors, so all ranks use the plan of rank 0.
   if (parts_->plan) MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   if (highest_moment(scene) > 0) {

@@ -51,8 +51,7 @@ void moment_pairs(int order, const OneSphere& one, MomentPairs& pairs) {
   order == 1 ? moment_pairs_of<1>(one, pairs) : moment_pairs_of<2>(one, pairs);
 }
 
-// The flow of the sources is that of add_moment_flow(). The pressure is p/eta = -sum_d sum_b A_b^d D^(d +
-// e_b) laplacian chi/(8 pi eta).
+// The velocity is that of add_moment_flow(); the pressure: wall_reflection.hpp.
 template <int order, bool has_bilaplacian>
 BEADSWIM_KERNEL void mirror_flow_of(int axis, const PointSources& sources, MirrorFlowParts& flow) {
   constexpr int count = derivative_count(order), high = derivative_count(order + 2), highest = 2 * order + 4;

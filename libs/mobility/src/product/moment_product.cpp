@@ -67,6 +67,10 @@ MomentProduct::MomentProduct(const MobilityScene& scene, const std::optional<Ewa
                                   .half_space = *scene.half_space,
                                   .radii = scene.radii,
                                   .plan = plan});
+  // The strain, and so its power, does not depend on the positions.
+  const std::vector<double> background =
+      projected_background(std::vector<Vec3>(scene.radii.size(), Vec3::Zero()));
+  background_power_ = dot(background, precondition(background));
   if (!plan) return;
   ParticleMesh::Beads beads{{}, scene.viscosity, scene.moment_order, inertial_memory(scene.memory)};
   for (const double radius : with_images(scene.radii, scene.box))
@@ -109,7 +113,7 @@ void MomentProduct::apply(std::span<const Vec3> positions, std::span<const doubl
             self_mobility_scale(degree_of_moment(m), radius) * self_(m, k) * moments[count * b + k];
   }
   if (unresolved_) unresolved_->add_projections(moments, part, projections);
-  if (part == FlowPart::all && !scene_.flow.is_zero()) {
+  if (has_background(part)) {
     const std::vector<double> background = projected_background(positions);
     for (std::size_t k = 0; k < background.size(); ++k) projections[k] += background[k];
   }
@@ -166,21 +170,16 @@ void add_velocities(double factor, std::span<const double> flow, std::span<Vec3>
 /// sphere alone is added.
 double MomentProduct::power(std::span<const Vec3> positions, std::span<const Vec3> forces,
                             std::span<const Vec3> velocities, FlowPart part) const {
-  const bool has_background = part == FlowPart::all && !scene_.flow.is_zero();
-  double sum = 0;
+  const bool has_flow = has_background(part);
+  double sum = has_flow ? background_power_ : 0;
   for (std::size_t b = 0; b < forces.size(); ++b) {
-    if (unresolved_ || has_background) {
+    if (unresolved_ || has_flow) {
       const double mobility = self_(0, 0) / scene_.radii[b];
-      const Vec3 relative =
-          has_background ? Vec3(velocities[b] - scene_.flow.at(positions[b])) : velocities[b];
+      const Vec3 relative = has_flow ? Vec3(velocities[b] - scene_.flow.at(positions[b])) : velocities[b];
       sum += (mobility * forces[b].squaredNorm() + relative.squaredNorm() / mobility) / 2;
     } else {
       sum += forces[b].dot(velocities[b]);
     }
-  }
-  if (has_background) {
-    const std::vector<double> background = projected_background(positions);
-    sum += dot(background, precondition(background));
   }
   return sum;
 }

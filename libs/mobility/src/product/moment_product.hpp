@@ -52,6 +52,8 @@ class MomentProduct {
  private:
   double power(std::span<const Vec3> positions, std::span<const Vec3> forces,
                std::span<const Vec3> velocities, FlowPart part) const;
+  /// Returns true if the product contains a background flow.
+  bool has_background(FlowPart part) const { return part == FlowPart::all && !scene_.flow.is_zero(); }
   /// Returns the projections of the background flow.
   std::vector<double> projected_background(std::span<const Vec3> positions) const;
   /// Returns the moments at the end of a step, extrapolated from earlier steps.
@@ -74,7 +76,8 @@ class MomentProduct {
   std::unique_ptr<ParticleMesh> mesh_;          ///< null: all pairs are summed without a mesh
   std::optional<WallImages> wall_;              ///< nullopt: without half-space
   std::optional<UnresolvedMemory> unresolved_;  ///< nullopt: steady flow
-  Eigen::MatrixXd self_, inverse_self_;         ///< self-mobility of a sphere of radius 1, and its inverse
+  double background_power_ = 0;          ///< power of the background flow's strain on all spheres, each alone
+  Eigen::MatrixXd self_, inverse_self_;  ///< self-mobility of a sphere of radius 1, and its inverse
   std::vector<double> moment_history_;   ///< moments at the end of the last step, and of the step before
   std::vector<double> moments_in_step_;  ///< moments that the last solution with memory has found
 };

@@ -45,7 +45,7 @@ MomentRadials near_radials(double xi, double r, double viscosity, int highest) {
 
 namespace {
 
-/// Boys functions F_0 to F_6 at T >= 0: a series for the last, then the recursion downwards.
+/// Boys functions F_n at T >= 0, up to n = highest_of_pairs: a series for the last, then the recursion downwards.
 void boys_functions(double T, double (&F)[highest_of_pairs + 1]) {
   const double bell = std::exp(-T);
   double term = 1.0 / (2 * highest_of_pairs + 1), sum = 0;

@@ -33,9 +33,9 @@ struct MomentRadials {
 
   MomentRadials operator-() const {
     MomentRadials negative;
-    for (int n = 0; n <= highest_of_pairs; ++n)
+    for (int n = 0; n <= highest_of_mirrors; ++n)
       negative.chi[n] = -chi[n], negative.laplacian[n] = -laplacian[n];
-    for (int n = 0; n <= highest_of_pairs - 2; ++n) negative.bilaplacian[n] = -bilaplacian[n];
+    for (int n = 0; n <= highest_of_mirrors - 2; ++n) negative.bilaplacian[n] = -bilaplacian[n];
     return negative;
   }
 };

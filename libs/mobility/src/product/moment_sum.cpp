@@ -12,10 +12,10 @@ namespace beadswim {
 namespace {
 
 void set_radials(MomentPairs& pairs, int lane, const MomentRadials& radials) {
-  for (int n = 0; n < 7; ++n) {
+  for (int n = 0; n <= highest_of_pairs; ++n) {
     pairs.chi[n][lane] = radials.chi[n];
     pairs.laplacian[n][lane] = radials.laplacian[n];
-    if (n < 5) pairs.bilaplacian[n][lane] = radials.bilaplacian[n];
+    if (n <= highest_of_pairs - 2) pairs.bilaplacian[n][lane] = radials.bilaplacian[n];
   }
 }
 
@@ -85,9 +85,9 @@ void MomentSum::add_overlap(Work& work, int one, int other, const Vec3& d) const
     for (int m = 0; m <= law_.order; ++m) {
       const MomentRadials radials =
           overlap_radials(l, m, work.radii[one], work.radii[other], r, law_.viscosity);
-      double chi[derivative_count(6)], laplacian[derivative_count(6)];
-      cartesian_derivatives<6>(vector, radials.chi, chi);
-      cartesian_derivatives<6>(vector, radials.laplacian, laplacian);
+      double chi[derivative_count(highest_of_pairs)], laplacian[derivative_count(highest_of_pairs)];
+      cartesian_derivatives<highest_of_pairs>(vector, radials.chi, chi);
+      cartesian_derivatives<highest_of_pairs>(vector, radials.laplacian, laplacian);
       const auto add_flow = [&](const double* source, int of, double* flow, int at, double sign) {
         for (int c = 0; c < 3; ++c) {
           for (int e = first[at]; e < first[at + 1]; ++e) {

@@ -61,11 +61,13 @@ struct ParticleMesh::Mesh {
 
   void set_points(const std::array<int, 3>& points);
   void fit_to_beads(std::span<const Vec3> positions);
+  template <class Sample>
+  void for_each_displacement(const Sample& sample) const;
+  double open_scale() const;
   void sample_kernel();
   void sample_pressure_kernel();
   void set_pressure();
-  void gather_mirrors(const HalfSpace& half_space, std::span<const Vec3> positions,
-                      std::span<MirrorFlow> at_mirrors);
+  void gather_mirrors(int axis, std::span<const Vec3> points, std::span<MirrorFlow> at_mirrors);
   void spread(std::span<const Vec3> positions, std::span<const double> sources);
   void gather(std::span<const Vec3> positions, std::span<double> flows);
   double weight_of(std::size_t field, int bead, std::size_t derivative) const;
@@ -185,35 +187,47 @@ void ParticleMesh::Mesh::fit_to_beads(std::span<const Vec3> positions) {
   pressure_kernel.clear();
 }
 
+/// Calls sample(place, d) for each mesh point of this rank in open space, with the vector d from a force to
+/// the point [length].
+template <class Sample>
+void ParticleMesh::Mesh::for_each_displacement(const Sample& sample) const {
+  const auto& n = geometry.points;
+  const auto displacement = [&](int i, int axis) {
+    return (2 * i >= n[axis] ? i - n[axis] : i) * plan.spacing;
+  };
+  for (int i = 0; i < geometry.planes; ++i) {
+    for (int j = 0; j < n[1]; ++j) {
+      const std::ptrdiff_t row = (std::ptrdiff_t{i} * n[1] + j) * geometry.row_length;
+      for (int l = 0; l < n[2]; ++l)
+        sample(row + l,
+               Vec3(displacement(geometry.first_plane + i, 0), displacement(j, 1), displacement(l, 2)));
+    }
+  }
+}
+
+/// Returns the factor of a kernel in open space: volume of a mesh cell over number of mesh points.
+double ParticleMesh::Mesh::open_scale() const {
+  const auto& n = geometry.points;
+  return std::pow(plan.spacing, 3) / (double(n[0]) * n[1] * n[2]);
+}
+
 void ParticleMesh::Mesh::sample_kernel() {
   kernel.assign(fields, std::vector<std::array<double, 6>>(transform->wave_count()));
-  const double share = share_of(plan, geometry, 0);
-  const auto& n = geometry.points;
-  const double scale = std::pow(plan.spacing, 3) / (double(n[0]) * n[1] * n[2]);
+  const double share = share_of(plan, geometry, 0), scale = open_scale();
   std::array<FftwArray, 6> samples;
   for (std::size_t k = 0; k < fields; ++k) {
     for (FftwArray& s : samples) s = transform->array();
-    const auto displacement = [&](int i, int axis) {
-      return (2 * i >= n[axis] ? i - n[axis] : i) * plan.spacing;
-    };
-    for (int i = 0; i < geometry.planes; ++i) {
-      for (int j = 0; j < n[1]; ++j) {
-        const std::ptrdiff_t row = (std::ptrdiff_t{i} * n[1] + j) * geometry.row_length;
-        for (int l = 0; l < n[2]; ++l) {
-          const Vec3 d(displacement(geometry.first_plane + i, 0), displacement(j, 1), displacement(l, 2));
-          const double r = d.norm();
-          const SplitTensor parts = far_tensor(plan.xi, share, r, beads.viscosity);
-          const PairTensor tensor =
-              k == 0 ? parts.sphere_tensor(fields == 1 ? shared_size : 0)
-                     : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
-          const Vec3 unit = r > 0 ? Vec3(d / r) : Vec3::Zero();
-          int c = 0;
-          for (int a = 0; a < 3; ++a)
-            for (int b = a; b < 3; ++b, ++c)
-              samples[c][row + l] = (a == b ? tensor.isotropic : 0) + tensor.axial * unit[a] * unit[b];
-        }
-      }
-    }
+    for_each_displacement([&](std::ptrdiff_t place, const Vec3& d) {
+      const double r = d.norm();
+      const SplitTensor parts = far_tensor(plan.xi, share, r, beads.viscosity);
+      const PairTensor tensor = k == 0 ? parts.sphere_tensor(fields == 1 ? shared_size : 0)
+                                       : PairTensor{parts.laplacian.isotropic / 6, parts.laplacian.axial / 6};
+      const Vec3 unit = r > 0 ? Vec3(d / r) : Vec3::Zero();
+      int c = 0;
+      for (int a = 0; a < 3; ++a)
+        for (int b = a; b < 3; ++b, ++c)
+          samples[c][place] = (a == b ? tensor.isotropic : 0) + tensor.axial * unit[a] * unit[b];
+    });
     for (int c = 0; c < 6; ++c) {
       transform->forward(samples[c]);  // the Fourier transform of an even function is real
       const Complex* waves = as_complex(samples[c]);
@@ -222,31 +236,22 @@ void ParticleMesh::Mesh::sample_kernel() {
   }
 }
 
-/// Samples -grad of the far part of laplacian chi/(8 pi eta), without the windows. Its Fourier transform is
-/// imaginary.
+/// Samples the kernel of p/eta, without the windows.
 void ParticleMesh::Mesh::sample_pressure_kernel() {
   pressure = transform->array();
   pressure_kernel.resize(transform->wave_count());
-  const double share = share_of(plan, geometry, 0);
-  const auto& n = geometry.points;
-  const double scale = std::pow(plan.spacing, 3) / (double(n[0]) * n[1] * n[2]);
-  const FftwArray samples = transform->array();
+  const double share = share_of(plan, geometry, 0), scale = open_scale();
+  std::array<FftwArray, 3> samples;
+  for (FftwArray& s : samples) s = transform->array();
+  for_each_displacement([&](std::ptrdiff_t place, const Vec3& d) {
+    const double factor = far_pressure(plan.xi, share, d.norm(), beads.viscosity);
+    for (int c = 0; c < 3; ++c) samples[c][place] = factor * d[c];
+  });
   for (int c = 0; c < 3; ++c) {
-    const auto displacement = [&](int i, int axis) {
-      return (2 * i >= n[axis] ? i - n[axis] : i) * plan.spacing;
-    };
-    for (int i = 0; i < geometry.planes; ++i) {
-      for (int j = 0; j < n[1]; ++j) {
-        const std::ptrdiff_t row = (std::ptrdiff_t{i} * n[1] + j) * geometry.row_length;
-        for (int l = 0; l < n[2]; ++l) {
-          const Vec3 d(displacement(geometry.first_plane + i, 0), displacement(j, 1), displacement(l, 2));
-          samples[row + l] = far_pressure(plan.xi, share, d.norm(), beads.viscosity) * d[c];
-        }
-      }
-    }
-    transform->forward(samples);
+    transform->forward(samples[c]);  // the Fourier transform of an odd function is imaginary
+    const Complex* waves = as_complex(samples[c]);
     for (std::ptrdiff_t w = 0; w < transform->wave_count(); ++w)
-      pressure_kernel[w][c] = scale * as_complex(samples)[w].imag();
+      pressure_kernel[w][c] = scale * waves[w].imag();
   }
 }
 
@@ -328,17 +333,14 @@ void ParticleMesh::Mesh::gather(std::span<const Vec3> positions, std::span<doubl
   }
 }
 
-void ParticleMesh::Mesh::gather_mirrors(const HalfSpace& half_space, std::span<const Vec3> positions,
+void ParticleMesh::Mesh::gather_mirrors(int axis, std::span<const Vec3> points,
                                         std::span<MirrorFlow> at_mirrors) {
-  std::vector<Vec3> points;
-  points.reserve(positions.size());
-  for (const Vec3& position : positions) points.push_back(half_space.mirrored(position));
   sort(points);
   const std::vector<Vec3> places = in_order(order, points);
   std::vector<MirrorFlow> flows(places.size());
   const std::array<const double*, 4> from{values[0][0].get(), values[0][1].get(), values[0][2].get(),
                                           pressure.get()};
-  moment_kernels().gather_mirror_flows(beads.moment_order, half_space.axis, geometry,
+  moment_kernels().gather_mirror_flows(beads.moment_order, axis, geometry,
                                        {std::ssize(places), places[0].data()}, from.data(), flows.data());
   const double volume = spacing[0] * spacing[1] * spacing[2];
   for (std::size_t s = 0; s < places.size(); ++s) at_mirrors[order[s]].add(volume, flows[s]);
@@ -471,7 +473,7 @@ void ParticleMesh::add_flows_and_mirrors(const HalfSpace& half_space, std::span<
   mesh.multiply(FlowPart::forces);
   mesh.transform->backward(mesh.pressure);
   mesh.gather(positions, flows);
-  mesh.gather_mirrors(half_space, positions, at_mirrors);
+  mesh.gather_mirrors(half_space.axis, std::span(points).subspan(positions.size()), at_mirrors);
 }
 
 void ParticleMesh::read_sources(std::span<const Vec3> positions, std::span<const double> sources) {

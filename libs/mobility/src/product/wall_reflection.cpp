@@ -26,10 +26,6 @@ int lowered(int e, int axis) {
 
 }  // namespace
 
-// Derivative e of products with powers of z, where k is the order of e along z:
-//
-//   D^e (z f) = z D^e f + k D^(e - z) f,   D^e (z^2 f) = z^2 D^e f + 2 k z D^(e - z) f + k (k - 1) D^(e - 2z)
-//   f
 void add_reflected_flow(int order, int axis, double height, const std::array<double, 3>& sizes,
                         const MirrorFlow& at_mirror, double* flow) {
   const int count = derivative_count(order);

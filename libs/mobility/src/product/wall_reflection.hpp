@@ -11,13 +11,21 @@
 //   w(x) = -v(Jx) + 2 z grad phi + z^2 grad q,   phi(x) = v_z(Jx),   q(x) = p(Jx)/eta
 //   laplacian w = grad (q + 2 z d_z q + 4 d_z phi)
 //
-//   z    height of x above the wall [length];  J: mirror at the wall
-//   eta  dynamic viscosity
+// Derivatives of products with powers of z, and the pressure of derivatives of point forces (moment_flow.hpp):
+//
+//   D^e (z f)   = z D^e f + k D^(e - z) f
+//   D^e (z^2 f) = z^2 D^e f + 2 k z D^(e - z) f + k (k - 1) D^(e - 2z) f
+//   q           = - sum_d sum_b A_b^d D^(d + e_b) L/(8 pi eta)
+//
+//   z         height of x above the wall [length]
+//   J         mirror at the wall
+//   eta       dynamic viscosity [mass/(length time)]
+//   k         order of the derivative e along z;  e - z: the derivative of one order less along z
 //
 // At z = 0, w = -v. w and its pressure fulfil the Stokes equations, because phi and q do: laplacian q = 0,
 // laplacian phi = -d_z q.
 //
-// Lorentz, Abh. Theor. Phys. 1 (1907) 23; Kim & Karrila, Microhydrodynamics (1991), section 12.2.2. The flow of
+// Lorentz, Abh. Theor. Phys. 1 (1907) 23; Kim & Karrila, Microhydrodynamics (1991). The flow of
 // one point force is that of Blake, Proc. Camb. Phil. Soc. 70 (1971) 303. Page: docs/method/half-space.md.
 // clang-format on
 

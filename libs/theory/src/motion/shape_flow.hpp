@@ -24,8 +24,8 @@ SwimmerType with_drives_scaled(SwimmerType type, double factor);
 /// Returns the number of the highest harmonic of the drives, at least 1.
 int highest_multiple(const Driving& driving);
 
-/// Returns the smallest gap between the surfaces of two beads, or of a bead and the wall; infinity if there is
-/// neither [length].
+/// Returns the smallest gap between the surfaces of two beads, or of a bead and the wall; infinity if there
+/// is neither [length].
 double smallest_gap(const ShapedSwimmer& swimmer, const BeadVectors& beads);
 
 /// Returns the lengths of the bonds [length].

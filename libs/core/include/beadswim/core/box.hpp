@@ -9,8 +9,8 @@
 #include "beadswim/core/names.hpp"
 #include "beadswim/core/vec3.hpp"
 
-// The domain or box that contains fluid and swimmers, and the periodic and mirror images of points in it. All lengths
-// have the same unit, which is not prescribed.
+// The domain that contains fluid and swimmers: a box with periodic and mirror images, or a half-space. All
+// lengths have the same unit, which is not prescribed.
 
 namespace beadswim {
 

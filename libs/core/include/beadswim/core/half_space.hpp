@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "beadswim/core/vec3.hpp"
 
 namespace beadswim {
@@ -16,5 +18,10 @@ struct HalfSpace {
 
   bool operator==(const HalfSpace&) const = default;
 };
+
+/// Returns the half-space whose wall is across the axis "x", "y" or "z".
+inline HalfSpace half_space_across(std::string_view axis) {
+  return {.axis = static_cast<int>(std::string_view("xyz").find(axis))};
+}
 
 }  // namespace beadswim

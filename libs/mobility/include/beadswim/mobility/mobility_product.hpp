@@ -36,6 +36,10 @@
 // series of this sum leaves out the wavevector k = 0, so the volume flux is zero. The forces in a box should
 // sum to zero.
 //
+// Over the plane no-slip wall of a half-space, mu also contains the flow that the wall adds to that of each
+// sphere (docs/method/half-space.md). In open space and in a half-space a background flow can be added to all
+// velocities.
+//
 // Fewer than 1000 spheres in open space are summed pair by pair, without approximation. Otherwise an Ewald
 // sum is evaluated: the near part is summed over pairs, the far part is evaluated on a mesh (ewald_split.hpp,
 // particle_mesh.hpp). For N spheres the cost of an Ewald sum is proportional to N log N, its memory to N.

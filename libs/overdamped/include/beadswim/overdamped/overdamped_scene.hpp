@@ -20,7 +20,7 @@ struct OverdampedScene : Swarm {
   std::optional<Box> box;  ///< box of the fluid; no value means unbounded fluid
   std::optional<HalfSpace> half_space;
   BackgroundFlow flow;
-  double step = 0;         ///< time step [time]
+  double step = 0;  ///< time step [time]
   /// Largest relative error of the velocities that the mobility product returns. The linear solver of a time
   /// step stops at a relative error of 0.3 times this value.
   double tolerance = 1e-4;

@@ -262,7 +262,7 @@ struct RunRecord {
   Units units;
   Domain domain;
   std::optional<BackgroundFlow> flow;  ///< nullopt: none
-  std::optional<Vec3> body_force;  ///< nullopt: none
+  std::optional<Vec3> body_force;      ///< nullopt: none
   DrivingRecord driving;
   std::vector<SwimmerRecord> swimmers;           ///< empty for more than max_swimmers_listed swimmers
   std::optional<std::vector<SwarmCycle>> swarm;  ///< nullopt for a single swimmer
