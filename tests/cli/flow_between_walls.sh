@@ -66,7 +66,7 @@ beadswim-layout defect jitter walls.json --sigma 0.5 --seed 1 >jittered.json
 check 'a filter loses the velocity of walls' holds '.domain.boundary[2]["no-slip"].upper_velocity[1] == -0.006' jittered.json
 
 # --- refused
-refuses '--box: walls or a body force move the fluid of this layout' beadswim-layout reduce walls.json --box 60,60,60
+refuses '--box: a background flow, walls or a body force move the fluid of this layout' beadswim-layout reduce walls.json --box 60,60,60
 jq '.domain.boundary[0] = "no-slip"' walls.json >bad.json
 refuses 'bad.json:/domain/boundary/2/no-slip/upper_velocity/0: the wall cannot move along x, because no-slip walls close this axis; set this component to 0' \
   beadswim-layout check bad.json
