@@ -271,8 +271,8 @@ void OverdampedSystem::check_faults() {
   for (const PlacedSwimmer& swimmer : scene_.swimmers) {
     const SwimmerType& type = scene_.type_of(swimmer);
     for (std::size_t b = first; b < first + type.beads.size(); ++b) {
-      const Vec3 carried = scene_.step * scene_.flow.at(before[b]);
-      const double moved = (now[b] - before[b] - carried).norm() / radii_[b];
+      const Vec3 drift = scene_.step * scene_.flow.at(before[b]);
+      const double moved = (now[b] - before[b] - drift).norm() / radii_[b];
       const int number = static_cast<int>(b - first) + 1;
       if (!std::isfinite(moved)) record_fault(OverdampedFaultKind::not_finite, swimmer, b, number, moved);
       if (moved > 1) record_fault(OverdampedFaultKind::speed, swimmer, b, number, moved);

@@ -42,7 +42,7 @@ constexpr DerivativeSums derivative_sums = [] {
 /// Terms of the recursion for R(n, d + e_a): the derivatives with one and two orders less along axis a.
 struct DerivativeSteps {
   struct Step {
-    unsigned char axis, once, twice;
+    unsigned char axis, one_less, two_less;
     double factor;
   };
   Step of[DerivativeTable::size]{};
@@ -56,10 +56,10 @@ constexpr DerivativeSteps derivative_steps = [] {
     DerivativeSteps::Step& step = steps.of[d];
     step.axis = static_cast<unsigned char>(axis);
     step.factor = --degree[axis];
-    step.once = static_cast<unsigned char>(derivative_table.index[degree[0]][degree[1]][degree[2]]);
+    step.one_less = static_cast<unsigned char>(derivative_table.index[degree[0]][degree[1]][degree[2]]);
     if (degree[axis] == 0) continue;
     --degree[axis];
-    step.twice = static_cast<unsigned char>(derivative_table.index[degree[0]][degree[1]][degree[2]]);
+    step.two_less = static_cast<unsigned char>(derivative_table.index[degree[0]][degree[1]][degree[2]]);
   }
   return steps;
 }();
@@ -78,8 +78,8 @@ BEADSWIM_KERNEL void cartesian_derivatives(const Value (&r)[3], const Value* rad
     now[0] = radial[n];
     for (int d = 1; d < derivative_count(order - n); ++d) {
       const DerivativeSteps::Step& step = derivative_steps.of[d];
-      now[d] = r[step.axis] * above[step.once];
-      if (step.factor > 0) now[d] += step.factor * above[step.twice];
+      now[d] = r[step.axis] * above[step.one_less];
+      if (step.factor > 0) now[d] += step.factor * above[step.two_less];
     }
   }
 }

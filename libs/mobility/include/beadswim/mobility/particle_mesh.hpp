@@ -75,8 +75,8 @@ class ParticleMesh {
   void add_flows(std::span<const Vec3> positions, std::span<const double> sources, FlowPart part,
                  std::span<double> flows);
 
-  /// Does the same in open space over the wall of a half-space. Adds to at_mirrors[i] also the contribution
-  /// of this rank to the flow at the mirror point of each bead. Collective.
+  /// Adds the flows as add_flows() does, in open space over the wall of a half-space. Adds also the
+  /// contribution of this rank to the flow at the mirror point of each bead to at_mirrors. Collective.
   void add_flows_and_mirrors(const HalfSpace& half_space, std::span<const Vec3> positions,
                              std::span<const double> sources, std::span<double> flows,
                              std::span<MirrorFlow> at_mirrors);
