@@ -341,10 +341,14 @@ TEST(TowedChain, MovesAsARigidRod) {
   EXPECT_LT(resistance[1] / resistance[0], 2);
 }
 
-/// Returns two beads, held at the distance `apart` by a stiff spring, in shear flow u_x = `rate` z.
-OverdampedScene dumbbell_in_shear(double apart, double rate, double step, int order) {
-  SwimmerType type = beads_at({Vec3(0, 0, 0), Vec3(apart, 0, 0)}, 1);
-  add_bond(type, 0, 1, 1000);
+/// Returns a straight chain of beads, held at the distance `apart` by stiff springs, in shear flow
+/// u_x = `rate` z.
+OverdampedScene chain_in_shear(int beads, double apart, double rate, double step, int order) {
+  std::vector<Vec3> places;
+  for (int b = 0; b < beads; ++b) places.push_back(Vec3(apart * (b - 0.5 * (beads - 1)), 0, 0));
+  SwimmerType type = beads_at(places, 1);
+  for (int b = 0; b + 1 < beads; ++b) add_bond(type, b, b + 1, 1000);
+  for (int b = 0; b + 2 < beads; ++b) type.angles.push_back({.beads = {b, b + 1, b + 2}, .stiffness = 1e4});
   OverdampedScene scene = lone(type, 1);
   scene.model = MobilityModel::multipole;
   scene.moment_order = order;
@@ -355,21 +359,17 @@ OverdampedScene dumbbell_in_shear(double apart, double rate, double step, int or
   return scene;
 }
 
-/// Returns the time in which the dumbbell turns by half a turn, from one crossing of the x axis to the next.
+/// Returns the time in which a chain turns by half a turn, from one crossing of the x axis to the next.
 double half_turn(const OverdampedScene& scene) {
   const Communicator world(MPI_COMM_WORLD);
   OverdampedSystem system(scene, world);
-  const auto slope = [&] {
-    const Vec3 line = system.positions()[1] - system.positions()[0];
-    return std::pair{line.z(), line.x()};
-  };
   std::vector<double> crossings;
   double before = 0;
   while (crossings.size() < 2) {
     system.step();
     EXPECT_FALSE(system.fault());
     if (system.fault()) break;
-    const double z = slope().first;
+    const double z = (system.positions().back() - system.positions().front()).z();
     if (z * before < 0 || (before == 0 && system.steps_done() == 1))
       crossings.push_back(system.time() - scene.step * z / (z - before));
     before = z;
@@ -377,16 +377,37 @@ double half_turn(const OverdampedScene& scene) {
   return crossings.size() < 2 ? 0 : crossings[1] - crossings[0];
 }
 
-// A pair of spheres at a fixed distance turns as by Jeffery with the parameter 1 - B, where B is the mobility
-// function of Batchelor & Green, J. Fluid Mech. 56 (1972) 375; B = 16/3 (a/r)^5 far away. The whole turn
-// takes 4 pi/(rate sqrt(1 - (1 - B)^2)).
-TEST(BackgroundFlow, ADumbbellTurnsWithJefferysPeriod) {
+/// Returns B of a straight chain of unit spheres, which turns as by Jeffery with the parameter 1 - B. For a
+/// pair, B = 16/3 (a/r)^5 far away (Batchelor & Green, J. Fluid Mech. 56 (1972) 375). A longer chain: every
+/// pair contributes to the velocities across the chain; the forces that keep it straight have no sum and no
+/// torque: B = x.R w/x.R x, where R is the inverse of Rotne and Prager's mobility across the chain.
+double jeffery_defect(int beads, double apart) {
+  Eigen::VectorXd x(beads), w = Eigen::VectorXd::Zero(beads);
+  Eigen::MatrixXd mobility = Eigen::MatrixXd::Identity(beads, beads);  // times 6 pi eta a
+  for (int i = 0; i < beads; ++i) x[i] = apart * (i - 0.5 * (beads - 1));
+  for (int i = 0; i < beads; ++i) {
+    for (int j = 0; j < beads; ++j) {
+      if (i == j) continue;
+      const double r = std::abs(x[i] - x[j]);
+      w[i] += 16.0 / 3 / std::pow(r, 5) * (x[i] - x[j]) / 2;
+      mobility(i, j) = 3 / (4 * r) * (1 + 2 / (3 * r * r));
+    }
+  }
+  const Eigen::VectorXd Rx = mobility.inverse() * x;
+  return Rx.dot(w) / Rx.dot(x);
+}
+
+// A rigid chain takes 2 pi/(rate sqrt(1 - (1 - B)^2)) for half a turn (Jeffery, Proc. R. Soc. A 102 (1922)
+// 161). B leaves out reflections of flow between beads, of order (a/r)^3.
+TEST(BackgroundFlow, ChainsTurnWithJefferysPeriod) {
   const double rate = 0.02, apart = 5;
-  const double B = 16.0 / 3 / std::pow(apart, 5);
-  const double expected = 2 * pi / (rate * std::sqrt(1 - (1 - B) * (1 - B)));
-  for (const int order : {1, 2}) {
-    const double found = half_turn(dumbbell_in_shear(apart, rate, expected / 1500, order));
-    EXPECT_NEAR(found / expected, 1, 0.01) << order;
+  for (const int beads : {2, 3, 5}) {
+    const double B = jeffery_defect(beads, apart);
+    const double expected = 2 * pi / (rate * std::sqrt(1 - (1 - B) * (1 - B)));
+    for (const int order : {1, 2}) {
+      const double found = half_turn(chain_in_shear(beads, apart, rate, expected / 1500, order));
+      EXPECT_NEAR(found / expected, 1, 4 / std::pow(apart, 3)) << beads << " beads, order " << order;
+    }
   }
 }
 
