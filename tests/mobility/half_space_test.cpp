@@ -323,6 +323,8 @@ TEST_P(FastSumOverWall, EqualsTheSumOverAllPairs) {
   const std::vector<double> moments = random_moments(order, all);
   MobilityScene scene = over_wall(model, all, order);
   scene.tolerance = tolerance;
+  scene.radii = all.radii;
+  EXPECT_TRUE(MobilityProduct(scene, all.places, Communicator(MPI_COMM_WORLD)).plan()->has_mirror_points);
   const std::vector<double> found = projections(scene, all, moments);
   scene.tolerance = 1e-12;
   double error = 0, size = 0;
@@ -359,6 +361,9 @@ TEST(HalfSpace, ManySpheresHighAboveTheWallNeedNoLargeMesh) {
   for (Vec3& place : spheres.places) place.z() += height;
   MobilityScene scene = over_wall(MobilityModel::rpy, spheres);
   scene.tolerance = 1e-4;
+  scene.radii = spheres.radii;
+  const MobilityProduct product(scene, spheres.places, Communicator(MPI_COMM_WORLD));
+  EXPECT_FALSE(product.plan()->has_mirror_points);
   const std::vector<double> moments = random_moments(0, spheres);
   const std::vector<double> found = projections(scene, spheres, moments);
   scene.half_space.reset();

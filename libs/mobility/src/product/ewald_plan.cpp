@@ -18,23 +18,41 @@ struct Work {
   double pair = 1;
   double window_point = 0.1;  ///< per bead and mesh point of its window, for three components
   double mesh_point = 2.5;    ///< per mesh point, for six Fourier transforms
+  /// Over a wall: number of pairs of a bead and a mirror point that take as long as one mesh point.
+  double mirror_pairs_per_mesh_point = 2;
 };
 
 /// By the highest moment of the forces; with moments, there are two fields of three components.
-constexpr std::array<Work, 3> works{Work{}, Work{.pair = 15, .window_point = 0.5, .mesh_point = 5},
-                                    Work{.pair = 60, .window_point = 0.7, .mesh_point = 5}};
+constexpr std::array<Work, 3> works{
+    Work{}, Work{.pair = 15, .window_point = 0.5, .mesh_point = 5, .mirror_pairs_per_mesh_point = 0.6},
+    Work{.pair = 60, .window_point = 0.7, .mesh_point = 5, .mirror_pairs_per_mesh_point = 0.2}};
+
+/// Returns the number of points of a mesh in a box with these edges.
+double mesh_points(const EwaldScene& scene, const EwaldPlan& plan, const Vec3& lengths) {
+  double points = 1;
+  for (const double length : lengths) {
+    const double along = length / plan.spacing;
+    points *= scene.is_periodic ? std::max(along, 2.0) : 2 * (along + plan.window);
+  }
+  return points;
+}
 
 double work(const EwaldScene& scene, const EwaldPlan& plan) {
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
   const double neighbours = 4.0 / 3 * std::numbers::pi * std::pow(plan.cutoff, 3) * scene.beads / volume;
-  double points = 1;
-  for (const double length : scene.lengths) {
-    const double along = length / plan.spacing;
-    points *= scene.is_periodic ? std::max(along, 2.0) : 2 * (along + plan.window);
-  }
   const Work& each = works[scene.moment_order];
   return each.pair * scene.beads * neighbours / 2 +
-         each.window_point * scene.beads * std::pow(plan.window, 3) + each.mesh_point * points;
+         each.window_point * scene.beads * std::pow(plan.window, 3) +
+         each.mesh_point * mesh_points(scene, plan, scene.lengths);
+}
+
+/// Returns true if a mesh that also contains the mirror points takes less time than a sum over all pairs of a
+/// bead and a mirror point.
+bool has_mirror_points(const EwaldScene& scene, const EwaldPlan& plan) {
+  if (!scene.lengths_with_mirror_points) return false;
+  const double points =
+      mesh_points(scene, plan, *scene.lengths_with_mirror_points) - mesh_points(scene, plan, scene.lengths);
+  return works[scene.moment_order].mirror_pairs_per_mesh_point * points < scene.beads * scene.beads;
 }
 
 /// Returns s = xi * cutoff for which the error of the velocities is within the tolerance. The estimate
@@ -95,7 +113,7 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
   if (scene.moment_order > 0) scene.tolerance /= 8;
   // The flow that the wall adds contains derivatives of two higher orders. Without this factor, errors of up
   // to 2.2 times the tolerance were measured for forces alone, and 0.9 times for moments.
-  if (scene.has_wall) scene.tolerance /= scene.moment_order > 0 ? 2 : 4;
+  if (scene.lengths_with_mirror_points) scene.tolerance /= scene.moment_order > 0 ? 2 : 4;
   const double shortest = scene.lengths.minCoeff();
   const double volume = scene.lengths[0] * scene.lengths[1] * scene.lengths[2];
   // The trial cutoffs decrease to the largest bead diameter. The first one is half the shortest edge of a
@@ -121,6 +139,7 @@ EwaldPlan plan_ewald(const EwaldScene& asked) {
       best = plan;
     }
   }
+  best.has_mirror_points = has_mirror_points(scene, best);
   return best;
 }
 

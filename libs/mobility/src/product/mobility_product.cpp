@@ -67,24 +67,17 @@ EwaldScene ewald_scene(const MobilityScene& scene, std::span<const Vec3> positio
                    .beads = std::ldexp(static_cast<double>(scene.radii.size()), mirror_count(scene.box)),
                    .largest_radius = *std::ranges::max_element(scene.radii),
                    .moment_order = highest_moment(scene),
-                   .has_wall = scene.half_space.has_value(),
                    .tolerance = scene.tolerance};
   if (scene.memory) ewald.max_spacing = scene.memory->spacing;
   if (scene.box) return ewald;
   const Bounds bounds(positions);
   for (int a = 0; a < 3; ++a) ewald.lengths[a] = bounds.high[a] - bounds.low[a] + 2 * ewald.largest_radius;
+  if (const auto& half_space = scene.half_space) {
+    ewald.lengths_with_mirror_points = ewald.lengths;
+    (*ewald.lengths_with_mirror_points)[half_space->axis] =
+        2 * (half_space->height(bounds.high) + ewald.largest_radius);
+  }
   return ewald;
-}
-
-/// Returns true if the spheres are at most eight times as high above the wall as their layer is thick.
-/// Otherwise a mesh with their mirror points would be mostly empty.
-bool is_near_wall(const MobilityScene& scene, std::span<const Vec3> positions) {
-  if (!scene.half_space) return false;
-  constexpr double max_ratio = 8;
-  const auto [low, high] =
-      std::ranges::minmax(positions, {}, [&](const Vec3& x) { return scene.half_space->height(x); });
-  const double thickness = scene.half_space->height(high - low) + 2 * *std::ranges::max_element(scene.radii);
-  return scene.half_space->height(high) <= max_ratio * thickness;
 }
 
 }  // namespace
@@ -137,7 +130,6 @@ MobilityProduct::MobilityProduct(MobilityScene scene, std::span<const Vec3> posi
   if (scene.model == MobilityModel::rpy_near) parts_->near_field.emplace(scene.radii, scene.lines, scene.box);
   if (scene.box || scene.radii.size() >= min_spheres_on_mesh)
     parts_->plan = plan_ewald(ewald_scene(scene, positions));
-  if (parts_->plan) parts_->plan->has_mirror_points = is_near_wall(scene, positions);
   // Roundoff may differ between processors, so all ranks use the plan of rank 0.
   if (parts_->plan) MPI_Bcast(&*parts_->plan, sizeof(EwaldPlan), MPI_BYTE, 0, communicator.get());
   if (highest_moment(scene) > 0) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 
 #include "beadswim/core/vec3.hpp"
 
@@ -18,8 +19,10 @@ struct EwaldScene {
   double beads = 0;           ///< number of beads in the box
   double largest_radius = 0;  ///< radius of the largest bead [length]
   int moment_order = 0;       ///< highest moment of the forces (force_moments.hpp)
-  bool has_wall = false;      ///< true: in open space, over the wall of a half-space
   double tolerance = 1e-4;    ///< accepted error of bead velocities, divided by their root mean square
+  /// Open space over the wall of a half-space: edges of the box around all beads and their mirror points
+  /// [length]. nullopt: no wall.
+  std::optional<Vec3> lengths_with_mirror_points{};
   double max_spacing = std::numeric_limits<double>::infinity();  ///< upper bound of the mesh spacing [length]
 };
 
@@ -37,8 +40,8 @@ struct EwaldPlan {
   /// Shape m of the window: at the edge of the window, where it is truncated, the Gaussian has decreased to
   /// exp(-m^2/2) of its maximum.
   double window_shape = 0;
-  /// Over the wall of a half-space: true if the mesh contains the mirror points of the beads. Beads far from
-  /// the wall would need a mesh that is mostly empty.
+  /// Over the wall of a half-space: true if the mesh contains the mirror points of the beads. Few beads far
+  /// from the wall would need a large mesh that is mostly empty.
   bool has_mirror_points = false;
 };
 
