@@ -119,6 +119,10 @@ check 'a bead moves into the wall' holds '.predictions | map(select(.method == "
 jq '.swimmers = [range(6) | {id: ., type: "a", position: [0, 14 * ., 6], axis: [1, 0, 0]}]' over.json >six.json
 run beadswim-layout defect jitter six.json --sigma 3 --seed 1 --repair
 has_status 0
+jq '.swimmers += [.swimmers[0] | .id = 1 | .position[0] += 300]' over.json >two.json
+accepts beadswim-theory two.json --method rpy-ode
+jq '.swimmers[1].position[2] += 1' two.json >bad.json
+refuses 'swimmers 0 and 1 differ' beadswim-theory bad.json --method rpy-ode
 run beadswim-theory over.json --method rpy-perturbation
 has_status 2
 

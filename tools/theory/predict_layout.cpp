@@ -38,6 +38,8 @@ TheorySwimmer theory_swimmer(const Layout& layout, const Swimmer& swimmer, const
     if (shape.is_held())
       shape.place =
           columns_of_beads(rest_positions(type, swimmer.position, shape.orientation)).rowwise().mean();
+    if (const auto& half_space = layout.domain.half_space)  // nothing changes along the wall
+      shape.place = half_space->height(shape.place) * Vec3::Unit(half_space->axis);
     return shape;
   }
   try {
@@ -67,8 +69,9 @@ const Swimmer& find_common_swimmer(const Layout& layout, const std::string& sour
     if (theory_swimmer(layout, other, source) == common) continue;
     throw InputError(
         source, fmt::format("swimmers {} and {} differ, but a prediction is for one swimmer; name the "
-                            "swimmer with --swimmer ID, or make a smaller cell with beadswim-layout reduce",
-                            first.id, other.id));
+                            "swimmer with --swimmer ID{}",
+                            first.id, other.id,
+                            layout.domain.box ? ", or make a smaller cell with beadswim-layout reduce" : ""));
   }
   return first;
 }
