@@ -1,14 +1,14 @@
 #!/bin/bash
 # Swimmers over a no-slip wall and in shear flow: the records and figures of docs/walls.md.
 #
-# usage: docs/results/walls.sh FOLDER [lattice|models|approach|swarm]     default: all; FOLDER: for layouts and trajectories
+# usage: docs/results/walls.sh FOLDER [lattice|models|tilted|approach|swarm]     default: all; FOLDER: for layouts and trajectories
 #
-# Writes the lines of walls.jsonl to standard output. lattice: 20 minutes on one core, the other parts: ten minutes.
+# Writes the lines of walls.jsonl to standard output. lattice, tilted: 20 and 14 minutes on one core, the other parts: ten minutes.
 set -euo pipefail
 export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$1
-parts=${2:-lattice models approach swarm}
+parts=${2:-lattice models tilted approach swarm}
 mkdir -p "$folder"
 cd "$folder"
 
@@ -38,6 +38,20 @@ for part in $parts; do
           # shellcheck disable=SC2086 # the model is followed by its flag
           beadswim-run "over-$height.json" --model $model --cycles 2 -o over.h5md "${quiet[@]}" >record.json
           line "${model/ --multipole-order / order }" "$height" record.json
+        done
+      done
+      ;;
+    tilted) # the second cycle of two points of the figure, by the lattice and by the mobility
+      for point in "16 -10" "24 -20"; do
+        read -r height angle <<<"$point"
+        axis=$(jq -nr --argjson a "$angle" '($a * 3.14159265358979 / 180) | "\(cos),0,\(sin)"')
+        beadswim-layout swimmer "${paper[@]}" --half-space z --position "0,0,$height" "--axis=$axis" >tilted.json
+        beadswim-run tilted.json --model multipole --multipole-order 2 --cycles 2 -o tilted.h5md "${quiet[@]}" >record-half-space.json
+        beadswim-layout swimmer "${paper[@]}" --box 216,160,144 --boundary periodic,periodic,no-slip --position "108.4,80.3,$height" "--axis=$axis" >tilted.json
+        beadswim-run tilted.json --model lbm --cells-per-radius 3 --relaxation-time 2 --precision single --cycles 2 -o tilted.h5md "${quiet[@]}" >record-slit.json
+        for record in record-half-space.json record-slit.json; do
+          jq -c --argjson height "$height" --argjson angle "$angle" '.swimmers[0].cycles[1] as $cycle
+            | {tilted: .model, height_over_radius: ($height / 4), angle: $angle, period: .driving.period, velocity: $cycle.velocity, angular_velocity: $cycle.angular_velocity[1]}' "$record"
         done
       done
       ;;
