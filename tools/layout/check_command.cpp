@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <span>
 
+#include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/io/fields_json.hpp"
 #include "beadswim/theory/scene_numbers.hpp"
 #include "beadswim/tools/program.hpp"
+#include "layout_filter.hpp"
 
 namespace beadswim {
 namespace {
@@ -72,10 +74,18 @@ std::string table_of(const Layout& layout, const SceneNumbers& numbers) {
   return text;
 }
 
-Json json_of(const Layout& layout, const SceneNumbers& numbers) {
-  Json json{{"schema", "beadswim/layout-check/1"}, {"swimmers", layout.swimmers.size()}};
+Json json_of(const LayoutDocument& document, const SceneNumbers& numbers) {
+  Json json{{"schema", "beadswim/layout-check/1"}, {"swimmers", document.layout.swimmers.size()}};
   add_fields(json, numbers);
+  if (!document.study.is_null()) json["study"] = document.study;
   return json;
+}
+
+/// Returns the line above the table of a layout of a stream.
+std::string heading(const StreamMember& member, const Json& study) {
+  std::string values;
+  for (const auto& [name, value] : study.items()) values += fmt::format(", {} = {}", name, value.dump());
+  return fmt::format("layout {}{}\n", member.number, values);
 }
 
 /// Prints a warning for each arm whose predicted amplitude is not smaller than the gap between its two beads.
@@ -100,7 +110,7 @@ CheckCommand::CheckCommand(CLI::App& program)
           "check",
           "Checks a layout and prints its dimensionless numbers. If the layout is invalid, prints each fault "
           "with its place in the file (JSON pointer) and ends with exit status 2.")) {
-  command_->add_option("layout", file_, "Layout file (JSON); - is standard input.")->type_name("FILE");
+  add_layout_files(*command_, files_);
   command_->add_flag("--json", json_, "Print the numbers as JSON instead of a table.");
   set_footer(*command_,
              {"beadswim-layout check layout.json",
@@ -109,10 +119,26 @@ CheckCommand::CheckCommand(CLI::App& program)
 }
 
 void CheckCommand::run() const {
-  const Layout layout = read_layout(file_).layout;
-  const SceneNumbers numbers = scene_numbers(layout);
-  warn_of_collisions(numbers);
-  write_text("-", json_ ? dump_json(json_of(layout, numbers)) : table_of(layout, numbers));
+  DocumentStream stream(files_);
+  const bool is_lines = !stream.is_single() || stream.is_lines();
+  std::string faults;
+  while (const auto member = stream.next()) {
+    try {
+      const LayoutDocument document = layout_of(*member);
+      const SceneNumbers numbers = scene_numbers(document.layout);
+      warn_of_collisions(numbers);
+      if (json_) {
+        const Json json = json_of(document, numbers);
+        write_text("-", is_lines ? dump_json_line(json) : dump_json(json));
+      } else {
+        if (!stream.is_single()) write_text("-", heading(*member, document.study));
+        write_text("-", table_of(document.layout, numbers));
+      }
+    } catch (const InputError& error) {
+      faults += (faults.empty() ? "" : "\n") + std::string(error.what());
+    }
+  }
+  if (!faults.empty()) throw InputError(faults);
 }
 
 }  // namespace beadswim

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace beadswim {
 
@@ -16,7 +17,7 @@ class CheckCommand {
 
  private:
   CLI::App* command_;
-  std::string file_ = "-";
+  std::vector<std::string> files_{"-"};
   bool json_ = false;
 };
 

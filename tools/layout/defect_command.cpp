@@ -8,6 +8,7 @@
 #include "beadswim/core/error.hpp"
 #include "beadswim/documents/layout_document.hpp"
 #include "beadswim/tools/program.hpp"
+#include "layout_filter.hpp"
 #include "sound_layout.hpp"
 
 namespace beadswim {
@@ -142,7 +143,7 @@ CLI::App& DefectCommand::add_kind(const std::string& name, const std::vector<std
                                   const std::string& help, Change change) {
   CLI::App* const kind = command_->add_subcommand(name, help);
   begin_group(*kind, "Options");
-  kind->add_option("layout", file_, "Layout file (JSON); - is standard input.")->type_name("FILE");
+  add_layout_files(*kind, files_);
   kind->add_option("--seed", seed_,
                    "Seed of the random numbers, a whole number from 0; equal seeds give equal changes")
       ->check(whole_number(0, std::numeric_limits<std::int64_t>::max()))
@@ -236,7 +237,6 @@ std::vector<std::size_t> DefectCommand::chosen_swimmers(const Layout& layout) co
 }
 
 void DefectCommand::run(const CLI::App& program) const {
-  LayoutDocument document = read_layout(file_);
   for (const auto& [kind, change] : kinds_) {
     if (!kind->parsed()) continue;
     if (kind->get_option_no_throw("--sigma") && !random_ && !sigma_) {
@@ -244,12 +244,16 @@ void DefectCommand::run(const CLI::App& program) const {
                                            ? "the flag --sigma or --random is missing; give one of them"
                                            : "the flag --sigma is missing; give a value");
     }
-    change(document.layout);
   }
-  if (repair_) repair_overlaps(document.layout);
-  require_sound(document.layout, "the defects", repair_ ? "" : "; --repair moves swimmers apart");
-  document.provenance.push_back(provenance_record(program));
-  write_text("-", dump_json(layout_to_json(document)));
+  filter_layouts(files_, program, FilterOutput::like_input,
+                 [&](const StreamMember&, LayoutDocument document, const auto& emit) {
+                   for (const auto& [kind, change] : kinds_)
+                     if (kind->parsed()) change(document.layout);
+                   if (repair_) repair_overlaps(document.layout);
+                   require_sound(document.layout, "the defects",
+                                 repair_ ? "" : "; --repair moves swimmers apart");
+                   emit(document);
+                 });
 }
 
 }  // namespace beadswim

@@ -46,7 +46,8 @@ class DefectCommand {
 
   CLI::App* command_;
   std::vector<std::pair<CLI::App*, Change>> kinds_;
-  std::string file_ = "-", other_, axis_;
+  std::vector<std::string> files_{"-"};
+  std::string other_, axis_;
   std::optional<double> fraction_, sigma_;
   std::optional<std::int64_t> count_;
   double whole_ = 0;

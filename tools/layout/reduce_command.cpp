@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include "beadswim/core/error.hpp"
-#include "beadswim/documents/layout_document.hpp"
 #include "beadswim/scene/presets.hpp"
 #include "beadswim/scene/reduce.hpp"
 #include "beadswim/tools/program.hpp"
+#include "layout_filter.hpp"
 #include "sound_layout.hpp"
 #include "swimmer_flags.hpp"
 
@@ -17,7 +17,7 @@ ReduceCommand::ReduceCommand(CLI::App& program)
                                  "Writes the smallest periodic box whose copies give the scene of the "
                                  "layout, such as one block of a swarm, or puts a single swimmer in another "
                                  "box.")) {
-  command_->add_option("layout", file_, "Layout file (JSON); - is standard input.")->type_name("FILE");
+  add_layout_files(*command_, files_);
   CLI::Option* tolerance =
       command_
           ->add_option(
@@ -78,10 +78,11 @@ void ReduceCommand::put_in_box(Layout& layout) const {
 }
 
 void ReduceCommand::run(const CLI::App& program) const {
-  LayoutDocument document = read_layout(file_);
-  box_.empty() ? reduce_to_cell(document.layout) : put_in_box(document.layout);
-  document.provenance.push_back(provenance_record(program));
-  write_text("-", dump_json(layout_to_json(document)));
+  filter_layouts(files_, program, FilterOutput::like_input,
+                 [&](const StreamMember&, LayoutDocument document, const auto& emit) {
+                   box_.empty() ? reduce_to_cell(document.layout) : put_in_box(document.layout);
+                   emit(document);
+                 });
 }
 
 }  // namespace beadswim

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "beadswim/scene/layout.hpp"
 
@@ -22,7 +23,8 @@ class ReduceCommand {
   void put_in_box(Layout& layout) const;
 
   CLI::App* command_;
-  std::string file_ = "-", box_;
+  std::vector<std::string> files_{"-"};
+  std::string box_;
   double tolerance_ = 1e-6;
 };
 

@@ -46,6 +46,13 @@ class SwimmerFlags {
   /// lists these flags and `other_missing_flags`.
   Layout layout(const std::vector<std::string>& other_missing_flags) const;
 
+  /// Returns the names of the flags that set one value, without --.
+  static const std::vector<std::string>& single_values();
+  /// Replaces the values for which flags are given in all types and in the fluid of a layout. The angular
+  /// stiffness of a type and the resolution follow if they have their defaults. Throws InputError if a type
+  /// is not a swimmer of three beads on a line; `source`: name of the layout for the message.
+  void apply(Layout& layout, const std::string& source) const;
+
   const std::string& preset() const { return preset_; }  ///< name of the preset; empty if none is given
 
  private:

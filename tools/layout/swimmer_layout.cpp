@@ -91,7 +91,6 @@ void SwimmerFlags::apply_driving(ThreeBeadDriving& driving) const {
     const auto amplitudes = parse_entries(amplitude_, 2);
     driving.amplitude = {amplitudes[0], amplitudes[1]};
   }
-  if (preset_.empty()) driving.phase = std::numbers::pi / 2;
   if (!phase_.empty()) driving.phase = parse_angle(phase_);
   if (std::abs(driving.phase) > 2 * std::numbers::pi && !phase_.ends_with("deg")) {
     fmt::print(
@@ -128,13 +127,47 @@ Layout SwimmerFlags::layout(const std::vector<std::string>& other_missing_flags)
   Layout layout = preset_.empty() ? Layout{} : preset_layout();
   layout.units = fluid_.units();
   fluid_.apply(layout.fluid);
-  ThreeBeadSwimmer swimmer = preset_.empty() ? ThreeBeadSwimmer{} : three_beads(layout.types["a"]);
+  ThreeBeadSwimmer swimmer = preset_.empty() ? ThreeBeadSwimmer{.driving = {.phase = std::numbers::pi / 2}}
+                                             : three_beads(layout.types["a"]);
   apply_beads(swimmer, layout.fluid.density);
   apply_springs(swimmer);
   apply_driving(swimmer.driving);
   const SwimmerType& type = layout.types["a"] = swimmer_type(swimmer);
   if (layout.resolution) layout.resolution = unit_resolution(type, layout.fluid);
   return layout;
+}
+
+const std::vector<std::string>& SwimmerFlags::single_values() {
+  static const std::vector<std::string> names{
+      "radius",    "arm",   "stiffness", "damping", "angular-stiffness", "bead-density",
+      "amplitude", "phase", "period",    "frame",   "viscosity",         "density"};
+  return names;
+}
+
+void SwimmerFlags::apply(Layout& layout, const std::string& source) const {
+  const auto equal = [](double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(b); };
+  const SwimmerType& first = layout.types.begin()->second;
+  const Resolution unit = unit_resolution(first, layout.fluid);
+  const bool has_unit_resolution = layout.resolution &&
+                                   equal(layout.resolution->cells_per_radius, unit.cells_per_radius) &&
+                                   equal(layout.resolution->relaxation_time, unit.relaxation_time);
+  fluid_.apply(layout.fluid);
+  for (auto& [name, type] : layout.types) {
+    std::optional<ThreeBeadSwimmer> swimmer = three_bead_form(type);
+    if (!swimmer)
+      throw InputError(
+          fmt::format("{}:/types/{}", source, name),
+          "this is not a swimmer of three beads on a line, which flags of beadswim-layout swimmer "
+          "describe; name what varies by a JSON pointer, such as /types/a/beads/0/radius");
+    const double angular = swimmer->angular_stiffness;
+    const bool is_default = equal(angular, straightening_stiffness(*swimmer));
+    apply_beads(*swimmer, layout.fluid.density);
+    apply_springs(*swimmer);
+    if (angular_stiffness_.empty() && !is_default) swimmer->angular_stiffness = angular;
+    apply_driving(swimmer->driving);
+    type = swimmer_type(*swimmer);
+  }
+  if (has_unit_resolution) layout.resolution = unit_resolution(first, layout.fluid);
 }
 
 void PlaceFlags::apply_domain(Domain& domain) const {

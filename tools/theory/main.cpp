@@ -1,13 +1,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 #include <map>
-#include <sstream>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/documents/failure_document.hpp"
+#include "beadswim/io/document_stream.hpp"
 #include "beadswim/theory/methods.hpp"
 #include "beadswim/tools/program.hpp"
+#include "beadswim/tools/stream_jobs.hpp"
 #include "predict_layout.hpp"
 
 // beadswim-theory predicts velocity and stroke of a swimmer by all theory methods that can treat it, or by
@@ -35,7 +38,8 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
                               "Predicts the velocity and stroke of one swimmer by every method that can "
                               "treat it, from closed formulas to exact Stokes flow, in unbounded fluid or in "
                               "the layout's box, with and without inertia. Prints the predictions as JSON.");
-  program->add_option("LAYOUT", request.layout_path, "Layout file (JSON); - is standard input.");
+  program->add_option("LAYOUT", request.layout_paths, "Layout files (JSON, JSON Lines); - is standard input.")
+      ->default_str("-");
   begin_group(*program, "Methods");
   program
       ->add_option("--method", request.methods,
@@ -63,22 +67,22 @@ std::unique_ptr<CLI::App> theory_program(TheoryRequest& request) {
       ->check(finite_positive())
       ->capture_default_str();
   begin_group(*program, "Input");
-  program->add_flag(
-      "--jsonl", request.json_lines,
-      "Read one layout per line and write one prediction document per line; stop at the first invalid line.");
+  begin_group(*program, "Streams of layouts");
+  program
+      ->add_option("--jobs", request.jobs,
+                   "Number of processes that treat the layouts of a stream at the same time")
+      ->type_name("N")
+      ->check(whole_number(1, 1024))
+      ->default_str("one per processor");
+  program->add_flag("--jsonl", request.json_lines,
+                    "Write the document on one line also if the input is a single layout.");
   set_footer(*program,
              {"beadswim-theory layout.json >theory.json",
-              "for T in 2400 4800; do \\\n"
-              "beadswim-layout swimmer --preset paper-single --unbounded --period $T --jsonl; done | \\\n"
-              "beadswim-theory --jsonl >sweep.jsonl"},
+              "beadswim-layout swimmer --preset paper-single --unbounded | \\\n"
+              "beadswim-layout vary --over period=2400,4800,9600 | beadswim-theory >study.jsonl"},
              "theory.md");
   program->footer("Methods:\n" + wrapped(method_names(), 2) + "\n" + program->get_footer());
   return program;
-}
-
-/// Returns the name of the layout in messages.
-std::string layout_source(const TheoryRequest& request) {
-  return request.layout_path == "-" ? "standard input" : request.layout_path;
 }
 
 /// Adds this program to the provenance of the document and converts the document to JSON.
@@ -103,58 +107,84 @@ void print_warnings(const PredictionDocument& predicted) {
   print_left_out_methods(predicted.left_out);
 }
 
-/// Counters for input with one layout per line: all layouts, layouts with warnings, layouts with omitted
-/// methods.
-struct Tally {
-  int layouts = 0, warned = 0, incomplete = 0;
+LayoutDocument layout_of(const StreamMember& member) {
+  return layout_from_json(parse_json(member.text, member.source), member.source);
+}
 
-  void count(const PredictionDocument& predicted) {
-    ++layouts;
-    warned += predicted.warnings.empty() ? 0 : 1;
-    incomplete += predicted.left_out.empty() ? 0 : 1;
-  }
+/// What the work on a layout of a stream found, as bits.
+enum Findings { warned = 1, incomplete = 2, failed = 4 };
 
-  void report() const {
-    if (warned > 0)
-      print_to_stderr(fmt::format(
-          "beadswim-theory: {} of {} layouts have warnings: see the key \"warnings\" of each prediction\n",
-          warned, layouts));
-    if (incomplete > 0) {
-      print_to_stderr(
-          fmt::format("beadswim-theory: methods were left out for {} of {} layouts: see the key \"left_out\" "
-                      "of each prediction\n",
-                      incomplete, layouts));
+/// Reads all layouts. Throws InputError if one is invalid. Returns their number.
+int check_layouts(DocumentStream& layouts) {
+  int count = 0;
+  for (; const auto member = layouts.next(); ++count) layout_of(*member);
+  layouts.rewind();
+  return count;
+}
+
+void predict_stream(DocumentStream& layouts, const TheoryRequest& request,
+                    const std::optional<MeasuredStroke>& measured, const CLI::App& program) {
+  const int count = check_layouts(layouts);
+  const auto failure_of = [&](const StreamMember& member, const std::string& reason) {
+    const FailureDocument failure{.program = program.get_name(),
+                                  .member = member.number,
+                                  .reason = reason,
+                                  .study = layout_of(member).study};
+    return MemberResult{dump_json_line(failure_to_json(failure)), failed};
+  };
+  const auto work = [&](const StreamMember& member) {
+    try {
+      const PredictionDocument predicted =
+          predict_layout(layout_of(member), member.source, request, measured);
+      return MemberResult{
+          dump_json_line(predictions_json(predicted, program)),
+          (predicted.warnings.empty() ? 0 : warned) | (predicted.left_out.empty() ? 0 : incomplete)};
+    } catch (const std::exception& error) {
+      return failure_of(member, error.what());
     }
-  }
-};
-
-void predict_lines(const TheoryRequest& request, const std::optional<MeasuredStroke>& measured,
-                   const CLI::App& program) {
-  std::istringstream lines(read_text(request.layout_path));
-  int number = 0;
-  Tally tally;
-  for (std::string line; std::getline(lines, line);) {
-    const std::string source = fmt::format("{} line {}", layout_source(request), ++number);
-    const LayoutDocument layout = layout_from_json(parse_json(line, source), source);
-    const PredictionDocument predicted = predict_layout(layout, source, request, measured);
-    write_text("-", dump_json_line(predictions_json(predicted, program)));
-    tally.count(predicted);
-  }
-  tally.report();
+  };
+  StreamProgress progress(program.get_name(), count);
+  std::map<int, int> layouts_with;  // number of layouts, by finding
+  const auto take = [&](const StreamMember& member, const std::optional<MemberResult>& result) {
+    const MemberResult done =
+        result ? *result : failure_of(member, "the process ended; its memory may not have been sufficient");
+    write_text("-", done.text);
+    for (const int finding : {warned, incomplete, failed})
+      layouts_with[finding] += (done.state & finding) != 0;
+    progress.update(member.number);
+  };
+  for_each_member(layouts, std::min(request.jobs, count), work, take);
+  if (layouts_with[warned] > 0)
+    print_to_stderr(fmt::format(
+        "beadswim-theory: {} of {} layouts have warnings: see the key \"warnings\" of each prediction\n",
+        layouts_with[warned], count));
+  if (layouts_with[incomplete] > 0)
+    print_to_stderr(
+        fmt::format("beadswim-theory: methods were left out for {} of {} layouts: see the key "
+                    "\"left_out\" of each prediction\n",
+                    layouts_with[incomplete], count));
+  if (layouts_with[failed] > 0)
+    throw SolverError(
+        fmt::format("{} of {} layouts have no prediction: see the key \"reason\" of documents "
+                    "with \"status\": \"failed\"",
+                    layouts_with[failed], count));
 }
 
 int run(int argc, char** argv) {
   TheoryRequest request;
+  request.jobs = usable_processors();
   const auto program = theory_program(request);
   if (const auto done = parse_command_line(*program, argc, argv)) return *done;
   std::optional<MeasuredStroke> measured;
   if (request.stroke_path) measured = read_measured_stroke(*request.stroke_path, request.swimmer);
-  if (request.json_lines) {
-    predict_lines(request, measured, *program);
+  DocumentStream layouts(request.layout_paths);
+  if (!layouts.is_single()) {
+    predict_stream(layouts, request, measured, *program);
   } else {
-    const PredictionDocument predicted =
-        predict_layout(read_layout(request.layout_path), layout_source(request), request, measured);
-    write_text("-", dump_json(predictions_json(predicted, *program)));
+    const StreamMember layout = *layouts.next();
+    const PredictionDocument predicted = predict_layout(layout_of(layout), layout.source, request, measured);
+    const Json json = predictions_json(predicted, *program);
+    write_text("-", request.json_lines || layouts.is_lines() ? dump_json_line(json) : dump_json(json));
     print_warnings(predicted);
   }
   return static_cast<int>(ExitStatus::fine);

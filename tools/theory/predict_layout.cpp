@@ -214,6 +214,7 @@ PredictionDocument predict_layout(const LayoutDocument& document, const std::str
   } else {
     predict_shape(std::get<ShapedSwimmer>(treated), layout, request, measured, predicted);
   }
+  predicted.study = document.study;
   predicted.provenance = document.provenance;
   return predicted;
 }

@@ -178,9 +178,14 @@ void append_arguments(const CLI::App& command, Json& arguments) {
   for (const CLI::Option* option : command.get_options()) {
     const bool names_file = option->get_type_name().find("FILE") != std::string::npos;
     if (option->count() == 0 || option->get_positional() || names_file) continue;
-    std::string text = option->get_name();
-    if (option->get_items_expected_max() != 0) text += "=" + CLI::detail::join(option->results(), ",");
-    arguments.push_back(text);
+    const std::string name = option->get_name();
+    if (option->get_items_expected_max() == 0) {
+      arguments.push_back(name);
+    } else if (option->get_delimiter() != '\0') {
+      arguments.push_back(name + "=" + CLI::detail::join(option->results(), ","));
+    } else {
+      for (const std::string& value : option->results()) arguments.push_back(name + "=" + value);
+    }
   }
   for (const CLI::App* chosen : command.get_subcommands()) {
     arguments.push_back(chosen->get_name());

@@ -167,7 +167,9 @@ LayoutDocument layout_from_json(const Json& json, const std::string& source) {
   validate_json(json, version == Version::one ? "layout" : "layout-2", source);
   if (version == Version::two) throw_if_faulty(source, shape_faults(json));
 
-  LayoutDocument document{layout_from(json, version), json.value("provenance", Json::array())};
+  LayoutDocument document{.layout = layout_from(json, version),
+                          .provenance = json.value("provenance", Json::array()),
+                          .study = json.value("study", Json())};
   normalise_axes(document.layout);
   std::vector<DocumentFault> faults;
   for (const LayoutFault& fault : check_layout(document.layout))
@@ -187,6 +189,7 @@ Json layout_to_json(const LayoutDocument& document) {
   Json json{{"schema", version == Version::one ? schema_one : schema_two}, {"units", json_of(layout.units)}};
   add_scene(json, layout, version);
   if (layout.resolution) json["resolution"] = layout.resolution;
+  if (!document.study.is_null()) json["study"] = document.study;
   json["provenance"] = document.provenance;
   return json;
 }

@@ -46,8 +46,9 @@ void require_equal_arms(const Prediction& prediction, const std::string& place) 
 Json predictions_to_json(const PredictionDocument& document) {
   Json json{{"schema", "beadswim/prediction/1"}, {"units", document.units},
             {"swimmer", document.swimmer},       {"predictions", document.predictions},
-            {"left_out", document.left_out},     {"warnings", document.warnings},
-            {"provenance", document.provenance}};
+            {"left_out", document.left_out},     {"warnings", document.warnings}};
+  if (!document.study.is_null()) json["study"] = document.study;
+  json["provenance"] = document.provenance;
   if (document.scene) json["scene"] = scene_to_json(*document.scene);
   return json;
 }
@@ -62,6 +63,7 @@ PredictionDocument predictions_from_json(const Json& json, const std::string& so
     require_equal_arms(document.predictions[p], fmt::format("{}:/predictions/{}", source, p));
   document.left_out = json.value("left_out", document.left_out);
   document.warnings = json.value("warnings", std::vector<std::string>());
+  document.study = json.value("study", Json());
   document.provenance = json.value("provenance", Json::array());
   if (json.contains("scene")) document.scene = scene_from_json(json["scene"], document.units, source);
   return document;

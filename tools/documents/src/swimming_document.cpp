@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "beadswim/core/error.hpp"
+#include "beadswim/io/document_stream.hpp"
 
 namespace beadswim {
 namespace {
@@ -16,32 +16,6 @@ void throw_if_trajectory(const std::string& path) {
   if (!path.ends_with(".h5md")) return;
   throw InputError(path,
                    "the file is a trajectory; give the run record (JSON) that beadswim-run printed with it");
-}
-
-bool is_blank(const std::string& line) {
-  return line.find_first_not_of(" \t\r\n") == std::string::npos;
-}
-
-/// Returns true if the text has several lines and its first line is a complete JSON document.
-bool is_json_lines(const std::string& text) {
-  std::istringstream lines(text);
-  std::string first, next;
-  while (std::getline(lines, first) && is_blank(first)) {
-  }
-  while (std::getline(lines, next) && is_blank(next)) {
-  }
-  return !is_blank(next) && Json::accept(first);
-}
-
-std::vector<SourceJson> documents_by_line(const std::string& text, const std::string& file) {
-  std::vector<SourceJson> documents;
-  std::istringstream lines(text);
-  int number = 0;
-  for (std::string line; std::getline(lines, line);) {
-    const std::string source = fmt::format("{} line {}", file, ++number);
-    if (!is_blank(line)) documents.push_back({source, parse_json(line, source)});
-  }
-  return documents;
 }
 
 RunRecord require_swimmers(RunRecord record, const std::string& source) {
@@ -72,11 +46,14 @@ std::string schema_of(const Json& document) {
 
 std::vector<SourceJson> read_json_documents(const std::string& path, const std::string& wanted) {
   throw_if_trajectory(path);
-  const std::string source = source_name(path);
-  const std::string text = read_text(path);
-  if (is_blank(text)) throw InputError(source, fmt::format("the input is empty; {} is needed here", wanted));
-  if (is_json_lines(text)) return documents_by_line(text, source);
-  return {{source, parse_json(text, source)}};
+  std::vector<SourceJson> documents;
+  DocumentStream stream({path});
+  while (const std::optional<StreamMember> member = stream.next()) {
+    if (member->text.find_first_not_of(" \t\r\n") == std::string::npos)
+      throw InputError(member->source, fmt::format("the input is empty; {} is needed here", wanted));
+    documents.push_back({member->source, parse_json(member->text, member->source)});
+  }
+  return documents;
 }
 
 SwimmingDocument swimming_from_json(const Json& document, const std::string& source) {

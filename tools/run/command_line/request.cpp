@@ -23,10 +23,9 @@ std::string read_text_once(const std::string& path, const Communicator& communic
   return text;
 }
 
-/// Returns the layout without provenance as JSON text, by which two layouts can be compared.
-std::string scene_text(LayoutDocument document) {
-  document.provenance = Json::array();
-  return dump_json(layout_to_json(document));
+/// Returns the layout as JSON text, by which two layouts can be compared.
+std::string scene_text(const LayoutDocument& document) {
+  return dump_json(layout_to_json({.layout = document.layout}));
 }
 
 }  // namespace

@@ -118,6 +118,7 @@ RunRecord make_record(const RunParts& parts, const LayoutDocument& document, con
                         .communication = std::nullopt};
   parts.model.describe(record);
   add_errors(record, parts.plan, parts.model.warnings());
+  if (!document.study.is_null()) record.study = document.study;
   record.provenance = document.provenance;
   record.provenance->push_back(parts.plan.options.provenance);
   return record;

@@ -7,10 +7,11 @@
 
 namespace beadswim {
 
-/// A layout and its provenance, which has one entry for each program that made or changed the layout.
+/// A layout with its provenance, which has one entry for each program that made or changed the layout.
 struct LayoutDocument {
   Layout layout;
   Json provenance = Json::array();
+  Json study{};  ///< object: value of each varied quantity by its name; null: nothing was varied
 };
 
 /// Converts a JSON document to a layout after validation against the schema. Also checks relations between

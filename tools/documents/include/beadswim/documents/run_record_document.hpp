@@ -276,6 +276,7 @@ struct RunRecord {
   std::optional<std::vector<RunWarning>> warnings;    ///< nullopt in older records
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;  ///< nullopt after a fault
+  std::optional<Json> study;                ///< of the layout (layout_document.hpp); nullopt: none
   std::optional<Json> provenance;
   std::optional<Layout> scene;  ///< nullopt for more than max_swimmers_listed swimmers and in older records
 
@@ -300,6 +301,7 @@ struct RunRecord {
     visit("warnings", record.warnings);
     visit("cost", record.cost, omitted_if_none);
     visit("state_sha256", record.state_sha256);
+    visit("study", record.study, omitted_if_none);
     visit("provenance", record.provenance, omitted_if_none);
   }
 };

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+// Streams of JSON documents: files with one document each, or with one document per line (JSON Lines), one
+// after the other.
+
+namespace beadswim {
+
+/// A document of a stream as text.
+struct StreamMember {
+  std::string text;
+  std::string source;  ///< name for messages: the file, with the number of the line in a file of JSON Lines
+  int number = 1;      ///< position in the stream, from 1
+};
+
+/// Reads the documents of files one by one, so that memory does not grow with their number. A file contains
+/// JSON Lines if its first line is a complete document, or if its second line is a complete object. Empty
+/// lines are skipped.
+class DocumentStream {
+ public:
+  /// `paths`: files; - is standard input. What can be read only once (standard input, a pipe) is copied to a
+  /// temporary file. Throws InputError if one cannot be read.
+  explicit DocumentStream(const std::vector<std::string>& paths);
+
+  /// Returns the next document; nullopt at the end. An empty file is one document without text.
+  std::optional<StreamMember> next();
+  /// Goes back to the first document.
+  void rewind();
+
+  /// Returns true if the stream consists of one file with one document.
+  bool is_single() const { return files_.size() == 1 && !files_.front().has_several; }
+  /// Returns true if all documents are lines; a single document may be one, too.
+  bool is_lines() const { return is_lines_; }
+
+ private:
+  struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  struct File {
+    std::string source;
+    std::unique_ptr<std::FILE, CloseFile> stream{};
+    bool is_lines = false, has_several = false;
+  };
+
+  std::vector<File> files_;
+  bool is_lines_ = true;
+  std::size_t file_ = 0;  ///< that of the next document
+  int line_ = 0;          ///< number of lines of it that have been read
+  int number_ = 0;        ///< number of documents that have been read
+};
+
+}  // namespace beadswim

@@ -1,0 +1,116 @@
+#include "beadswim/io/document_stream.hpp"
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/io/json.hpp"
+
+namespace beadswim {
+namespace {
+
+bool is_blank(const std::string& line) {
+  return line.find_first_not_of(" \t\r\n") == std::string::npos;
+}
+
+/// Reads the next line, with its end. Returns false at the end of the file. Throws InputError if the file
+/// cannot be read.
+bool read_line(std::FILE* file, std::string& line, const std::string& source) {
+  char* text = nullptr;
+  std::size_t capacity = 0;
+  errno = 0;
+  const ssize_t length = ::getline(&text, &capacity, file);
+  const std::unique_ptr<char, decltype(&std::free)> owner(text, &std::free);
+  if (length < 0 && std::ferror(file))
+    throw InputError(source, fmt::format("the file cannot be read: {}; name a file, or - for standard input",
+                                         std::strerror(errno)));
+  line.assign(text ? text : "", static_cast<std::size_t>(std::max<ssize_t>(length, 0)));
+  return length >= 0;
+}
+
+bool read_line_with_text(std::FILE* file, std::string& line, const std::string& source) {
+  while (read_line(file, line, source))
+    if (!is_blank(line)) return true;
+  return false;
+}
+
+/// Returns an unnamed temporary file with the rest of a file, at its beginning.
+std::FILE* copy_of(std::FILE* file, const std::string& source) {
+  std::FILE* const copy = std::tmpfile();
+  std::array<char, 1 << 16> part;
+  bool is_written = copy != nullptr;
+  for (std::size_t size; is_written && (size = std::fread(part.data(), 1, part.size(), file)) > 0;)
+    is_written = std::fwrite(part.data(), 1, size, copy) == size;
+  if (is_written && std::fflush(copy) == 0 && !std::ferror(file)) {
+    std::rewind(copy);
+    return copy;
+  }
+  const std::string reason = std::strerror(errno);
+  if (copy) std::fclose(copy);
+  throw InputError(source, fmt::format("the input cannot be copied to a temporary file: {}; write it to a "
+                                       "file and name this file",
+                                       reason));
+}
+
+}  // namespace
+
+DocumentStream::DocumentStream(const std::vector<std::string>& paths) {
+  for (const std::string& path : paths) {
+    File& file = files_.emplace_back(File{.source = path == "-" ? "standard input" : path});
+    const bool is_standard = path == "-";
+    if (!is_standard) file.stream.reset(std::fopen(path.c_str(), "rb"));
+    struct stat status {};
+    const bool is_open = is_standard || (file.stream && ::fstat(::fileno(file.stream.get()), &status) == 0);
+    if (!is_open || S_ISDIR(status.st_mode))
+      throw InputError(path,
+                       S_ISDIR(status.st_mode)
+                           ? "this path is a folder; name a file, or - for standard input"
+                           : fmt::format("the file cannot be read: {}; name a file, or - for standard input",
+                                         std::strerror(errno)));
+    if (is_standard) file.stream.reset(copy_of(stdin, file.source));
+    if (!is_standard && !S_ISREG(status.st_mode)) file.stream.reset(copy_of(file.stream.get(), file.source));
+
+    std::string first, second;
+    const bool has_first = read_line_with_text(file.stream.get(), first, file.source);
+    const bool has_second = has_first && read_line_with_text(file.stream.get(), second, file.source);
+    const bool is_first_complete = has_first && Json::accept(first);
+    file.is_lines = is_first_complete || (has_second && second[0] == '{' && Json::accept(second));
+    file.has_several = file.is_lines && has_second;
+    is_lines_ = is_lines_ && file.is_lines;
+    std::rewind(file.stream.get());
+  }
+}
+
+std::optional<StreamMember> DocumentStream::next() {
+  for (; file_ < files_.size(); ++file_, line_ = 0) {
+    const File& file = files_[file_];
+    StreamMember member{.text = {}, .source = file.source};
+    if (!file.is_lines && line_++ == 0) {
+      for (std::string line; read_line(file.stream.get(), line, file.source);) member.text += line;
+      member.number = ++number_;
+      return member;
+    }
+    while (file.is_lines && read_line(file.stream.get(), member.text, file.source)) {
+      ++line_;
+      if (is_blank(member.text)) continue;
+      member.text.erase(member.text.find_last_not_of("\r\n") + 1);
+      if (file.has_several) member.source = fmt::format("{} line {}", file.source, line_);
+      member.number = ++number_;
+      return member;
+    }
+  }
+  return std::nullopt;
+}
+
+void DocumentStream::rewind() {
+  for (const File& file : files_) std::rewind(file.stream.get());
+  file_ = 0;
+  line_ = number_ = 0;
+}
+
+}  // namespace beadswim

@@ -1,0 +1,96 @@
+#!/bin/bash
+# Studies: layouts that vary, and streams of documents.
+. "$(dirname "$0")/harness.sh"
+
+beadswim-layout swimmer --preset paper-single --unbounded >base.json
+
+# --- vary
+
+accepts beadswim-layout vary base.json --over period=1000:4000:3 --over stiffness=0.02,0.05
+check 'all combinations, the last quantity first' \
+  test "$(jq -c '[.study.period, .study.stiffness]' out | tr '\n' ' ')" = '[1000,0.02] [1000,0.05] [2500,0.02] [2500,0.05] [4000,0.02] [4000,0.05] '
+check 'the layouts have these values' holds -s \
+  'all(.study.period == .types.a.driving.period and .study.stiffness == .types.a.springs[1].stiffness)' out
+check 'the filter is in the provenance' holds -s '.[0].provenance[1].arguments == ["vary", "--over=period=1000:4000:3", "--over=stiffness=0.02,0.05"]' out
+accepts beadswim-layout vary base.json --over period=1000:8000:4:log --over phase=0,45deg,90deg,180deg --together
+check 'values in step' holds -s 'map(.study.period | round) == [1000, 2000, 4000, 8000]
+  and map(.types.a.driving.phase * 180 / 3.141592653589793 | round) == [0, 45, 90, 180]' out
+
+# A flag means what it means for beadswim-layout swimmer.
+for flag in radius=5 arm=30 stiffness=0.05 damping=0.1 angular-stiffness=50 bead-density=2 amplitude=0.1 phase=1 period=900 frame=body viscosity=0.2; do
+  same_bytes "beadswim-layout vary base.json --over $flag | jq 'del(.study, .provenance)'" \
+    "beadswim-layout swimmer --preset paper-single --unbounded --$flag | jq 'del(.provenance)'"
+done
+
+accepts beadswim-layout vary base.json --over /types/a/beads/0/radius=3,5 --over /swimmers/0/position/1=0.5
+check 'pointers set single values' holds -s 'map(.types.a.beads[0].radius) == [3, 5] and .[0].types.a.beads[1].radius == 4' out
+refuses 'base.json with /domain=1, radius=3:/domain: 1.0: the value must be of type object or null' beadswim-layout vary base.json --over /domain=1 --over radius=3
+beadswim-layout shape purcell-chain --unbounded >chain.json
+accepts beadswim-layout vary chain.json --over /types/purcell-chain/beads/0/radius=1,1.5
+beadswim-layout vary base.json --over period=1000,2000 >two.jsonl
+accepts beadswim-layout vary two.jsonl --over radius=3,4
+check 'a filter of streams' holds -s 'map([.study.period, .study.radius]) == [[1000, 3], [1000, 4], [2000, 3], [2000, 4]]' out
+# Overrides of single swimmers stay.
+beadswim-layout swarm --preset paper-uniform | beadswim-layout defect phase --random --seed 1 >swarm.json
+accepts beadswim-layout vary swarm.json --over amplitude=1
+check 'own phases stay' holds -s '.[0].types.a.driving.amplitude == [1, 1] and ([.[0].swimmers[].driving.phase_offset] | unique | length == 9)
+  and all(.[0].swimmers[]; .driving | has("amplitude") | not)' out
+
+refuses 'unknown value "perod"; did you mean "period"' beadswim-layout vary base.json --over perod=1,2
+refuses '"period=a:2:3": "a" is not a finite number' beadswim-layout vary base.json --over period=a:2:3
+refuses 'a range is FROM:TO:COUNT' beadswim-layout vary base.json --over period=1:2
+refuses 'must be a whole number from 2' beadswim-layout vary base.json --over period=1:2:1
+refuses 'needs two numbers above 0' beadswim-layout vary base.json --over period=0:2:3:log
+refuses 'write NAME=' beadswim-layout vary base.json --over period=
+refuses 'write NAME=' beadswim-layout vary base.json --over period
+refuses 'a value is missing' beadswim-layout vary base.json --over period=1,,2
+refuses 'leads to nothing: base.json:/types/a has no key "bead"; did you mean "beads"' beadswim-layout vary base.json --over /types/a/bead=1
+refuses 'has 3 entries, numbered from 0' beadswim-layout vary base.json --over /types/a/beads/3/radius=1
+refuses 'base.json:/units is a single value' beadswim-layout vary base.json --over /units/length=1
+refuses 'leads to a list or an object' beadswim-layout vary base.json --over /types/a=1
+refuses 'named twice' beadswim-layout vary base.json --over period=1,2 --over period=3
+refuses '"period" has 2 values and "phase" has 3' beadswim-layout vary base.json --over period=1,2 --over phase=1,2,3 --together
+refuses 'belongs to a study of "period" already' beadswim-layout vary two.jsonl --over period=3
+refuses 'base.json with radius=40:/types/a/springs/0/rest_length' beadswim-layout vary base.json --over radius=4,40
+refuses 'is not a swimmer of three beads on a line' beadswim-layout vary chain.json --over radius=1
+refuses 'unknown value "bod"; did you mean "body"' beadswim-layout vary base.json --over frame=lab,bod
+refuses 'more than 1000000 layouts' beadswim-layout vary base.json --over period=1:2:1000 --over radius=1:2:1000 --over phase=0,1
+
+# --- streams through filters, check and theory
+
+beadswim-layout vary base.json --over period=2000:8000:7 --over phase=30deg,90deg >study.jsonl
+accepts beadswim-layout check study.jsonl --json
+check 'a line per layout, with its study' holds -s 'length == 14 and all(.study.phase == .types.a.phase)' out
+accepts beadswim-layout check study.jsonl
+out_has '^layout 14, period = 8000'
+beadswim-layout vary swarm.json --over stiffness=0.1,0.2 >swarms.jsonl
+accepts beadswim-layout defect jitter swarms.jsonl --sigma 0.1
+check 'two swarms with the same defects' holds -s 'length == 2 and .[0].swimmers == .[1].swimmers' out
+accepts beadswim-theory study.jsonl --method rpy-ode,rpy-perturbation
+mv out study-theory.jsonl
+check 'a prediction per layout' holds -s 'length == 14 and all(.study.period == .scene.types.a.driving.period)' study-theory.jsonl
+accepts beadswim-theory study.jsonl --method rpy-ode,rpy-perturbation --jobs 3
+check 'the same on any number of processes' cmp <(jq -c 'del(.provenance)' out) <(jq -c 'del(.provenance)' study-theory.jsonl)
+head -3 study.jsonl >some.jsonl
+accepts beadswim-theory base.json some.jsonl --method rpy-ode
+check 'files together' holds -s 'map(has("study")) == [false, true, true, true]' out
+accepts beadswim-theory --method rpy-ode <<<"$(jq -c . base.json)"
+check 'a line in, a line out' test "$(wc -l <out)" -eq 1
+
+jq -c . chain.json | cat some.jsonl - study.jsonl >mixed.jsonl
+run beadswim-theory mixed.jsonl --method rpy-force-repaired --jobs 2
+has_status 3
+err_has '1 of 18 layouts have no prediction'
+check 'a failure in place of the prediction' holds -s 'map(.status == "failed" and .schema == "beadswim/failure/1") == [false, false, false, true] + [range(14) | false]
+  and .[3].member == 4 and (.[3].reason | test("three beads on a line"))' out
+{ cat some.jsonl; jq -c 'del(.fluid)' base.json; } >invalid.jsonl
+refuses 'invalid.jsonl line 4: the object lacks the key "fluid"' beadswim-theory invalid.jsonl
+refuses 'invalid.jsonl line 4: the object lacks the key "fluid"' beadswim-layout vary invalid.jsonl --over radius=3
+{ head -1 some.jsonl; echo '{"schema": '; } >broken.jsonl
+refuses 'broken.jsonl line 2: line 1, column 12: the text ends before' beadswim-theory broken.jsonl
+run beadswim-layout check invalid.jsonl
+has_status 2
+err_has 'invalid.jsonl line 4: the object lacks the key "fluid"'
+refuses 'missing.jsonl: the file cannot be read' beadswim-theory some.jsonl missing.jsonl
+
+finish
