@@ -93,4 +93,75 @@ has_status 2
 err_has 'invalid.jsonl line 4: the object lacks the key "fluid"'
 refuses 'missing.jsonl: the file cannot be read' beadswim-theory some.jsonl missing.jsonl
 
+# --- runs of a stream
+
+beadswim-layout vary base.json --over period=2000:8000:4 --over phase=30deg,90deg >study.jsonl
+runs=(--model rpy --cycles 2 --progress none)
+run beadswim-run study.jsonl "${runs[@]}" -o run-{}.h5md
+has_status 0
+err_has '[1-8] of 8 layouts have warnings'
+mv out runs.jsonl
+check 'a record per layout, in order' holds -s 'map(.study.period) == [2000, 2000, 4000, 4000, 6000, 6000, 8000, 8000]
+  and all(.status == "finished" and .study.phase == .driving.phase)' runs.jsonl
+check 'each record is beside its trajectory' cmp run-3.json <(sed -n 3p runs.jsonl)
+check 'trajectories' test -s run-8.h5md
+beadswim-run <(sed -n 3p study.jsonl) "${runs[@]}" -o alone.h5md >alone.json 2>err
+check 'the record of a run alone' cmp <(jq 'del(.cost, .provenance, .request_sha256)' run-3.json) <(jq 'del(.cost, .provenance)' alone.json)
+
+# The same command repeats nothing; what is missing or was made with other flags is run.
+touch mark
+run beadswim-run study.jsonl "${runs[@]}" -o run-{}.h5md
+check 'the same records' cmp out runs.jsonl
+check 'nothing is run again' test -z "$(find . -name 'run-*' -newer mark)"
+rm run-2.h5md run-5.json
+run beadswim-run study.jsonl "${runs[@]}" -o run-{}.h5md
+check 'the same results' cmp <(jq -c 'del(.cost)' out) <(jq -c 'del(.cost)' runs.jsonl)
+check 'only two were run' test "$(find . -name 'run-*.json' -newer mark | sort | tr '\n' ' ')" = './run-2.json ./run-5.json '
+run beadswim-run study.jsonl "${runs[@]}" --cycles 1 -o run-{}.h5md
+check 'other flags: run again' holds -s 'all(.swimmers[0].cycles | length == 1)' out
+
+# Groups of ranks give the same records.
+for ranks_and_group in '2 1' '2 2' '3 2'; do
+  read -r ranks group <<<"$ranks_and_group"
+  run mpirun -n "$ranks" beadswim-run study.jsonl "${runs[@]}" --ranks-per-run "$group" --no-provenance -o "ranks-$ranks-$group-{}.h5md"
+  has_status 0
+  mv out "ranks-$ranks-$group.jsonl"
+  check "$ranks ranks in groups of $group: the same results" cmp <(jq -c 'del(.provenance, .cost, .request_sha256)' runs.jsonl) <(jq -c 'del(.request_sha256)' "ranks-$ranks-$group.jsonl")
+done
+
+# A campaign that is killed at any moment ends with the same records.
+beadswim-layout vary base.json --over phase=30deg:150deg:24 >campaign.jsonl
+campaign=(--model multipole --multipole-order 2 --cycles 3 --progress none --no-provenance)
+beadswim-run campaign.jsonl "${campaign[@]}" -o whole-{}.h5md >whole.jsonl 2>err
+for pause in 0.3 0.7 1.1; do
+  mpirun -n 2 beadswim-run campaign.jsonl "${campaign[@]}" -o killed-{}.h5md >killed.jsonl 2>err &
+  sleep "$pause"
+  pkill -9 -f 'beadswim-run campaign.jsonl'
+  wait
+done 2>jobs
+run mpirun -n 2 beadswim-run campaign.jsonl "${campaign[@]}" -o killed-{}.h5md
+has_status 0
+check 'the same records' cmp out whole.jsonl
+
+# A time limit stops the stream; the same command goes on.
+run beadswim-run campaign.jsonl "${campaign[@]}" --time-limit 0.5 -o limited-{}.h5md
+has_status 4
+err_has 'after [0-9]+ of 24 layouts; the same command goes on'
+check 'the records so far' cmp out <(head -n "$(wc -l <out)" whole.jsonl)
+
+# A layout that cannot be run does not stop the others.
+jq -c '.domain = {lengths: [60, 30, 30], boundary: ["periodic", "periodic", "periodic"]} | .swimmers[0].position = [30, 15, 15]' base.json |
+  cat - some.jsonl >mixed.jsonl
+run beadswim-run mixed.jsonl --model lbm --cells-per-radius 2 --cycles 0.05 --progress none -o mixed-{}.h5md
+has_status 3
+err_has '3 of 4 layouts have no result'
+check 'failures' holds -s 'map(.status) == ["finished", "failed", "failed", "failed"] and .[1].member == 2 and (.[1].reason | test("lattice needs a box"))' out
+refuses 'each of the 8 layouts needs a trajectory of its own; write \{\} once' beadswim-run study.jsonl "${runs[@]}" -o run.h5md
+refuses 'is for a single layout' beadswim-run study.jsonl --plan -o run-{}.h5md
+refuses '--ranks-per-run: 2 is more than the 1 ranks' beadswim-run study.jsonl "${runs[@]}" --ranks-per-run 2 -o run-{}.h5md
+refuses 'invalid.jsonl line 4: the object lacks the key "fluid"' beadswim-run invalid.jsonl "${runs[@]}" -o invalid-{}.h5md
+check 'nothing was run' test ! -e invalid-1.h5md
+accepts beadswim-run base.json "${runs[@]}" -o single-{}.h5md
+check 'one layout is a stream, too' test -s single-1.json -a "$(wc -l <out)" -eq 1
+
 finish

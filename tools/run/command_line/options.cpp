@@ -177,6 +177,13 @@ void add_outputs(CLI::App& program, RunOptions& options) {
       ->type_name("C")
       ->check(finite_positive())
       ->default_str("none");
+  program
+      .add_option("--ranks-per-run", options.ranks_per_run,
+                  "Number of ranks that run one layout of a stream together; several layouts run at the same "
+                  "time")
+      ->type_name("N")
+      ->check(whole_number(1, 10000000))
+      ->default_str("as few as keep all ranks busy");
   add_choice(program, "--progress", options.progress,
              "Form of the progress messages on standard error; auto is bar on a terminal, otherwise lines. "
              "All except bar are printed every 10 s");
@@ -186,12 +193,16 @@ void add_outputs(CLI::App& program, RunOptions& options) {
 
 /// Adds all flags to the program. The provenance record lists the flags in this order.
 void add_flags(CLI::App& program, RunOptions& options) {
-  program.add_option("LAYOUT", options.layout, "Layout file (JSON); - is standard input.");
+  program.add_option("LAYOUT", options.layouts, "Layout files (JSON, JSON Lines); - is standard input.")
+      ->default_str("-");
   begin_group(program, "Output");
   program
-      .add_option("-o,--output", options.output,
-                  "Trajectory file to write (H5MD); an existing file is replaced when the run ends. Required "
-                  "without --restart")
+      .add_option(
+          "-o,--output", options.output,
+          "Trajectory file to write (H5MD); an existing file is replaced when the run ends. Required "
+          "without --restart. For a stream of layouts, {} in the name is the number of the layout, and "
+          "each record is also written to NAME.json beside NAME.h5md; the same command does not repeat "
+          "runs whose records are there.")
       ->type_name("FILE.h5md")
       ->default_str("");
   add_model(program, options);

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "beadswim/core/names.hpp"
+#include "beadswim/documents/run_record_document.hpp"
 #include "beadswim/io/json.hpp"
 #include "beadswim/plan/run_settings.hpp"
 
@@ -25,7 +26,7 @@ inline constexpr auto name_table<ProgressStyle> =
 
 /// The command line of beadswim-run.
 struct RunOptions {
-  std::string layout = "-";
+  std::vector<std::string> layouts{"-"};
   std::string output;
   RunSettings settings;              ///< the model is `automatic` until a plan has chosen one
   bool plan = false;                 ///< true: prints the plan and does not run
@@ -34,9 +35,14 @@ struct RunOptions {
   std::string restart;               ///< checkpoint or trajectory; empty: begins at time 0
   std::optional<double> time_limit;  ///< wall time [s]
   ProgressStyle progress = ProgressStyle::automatic;
+  std::optional<int> ranks_per_run;  ///< of a stream; nullopt: as few as keep all ranks busy
   bool with_provenance = true;
   Json provenance;              ///< provenance record of this program
   std::set<std::string> given;  ///< long names of the flags on the command line; "LAYOUT" if it is there
+
+  RecordProvenance record_provenance() const {
+    return with_provenance ? RecordProvenance::written : RecordProvenance::left_out;
+  }
 };
 
 /// Values of flags as text, by the name of the flag.

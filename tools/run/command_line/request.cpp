@@ -7,22 +7,6 @@
 namespace beadswim {
 namespace {
 
-/// Reads a file, or standard input, on rank 0 and returns its text on all ranks, because standard input is
-/// available on rank 0 only. Throws InputError on all ranks if rank 0 cannot read the file.
-std::string read_text_once(const std::string& path, const Communicator& communicator) {
-  std::string text, failure;
-  if (communicator.is_root()) {
-    try {
-      text = read_text(path);
-    } catch (const InputError& error) {
-      failure = error.what();
-    }
-  }
-  for (std::string* shared : {&text, &failure}) broadcast(*shared, communicator);
-  if (!failure.empty()) throw InputError(failure);
-  return text;
-}
-
 /// Returns the layout as JSON text, by which two layouts can be compared.
 std::string scene_text(const LayoutDocument& document) {
   return dump_json(layout_to_json({.layout = document.layout}));
@@ -49,17 +33,14 @@ std::variant<Request, int> read_request(int argc, char** argv, const Communicato
   return request;
 }
 
-LayoutDocument read_layout(const Request& request, const Communicator& communicator) {
-  const RunOptions& options = request.options;
+LayoutDocument read_layout(const Request& request, const std::optional<std::string>& given) {
   const auto parse = [](const std::string& text, const std::string& name) {
     return layout_from_json(parse_json(text, name), name);
   };
-  const auto given = [&] { return parse(read_text_once(options.layout, communicator), request.source()); };
-  const bool is_given = !request.checkpoint || options.given.contains("LAYOUT");
-  if (is_given) require_other_file(options.layout, options.output);
-  if (!request.checkpoint) return given();
+  if (given) require_other_file(request.options.layouts.front(), request.options.output);
+  if (!request.checkpoint) return parse(given.value(), request.source());
   const LayoutDocument kept = parse(layout_of(*request.checkpoint), request.checkpoint->path());
-  if (is_given && scene_text(given()) != scene_text(kept)) {
+  if (given && scene_text(parse(*given, request.source())) != scene_text(kept)) {
     throw InputError(request.source(),
                      "this layout is not the layout of the checkpoint's run; leave the layout out, or begin "
                      "without --restart");

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <variant>
 
 #include "beadswim/documents/layout_document.hpp"
@@ -15,8 +17,13 @@ struct Request {
   std::unique_ptr<CheckpointReader> checkpoint;  ///< nullptr: the run begins at time 0
   long steps_done = 0;                           ///< number of time steps before the checkpoint
 
+  std::string name;  ///< of the layout of a stream, for messages
+
   /// Returns the name of the layout in messages.
-  std::string source() const { return options.layout == "-" ? "standard input" : options.layout; }
+  std::string source() const {
+    if (!name.empty()) return name;
+    return options.layouts.front() == "-" ? "standard input" : options.layouts.front();
+  }
   /// Returns true if the run continues from a checkpoint and writes to the trajectory of the earlier run.
   bool continues_same_trajectory() const;
 };
@@ -26,8 +33,8 @@ struct Request {
 /// checkpoint is invalid. Collective.
 std::variant<Request, int> read_request(int argc, char** argv, const Communicator& communicator);
 
-/// Reads the layout from the file that the command line names, or from the checkpoint. Throws InputError on
-/// all ranks if the layout is invalid, or if file and checkpoint contain different layouts. Collective.
-LayoutDocument read_layout(const Request& request, const Communicator& communicator);
+/// Returns the layout from `given`, the text that the command line names, or from the checkpoint. Throws
+/// InputError if the layout is invalid, or if text and checkpoint contain different layouts.
+LayoutDocument read_layout(const Request& request, const std::optional<std::string>& given);
 
 }  // namespace beadswim

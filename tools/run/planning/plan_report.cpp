@@ -96,7 +96,7 @@ std::string shell_word(const std::string& text) {
 
 /// Returns the command that writes the layout which a plan proposes instead of the present one.
 std::string command_of(const Proposal& proposal, const RunOptions& options) {
-  const std::string command = "beadswim-layout reduce " + shell_word(options.layout);
+  const std::string command = "beadswim-layout reduce " + shell_word(options.layouts.front());
   if (!proposal.box) return command;
   const Vec3& box = *proposal.box;
   return fmt::format("{} --box {},{},{}", command, box[0], box[1], box[2]);

@@ -277,6 +277,7 @@ struct RunRecord {
   std::optional<RunCost> cost;
   std::optional<std::string> state_sha256;  ///< nullopt after a fault
   std::optional<Json> study;                ///< of the layout (layout_document.hpp); nullopt: none
+  std::optional<std::string> request_sha256;  ///< nullopt: not of a stream
   std::optional<Json> provenance;
   std::optional<Layout> scene;  ///< nullopt for more than max_swimmers_listed swimmers and in older records
 
@@ -302,6 +303,7 @@ struct RunRecord {
     visit("cost", record.cost, omitted_if_none);
     visit("state_sha256", record.state_sha256);
     visit("study", record.study, omitted_if_none);
+    visit("request_sha256", record.request_sha256, omitted_if_none);
     visit("provenance", record.provenance, omitted_if_none);
   }
 };

@@ -1,0 +1,303 @@
+#include "stream.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "beadswim/core/error.hpp"
+#include "beadswim/core/sha256.hpp"
+#include "beadswim/core/version.hpp"
+#include "beadswim/documents/failure_document.hpp"
+#include "beadswim/tools/program.hpp"
+#include "beadswim/tools/stream_jobs.hpp"
+#include "one_run.hpp"
+#include "stop_signal.hpp"
+
+namespace beadswim {
+namespace {
+
+constexpr const char* number_mark = "{}";  ///< in --output: place of the number of a layout
+
+LayoutDocument layout_of(const StreamMember& member) {
+  return layout_from_json(parse_json(member.text, member.source), member.source);
+}
+
+/// Throws InputError on all ranks if `failure`, the message of rank 0, is not empty. Collective.
+void throw_together(std::string failure, const Communicator& communicator) {
+  broadcast(failure, communicator);
+  if (!failure.empty()) throw InputError(failure);
+}
+
+/// Ranks that run one layout together.
+std::unique_ptr<Communicator> group_of(const Communicator& communicator, int ranks_per_run) {
+  const int groups = communicator.size() / ranks_per_run;
+  MPI_Comm own = MPI_COMM_NULL;
+  MPI_Comm_split(communicator.get(), std::min(communicator.rank() / ranks_per_run, groups - 1),
+                 communicator.rank(), &own);
+  auto group = std::make_unique<Communicator>(own);
+  MPI_Comm_free(&own);
+  return group;
+}
+
+/// Two counters on rank 0, which rank 0 of every group may read and raise at any time.
+class SharedCounters {
+ public:
+  enum Counter { claimed, done };
+
+  explicit SharedCounters(const Communicator& communicator) {
+    long* memory = nullptr;
+    const MPI_Aint bytes = communicator.is_root() ? 2 * sizeof(long) : 0;
+    MPI_Win_allocate(bytes, sizeof(long), MPI_INFO_NULL, communicator.get(), &memory, &window_);
+    if (communicator.is_root()) std::fill_n(memory, 2, 0);
+    MPI_Win_lock_all(0, window_);
+    MPI_Win_sync(window_);
+    MPI_Barrier(communicator.get());
+  }
+  ~SharedCounters() {
+    MPI_Win_unlock_all(window_);
+    MPI_Win_free(&window_);
+  }
+  SharedCounters(const SharedCounters&) = delete;
+  SharedCounters& operator=(const SharedCounters&) = delete;
+
+  /// Adds a number to a counter. Returns its former value.
+  long add(Counter counter, long number) {
+    long former = 0;
+    MPI_Fetch_and_op(&number, &former, MPI_LONG, 0, counter, MPI_SUM, window_);
+    MPI_Win_flush(0, window_);
+    return former;
+  }
+
+ private:
+  MPI_Win window_ = MPI_WIN_NULL;
+};
+
+/// Names of the files of one layout, and the hash by which its record is found again.
+struct MemberRun {
+  RunOptions options;
+  std::string record_path;
+  std::string request_sha256;
+};
+
+MemberRun member_run(const RunOptions& options, const LayoutDocument& document, int number) {
+  MemberRun run{.options = options, .record_path = {}, .request_sha256 = {}};
+  std::string& output = run.options.output;
+  output.replace(output.find(number_mark), 2, std::to_string(number));
+  run.record_path = std::filesystem::path(output).replace_extension(".json");
+  std::string text =
+      version() + dump_json(layout_to_json({.layout = document.layout, .study = document.study}));
+  for (const FlagValues& flags : {result_flags(options.settings), length_and_output_flags(options.settings)})
+    for (const auto& [flag, value] : flags) text += fmt::format("\n{}={}", flag, value);
+  text += fmt::format("\n{}\n{}", options.tolerance.value_or(0), options.with_provenance);
+  Sha256 hash;
+  hash.update(std::as_bytes(std::span(text)));
+  run.request_sha256 = hash.hexadecimal();
+  return run;
+}
+
+/// Returns the record of an earlier run of the same layout with the same flags; null if there is none.
+Json earlier_record(const MemberRun& run) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(run.record_path, ignored)) return nullptr;
+  try {
+    Json record = parse_json(read_text(run.record_path), run.record_path);
+    const bool is_same = record.is_object() && record.value("request_sha256", Json()) == run.request_sha256;
+    const bool is_complete = is_failure(record) || std::filesystem::exists(run.options.output, ignored);
+    return is_same && is_complete ? record : Json();
+  } catch (const InputError&) {  // not a record, which the new one replaces
+    return nullptr;
+  }
+}
+
+void write_record(Json record, const MemberRun& run) {
+  record["request_sha256"] = run.request_sha256;
+  write_text(run.record_path, dump_json_line(record));
+}
+
+/// Prints the records on rank 0, in the order of the layouts, as far as they are there.
+class RecordPrinter {
+ public:
+  RecordPrinter(const LayoutStream& layouts, const RunOptions& options)
+      : layouts_(layouts), options_(options) {}
+
+  void print_available() {
+    for (; printed_ < layouts_.size(); ++printed_) {
+      const int number = printed_ + 1;
+      const Json record = earlier_record(member_run(options_, layout_of(layouts_.member(number)), number));
+      if (record.is_null()) return;
+      write_text("-", dump_json_line(record));
+      failed_ += record.value("status", "") != to_text(RunStatus::finished);
+      warned_ += !record.value("warnings", Json::array()).empty();
+    }
+  }
+
+  int printed() const { return printed_; }
+  int failed() const { return failed_; }
+  int warned() const { return warned_; }
+
+ private:
+  const LayoutStream& layouts_;
+  const RunOptions& options_;
+  int printed_ = 0, failed_ = 0, warned_ = 0;
+};
+
+/// Runs one layout, unless its record exists. Returns false if a signal or the time limit stopped the run.
+/// Collective for the group.
+bool run_member(const StreamMember& member, const RunOptions& options, double start,
+                const Communicator& group, const Communicator& failures) {
+  const LayoutDocument document = layout_of(member);
+  const MemberRun run = member_run(options, document, member.number);
+  int is_done = group.is_root() && !earlier_record(run).is_null();
+  MPI_Bcast(&is_done, 1, MPI_INT, 0, group.get());
+  if (is_done) return true;
+  Request request;
+  request.options = run.options;
+  request.name = member.source;
+  RunOutcome outcome;
+  Json record;
+  try {
+    outcome = run_layout(
+        document, request, start,
+        [&](const RunRecord& made) { record = run_record_to_json(made, options.record_provenance()); }, group,
+        failures);
+  } catch (const InputError& error) {
+    record = failure_to_json(
+        {.program = program_name, .member = member.number, .reason = error.what(), .study = document.study});
+  }
+  if (outcome.status == RunStatus::stopped_time || outcome.status == RunStatus::stopped_signal) return false;
+  if (group.is_root()) write_record(record, run);
+  return true;
+}
+
+/// Returns the number of ranks of each group: that of --ranks-per-run, or as few as keep all ranks busy.
+int ranks_per_run(const RunOptions& options, int layouts, int ranks) {
+  if (!options.ranks_per_run) return std::max(1, ranks / layouts);
+  if (*options.ranks_per_run <= ranks) return *options.ranks_per_run;
+  throw InputError("--ranks-per-run", fmt::format("{} is more than the {} ranks of this program; give a "
+                                                  "smaller number, or more ranks with mpirun -n",
+                                                  *options.ranks_per_run, ranks));
+}
+
+void check_flags(const LayoutStream& layouts, const RunOptions& options) {
+  refuse_flags(options, {"--restart", "--plan"}, "is for a single layout; leave it out");
+  const std::size_t mark = options.output.find(number_mark);
+  if (mark == std::string::npos || options.output.find(number_mark, mark + 1) != std::string::npos)
+    throw InputError("--output", fmt::format("\"{}\": each of the {} layouts needs a trajectory of its own; "
+                                             "write {{}} once in the name, for the number of the layout, "
+                                             "such as -o run-{{}}.h5md",
+                                             options.output, layouts.size()));
+}
+
+}  // namespace
+
+LayoutStream::LayoutStream(const Request& request, const Communicator& communicator) {
+  const RunOptions& options = request.options;
+  std::string failure;
+  std::optional<DocumentStream> stream;
+  if (communicator.is_root() && !(request.checkpoint && !options.given.contains("LAYOUT"))) {
+    try {
+      stream.emplace(options.layouts);
+      is_stream_ = !stream->is_single() || options.output.find(number_mark) != std::string::npos;
+      for (std::optional<StreamMember> member; is_stream_ && (member = stream->next());) layout_of(*member);
+      stream->rewind();
+    } catch (const InputError& error) {
+      failure = error.what();
+    }
+  }
+  throw_together(failure, communicator);
+  MPI_Bcast(&is_stream_, 1, MPI_C_BOOL, 0, communicator.get());
+  file_.reset(std::tmpfile());
+  if (!file_)
+    throw SolverError(
+        fmt::format("a temporary file cannot be created: {}; set TMPDIR to a folder with free "
+                    "space",
+                    std::strerror(errno)));
+  for (;;) {
+    std::optional<StreamMember> member = stream ? stream->next() : std::nullopt;
+    int is_left = member.has_value();
+    MPI_Bcast(&is_left, 1, MPI_INT, 0, communicator.get());
+    if (!is_left) break;
+    if (!member) member.emplace();
+    for (std::string* text : {&member->text, &member->source}) broadcast(*text, communicator);
+    add(*member);
+  }
+}
+
+void LayoutStream::add(const StreamMember& member) {
+  members_.push_back({.start = bytes_, .source = member.source});
+  bytes_ += std::ssize(member.text);
+  if (std::fwrite(member.text.data(), 1, member.text.size(), file_.get()) != member.text.size())
+    throw SolverError(
+        fmt::format("a temporary file cannot be written: {}; set TMPDIR to a folder with free "
+                    "space",
+                    std::strerror(errno)));
+}
+
+StreamMember LayoutStream::member(int number) const {
+  const Member& member = members_.at(number - 1);
+  const std::int64_t end = number < size() ? members_[number].start : bytes_;
+  StreamMember read{.text = std::string(end - member.start, '\0'), .source = member.source, .number = number};
+  if (std::fseek(file_.get(), member.start, SEEK_SET) != 0 ||
+      std::fread(read.text.data(), 1, read.text.size(), file_.get()) != read.text.size())
+    throw SolverError("a temporary file cannot be read; set TMPDIR to a folder on another disk");
+  return read;
+}
+
+int run_stream(const LayoutStream& layouts, const Request& request, double start,
+               const Communicator& communicator, const Communicator& failures) {
+  RunOptions options = request.options;
+  check_flags(layouts, options);
+  const int per_run = ranks_per_run(options, layouts.size(), communicator.size());
+  const std::unique_ptr<Communicator> group = group_of(communicator, per_run);
+  const bool has_progress = communicator.is_root() && options.progress != ProgressStyle::none;
+  if (has_progress)
+    print_to_stderr(fmt::format("{}: {} layouts, {} at a time, {} ranks for each\n", program_name,
+                                layouts.size(), communicator.size() / per_run, per_run));
+  options.progress = ProgressStyle::none;
+  RecordPrinter printer(layouts, options);
+  StreamProgress progress(program_name, layouts.size());
+  bool is_stopped = false;
+  {
+    SharedCounters counters(communicator);
+    while (!is_stopped) {
+      int number = 0;
+      if (group->is_root()) number = static_cast<int>(counters.add(SharedCounters::claimed, 1)) + 1;
+      MPI_Bcast(&number, 1, MPI_INT, 0, group->get());
+      if (number > layouts.size()) break;
+      is_stopped = !run_member(layouts.member(number), options, start, *group, failures);
+      if (is_stopped || !group->is_root()) continue;
+      const long done = counters.add(SharedCounters::done, 1) + 1;
+      if (!communicator.is_root()) continue;
+      printer.print_available();
+      if (has_progress) progress.update(static_cast<int>(done));
+    }
+    MPI_Allreduce(MPI_IN_PLACE, &is_stopped, 1, MPI_C_BOOL, MPI_LOR, communicator.get());
+  }
+  if (communicator.is_root()) {
+    printer.print_available();
+    if (printer.warned() > 0)
+      print_to_stderr(
+          fmt::format("{}: {} of {} layouts have warnings: see the key \"warnings\" of each record\n",
+                      program_name, printer.warned(), layouts.size()));
+  }
+  std::array<int, 2> counts{printer.printed(), printer.failed()};
+  MPI_Bcast(counts.data(), 2, MPI_INT, 0, communicator.get());
+  const auto [printed, failed] = counts;
+  if (is_stopped)
+    throw StoppedEarly(
+        fmt::format("stopped by a signal or the time limit after {} of {} layouts; the same "
+                    "command goes on",
+                    printed, layouts.size()));
+  if (failed > 0)
+    throw RunFailed(
+        fmt::format("{} of {} layouts have no result or stopped early: see the key \"reason\" of "
+                    "the records whose \"status\" is not \"finished\"",
+                    failed, layouts.size()));
+  return static_cast<int>(ExitStatus::fine);
+}
+
+}  // namespace beadswim
