@@ -49,7 +49,7 @@ bool is_small(const ModelPlan& plan) {
 /// Performs some steps of a new run, and returns the contents of the checkpoint that the run writes.
 CheckpointContents contents_after(const std::vector<std::string>& arguments, CheckpointContents contents) {
   const Request request = request_of(arguments);
-  const LayoutDocument document = read_layout(request, one_rank());
+  const LayoutDocument document = read_layout(request.options.layouts.front());
   const auto plan = plan_for(document, request, one_rank());
   const auto model = plan->make(0);
   TrajectoryWriter trajectory(request.options.output, header_of(document, *plan), one_rank());
@@ -112,7 +112,7 @@ const CheckpointContents& lattice_run() {
 /// steps.
 void go_on_from(const std::string& checkpoint) {
   Request request = request_of({"--restart", checkpoint, "--progress", "none"});
-  const LayoutDocument document = read_layout(request, one_rank());
+  const LayoutDocument document = read_layout(request, std::nullopt);
   const auto plan = plan_for(document, request, one_rank());
   if (!is_small(*plan)) return;
   const auto model = plan->make(0);
